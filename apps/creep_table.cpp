@@ -62,8 +62,8 @@ Job make_job(const study::Options& options) {
         const double a_over_b = CreepForceGrid::a_over_b_of(static_cast<Eigen::Index>(i),
                                                             static_cast<Eigen::Index>(shapes), ends[0], ends[1]);
         rollbem::CreepForceSource source(a_over_b, nu, n);
-        const rollbem::PatchSteadySolution<double> steady = source.coefficients();
-        coefficients[i] = steady;
+        const rollbem::Response<double> steady = source.in_adhesion();
+        coefficients[i] = creep_coefficients(source.contact(), steady);
         elements[i] = {static_cast<double>(source.mesh().elements_per_strip()),
                        static_cast<double>(source.mesh().strip_count())};
         // with a spin so large that both meshes count
@@ -203,8 +203,8 @@ void check(const study::Options& options, const Job& job, const CreepForceTable&
         const double low = job.grid.smallest_a_over_b(), high = job.grid.largest_a_over_b();
         const double a_over_b = low * std::pow(high / low, uniform(random));
         rollbem::CreepForceSource source(a_over_b, job.grid.poisson_ratio(), job.n);
-        const auto c = source.coefficients();
         const auto& contact = source.contact();
+        const auto c = creep_coefficients(contact, source.in_adhesion());
         const std::size_t scenes = std::min(together, count - ellipse * together);
         for (std::size_t i = 0; i < scenes; ++i) {
             const double height = 2 * uniform(random) - 1, angle = 2 * std::numbers::pi * uniform(random);
@@ -292,6 +292,7 @@ int main(int argc, char** argv) {
     options.refuse_group("Discretisation", "each patch has uniform strips and node differences", {"n"});
     options.refuse("kernel", "the bodies are half-spaces");
     options.refuse("aspect", "a patch is wide and long: --a-over-b");
+    options.not_with({"shard"}, "rows");
     options.refuse("plot", "draw friction on patches with patch_study");
     options.footer(R"(Example: the table of steel, by two threads; then the same by 4 machines
   creep_table --output table.csv --jobs 2
@@ -301,7 +302,7 @@ int main(int argc, char** argv) {
 Writes a row for each node of the grid, with the columns of patch_study: creepages times G a b/(mu N), spin times
 G a b c/(mu N), -F_x, -F_y over mu N, -M_z over mu N c, c = sqrt(a b). Beside FILE stands FILE.bin, which
 CreepForceTable::read of the library takes (not for a shard, nor on standard output). An interrupt leaves
-FILE.unfinished; the same command goes on from there.
+FILE.part; the same command goes on from there.
 Nodes are denser for small creepages, follow saturation and end at full sliding, so no creepage lies outside. Each node
 is solved on one mesh. Where the pole of a large spin lies inside or near the edge, forces are a mean of two: the second
 has one more element in each strip and one more strip. Columns other than forces, residual and status are of the first.
@@ -318,7 +319,6 @@ the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Ten scenes share an ellipse
         if (!whole && scenes > 0) given.ignored("check", "with --shard: a part is no table");
         const bool to_file = given.given("output") && given.text("output") != "-";
         if (scenes > 0 && !to_file) given.ignored("check", "without --output FILE");
-        if (given.given("rows")) given.ignored("shard", "with --rows");
         std::optional<study::OutputFile> binary;
         if (whole && to_file) binary.emplace(given.text("output") + ".bin", "--output");
         const Job job = make_job(given);
@@ -330,8 +330,7 @@ the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Ten scenes share an ellipse
             const CreepForceTable made(job.grid, read_forces(job, rows.lines, [&](std::size_t i) {
                                            return i < rows.places.size() ? rows.places[i] : given.said("rows");
                                        }));
-            study::TableFile file(given, "output");
-            file.rows().write(study::join(columns(), ",") + "\n");
+            study::TableFile file(given, "output", study::join(columns(), ",") + "\n");
             for (const std::string& line : rows.lines) file.rows().write(line + "\n");
             file.commit();
             finish(given, job, *binary, made, scenes);

@@ -79,6 +79,7 @@ int main(int argc, char** argv) {
                            "Extreme cases: right to a stated bound, or with a reason why there is no result.");
     for (const char* group : {"Discretisation", "Contact"}) options.refuse_group(group, "each case has its own");
     options.refuse("plot", "cases have nothing to draw");
+    options.not_with({"large"}, "patches");
     options.add_flag("large", "also n = 1000 in long double, n = 4000 and 1500 states: ten seconds and 300 MB more");
     options.add(
         "patches", "N",
@@ -103,7 +104,6 @@ its steps); value is the last -F_y over mu N. Steps that a mesh cannot follow mu
         // 2. The cases.
         extremes::Cases cases;
         if (given.given("patches")) {
-            given.ignored("large", "with --patches");
             const auto count = static_cast<std::uint64_t>(given.integer("patches", 1, 10'000'000));
             for (std::uint64_t seed = 1; seed <= count; ++seed) cases.push_back(extremes::patch_scene(seed));
         } else {

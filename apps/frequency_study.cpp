@@ -19,32 +19,22 @@
 #include <vector>
 
 #include <rollbem/compiled/frequency.hpp>
-#include <rollbem/compiled/monomial.hpp>
-#include <rollbem/reference/bessel.hpp>
 
+#include "frequency/polynomial.hpp"
 #include "frequency/state_space.hpp"
 #include "support/non_steady.hpp"
 #include "support/options.hpp"
 #include "support/program.hpp"
 #include "support/scenes.hpp"
-#include "support/table.hpp"
+#include "support/sheet.hpp"
 
 namespace {
 
-using Complex = std::complex<double>;
-
-const std::vector<std::string> columns =
-    study::joined(study::joined({"n", "omega", "c11_re", "c11_im", "exact_re", "exact_im", "relative_error", "alpha_L",
-                                 "alpha_T", "lambda", "order", "rcond", "error_estimate", "status"},
-                                study::all_setting_columns()),
-                  {"basis"});
-
-constexpr Complex unknown{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+using frequency::Complex, frequency::Response, frequency::exact_c11, frequency::unknown;
 
 /// The frequencies, in units of V/a.
 std::vector<double> make_omegas(const study::Options& options) {
     if (options.given("omega")) {
-        for (const char* name : {"omega-min", "omega-max", "points"}) options.ignored(name, "with --omega");
         return options.numbers("omega",
                                {[](double z) { return z >= 0 && std::isfinite(z); }, "be at least 0 and finite"});
     }
@@ -65,24 +55,49 @@ std::vector<double> make_omegas(const study::Options& options) {
     return omegas;
 }
 
-/// The response of the plane model; unknown if that does not decay.
-Complex exact_c11(const rollbem::Contact<double>& contact, double omega) {
-    if (!study::plane_model_decays(contact)) return unknown;
-    return rollbem::reference::plane_c11(Complex(0, omega), contact.poisson_ratio(), contact.aspect());
-}
-
-/// The row's cells up to relative_error. Where `c11` is not finite, it and the error are left out, as is what needs the
-/// exact value where the plane model has none.
-study::Row response_cells(const study::Cell& n, const rollbem::Contact<double>& contact, double omega, Complex c11) {
-    const Complex exact = exact_c11(contact, omega);
-    return {n, omega, c11.real(), c11.imag(), exact.real(), exact.imag(), std::abs(c11 / exact - 1.0)};
-}
+const study::Sheet<Response> sheet{
+    "n",
+    {{"omega", "omega a/V of the creepage e^{i omega t}", [](const Response& r) { return r.omega; }},
+     {"c11_re", "c11 = -F/(a G xi)", [](const Response& r) { return r.c11.real(); }},
+     {"c11_im", "its imaginary part", [](const Response& r) { return r.c11.imag(); }},
+     {"exact_re",
+      "the response of the plane model b >> a in closed form; empty for contacts so narrow that it does not decay",
+      [](const Response& r) { return r.exact.real(); }},
+     {"exact_im", "its imaginary part", [](const Response& r) { return r.exact.imag(); }},
+     {"relative_error",
+      "|c11/exact - 1|: with the strip kernel it includes the difference of the models, of order (a/b)^2 (up to 5e-5 "
+      "at "
+      "b/a = 100, 5e-7 at 1000); with --kernel plane it is the error of the discretisation alone",
+      [](const Response& r) { return std::abs(r.c11 / r.exact - 1.0); }},
+     {"alpha_L, alpha_T, lambda", "of the scheme"},
+     {"order", "of polynomials", [](const Response& r) { return r.order; }},
+     {"rcond",
+      "estimate of the reciprocal condition of the equations of elements or states; rounding contributes 2e-16/rcond "
+      "to "
+      "the error of c11",
+      [](const Response& r) { return r.rcond; }},
+     {"error_estimate", "relative, of c11 by polynomials, truncation and rounding",
+      [](const Response& r) { return r.error_estimate; }},
+     {"status",
+      "if it is not ok, c11 is empty, or wrong with --unchecked: ill_conditioned if the equations are singular to "
+      "working "
+      "precision; assists_creepage if the scheme does not converge to full adhesion (alpha at or below 0, or above 1); "
+      "coarse if the steady c11 of fewer than 10 elements is wrong by more than half; not_converged if --order is too "
+      "low "
+      "for eight digits, or states are too few; not_finite, with empty cells, if b/a is so small or large that G or G' "
+      "is "
+      "not finite",
+      [](const Response& r) { return r.status; }},
+     {std::string("method, derivative, mesh, ") + study::settings, "the scheme and the contact"},
+     {"basis", "of polynomials", [](const Response& r) { return r.basis; }}},
+    ""};
 
 // --- elements and Chebyshev states ---------------------------------------------------------------------------------
 
+/// Assembles and reduces to Hessenberg form, once for all frequencies. A c11 that cannot be trusted is left out if that is
+/// `checked`.
 void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, bool checked, study::RowRange range,
-                const study::Emit& emit) {
-    // 3. Assemble and reduce to Hessenberg form, once for all frequencies.
+                const study::Results<Response>& emit) {
     const std::optional<rollbem::RollingSystem<double>> system = study::system_if_finite(scene);
     std::string steady;
     std::optional<rollbem::FrequencySweep<double>> sweep;
@@ -90,96 +105,14 @@ void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, bo
         steady = study::status_of(rollbem::Status::ok, scene, *system);
         sweep.emplace(*system);
     }
-
-    // 4. Solve for each. A c11 that cannot be trusted is left out, unless --unchecked is given.
     for (std::size_t i = range.first; i < range.last; ++i) {
-        rollbem::SweepPoint<double> point{.c11 = unknown, .rcond = std::nan("")};  // its status is not_finite
+        rollbem::Response<Complex> point{.rcond = std::nan("")};  // its status is not_finite
+        point.coefficients.setConstant(1, 1, unknown);
         if (sweep) point = (*sweep)(omegas[i]);
         const std::string status = point.status == rollbem::Status::ok ? steady : name(point.status);
-        const Complex c11 = status == study::ok || !checked ? point.c11 : unknown;
-        study::Row row = response_cells(scene.n(), scene.contact, omegas[i], c11);
-        row.insert(row.end(),
-                   {scene.alpha_L, scene.alpha_T, scene.lambda, study::Cell(), point.rcond, study::Cell(), status});
-        row = study::joined(row, study::all_setting_cells(scene));
-        row.emplace_back();
-        emit(std::move(row));
+        const Complex c11 = status == study::ok || !checked ? point.c11() : unknown;
+        emit({omegas[i], c11, exact_c11(scene.contact, omegas[i]), status, point.rcond});
     }
-}
-
-// --- the polynomial approach ---------------------------------------------------------------------------------------
-
-struct PolynomialResult {
-    Complex c11;
-    double error_estimate;
-    rollbem::Status status;
-};
-
-/// Throws BadInput where monomials have broken down and that is `checked`.
-PolynomialResult monomial_c11(const rollbem::Contact<double>& contact, double omega, Eigen::Index order, bool checked) {
-    constexpr Eigen::Index highest = 1000;
-    const std::string name = "--order = " + std::to_string(order);
-    if (order > highest) {
-        throw study::BadInput(name + " must be at most " + std::to_string(highest) +
-                              " with --basis monomial, which costs its third power; take --basis chebyshev");
-    }
-    const rollbem::PolynomialSolution<double> solution =
-        rollbem::solve_monomial<double>(Complex(0, omega), contact.poisson_ratio(), contact.aspect(), order);
-    if (checked && solution.status != rollbem::Status::ok) {
-        throw study::BadInput(name + " with --basis monomial must give a result that can be trusted; at omega = " +
-                              study::Cell(omega).text(6) + " it does not: " + rollbem::advice(solution.status) +
-                              " (--basis chebyshev, or --unchecked)");
-    }
-    return {solution.c11, solution.error_estimate, solution.status};
-}
-
-/// Chebyshev polynomials do not break down, but an order can be too low: then a c11 that is `checked` is not a number,
-/// and the estimate stays.
-PolynomialResult chebyshev_c11(const rollbem::Contact<double>& contact, double omega, Eigen::Index order,
-                               bool checked) {
-    const rollbem::EstimatedC11<double> result =
-        rollbem::polynomial_c11(Complex(0, omega), contact.poisson_ratio(), contact.aspect(), order);
-    const bool trusted = result.status == rollbem::Status::ok;
-    return {trusted || !checked ? result.c11 : unknown, result.error_estimate, result.status};
-}
-
-/// All rows, one for each order and frequency: what must be refused shows before anything is written.
-std::vector<study::Row> polynomial_rows(const study::Options& options, const std::vector<double>& omegas) {
-    options.ignored("state-space", "with --method polynomial, which has no states");
-    options.ignored_group("Discretisation", "with --method polynomial, which has no elements", {"method"});
-    if (options.given("kernel") && options.choice("kernel", {"strip", "plane"}) != "plane") {
-        throw study::BadInput(options.said("kernel") + " must be plane with --method polynomial");
-    }
-    const std::vector<rollbem::Contact<double>> contacts = study::make_contacts(options, study::Problem::non_steady);
-    for (const rollbem::Contact<double>& contact : contacts) study::require_plane_model(contact);
-    const std::string basis = options.choice("basis", {"monomial", "chebyshev"});
-    const auto solve = basis == "monomial" ? monomial_c11 : chebyshev_c11;
-    const bool checked = !options.flag("unchecked");
-    std::vector<std::optional<Eigen::Index>> orders{std::nullopt};  // the default order of each frequency
-    if (options.given("order")) {
-        orders.clear();
-        for (const Eigen::Index order : options.integers("order", 1, 100000000)) orders.emplace_back(order);
-    }
-
-    std::vector<study::Row> rows;
-    const auto add_row = [&](const rollbem::Contact<double>& contact, std::optional<Eigen::Index> given, double omega) {
-        const Complex s(0, omega);
-        if (!given && omega > 1e8) {
-            throw study::BadInput("--omega = " + study::Cell(omega).text(6) + " must be at most 1e8 without --order");
-        }
-        const Eigen::Index order = given ? *given : rollbem::default_polynomial_order(s);
-        const PolynomialResult result = solve(contact, omega, order, checked);
-        study::Row row = response_cells({}, contact, omega, result.c11);
-        const study::Cell none;  // no alphas, no lambda, no mesh
-        rows.push_back(study::joined(
-            row, {none, none, none, order, none, result.error_estimate, name(result.status), "polynomial", none, none,
-                  "plane", study::aspect_cell(contact), contact.poisson_ratio(), none, none, none, basis}));
-    };
-    for (const std::optional<Eigen::Index>& given : orders) {
-        for (const rollbem::Contact<double>& contact : contacts) {
-            for (const double omega : omegas) add_row(contact, given, omega);
-        }
-    }
-    return rows;
 }
 
 // --- the plot ------------------------------------------------------------------------------------------------------
@@ -188,7 +121,7 @@ using Responses = std::map<std::string, std::map<double, Complex>>;  // over the
 
 Responses exact_responses(const std::vector<study::Row>& rows) {
     Responses exact;
-    const std::size_t aspect = study::index_of(columns, "aspect");
+    const std::size_t aspect = study::index_of(sheet.names(), "aspect");
     for (const study::Row& row : rows) {
         const std::optional<double> omega = row[1].number(), re = row[4].number(), im = row[5].number();
         const std::string contact = "b/a = " + row[aspect].text(6) + ", ν = " + row[aspect + 1].text(6);
@@ -217,7 +150,7 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
     const Responses exact = exact_responses(rows);
 
     study::Plot argand{.title = "Harmonic creepage", .x_label = "Re c_{11}", .y_label = "Im c_{11}"};
-    study::add_series(argand, columns, rows, {.by = by, .x = "c11_re", .y = "c11_im", .apart = apart});
+    study::add_series(argand, sheet.names(), rows, {.by = by, .x = "c11_re", .y = "c11_im", .apart = apart});
     const std::size_t cases = argand.series.size();
     if (cases == 1) argand.series[0].label = "computed";
     add_exact(argand, exact, "", [](double, Complex c11) { return std::pair(c11.real(), c11.imag()); });
@@ -226,7 +159,7 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
     for (const bool real : {true, false}) {
         const std::string prefix = real ? "Re, " : "Im, ";
         study::Plot part;
-        study::add_series(part, columns, rows,
+        study::add_series(part, sheet.names(), rows,
                           {.by = by, .x = "omega", .y = real ? "c11_re" : "c11_im", .apart = apart});
         for (std::size_t k = 0; k < cases; ++k) {
             study::Series& series = part.series[k];
@@ -254,13 +187,13 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
     // the curves coincide: show their differences
     study::Plot errors{
         .x_label = parts.x_label, .y_label = "|c_{11} / c_{11,exact} - 1|", .log_x = parts.log_x, .log_y = true};
-    study::add_series(errors, columns, rows,
+    study::add_series(errors, sheet.names(), rows,
                       {.by = by, .x = "omega", .y = "relative_error", .absolute = true, .apart = apart});
     for (std::size_t k = 0; k < cases; ++k) {
         errors.series[k].label = argand.series[k].label;
         errors.series[k].markers = argand.series[k].markers;
-        for (auto& [omega, error] : errors.series[k].points) error = std::max(error, study::least_drawn);
     }
+    study::raise_to_drawn(errors);
     errors.title.clear();
     study::add_model_differences(errors, scenes, [&](const auto& states, const auto& kernel, const auto& contact) {
         std::vector<std::pair<double, double>> points;
@@ -269,7 +202,7 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
         for (const double omega : omegas) {
             if (omega > 20) continue;  // more than the states resolve
             const Complex plane = exact_c11(contact, omega);
-            points.emplace_back(omega, std::abs(strip(omega).c11 / plane - 1.0));
+            points.emplace_back(omega, std::abs(strip(omega).c11() / plane - 1.0));
         }
         return points;
     });
@@ -281,7 +214,6 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
 }  // namespace
 
 int main(int argc, char** argv) {
-    // 1. The command line.
     study::Options options("frequency_study",
                            "Complex creep coefficient c11 under harmonic creepage over its frequency, and its error.");
     options.add("omega", "LIST", "frequencies omega a/V, at least 0 (dimensionless)");
@@ -292,6 +224,7 @@ int main(int argc, char** argv) {
         "number of frequencies, 2 to 1000000, both ends included, evenly spaced in the logarithm (dimensionless)",
         "61");
     options.replaces("omega", {"omega-min", "omega-max", "points"});
+    options.not_with({"omega-min", "omega-max", "points"}, "omega");
     options.add("basis", "NAME", "with --method polynomial: monomial or chebyshev", "chebyshev");
     options.add(
         "order", "LIST",
@@ -300,23 +233,15 @@ int main(int argc, char** argv) {
     options.add_flag("unchecked", "print c11 whatever its status, also where --basis monomial has broken down");
     study::StateSpaceFiles::add_options(options, "the scheme, a single one,");
     study::offer_chebyshev(options, "; or polynomial, of an --order");
-    options.footer(R"(Example: three meshes, with the Argand diagram and both parts over the frequency
+    options.footer(
+        R"(Example: three meshes, with the Argand diagram and both parts over the frequency
   frequency_study --n 20,40,60 --omega-min 0.01 --omega-max 10 --points 101 --output c11.csv --plot c11.svg
 
-Creepage e^{i omega t}; --omega is omega a/V, c11 = -F/(a G xi), both dimensionless. exact_re + i exact_im is the
-response of the plane model b >> a in closed form; relative_error = |c11/exact - 1|. With the strip kernel it
-includes the difference of the models, of order (a/b)^2 (up to 5e-5 at b/a = 100, 5e-7 at 1000); with --kernel
-plane it is the error of the discretisation alone.
---method polynomial has no elements: n is empty and the column order gives the order. --basis monomial is the
+One row per scheme and frequency:
+)" + sheet.help() +
+        R"(--method polynomial has no elements: n is empty and the column order gives the order. --basis monomial is the
 paper's; an order at which it has broken down, or has not converged (orders m and m + 10 disagree), is refused
-without --unchecked. If status is not ok, c11 is empty, or wrong with --unchecked: ill_conditioned if the
-equations are singular to working precision; assists_creepage if the scheme does not converge to full adhesion
-(alpha at or below 0, or above 1); coarse if the steady c11 of fewer than 10 elements is wrong by more than half;
-not_converged if --order is too low for eight digits, or states are too few. exact and error are empty for
-contacts so narrow that the plane model does not decay. rcond: estimate of the reciprocal condition of the
-equations of elements or states; rounding contributes 2e-16/rcond to the error of c11. error_estimate: relative,
-of c11 by polynomials, truncation and rounding. not_finite, with empty cells: b/a is so small or large that G
-or G' is not finite.
+without --unchecked.
 --method chebyshev: alpha_L, alpha_T, lambda are empty. 8 states have errors of 3e-14 up to omega = 1 and 2e-4
 up to 5, 12 states of 6e-9 up to 5; narrow strips need more (b/a = 1: 16). c11 is empty if more states would
 change its steady value by more than 1e-2.
@@ -327,45 +252,45 @@ holds for |c11| at every omega, and is twice the sum of the Hankel singular valu
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        // 2. One row for each scene, or order, and frequency.
         const std::string method =
             given.choice("method", {"collocation", "galerkin", "knothe-bc", "nodes", "chebyshev", "polynomial"});
         const std::vector<double> omegas = make_omegas(given);
         if (given.given("state-space") && given.given("shard")) {
             throw study::BadInput(given.said("shard") + " cannot go with --state-space: every part would write it");
         }
-        if (!given.given("state-space")) given.ignored("states", "without --state-space");
+        const auto rows = [&](const study::Scene&) { return omegas.size(); };
         study::Table table;
-        table.columns = columns;
+        frequency::Polynomials polynomials;
         std::vector<study::Scene> scenes;
-        std::vector<study::Row> polynomial;
         std::unique_ptr<study::StateSpaceFiles> state_space;
         if (method == "polynomial") {
-            polynomial = polynomial_rows(given, omegas);
-            table.rows_of_task = {polynomial.size()};
-            table.compute = [&](std::size_t, study::RowRange range, const study::Emit& emit) {
-                for (std::size_t i = range.first; i < range.last; ++i) emit(polynomial[i]);
-            };
+            polynomials = frequency::solve_polynomials(given, omegas);
+            table = sheet.table(
+                polynomials.scenes, rows,
+                [&](const study::Scene& scene, study::RowRange range, const study::Results<Response>& emit) {
+                    const auto& known = polynomials.responses[std::size_t(&scene - polynomials.scenes.data())];
+                    for (std::size_t i = range.first; i < range.last; ++i) emit(known[i]);
+                });
+            table.label = {};
         } else {
             for (const char* name : {"order", "basis"}) {
                 given.ignored(name, "with --method " + method + "; it is for --method polynomial");
             }
             scenes = study::make_non_steady_scenes(given, study::Methods::elements_and_states);
             if (given.given("state-space")) state_space = frequency::state_space_files(given, scenes);
-            table.rows_of_task.assign(scenes.size(), omegas.size());
-            table.label = [&](std::size_t task) { return scenes[task].label(); };
-            table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-                emit_sweep(scenes[task], omegas, !given.flag("unchecked"), range, emit);
-            };
+            table = sheet.table(
+                scenes, rows,
+                [&](const study::Scene& scene, study::RowRange range, const study::Results<Response>& emit) {
+                    emit_sweep(scene, omegas, !given.flag("unchecked"), range, emit);
+                });
         }
 
         table.written = [&] {
             if (state_space) state_space->commit();
         };
 
-        // 5. --plot.
-        table.plot = [&](const std::vector<study::Row>& rows) {
-            return draw_response(rows, given.given("order"), scenes, omegas);
+        table.plot = [&](const std::vector<study::Row>& drawn) {
+            return draw_response(drawn, given.given("order"), scenes, omegas);
         };
         study::write_table(given, table);
         return study::exit_ok;

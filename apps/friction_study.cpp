@@ -1,4 +1,4 @@
-// Rolling with Coulomb friction: the creep curve against Carter's, stick and slip along the contact, and in time from
+// Rolling with Coulomb friction: the creep curve against Carter's, stick and slip along the contact, and in the time domain from
 // rest or from a shift, under constant or sinusoidal creepage:
 //
 //     ./friction_study --n 20,40 --creepage-ratio 0.25,0.5,0.75,1 --plot curve.svg
@@ -7,7 +7,7 @@
 #include "friction/pressure.hpp"
 #include "friction/steady.hpp"
 #include "friction/transient.hpp"
-#include "support/non_steady.hpp"
+#include "support/load_history.hpp"
 #include "support/options.hpp"
 #include "support/program.hpp"
 
@@ -29,48 +29,61 @@ int main(int argc, char** argv) {
     options.add("lateral-ratio", "LIST",
                 "lateral creepage by the same 2 (1-nu) mu p0/G, any finite: friction in both directions; with "
                 "--transient a single value, constant (dimensionless)");
-    options.add("spin-ratio", "LIST",
-                "with --lateral-ratio: spin, a rigid lateral slip phi x, with phi a by the same 2 (1-nu) mu p0/G, any "
-                "finite; with --transient a single value, constant (dimensionless)");
+    options
+        .add("spin-ratio", "LIST",
+             "spin, a rigid lateral slip phi x, with phi a by the same 2 (1-nu) mu p0/G, any "
+             "finite; with --transient a single value, constant (dimensionless)")
+        .only_with({"lateral-ratio"});
     options.add("layer", "L", "compliance of an elastic layer between the bodies, in a/G, 0 or more (dimensionless)",
                 "0");
     options.add("falling", "K,VH",
                 "friction that falls with slip from mu_0 to K mu_0, by half at a slip velocity VH in V mu_0 p0/G "
                 "(dimensionless)");
-    options.add("memory", "D,V0",
-                "with --falling: mu is forgotten within a distance D of slip, in a mu_0 p0/G, at a velocity of at "
-                "least V0, in V mu_0 p0/G (dimensionless)");
-    options.add("sweep", "up|down",
-                "with --falling: each point starts from its neighbour in the order of the creepage ratios, "
-                "separately for each lateral one, not from rest");
-    options.add_table("tractions",
-                      "also write a CSV file with one row per element of every scheme and creepage, and FILE.toml");
-    options.add_flag("fit-border",
-                     "solve for the border between slip and stick exactly, by series; n elements are used where that "
-                     "fails");
+    options
+        .add("memory", "D,V0",
+             "mu is forgotten within a distance D of slip, in a mu_0 p0/G, at a velocity of at "
+             "least V0, in V mu_0 p0/G (dimensionless)")
+        .only_with({"falling"});
+    options
+        .add("sweep", "up|down",
+             "each point starts from its neighbour in the order of the creepage ratios, "
+             "separately for each lateral one, not from rest")
+        .only_with({"falling"})
+        .not_with("transient");
+    options
+        .add_table("tractions",
+                   "also write a CSV file with one row per element of every scheme and creepage, and FILE.toml")
+        .not_with("transient");
+    options
+        .add_flag("fit-border",
+                  "solve for the border between slip and stick exactly, by series; n elements are used where that "
+                  "fails")
+        .not_with("transient")
+        .not_with("falling", ", which is solved by elements");
+    options.not_with({"mesh", "edges", "method", "derivative", "alpha-L", "alpha-T", "alpha"}, "fit-border",
+                     ", which needs no elements");
+    options.not_with({"lateral-ratio", "spin-ratio", "layer"}, "fit-border",
+                     ", which is for one direction and no layer");
     options.add_flag("transient", "roll in time from rest, one row per step");
-    options.add("sine", "AMP,OMEGA",
-                "with --transient: creepage ratio AMP sin(OMEGA q/a), AMP finite and not 0, OMEGA in V/a above 0 "
-                "(dimensionless)");
+    options
+        .add("sine", "AMP,OMEGA",
+             "creepage ratio AMP sin(OMEGA q/a), AMP finite and not 0, OMEGA in V/a above 0 "
+             "(dimensionless)")
+        .only_with({"transient"});
     options.replaces("creepage-ratio", {"sine"});
-    options.add("shift", "W",
-                "with --transient: rigid shift in mu p0 a/G first, any finite, without rolling (dimensionless)");
-    options.add("load-sine", "A,LENGTH",
-                "with --transient: load N = N_0 (1 + A sin(2 pi q/LENGTH)), |A| up to 1, LENGTH in a_0 above 0 "
-                "(dimensionless)");
-    options.add_input("load",
-                      "with --transient: CSV file with the columns q_over_a,load_ratio: N/N_0 over the distance rolled "
-                      "in a_0, linear between its rows, which must cover the run (dimensionless)");
-    options.replaces("load-sine", {"load"});
-    options.add_flag("breathing",
-                     "with --load-sine or --load: the mesh follows the half-length of the contact, with --kernel "
-                     "plane; otherwise it covers the largest contact");
-    options.add("from", "rest|steady", "with --transient: the state that the run starts from", "rest");
-    study::add_steps(options, "with --transient: ");
-    options.add("integrator", "NAME", "with --transient: sdirk2 (second order) or implicit-euler (first)", "sdirk2");
-    options.add_flag("unchecked",
-                     "with --transient: step even a scheme that is, or may be, unstable, or that does not converge");
-    options.footer(friction::help, friction::topics);
+    options.add("shift", "W", "rigid shift in mu p0 a/G first, any finite, without rolling (dimensionless)")
+        .only_with({"transient"});
+    study::add_run_options(options,
+                           ": N/N_0 over the distance rolled in a_0, linear between its rows, which must cover the run "
+                           "(dimensionless)",
+                           "the mesh follows the half-length of the contact, with --kernel plane; otherwise it covers "
+                           "the largest contact");
+    options.not_with({"from"}, "shift", ", which starts from rest");
+    options.only_with({"lambda"}, {"transient"}, ": a steady problem builds no G, the only matrix lambda acts on");
+    options.not_with({"creepage-ratio"}, "sine");
+    options.add_flag("unchecked", "step even a scheme that is, or may be, unstable, or that does not converge")
+        .only_with({"transient"});
+    options.footer(friction::help, friction::topics());
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The pressure.

@@ -1,6 +1,6 @@
 // Contact patches in three dimensions: Kalker's creep coefficients of ellipses and other outlines in full adhesion,
-// steady or over the frequency, whether they are stable in time, the patch as linear differential equations, and forces
-// with friction and spin, steady or in time:
+// steady or over the frequency, whether they are stable in the time domain, the patch as linear differential equations, and forces
+// with friction and spin, steady or in the time domain:
 //
 //     ./patch_study --a-over-b 0.5,1,2 --n 12
 //     ./patch_study --n 12 --omega 0.1,1,3
@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/patch_frequency.hpp>
-#include <rollbem/adhesion/patch_stability.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/stability.hpp>
 #include <rollbem/adhesion/state_space.hpp>
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/patch.hpp>
@@ -44,23 +44,6 @@ using Kernel = rollbem::HalfSpace<double>;
 
 Kernel kernel_of(const Patch& patch) { return Kernel(patch.contact.poisson_ratio()); }
 
-/// Coefficients, those left out which cannot be trusted: of a long patch those that other meshes do not confirm.
-template <class Value>
-std::vector<Value> trusted(rollbem::Status status, const rollbem::CreepCoefficients<double>& change,
-                           const rollbem::CreepCoefficients<Value>& given) {
-    const bool known = status == rollbem::Status::ok || status == rollbem::Status::not_converged;
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const auto value = [&](auto coefficient) {
-        return known && change.*(coefficient.first) <= rollbem::largest_mesh_change ? given.*(coefficient.second)
-                                                                                    : nan * Value(1);
-    };
-    using Change = rollbem::CreepCoefficients<double>;
-    using Given = rollbem::CreepCoefficients<Value>;
-    return {value(std::pair{&Change::c11, &Given::c11}), value(std::pair{&Change::c22, &Given::c22}),
-            value(std::pair{&Change::c23, &Given::c23}), value(std::pair{&Change::c32, &Given::c32}),
-            value(std::pair{&Change::c33, &Given::c33})};
-}
-
 /// Kalker's 3 x 3 coefficients of forces over G a^2, moments over G a^3 and spin times a.
 template <class Matrix>
 Matrix to_kalker(const Patch& patch, Matrix coefficients) {
@@ -69,6 +52,20 @@ Matrix to_kalker(const Patch& patch, Matrix coefficients) {
     coefficients.col(2) *= length;
     coefficients.row(2) *= length;
     return coefficients;
+}
+
+/// c11, c22, c23, c32, c33, those left out which cannot be trusted: of a long patch those that other meshes do not
+/// confirm.
+template <class Matrix>
+std::vector<typename Matrix::Scalar> trusted(rollbem::Status status, const Eigen::MatrixXd& changes,
+                                             const Matrix& given) {
+    const bool known = status == rollbem::Status::ok || status == rollbem::Status::not_converged;
+    std::vector<typename Matrix::Scalar> values;
+    for (const auto& [i, j] : {std::pair{0, 0}, {1, 1}, {1, 2}, {2, 1}, {2, 2}}) {
+        const bool confirmed = changes.size() == 0 || changes(i, j) <= rollbem::largest_mesh_change;
+        values.push_back(known && confirmed ? given(i, j) : std::numeric_limits<double>::quiet_NaN() * given(i, j));
+    }
+    return values;
 }
 
 double if_ok(rollbem::Status status, double value) {
@@ -93,16 +90,17 @@ study::Row steady_row(const study::Options& options, const Patch& patch) {
     // 3. G' by halves where the patch is symmetric, and one right-hand side for each creepage and spin.
     const Kernel kernel = kernel_of(patch);
     const auto solve = [&] { return rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, kernel); };
-    const rollbem::PatchSteadySolution<double> steady = solve();
+    const rollbem::Response<double> steady = solve();
     std::string status = name(steady.status);
     std::optional<double> assembly_us, solve_us;
     if (study::has_times(options)) {
         assembly_us = study::median_time_us(
             [&] { return rollbem::assemble_G_prime(patch.mesh, patch.scheme, kernel)[0][0](0, 0); });
-        solve_us = std::max(0.0, study::median_time_us([&] { return solve().c11; }) - *assembly_us);
+        solve_us = std::max(0.0, study::median_time_us([&] { return solve().c11(); }) - *assembly_us);
     }
     study::Row row = patch::cells(patch);
-    for (const double value : trusted<double>(steady.status, steady.mesh_change, steady)) row.emplace_back(value);
+    const Eigen::MatrixXd c = to_kalker(patch, steady.coefficients);
+    for (const double value : trusted(steady.status, steady.error_estimates, c)) row.emplace_back(value);
     row.insert(row.end(), {steady.residual, assembly_us, solve_us});
 
     // 4. All eigenvalues of G' p = nu G p.
@@ -117,7 +115,6 @@ study::Row steady_row(const study::Options& options, const Patch& patch) {
         }
     }
     row.insert(row.end(), {status, nodes_name(patch)});
-    const Eigen::MatrixXd c = to_kalker(patch, steady.coefficients);
     for (const auto& [i, j] : unmirrored) row.emplace_back(if_ok(steady.status, c(i, j)));
     return row;
 }
@@ -134,21 +131,20 @@ const std::vector<std::string>& response_columns() {
 
 void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::RowRange range, const study::Emit& emit) {
     // 5. One reduction to Hessenberg form for each half, then little work for each frequency.
-    const rollbem::PatchFrequencySweep<double> sweep(patch.contact,
-                                                     rollbem::patch_parts(patch.mesh, patch.scheme, kernel_of(patch)));
-    const rollbem::PatchSteadySolution<double> steady =
+    const rollbem::FrequencySweep<double> sweep(rollbem::patch_parts(patch.mesh, patch.scheme, kernel_of(patch)));
+    const rollbem::Response<double> steady =
         rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, kernel_of(patch));
     for (std::size_t i = range.first; i < range.last; ++i) {
-        const rollbem::PatchSweepPoint<double> point = sweep(omegas[i]);
+        const rollbem::Response<std::complex<double>> point = sweep(omegas[i]);
         const rollbem::Status status = point.status == rollbem::Status::ok ? steady.status : point.status;
         study::Row row = patch::cells(patch);
         row.emplace_back(omegas[i]);
-        for (const std::complex<double>& c : trusted<std::complex<double>>(status, steady.mesh_change, point)) {
-            row.emplace_back(c.real());
-            row.emplace_back(c.imag());
+        const Eigen::MatrixXcd c = to_kalker(patch, point.coefficients);
+        for (const std::complex<double>& value : trusted(status, steady.error_estimates, c)) {
+            row.emplace_back(value.real());
+            row.emplace_back(value.imag());
         }
         row.insert(row.end(), {name(status), nodes_name(patch)});
-        const Eigen::MatrixXcd c = to_kalker(patch, point.coefficients);
         for (const auto& [k, j] : unmirrored) {
             row.emplace_back(if_ok(status, c(k, j).real()));
             row.emplace_back(if_ok(status, c(k, j).imag()));
@@ -201,6 +197,11 @@ int main(int argc, char** argv) {
     study::StateSpaceFiles::add_options(options, "one patch");
     patch::add_friction_options(options);
     patch::add_transient_options(options);
+    const std::vector<std::string> friction{"longitudinal", "lateral", "spin"};
+    options.not_with({"stability", "state-space"}, "omega");
+    for (const std::string& creepage : friction) options.not_with({"stability", "omega", "state-space"}, creepage);
+    options.only_with({"pressure", "tractions", "transient"}, friction);
+    options.not_with({"tractions"}, "transient");
     options.footer(patch::help, patch::topics);
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
@@ -208,27 +209,16 @@ int main(int argc, char** argv) {
         const bool harmonic = given.given("omega");
         std::vector<double> omegas;
         if (harmonic) {
-            given.ignored("stability", "with --omega");
-            given.ignored("state-space", "with --omega");
             omegas = given.numbers("omega",
                                    {[](double z) { return z >= 0 && std::isfinite(z); }, "be at least 0 and finite"});
         }
         const bool rubs = patch::asks_for_friction(given);
-        if (rubs) {
-            for (const char* name : {"stability", "omega", "state-space"}) given.ignored(name, "with friction");
-        } else {
-            for (const char* name : {"pressure", "tractions", "transient"}) {
-                given.ignored(name, "without --longitudinal, --lateral or --spin");
-            }
-        }
-        if (!given.flag("transient")) patch::refuse_transient_options(given);
-        if (!given.given("state-space")) given.ignored("states", "without --state-space");
         if (given.given("state-space") && given.given("shard")) {
             throw study::BadInput(given.said("shard") + " cannot go with --state-space: every part would write it");
         }
         const std::vector<Patch> patches = patch::make_patches(given);
         if (rubs) {
-            // 6. Stick and slip at each creepage, or in time.
+            // 6. Stick and slip at each creepage, or in the time domain.
             (given.flag("transient") ? patch::run_transient : patch::run_friction)(given, patches);
             return study::exit_ok;
         }

@@ -28,7 +28,6 @@
 #include "support/csv.hpp"
 #include "support/errors.hpp"
 #include "support/files.hpp"
-#include "support/output_folder.hpp"
 #include "support/plot.hpp"
 #include "support/progress.hpp"
 
@@ -85,9 +84,10 @@ std::string csv_of(const paper::PanelResult& result) {
 
 int run(const Settings& settings) {
     // 1. The folder, and two of the files, so that a folder that cannot be written to costs no computing time.
-    study::OutputFolder folder(settings.directory, "DIR");
+    study::make_folder(settings.directory, "DIR");
+    const auto path_of = [&](const std::string& name) { return settings.directory + "/" + name; };
     std::vector<study::OutputFile> files;
-    const auto open = [&](const std::string& name) { files.emplace_back(folder.file(name), "DIR"); };
+    const auto open = [&](const std::string& name) { files.emplace_back(path_of(name), "DIR"); };
     open("claims.csv");
     open("index.html");
 
@@ -105,7 +105,7 @@ int run(const Settings& settings) {
         if (!note.empty()) continue;
         try {
             const std::string& drawing = drawings[result.panel.figure] =
-                study::picture(paper::plot(result), false, folder.file(name + ".svg"));
+                study::picture(paper::plot(result), false, path_of(name + ".svg"));
             open(name + ".svg");
             files.back().write(drawing);
         } catch (const study::PlotError&) {
@@ -129,15 +129,14 @@ int run(const Settings& settings) {
     // 5. The files take their names when all of them are on the disk. No drawing of an earlier run remains.
     for (study::OutputFile& file : files) file.close();
     for (study::OutputFile& file : files) file.commit();
-    folder.keep();
     for (const paper::PanelResult& result : results.panels()) {
         std::error_code error;
-        const std::string drawing = folder.file("fig" + result.panel.figure + ".svg");
+        const std::string drawing = path_of("fig" + result.panel.figure + ".svg");
         if (drawings.count(result.panel.figure) == 0) std::filesystem::remove(drawing, error);
     }
     const paper::Tallies counted = paper::tallies(claims);
     std::printf("%s; %zu differ from what is expected. See %s\n", paper::summary(counted).c_str(), counted.unexpected,
-                folder.file("index.html").c_str());
+                path_of("index.html").c_str());
     return counted.unexpected == 0 ? study::exit_ok : study::exit_failed;
 }
 
@@ -150,7 +149,7 @@ int fail(const char* message, study::ExitCode code) {
 
 int main(int argc, char** argv) {
     gsl_set_error_handler_off();  // the default handler aborts the program
-    study::handle_signals();
+    study::ignore_write_signals();
     Settings settings;
     CLI::App app(
         R"(Every figure and every claim of the paper: writes each panel as figNNx.csv and figNNx.svg, claims.csv

@@ -1,4 +1,4 @@
-// Stability in time: the eigenvalues nu of G' p = nu G p, whose modes grow like e^{nu V t}. Their number, and the signs
+// Stability in the time domain: the eigenvalues nu of G' p = nu G p, whose modes grow like e^{nu V t}. Their number, and the signs
 // that rounding leaves open; the smallest alpha_T at which a mode grows; or the eigenvalues beside the exact ones:
 //
 //     ./stability_study --n 20,40,60 --alpha-T 0.6,0.7,0.8,0.9
@@ -21,86 +21,105 @@
 #include "support/options.hpp"
 #include "support/program.hpp"
 #include "support/scenes.hpp"
-#include "support/table.hpp"
+#include "support/sheet.hpp"
 #include "support/timing.hpp"
 
 namespace {
 
+using study::Cell;
 using Complex = std::complex<double>;
+using Result = rollbem::StabilityResult<double>;
 
 // --- how many modes grow -------------------------------------------------------------------------------------------
 
-const std::vector<std::string> count_columns = study::joined(
-    {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda", "unstable_count", "uncertain_count",
-     "unstable_fraction", "spectral_abscissa", "cond_G", "time_us", "spectral_radius", "stiffness_ratio", "status"},
-    study::setting_columns());
+struct Count {
+    Result of;
+    std::string status;
+    Cell time_us{};
+};
 
-study::Row count_row(const study::Options& options, const study::Scene& scene) {
-    // 3. All eigenvalues by QZ, how far rounding can move each, and the condition of G.
-    const std::optional<rollbem::RollingSystem<double>> system = study::system_if_finite(scene);
-    rollbem::StabilityResult<double> result;
-    if (system) result = rollbem::solve_stability<double>(*system, {.settle_signs = true, .condition = true});
-
-    // 4. Time the bare count, unless other jobs would disturb it.
-    study::Cell time_us;
-    if (system && study::has_times(options)) {
-        time_us = study::median_time_us(
-            [&] { return rollbem::solve_stability<double>(study::system_of(scene)).spectral_abscissa; });
-    }
-
-    study::Row row{scene.method,  scene.derivative, scene.mesh_name, scene.n(),
-                   scene.alpha_L, scene.alpha_T,    scene.lambda};
-    if (result.status == rollbem::Status::ok) {
-        row.insert(row.end(),
-                   {result.unstable_count, result.uncertain_count, result.unstable_fraction(), result.spectral_abscissa,
-                    result.cond_G, time_us, result.spectral_radius, result.stiffness_ratio});
-    }
-    row.resize(count_columns.size() - study::setting_columns().size() - 1);
-    row.emplace_back(system ? study::status_of(result.status, scene, *system) : name(result.status));
-    return study::joined(row, study::setting_cells(scene));
+/// A number of a result; none where the eigenvalues were not found.
+template <class Number>
+auto count_of(const Number& number) {
+    return [number](const Count& c) { return c.of.status == rollbem::Status::ok ? Cell(number(c.of)) : Cell(); };
 }
 
-study::Table count_table(const study::Options& options, const std::vector<study::Scene>& scenes) {
-    study::Table table = study::table_of(count_columns, scenes);
-    table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
-        emit(count_row(options, scenes[task]));
-    };
+const study::Sheet<Count> counts{
+    "method, derivative, mesh, n, alpha_L, alpha_T, lambda",
+    {{"unstable_count", "eigenvalues with a real part > 0, as computed",
+      count_of([](const Result& r) { return r.unstable_count; })},
+     {"uncertain_count",
+      "those of either sign that rounding errors in G and G' could move across zero, infinite ones included",
+      count_of([](const Result& r) { return r.uncertain_count; })},
+     {"unstable_fraction", "unstable_count / number of eigenvalues, n (n - 1 with knothe-bc)",
+      count_of([](const Result& r) { return r.unstable_fraction(); })},
+     {"spectral_abscissa", "the largest real part of the finite ones",
+      count_of([](const Result& r) { return r.spectral_abscissa; })},
+     {"cond_G", "in the 2-norm, empty if G is singular", count_of([](const Result& r) { return r.cond_G; })},
+     {"time_us", "[microseconds] assembly and eigenvalues, median of at least 5 runs",
+      [](const Count& c) { return c.of.status == rollbem::Status::ok ? c.time_us : Cell(); }},
+     {"spectral_radius",
+      "the largest |nu a| (steps of an explicit integrator must stay below 2/spectral_radius); empty if an eigenvalue "
+      "is "
+      "infinite",
+      count_of([](const Result& r) { return r.spectral_radius; })},
+     {"stiffness_ratio", "the largest |Re(nu a)| over the smallest; empty if an eigenvalue is infinite",
+      count_of([](const Result& r) { return r.stiffness_ratio; })},
+     {"status",
+      "assists_creepage if steady rolling shows that the scheme does not converge to full adhesion (alpha near or "
+      "below "
+      "0, or above 1), whatever its eigenvalues; coarse if the steady c11 of fewer than 10 elements is wrong by more "
+      "than "
+      "half; not_converged if more Chebyshev states would change it; ill_conditioned or not_finite, with empty cells, "
+      "if "
+      "the eigenvalues were not found or G is not finite",
+      [](const Count& c) { return c.status; }}},
+    study::settings};
 
-    // 5. --plot: the share of growing modes over the swept quantity.
-    table.plot = [&](const std::vector<study::Row>& rows) {
-        const auto swept = [&](const char* name) { return options.text(name).find(',') != std::string::npos; };
-        const bool equal = options.given("alpha");
-        const std::string x = equal && swept("alpha")      ? "alpha_T"
-                              : !equal && swept("alpha-T") ? "alpha_T"
-                              : swept("lambda")            ? "lambda"
-                              : !equal && swept("alpha-L") ? "alpha_L"
-                                                           : "n";
-        study::Plot plot{.title = "Stability",
-                         .x_label = equal && x == "alpha_T" ? "α_L = α_T"
-                                    : x == "n"              ? scenes.front().n_label()
-                                                            : study::shown_name(x),
-                         .y_label = "share of unstable eigenvalues",
-                         .log_x = x == "n"};
-        study::Selection selection{.by = {}, .x = x, .y = "unstable_fraction", .apart = study::setting_columns()};
-        for (const char* name : {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"}) {
-            const bool follows = equal && x == "alpha_T" && name == std::string("alpha_L");
-            if (name != x && !follows) selection.by.emplace_back(name);
-        }
-        study::add_series(plot, count_columns, rows, selection);
-        double largest = 0;
-        for (const study::Series& series : plot.series) {
-            for (const auto& [place, share] : series.points) largest = std::max(largest, share);
-        }
-        if (largest == 0) plot.y_range = study::PlotRange{0, 1};
-        return plot;
-    };
-    return table;
+/// All eigenvalues by QZ, how far rounding can move each, and the condition of G; then the time of the bare count, unless
+/// other jobs would disturb it.
+Count count(const study::Scene& scene, bool timed) {
+    const std::optional<rollbem::RollingSystem<double>> system = study::system_if_finite(scene);
+    if (!system) return {Result{}, name(Result{}.status)};
+    Count found{rollbem::solve_stability<double>(*system, {.settle_signs = true, .condition = true}), ""};
+    found.status = study::status_of(found.of.status, scene, *system);
+    if (timed) {
+        found.time_us = study::median_time_us(
+            [&] { return rollbem::solve_stability<double>(study::system_of(scene)).spectral_abscissa; });
+    }
+    return found;
+}
+
+/// The share of growing modes over the swept quantity.
+study::Plot draw_counts(const std::vector<study::Scene>& scenes, const std::vector<study::Row>& rows) {
+    const study::Axis x = study::most_varied(scenes);
+    study::Plot plot{
+        .title = "Stability", .x_label = x.label, .y_label = "share of unstable eigenvalues", .log_x = x.is_n()};
+    counts.draw(plot, rows, x.column, "unstable_fraction", x.same);
+    double largest = 0;
+    for (const study::Series& series : plot.series) {
+        for (const auto& [place, share] : series.points) largest = std::max(largest, share);
+    }
+    if (largest == 0) plot.y_range = study::PlotRange{0, 1};
+    return plot;
 }
 
 // --- the smallest unstable alpha_T ---------------------------------------------------------------------------------
 
-const std::vector<std::string> critical_columns = study::joined(
-    {"method", "derivative", "mesh", "n", "alpha_L", "critical_alpha_T", "lambda", "status"}, study::setting_columns());
+struct Critical {
+    std::optional<double> alpha_T;
+    std::string status;
+};
+
+const study::Sheet<Critical> criticals{
+    "method, derivative, mesh, n, alpha_L",
+    {{"critical_alpha_T",
+      "the smallest with an unstable eigenvalue whose sign rounding cannot change; above it the scheme can be stable "
+      "again; empty, with the status all_stable, if there is none. n = 320 takes half a minute",
+      [](const Critical& c) { return c.alpha_T; }},
+     {"lambda", "as given"},
+     {"status", "ok, all_stable or not_finite", [](const Critical& c) { return c.status; }}},
+    study::settings};
 
 std::optional<double> critical_alpha_T(const study::Scene& scene) {
     const auto scheme_of = [&](double alpha_T) {
@@ -114,69 +133,68 @@ std::optional<double> critical_alpha_T(const study::Scene& scene) {
     return rollbem::critical_alpha_T(*scene.mesh, scheme_of, scene.kernel);
 }
 
-study::Table critical_table(const std::vector<study::Scene>& scenes) {
-    study::Table table = study::table_of(critical_columns, scenes);
-    table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
-        const study::Scene& scene = scenes[task];
-        const bool finite = study::system_if_finite(scene).has_value();
-        const std::optional<double> critical = finite ? critical_alpha_T(scene) : std::nullopt;
-        const std::string status = !finite ? name(rollbem::Status::not_finite) : critical ? study::ok : "all_stable";
-        emit(study::joined(
-            {scene.method, scene.derivative, scene.mesh_name, scene.n(), scene.alpha_L, critical, scene.lambda, status},
-            study::setting_cells(scene)));
-    };
-    table.plot = [](const std::vector<study::Row>& rows) {
-        study::Plot plot{.title = "Smallest unstable α_T",
-                         .x_label = "number of elements n",
-                         .y_label = "critical α_T",
-                         .log_x = true};
-        study::add_series(plot, critical_columns, rows,
-                          {.by = {"method", "derivative", "mesh", "alpha_L", "lambda"},
-                           .x = "n",
-                           .y = "critical_alpha_T",
-                           .apart = study::setting_columns()});
-        return plot;
-    };
-    return table;
+Critical critical(const study::Scene& scene) {
+    if (!study::system_if_finite(scene)) return {std::nullopt, name(rollbem::Status::not_finite)};
+    const std::optional<double> alpha_T = critical_alpha_T(scene);
+    return {alpha_T, alpha_T ? study::ok : "all_stable"};
+}
+
+study::Plot draw_criticals(const std::vector<study::Row>& rows) {
+    study::Plot plot{
+        .title = "Smallest unstable α_T", .x_label = "number of elements n", .y_label = "critical α_T", .log_x = true};
+    criticals.draw(plot, rows, "n", "critical_alpha_T");
+    return plot;
 }
 
 // --- the eigenvalues -----------------------------------------------------------------------------------------------
 
-const std::vector<std::string> spectrum_columns = study::joined(
-    {"n", "re", "im", "exact_re", "exact_im", "alpha_L", "alpha_T", "lambda", "status"}, study::all_setting_columns());
+struct Eigenvalue {
+    Complex nu;  ///< not a number where it is infinite, or not found
+    std::optional<Complex> exact;
+    std::string status;
 
-void emit_spectrum(const study::Scene& scene, study::RowRange range, const study::Emit& emit) {
-    // 3. The eigenvalues by ascending modulus; infinite ones come last.
+    bool finite() const { return std::isfinite(nu.real()); }
+};
+
+const study::Sheet<Eigenvalue> spectrum{
+    "n",
+    {{"re", "nu a, in the order of the modulus; empty if it is infinite, as where G is singular",
+      [](const Eigenvalue& e) { return e.nu.real(); }},
+     {"im", "its imaginary part", [](const Eigenvalue& e) { return e.finite() ? Cell(e.nu.imag()) : Cell(); }},
+     {"exact_re",
+      "the nearest eigenvalue of the plane model in closed form, also for the strip kernel, whose model differs by "
+      "order "
+      "(a/b)^2; empty for infinite ones, for |nu a| > 3e4, which no mesh resolves, and for contacts so narrow that the "
+      "plane model does not decay",
+      [](const Eigenvalue& e) { return e.exact ? Cell(e.exact->real()) : Cell(); }},
+     {"exact_im", "its imaginary part", [](const Eigenvalue& e) { return e.exact ? Cell(e.exact->imag()) : Cell(); }},
+     {"alpha_L, alpha_T, lambda", "of the scheme"},
+     {"status", "as above; not_finite of infinite ones", [](const Eigenvalue& e) { return e.status; }}},
+    std::string("method, derivative, mesh, ") + study::settings};
+
+/// The eigenvalues by ascending modulus, infinite ones last, each beside the nearest exact one.
+void emit_spectrum(const study::Scene& scene, study::RowRange range, const auto& emit) {
     const std::optional<rollbem::RollingSystem<double>> system = study::system_if_finite(scene);
-    rollbem::StabilityResult<double> result;
+    Result result;
     if (system) result = rollbem::solve_stability<double>(*system);
     const std::string status = system ? study::status_of(result.status, scene, *system) : name(result.status);
+    const bool found = result.status == rollbem::Status::ok;
     std::vector<Complex> eigenvalues(range.last, Complex(std::nan("")));
-    if (result.status == rollbem::Status::ok) {
+    if (found) {
         const Eigen::VectorXcd computed = result.eigenvalues();
         eigenvalues.assign(computed.begin(), computed.end());
         std::stable_sort(eigenvalues.begin(), eigenvalues.end(),
                          [](const Complex& left, const Complex& right) { return std::abs(left) < std::abs(right); });
     }
-
-    // 4. Each beside the nearest exact one.
     const stability::ExactSpectrum exact(scene.contact, eigenvalues);
     for (std::size_t k = range.first; k < range.last; ++k) {
-        const Complex nu = eigenvalues[k];
-        const bool finite = std::isfinite(nu.real());
-        const std::optional<Complex> near = exact.nearest(nu);
-        study::Cell im, exact_re, exact_im;
-        if (finite) im = nu.imag();
-        if (near) exact_re = near->real();
-        if (near) exact_im = near->imag();
-        const bool infinite = result.status == rollbem::Status::ok && !finite;
-        emit(study::joined({scene.n(), nu.real(), im, exact_re, exact_im, scene.alpha_L, scene.alpha_T, scene.lambda,
-                            infinite ? name(rollbem::Status::not_finite) : status},
-                           study::all_setting_cells(scene)));
+        Eigenvalue row{eigenvalues[k], exact.nearest(eigenvalues[k]), status};
+        if (found && !row.finite()) row.status = name(rollbem::Status::not_finite);
+        emit(row);
     }
 }
 
-/// 5. --plot: the complex plane up to the highest wavenumber that the elements resolve, with a margin.
+/// The complex plane up to the highest wavenumber that the elements resolve, with a margin.
 study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::vector<study::Row>& rows) {
     Eigen::Index n = 0;
     for (const study::Scene& scene : scenes) n = std::max(n, scene.n());
@@ -186,7 +204,7 @@ study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::ve
                      .x_label = "Re(ν a)",
                      .y_label = "Im(ν a)"};
     study::add_series(
-        plot, spectrum_columns, rows,
+        plot, spectrum.names(), rows,
         {.by = {"n", "alpha_L", "alpha_T", "lambda"}, .x = "re", .y = "im", .apart = study::setting_columns()});
     double left = -1, right = 0;
     for (study::Series& series : plot.series) {
@@ -226,84 +244,73 @@ study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::ve
     return plot;
 }
 
-study::Table spectrum_table(const std::vector<study::Scene>& scenes) {
-    study::Table table;
-    table.columns = spectrum_columns;
-    table.label = [&](std::size_t task) { return scenes[task].label(); };
-    for (const study::Scene& scene : scenes) {
-        const Eigen::Index count = scene.chebyshev ? scene.n() : rollbem::unknown_count(scene.scheme, *scene.mesh);
-        table.rows_of_task.push_back(static_cast<std::size_t>(count));
-    }
-    table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        emit_spectrum(scenes[task], range, emit);
-    };
+// --- the modes of the program --------------------------------------------------------------------------------------
 
-    table.plot = [&](const std::vector<study::Row>& rows) { return draw_spectrum(scenes, rows); };
+study::Table make_table(const study::Options& options, const std::vector<study::Scene>& scenes) {
+    if (options.flag("critical")) {
+        study::Table table = criticals.table(scenes, critical);
+        table.plot = draw_criticals;
+        return table;
+    }
+    if (options.flag("spectrum")) {
+        const auto rows = [](const study::Scene& scene) {
+            return scene.chebyshev ? scene.n() : rollbem::unknown_count(scene.scheme, *scene.mesh);
+        };
+        study::Table table =
+            spectrum.table(scenes, rows, [](const study::Scene& scene, study::RowRange range, const auto& emit) {
+                emit_spectrum(scene, range, emit);
+            });
+        table.plot = [&](const std::vector<study::Row>& drawn) { return draw_spectrum(scenes, drawn); };
+        return table;
+    }
+    const bool timed = study::has_times(options);
+    study::Table table = counts.table(scenes, [=](const study::Scene& scene) { return count(scene, timed); });
+    table.plot = [&](const std::vector<study::Row>& rows) { return draw_counts(scenes, rows); };
     return table;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    // 1. The command line.
     study::Options options(
         "stability_study",
         "Eigenvalues of the discretised contact in time: how many grow, the smallest unstable alpha_T, or all.");
     options.add_flag("critical",
                      "the smallest unstable alpha_T in [0.3, 1.5], by a scan of step 0.0005 and bisection to 1e-5");
     options.add_flag("spectrum", "every eigenvalue beside the nearest exact one");
+    options.not_with({"alpha-T"}, "critical", ", which searches for it");
+    options.not_with({"alpha"}, "critical", ", which takes --alpha-L and searches for alpha_T");
     study::offer_chebyshev(options);
-    options.footer(R"(Example: the scheme that is best in steady state, on refined meshes, with a plot
+    options.footer(
+        R"(Example: the scheme that is best in steady state, on refined meshes, with a plot
   stability_study --n 20,60,160,166 --alpha-T 0.5,0.63,0.8 --output stable.csv --plot stable.svg
 
-Modes grow like e^{nu V t}; all eigenvalues are nu a, dimensionless. unstable_count: real part > 0 as computed;
-uncertain_count: those of either sign that rounding errors in G and G' could move across zero, infinite ones
-included; unstable_fraction = unstable_count / number of eigenvalues, n (n - 1 with knothe-bc);
-spectral_abscissa: the largest real part of the finite ones; cond_G: in the 2-norm, empty if G is singular;
-time_us [microseconds]: assembly and eigenvalues, median of at least 5 runs; spectral_radius: the largest |nu a|
-(steps of an explicit integrator must stay below 2/spectral_radius); stiffness_ratio: the largest |Re(nu a)| over
-the smallest. Both are empty if an eigenvalue is infinite. status: ok; assists_creepage if steady rolling shows that
-the scheme does not converge to full adhesion (alpha near or below 0, or above 1), whatever its eigenvalues;
-coarse if the steady c11 of fewer than 10 elements is wrong by more than half; not_converged if more Chebyshev
-states would change it; ill_conditioned or not_finite, with empty cells, if the eigenvalues were not found or G is
-not finite.
---critical: one row per n, lambda and alpha_L; critical_alpha_T is the smallest with an unstable eigenvalue whose
-sign rounding cannot change; it is empty, with the status all_stable, if there is none. Above it the scheme can
-be stable again. n = 320 takes half a minute.
---spectrum: rows in order of the modulus. exact_re, exact_im is the nearest eigenvalue of the plane model in
-closed form, also for the strip kernel, whose model differs by order (a/b)^2. Infinite eigenvalues, which a
-singular G has, are rows with empty re and im. exact cells are empty for them, for |nu a| > 3e4, which no mesh
-resolves, and for contacts so narrow that the plane model does not decay.
---method chebyshev: columns that apply to elements only are empty. Few states give the first eigenvalues to
+Modes grow like e^{nu V t}; all eigenvalues are nu a, dimensionless. One row per scheme and n:
+)" + counts.help() +
+        "With --critical, one row per n, lambda and alpha_L:\n" + criticals.help() +
+        "With --spectrum, one row per eigenvalue:\n" + spectrum.help() +
+        R"(--method chebyshev: columns that apply to elements only are empty. Few states give the first eigenvalues to
 rounding; the fastest, of about n^2/10, are artefacts of the method. There is no alpha_T, hence no --critical, as
 with --method nodes and knothe-bc.
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        // 2. One row, or one for each eigenvalue, of each scene.
-        const bool critical = given.flag("critical"), spectrum = given.flag("spectrum");
-        if (critical && spectrum) throw study::BadInput("--critical and --spectrum must not be given together");
-        if (critical) {
-            given.ignored("alpha-T", "with --critical, which searches for it");
-            given.ignored("alpha", "with --critical, which takes --alpha-L and searches for alpha_T");
-            const std::string method = given.text("method");
-            if (method == "knothe-bc" || method == "nodes" || method == "chebyshev") {
-                throw study::BadInput(given.said("method") +
-                                      " must be collocation or galerkin with --critical: it has no alpha_T");
-            }
+        const bool critical = given.flag("critical");
+        if (critical && given.flag("spectrum")) {
+            throw study::BadInput("--critical and --spectrum must not be given together");
         }
-        const std::vector<study::Scene> scenes =
-            study::make_non_steady_scenes(given, study::Methods::elements_and_states);
+        const std::string method = given.text("method");
+        if (critical && (method == "knothe-bc" || method == "nodes" || method == "chebyshev")) {
+            throw study::BadInput(given.said("method") +
+                                  " must be collocation or galerkin with --critical: it has no alpha_T");
+        }
+        const auto scenes = study::make_non_steady_scenes(given, study::Methods::elements_and_states);
         for (const study::Scene& scene : scenes) {
-            if (critical && scene.n() < 2) {
-                throw study::BadInput(
-                    "--critical needs at least 2 elements, alpha_T and alpha_L differ; given is n = " +
-                    std::to_string(scene.n()));
-            }
+            if (!critical || scene.n() >= 2) continue;
+            throw study::BadInput("--critical needs at least 2 elements, alpha_T and alpha_L differ; given is n = " +
+                                  std::to_string(scene.n()));
         }
-        study::write_table(given, critical   ? critical_table(scenes)
-                                  : spectrum ? spectrum_table(scenes)
-                                             : count_table(given, scenes));
+        study::write_table(given, make_table(given, scenes));
         return study::exit_ok;
     });
 }

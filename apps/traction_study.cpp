@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -19,32 +20,53 @@
 #include "support/options.hpp"
 #include "support/program.hpp"
 #include "support/scenes.hpp"
-#include "support/table.hpp"
+#include "support/sheet.hpp"
 
 namespace {
 
-const std::vector<std::string> columns = study::joined(
-    {"n", "x_over_a", "traction", "carter", "carter_mean", "relative_error", "alpha_L", "alpha_T", "status"},
-    study::all_setting_columns());
+/// At a point. Carter's traction there is compared with, or where there are elements his mean over the element.
+struct Traction {
+    double x, traction, carter;
+    std::string status;
+    std::optional<double> carter_mean{};
+};
 
-void emit_elements(const study::Scene& scene, study::RowRange elements, const study::Emit& emit) {
-    // 3. Solve for unit creepage. If the result cannot be trusted, the cells stay empty; with Knothe and
-    //    Gross-Thebing's boundary conditions the leading element has no traction.
-    const rollbem::SteadySolution<double> solution = solve_steady(*scene.mesh, scene.scheme, scene.kernel);
+const study::Sheet<Traction> sheet{
+    "n",
+    {{"x_over_a", "from the trailing edge (-1) to the leading edge; chebyshev: the n points cos((2k-1) pi/(2n))",
+      [](const Traction& t) { return t.x; }},
+     {"traction", "p/(G xi) of unit creepage xi, negative; with knothe-bc the leading element carries 0",
+      [](const Traction& t) { return t.traction; }},
+     {"carter", "the exact value at the element's centre, or at the point", [](const Traction& t) { return t.carter; }},
+     {"carter_mean", "its mean over the element; empty with chebyshev",
+      [](const Traction& t) { return t.carter_mean; }},
+     {"relative_error", "traction/carter_mean - 1, or traction/carter - 1 with chebyshev",
+      [](const Traction& t) { return t.traction / t.carter_mean.value_or(t.carter) - 1; }},
+     {"alpha_L, alpha_T", "of the scheme"},
+     {"status",
+      "if it is not ok, traction and relative_error are empty: ill_conditioned or not_finite if G' is singular to "
+      "working "
+      "precision; assists_creepage if tractions assist the creepage (alpha at or below 0, or above 1); coarse if c11 "
+      "of "
+      "fewer than 10 elements is wrong by more than half; not_converged if more Chebyshev states would change c11 by "
+      "more "
+      "than 1e-2, as in narrow strips",
+      [](const Traction& t) { return t.status; }}},
+    std::string("method, derivative, mesh, ") + study::settings};
+
+/// Unit creepage. With Knothe and Gross-Thebing's boundary conditions the leading element has no traction.
+void by_elements(const study::Scene& scene, study::RowRange elements, const auto& emit) {
+    const rollbem::Response<double> solution = solve_steady(*scene.mesh, scene.scheme, scene.kernel);
     Eigen::VectorXd traction = Eigen::VectorXd::Zero(scene.n());
-    traction.head(solution.traction.size()) = solution.traction;
-    const std::string status = study::steady_status(scene, solution.status, solution.c11);
+    traction.head(solution.unknowns.rows()) = solution.unknowns.col(0);
+    const std::string status = study::steady_status(scene, solution.status, solution.c11());
     if (status != study::ok) traction.setConstant(std::nan(""));
-
-    // 4. Compare with Carter: his traction at the element's centre, and its mean over the element.
     const rollbem::Mesh<double>& mesh = *scene.mesh;
     const double nu = scene.contact.poisson_ratio();
     const Eigen::ArrayXd means = rollbem::carter_mean_tractions(mesh, nu);
     for (Eigen::Index i = Eigen::Index(elements.first); i < Eigen::Index(elements.last); ++i) {
         const rollbem::EdgeDistances<double> centre{mesh.from_trailing()[i], mesh.from_leading()[i]};
-        emit(study::joined({scene.n(), mesh.centres()[i], traction[i], rollbem::carter_traction(centre, nu), means[i],
-                            traction[i] / means[i] - 1, scene.alpha_L, scene.alpha_T, status},
-                           study::all_setting_cells(scene)));
+        emit({mesh.centres()[i], traction[i], rollbem::carter_traction(centre, nu), status, means[i]});
     }
 }
 
@@ -54,18 +76,16 @@ rollbem::EdgeDistances<double> chebyshev_point(Eigen::Index n, Eigen::Index row)
     return {2 * std::pow(std::cos(half_angle), 2), 2 * std::pow(std::sin(half_angle), 2)};
 }
 
-void emit_states(const study::Scene& scene, study::RowRange points, const study::Emit& emit) {
-    // 3., 4. The same by Chebyshev states, at points, so that there is no mean.
+/// The same by Chebyshev states, at points, so that there is no mean.
+void by_states(const study::Scene& scene, study::RowRange points, const auto& emit) {
     const auto solution = solve_steady(*scene.chebyshev, scene.kernel);
+    const rollbem::ChebyshevTraction<double> traction_at{solution.unknowns.col(0)};
+    const bool trusted = solution.status == rollbem::Status::ok;
     for (Eigen::Index i = Eigen::Index(points.first); i < Eigen::Index(points.last); ++i) {
         const rollbem::EdgeDistances<double> point = chebyshev_point(scene.n(), i);
-        const bool trusted = solution.status == rollbem::Status::ok;
-        const double traction = trusted ? solution.traction(point) : std::nan("");
-        const double carter = rollbem::carter_traction(point, scene.contact.poisson_ratio());
         const double x = std::sin(double(2 * i + 1 - scene.n()) * std::numbers::pi / double(2 * scene.n()));
-        emit(study::joined({scene.n(), x, traction, carter, study::Cell(), traction / carter - 1, scene.alpha_L,
-                            scene.alpha_T, name(solution.status)},
-                           study::all_setting_cells(scene)));
+        emit({x, trusted ? traction_at(point) : std::nan(""),
+              rollbem::carter_traction(point, scene.contact.poisson_ratio()), name(solution.status)});
     }
 }
 
@@ -82,14 +102,14 @@ study::Series carter_line(double nu, bool several, double largest) {
     return line;
 }
 
-/// 5. --plot: traction along the contact with Carter's line.
+/// Traction along the contact with Carter's line.
 study::Plot draw_tractions(const std::vector<study::Scene>& scenes, const std::vector<study::Row>& rows) {
     study::Plot plot{.title = "Traction in steady rolling",
                      .x_label = "x / a (leading edge at 1)",
                      .y_label = "p / (G ξ)",
                      .x_range = study::PlotRange{-1, 1}};
     study::add_series(
-        plot, columns, rows,
+        plot, sheet.names(), rows,
         {.by = {"n", "alpha_L", "alpha_T"}, .x = "x_over_a", .y = "traction", .apart = study::all_setting_columns()});
     double largest = 0;
     for (study::Series& series : plot.series) {
@@ -115,35 +135,22 @@ study::Plot draw_tractions(const std::vector<study::Scene>& scenes, const std::v
 }  // namespace
 
 int main(int argc, char** argv) {
-    // 1. The command line.
     study::Options options("traction_study", "Traction of every element in steady rolling against Carter's solution.");
     options.refuse("lambda", "a steady problem builds no G, the only matrix lambda acts on");
     study::offer_chebyshev(options);
     options.footer(R"(Example: 20 and 80 elements of a cosine mesh, with a plot of the traction along the contact
   traction_study --n 20,80 --mesh cosine --alpha 0.5 --output traction.csv --plot traction.svg
 
-One row per element, from the trailing edge (x/a = -1) to the leading edge. traction is p/(G xi) of unit
-creepage xi (dimensionless, negative), carter the exact value at the element's centre, carter_mean its mean
-over the element, relative_error = traction/carter_mean - 1. With knothe-bc the leading element carries 0.
-If status is not ok, traction and relative_error are empty: ill_conditioned or not_finite if G' is singular
-to working precision; assists_creepage if tractions assist the creepage (alpha at or below 0, or above 1); coarse
-if c11 of fewer than 10 elements is wrong by more than half.
---method chebyshev has one row per state, at the n points x/a = cos((2k-1) pi/(2n)): traction, carter and
-relative_error = traction/carter - 1 are values at the point, and carter_mean is empty. If more states would
-change c11 by more than 1e-2, as in narrow strips, status is not_converged.
-)");
+One row per element, or per state:
+)" + sheet.help());
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        // 2. One row for each element, or state, of each scene.
-        const std::vector<study::Scene> scenes =
-            study::make_scenes(given, study::Problem::steady, study::Methods::elements_and_states);
-        study::Table table;
-        table.columns = columns;
-        for (const study::Scene& scene : scenes) table.rows_of_task.push_back(std::size_t(scene.n()));
-        table.compute = [&](std::size_t task, study::RowRange rows, const study::Emit& emit) {
-            (scenes[task].chebyshev ? emit_states : emit_elements)(scenes[task], rows, emit);
-        };
-
+        const auto scenes = study::make_scenes(given, study::Problem::steady, study::Methods::elements_and_states);
+        study::Table table = sheet.table(
+            scenes, [](const study::Scene& scene) { return scene.n(); },
+            [](const study::Scene& scene, study::RowRange rows, const study::Results<Traction>& emit) {
+                scene.chebyshev ? by_states(scene, rows, emit) : by_elements(scene, rows, emit);
+            });
         table.plot = [&](const std::vector<study::Row>& rows) { return draw_tractions(scenes, rows); };
         study::write_table(given, table);
         return study::exit_ok;

@@ -1,4 +1,4 @@
-// Rolling in time: the force after a step, a ramp, a sine or any history of creepage from rest, step by step, against
+// Rolling in the time domain: the force after a step, a ramp, a sine or any history of creepage from rest, step by step, against
 // the exact response of the plane model:
 //
 //     ./transient_study --step 1 --mesh cosine --alpha 0.5 --kernel plane --aspect 100 --poisson 0.25 --until 20
@@ -23,7 +23,7 @@
 #include "support/program.hpp"
 #include "support/progress.hpp"
 #include "support/scenes.hpp"
-#include "support/table.hpp"
+#include "support/sheet.hpp"
 
 namespace {
 
@@ -108,9 +108,42 @@ double largest_creepage(const History& history, const study::Steps& steps) {
     return largest;
 }
 
+/// After a step.
+struct Moment {
+    double q, creepage, force;
+    std::optional<double> exact;
+    std::string integrator, status;
+
+    std::optional<double> error() const {
+        return exact && *exact != 0 ? std::optional(force / *exact - 1) : std::nullopt;
+    }
+};
+
+const study::Sheet<Moment> sheet{
+    "",
+    {{"q_over_a", "distance rolled; the first row is at q = dq", [](const Moment& m) { return m.q; }},
+     {"creepage", "there", [](const Moment& m) { return m.creepage; }},
+     {"force", "-F_bar/(a G xi_ref), xi_ref the largest |creepage| of the run",
+      [](const Moment& m) { return m.force; }},
+     {"exact",
+      "the plane model's, b >> a, whatever the kernel: the strip kernel differs from it by O((a/b)^2). It is empty if "
+      "the "
+      "plane model itself is unstable (b/a below 0.18 at nu = 0.25)",
+      [](const Moment& m) { return m.exact; }},
+     {"relative_error", "force/exact - 1", [](const Moment& m) { return m.error(); }},
+     {"method, derivative, mesh, n, alpha_L, alpha_T, lambda", "the scheme"},
+     {"integrator", "as given", [](const Moment& m) { return m.integrator; }},
+     {"status",
+      "unresolved, with an empty force, if OMEGA --dq > 1: fewer than six steps in a period of --sine; unchecked with "
+      "--unchecked, where a scheme is stepped that would be refused: one that is not certainly stable, or whose steady "
+      "tractions assist the creepage (alpha near or below 0, or above 1)",
+      [](const Moment& m) { return m.status; }}},
+    study::settings};
+
 /// One run: emits the rows of `range`, but steps from the start, because each state needs the one before.
-void run(const study::Scene& scene, const Model& model, const History& history, const study::Steps& steps,
-         const rollbem::reference::StepResponse* exact, bool checked, study::RowRange range, const study::Emit& emit) {
+void run(const Model& model, const History& history, const study::Steps& steps,
+         const rollbem::reference::StepResponse* exact, bool checked, study::RowRange range,
+         const study::Results<Moment>& emit) {
     const std::string status = !history.resolved ? study::unresolved : checked ? study::ok : study::unchecked;
 
     // 4. The reference for the force.
@@ -143,16 +176,9 @@ void run(const study::Scene& scene, const Model& model, const History& history, 
 
         // 6. Compare with the exact response of the plane model.
         const double force = history.resolved ? -step.force_per_width / reference : std::nan("");  // a = G = 1
-        study::Cell exact_force, error;
-        if (exact) {
-            const double value = history.exact(*exact, to) / reference;
-            exact_force = value;
-            if (value != 0) error = force / value - 1;
-        }
-        emit(study::joined(
-            {to, history.before(to), force, exact_force, error, scene.method, scene.derivative, scene.mesh_name,
-             scene.n(), scene.alpha_L, scene.alpha_T, scene.lambda, study::word(model.integrator()), status},
-            study::setting_cells(scene)));
+        emit({to, history.before(to), force,
+              exact ? std::optional(history.exact(*exact, to) / reference) : std::nullopt,
+              study::word(model.integrator()), status});
     }
 }
 
@@ -180,11 +206,11 @@ std::string shown_creepage(const History& history) {
 }
 
 /// The force over the distance, and the exact one if there is one.
-study::Plot draw_force(const History& history, const std::vector<std::string>& columns,
-                       const std::vector<study::Row>& rows) {
+study::Plot draw_force(const History& history, const std::vector<study::Row>& rows) {
     study::Plot plot{.title = "Rolling from rest, " + shown_creepage(history),
                      .x_label = "distance rolled q/a",
                      .y_label = "-F / (a G ξ_{ref})"};
+    const std::vector<std::string> columns = sheet.names();
     const std::vector<std::string> schemes{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"};
     study::add_series(plot, columns, rows,
                       {.by = schemes, .x = "q_over_a", .y = "force", .apart = study::setting_columns()});
@@ -243,24 +269,21 @@ int main(int argc, char** argv) {
     options.replaces("step", {"ramp", "sine", "history"});
     options.replaces("ramp", {"sine", "history"});
     options.replaces("sine", {"history"});
-    study::add_steps(options, "");
+    study::add_steps(options);
     options.add(
         "integrator", "NAME",
         "sdirk2 (second order, L-stable), implicit-euler, or exponential (exact for creepage linear over a step)",
         "sdirk2");
     options.add_flag("unchecked", "also step schemes that are unstable, may be unstable, or do not converge");
     study::offer_chebyshev(options);
-    options.footer(R"(Example: the step response of the second-order scheme
+    options.footer(
+        R"(Example: the step response of the second-order scheme
   transient_study --step 1 --mesh cosine --alpha 0.5 --kernel plane --aspect 100 --poisson 0.25 \
       --integrator exponential --until 40 --output step.csv --plot step.svg
 
-One row per step, the first at q = dq. force is -F_bar/(a G xi_ref), xi_ref the largest |creepage| of the run.
-exact is that of the plane model b >> a, whatever the kernel: the strip kernel differs from it by O((a/b)^2). It
-is empty if the plane model itself is unstable (b/a below 0.18 at nu = 0.25). A scheme that is not certainly
-stable, or whose steady tractions assist the creepage (alpha near or below 0, or above 1), is refused unless
---unchecked is given; status is then unchecked instead of ok. It is unresolved, with an empty force, if
-OMEGA --dq > 1: fewer than six steps in a period of --sine.
---method chebyshev: columns that apply to elements only are empty. Smooth motion needs few states, a jump more:
+One row per step:
+)" + sheet.help() +
+        R"(--method chebyshev: columns that apply to elements only are empty. Smooth motion needs few states, a jump more:
 12 states have an error of 4e-5 one half-length after it, 8 states of 2e-7 five half-lengths after it.
 )");
 
@@ -295,20 +318,15 @@ OMEGA --dq > 1: fewer than six steps in a period of --sine.
             responses.emplace(std::pair(nu, contact.aspect()), Response(nu, contact.aspect()));
         }
 
-        study::Table table = study::table_of(
-            study::joined({"q_over_a", "creepage", "force", "exact", "relative_error", "method", "derivative", "mesh",
-                           "n", "alpha_L", "alpha_T", "lambda", "integrator", "status"},
-                          study::setting_columns()),
-            scenes, steps.count);
-        table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-            const rollbem::Contact<double>& contact = scenes[task].contact;
-            const auto exact = responses.find({contact.poisson_ratio(), contact.aspect()});
-            run(scenes[task], models[task], history, steps, exact == responses.end() ? nullptr : &exact->second,
-                !given.flag("unchecked"), range, emit);
-        };
-
-        // 7. --plot.
-        table.plot = [&](const std::vector<study::Row>& rows) { return draw_force(history, table.columns, rows); };
+        const auto one_each_step = [&](const study::Scene&) { return steps.count; };
+        study::Table table = sheet.table(
+            scenes, one_each_step,
+            [&](const study::Scene& scene, study::RowRange range, const study::Results<Moment>& emit) {
+                const auto exact = responses.find({scene.contact.poisson_ratio(), scene.contact.aspect()});
+                run(models[std::size_t(&scene - scenes.data())], history, steps,
+                    exact == responses.end() ? nullptr : &exact->second, !given.flag("unchecked"), range, emit);
+            });
+        table.plot = [&](const std::vector<study::Row>& rows) { return draw_force(history, rows); };
         table.resumable = !given.given("plot");
         study::write_table(given, table);
         return study::exit_ok;

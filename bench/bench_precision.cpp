@@ -41,8 +41,8 @@ template <class MakeMesh>
 void richardson_c11(benchmark::State& state, double order, const MakeMesh& make_mesh) {
     const Eigen::Index n = state.range(0);
     measure(state, static_cast<double>(n), [&] {
-        const double coarse = solve_steady(make_mesh(n / 2), halves, kernel).c11;
-        return richardson(coarse, solve_steady(make_mesh(n), halves, kernel).c11, order);
+        const double coarse = solve_steady(make_mesh(n / 2), halves, kernel).c11();
+        return richardson(coarse, solve_steady(make_mesh(n), halves, kernel).c11(), order);
     });
 }
 void BM_RichardsonUniform(benchmark::State& state) {
@@ -54,7 +54,7 @@ void BM_RichardsonCosine(benchmark::State& state) {
 BENCHMARK(BM_RichardsonUniform)->Arg(16)->Arg(40)->Arg(80)->Arg(160);
 BENCHMARK(BM_RichardsonCosine)->Arg(14)->Arg(40)->Arg(80)->Arg(160);
 
-const auto c11_of = [](const auto&... method) { return solve_steady(method..., kernel).c11; };
+const auto c11_of = [](const auto&... method) { return solve_steady(method..., kernel).c11(); };
 
 // Argument: the number of digits requested, for a kernel whose aspect is not given.
 void BM_Recommended(benchmark::State& state) {

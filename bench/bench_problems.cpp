@@ -27,14 +27,14 @@ ElementSystem<double> system_of_paper(Eigen::Index n) { return rolling_system(un
 
 void finish(benchmark::State& state) { state.counters["n"] = static_cast<double>(state.range(0)); }
 
-double relative_error(const SteadySolution<double>& solution) {
-    return solution.c11 / steady_c11(contact.poisson_ratio()) - 1;
+double relative_error(const Response<double>& solution) {
+    return solution.c11() / steady_c11(contact.poisson_ratio()) - 1;
 }
 
 void BM_SteadySolve(benchmark::State& state) {
     const Mesh<double> mesh = uniform_mesh(state.range(0));
     const MatrixX<double> G_prime = assemble_G_prime(mesh, of_paper, kernel);
-    SteadySolution<double> solution;
+    Response<double> solution;
     for (auto _ : state) benchmark::DoNotOptimize(solution = solve_steady<double>(G_prime, mesh.widths()));
     state.counters["relative_error"] = relative_error(solution);
     finish(state);
@@ -43,7 +43,7 @@ BENCHMARK(BM_SteadySolve)->Arg(20)->Arg(40)->Arg(80)->Arg(160)->Arg(320);
 
 template <class MakeMesh, class Scheme>
 void steady(benchmark::State& state, MakeMesh make_mesh, const Scheme& scheme) {
-    SteadySolution<double> solution;
+    Response<double> solution;
     for (auto _ : state) {
         benchmark::DoNotOptimize(solution = solve_steady(make_mesh(state.range(0)), scheme, kernel));
     }
@@ -106,11 +106,11 @@ void BM_SweepHessenberg(benchmark::State& state) {
     for (auto _ : state) {
         const FrequencySweep<double> sweep(system);
         std::complex<double> sum = 0;
-        for (const double z : frequencies()) sum += sweep(z).c11;
+        for (const double z : frequencies()) sum += sweep(z).c11();
         benchmark::DoNotOptimize(sum);
     }
     const FrequencySweep<double> sweep(system);
-    state.counters["relative_error"] = sweep_error([&](double z) { return sweep(z).c11; });
+    state.counters["relative_error"] = sweep_error([&](double z) { return sweep(z).c11(); });
     finish(state);
 }
 BENCHMARK(BM_SweepHessenberg)->Unit(benchmark::kMillisecond)->Arg(20)->Arg(60)->Arg(200);

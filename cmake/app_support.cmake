@@ -23,13 +23,13 @@ target_link_libraries(rollbem_build_info PRIVATE rollbem_warnings)
 
 # What needs no other part of rollbem::compiled than that for steady rolling, and the rest.
 add_library(rollbem_study_support STATIC)
-foreach(part IN ITEMS config_file csv files mesh_names options output_folder plot program progress scenes table)
+foreach(part IN ITEMS config_file csv files mesh_names options plot program progress scenes sheet table)
     target_sources(rollbem_study_support PRIVATE "${PROJECT_SOURCE_DIR}/apps/support/${part}.cpp")
 endforeach()
 target_include_directories(rollbem_study_support PUBLIC "${PROJECT_SOURCE_DIR}/apps")
 target_link_libraries(rollbem_study_support
     PUBLIC rollbem::reference rollbem_build_info Threads::Threads
-    PRIVATE CLI11::CLI11 rollbem_quick_to_compile)
+    PRIVATE CLI11::CLI11 tomlplusplus::tomlplusplus rollbem_quick_to_compile)
 # Two units, the one with CLI11 and the rest, so that two processors share the work.
 compile_as_one(rollbem_study_support)
 set_source_files_properties("${PROJECT_SOURCE_DIR}/apps/support/options.cpp" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -26,8 +26,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include <rollbem/adhesion/patch_frequency.hpp>
-#include <rollbem/adhesion/patch_steady.hpp>
+#include <rollbem/adhesion/creep_coefficients.hpp>
+#include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
@@ -129,10 +129,11 @@ double critical_speed(double low, double high, const LeastDamped& eigenvalue) {
 
 /// The same with creep coefficients that depend on the frequency: V and omega at which i omega solves the equations, by
 /// Newton's method from those of steady coefficients.
-double critical_speed(const Wheelset& w, const PatchContact<double>& contact, const PatchFrequencySweep<double>& sweep,
+double critical_speed(const Wheelset& w, const PatchContact<double>& contact, const FrequencySweep<double>& sweep,
                       double speed, double omega) {
     const auto determinant = [&](double V, double frequency) {
-        const auto law = linear_law<Complex>(contact, sweep(frequency * contact.half_length() / V));
+        const auto law =
+            linear_law<Complex>(contact, creep_coefficients(contact, sweep(frequency * contact.half_length() / V)));
         Eigen::Matrix4cd A = Eigen::Matrix4cd::Zero();
         for (const int side : {1, -1}) {
             A.bottomRows<2>() -= force_arms(w, side).cast<Complex>() * law * creepage_rates(w, V, side).cast<Complex>();
@@ -170,7 +171,8 @@ CreepForceTable make_table(const PatchContact<double>& wheel) {
         const double a = std::sqrt(CreepForceGrid::a_over_b_of(i, shapes, smallest, largest));
         ellipses.push_back(
             PatchContact<double>({.half_length = a, .half_width = 1 / a, .shear_modulus = 1, .poisson_ratio = nu}));
-        coefficients.push_back(solve_steady(ellipses.back(), patch_mesh(ellipses.back(), 8, 8), scheme));
+        const Response<double> steady = solve_steady(ellipses.back(), patch_mesh(ellipses.back(), 8, 8), scheme);
+        coefficients.push_back(creep_coefficients(ellipses.back(), steady));
     }
     CreepForceGrid grid(nu, smallest, largest, levels, coefficients);
     Eigen::Array3Xd forces(3, shapes * grid.nodes());
@@ -281,7 +283,7 @@ int main(int argc, char** argv) {
     const PatchContact<double> contact = hertz.contact();
     const PatchMesh<double> mesh = patch_mesh(contact, 12, 12);
     const NodeDifference scheme{Nodes::chebyshev};
-    const auto kalker = solve_steady(contact, mesh, scheme);
+    const auto kalker = creep_coefficients(contact, solve_steady(contact, mesh, scheme));
     std::printf("contact: a = %.3f mm, b = %.3f mm, c11, c22, c23, c33 = %.4f %.4f %.4f %.4f\n",
                 1e3 * contact.half_length(), 1e3 * contact.half_width(), kalker.c11, kalker.c22, kalker.c23,
                 kalker.c33);
@@ -298,7 +300,7 @@ int main(int argc, char** argv) {
     const auto by_kalker = [&](double speed) { return least_damped(state_matrix(w, speed, {law, law})); };
     const double linear = critical_speed(5, 300, by_kalker);
     const double omega = std::abs(by_kalker(linear).imag());
-    const PatchFrequencySweep<double> sweep(contact, patch_parts(mesh, scheme, HalfSpace<double>(0.28)));
+    const FrequencySweep<double> sweep(patch_parts(mesh, scheme, HalfSpace<double>(0.28)));
     const double unsteady = critical_speed(w, contact, sweep, linear, omega);
     const Wheels wheels{make_table(contact), contact};
     const std::array<CreepMatrix, 2> at_rest = tangents(w, wheels, 0),

@@ -61,7 +61,8 @@ int main() {
     const auto contact = PatchContact<double>::dimensionless(a_over_b, nu);
     const NodeDifference scheme{Nodes::chebyshev};
     const HalfSpace<double> kernel(nu);
-    const auto adhesion = solve_steady(contact, patch_mesh(contact, 16, 16), scheme, kernel);
+    const auto adhesion =
+        creep_coefficients(contact, solve_steady(contact, patch_mesh(contact, 16, 16), scheme, kernel));
     const Patch patch{.a_over_b = a_over_b, .c11 = adhesion.c11, .c22 = adhesion.c22, .c23 = adhesion.c23};
     const PatchMesh<double> mesh = recommended_patch(0.02, a_over_b).mesh(contact);
     const FrictionModel model(contact, steady_system(mesh, scheme, kernel), {1.0, hertz_pressures(contact, mesh, 1.0)});

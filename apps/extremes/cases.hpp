@@ -114,7 +114,7 @@ void load_cases(Cases& cases);
 void direction_cases(Cases& cases);
 void patch_cases(Cases& cases);
 
-/// A random patch with friction, steady and in time.
+/// A random patch with friction, steady and in the time domain.
 Case patch_scene(std::uint64_t seed);
 
 }  // namespace extremes

@@ -1,4 +1,4 @@
-// Chebyshev states at the edges of their domain: few and many, narrow and wide strips, slow and fast.
+// Chebyshev states at extreme parameter values: few and many, narrow and wide strips, slow and fast.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -35,7 +35,7 @@ std::string counted(Eigen::Index states) { return std::to_string(states) + (stat
 template <class Kernel>
 Outcome steady(Eigen::Index states, const Kernel& kernel, double reference, double bound) {
     const auto solution = solve_steady(Chebyshev{states}, kernel);
-    return compare(solution, static_cast<double>(solution.c11), reference, bound);
+    return compare(solution, static_cast<double>(solution.c11()), reference, bound);
 }
 
 /// Against the spectral solution of the strip, which has another quadrature and other unknowns. The default bound is
@@ -44,7 +44,7 @@ template <class Kernel>
 Outcome against_strip(Eigen::Index states, const Kernel& kernel, double aspect, double nu, double bound = 0) {
     const rollbem::EstimatedC11<double> reference = rollbem::reference::strip_c11(0, nu, aspect);
     Outcome outcome = steady(states, kernel, reference.c11.real(), bound);
-    if (bound == 0) outcome.bound = static_cast<double>(solve_steady(Chebyshev{states}, kernel).error_estimate);
+    if (bound == 0) outcome.bound = static_cast<double>(solve_steady(Chebyshev{states}, kernel).error_estimate());
     return against_estimate(outcome, reference);
 }
 
@@ -94,8 +94,8 @@ void add_steady(Cases& cases, bool large) {
 }
 
 Outcome harmonic(Eigen::Index states, const auto& kernel, double z, Complex reference, double bound) {
-    const auto solution = rollbem::solve_harmonic<double>(rolling_system(Chebyshev{states}, kernel), z);
-    return compare(solution, solution.c11, reference, bound);
+    const auto solution = rollbem::solve_response<double>(rolling_system(Chebyshev{states}, kernel), {0, z});
+    return compare(solution, solution.c11(), reference, bound);
 }
 
 void add_frequencies(Cases& cases, bool large) {
@@ -139,7 +139,7 @@ void add_frequencies(Cases& cases, bool large) {
     }
 }
 
-/// Force per width after `count` steps of dq at unit creepage, exact in time, from rest.
+/// Force per width after `count` steps of dq at unit creepage, exact in the time domain, from rest.
 Outcome rolled(Eigen::Index states, const Contact<double>& contact, double dq, int count, double reference,
                double bound) {
     const auto system = rolling_system(Chebyshev{states}, PlaneKernel<double>::longitudinal(contact));

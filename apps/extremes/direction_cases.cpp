@@ -96,7 +96,7 @@ void add_directions(Cases& cases) {
                             const Vector force = contact.force(1e-6, std::sqrt(0.5), std::sqrt(0.5));
                             const auto adhesion =
                                 rollbem::solve_steady<double>(contact.slopes(lateral), contact.mesh.widths());
-                            const double reference = adhesion.c11 * creepage(1e-6, nu) * std::sqrt(0.5);
+                            const double reference = adhesion.c11() * creepage(1e-6, nu) * std::sqrt(0.5);
                             return contact.against((lateral ? force.lateral : force.longitudinal) * full_force,
                                                    reference, 1e-12);
                         });
@@ -158,7 +158,7 @@ void add_layers(Cases& cases) {
             cases.right("layer " + shown(layer) + elements, "c11 against a brush", [=] {
                 const Combined contact(mesh, steel, layer);
                 const auto solution = rollbem::solve_steady<double>(contact.slopes(false), mesh.widths());
-                return compare(solution, solution.c11, 2 / layer * (1 + 1.0 / n), 3 / layer + 1e-13);
+                return compare(solution, solution.c11(), 2 / layer * (1 + 1.0 / n), 3 / layer + 1e-13);
             });
         }
         // the same in both directions, also with friction: at this ratio the brush has begun to slip
@@ -200,7 +200,7 @@ void add_nodes(Cases& cases) {
                         [=] { return friction(mesh, scheme, 1e9, 1, 1e-12); });
             cases.right("creepage 1e-9" + where, "force against adhesion", [=] {
                 const auto adhesion = rollbem::solve_steady<double>(mesh, scheme, plane);
-                Outcome outcome = friction(mesh, scheme, 1e-9, adhesion.c11 * creepage(1e-9) / full_force, 1e-11);
+                Outcome outcome = friction(mesh, scheme, 1e-9, adhesion.c11() * creepage(1e-9) / full_force, 1e-11);
                 if (outcome.told.empty()) outcome.told = told_by(adhesion.status);
                 return outcome;
             });
@@ -216,7 +216,7 @@ void add_nodes(Cases& cases) {
             cases.right("layer 1e9 by " + which + ", uniform, n = " + std::to_string(n), "c11 against a brush", [=] {
                 const auto solution =
                     rollbem::solve_steady<double>(rollbem::uniform_mesh(n), scheme, rollbem::LayeredKernel(plane, 1e9));
-                return compare(solution, solution.c11, 2e-9, 1e-8);
+                return compare(solution, solution.c11(), 2e-9, 1e-8);
             });
         }
         // spin alone, all sliding: the traction is -mu p_n sign(x) across, but in the element that ends at x = 0

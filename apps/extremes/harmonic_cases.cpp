@@ -27,8 +27,8 @@ constexpr Collocation paper_scheme{.alpha_L = 0, .alpha_T = 0.63};
 Outcome swept(const rollbem::Mesh<double>& mesh, const Collocation& scheme, const auto& kernel, double z,
               Complex reference, double bound) {
     const rollbem::FrequencySweep<double> sweep(rollbem::rolling_system(mesh, scheme, kernel));
-    const rollbem::SweepPoint<double> point = sweep(z);
-    return compare(point, point.c11, reference, bound);
+    const rollbem::Response<Complex> point = sweep(z);
+    return compare(point, point.c11(), reference, bound);
 }
 
 void add_frequencies(Cases& cases) {
@@ -53,10 +53,10 @@ void add_frequencies(Cases& cases) {
             return outcome;
         });
         cases.right(name + ", uniform 0/0.63, n = 200, LU", "|c11| against long double", [=] {
-            const auto full = rollbem::solve_harmonic<double>(
-                rollbem::rolling_system(rollbem::uniform_mesh(200), paper_scheme, plane(1000)), z);
+            const auto full = rollbem::solve_response<double>(
+                rollbem::rolling_system(rollbem::uniform_mesh(200), paper_scheme, plane(1000)), {0, z});
             const Complex reference(harmonic_c11({Topology::uniform, 200}, paper_scheme, 1000, steel, z));
-            return compare(full, full.c11, reference, 16 * rounding / full.rcond);
+            return compare(full, full.c11(), reference, 16 * rounding / full.rcond);
         });
     }
     for (const double aspect : {0.05, 1.0, 1e3, 1e12}) {

@@ -22,7 +22,7 @@ rollbem::AnyKernel<Real> in_long_double(rollbem::LineModel model, double aspect,
 long double steady_c11(const rollbem::MeshSpecification& specification, const rollbem::Collocation& scheme,
                        double aspect, double poisson_ratio) {
     const rollbem::Mesh<Real> mesh = rollbem::make_mesh<Real>(specification);
-    return rollbem::solve_steady(mesh, scheme, in_long_double(rollbem::LineModel::strip, aspect, poisson_ratio)).c11;
+    return rollbem::solve_steady(mesh, scheme, in_long_double(rollbem::LineModel::strip, aspect, poisson_ratio)).c11();
 }
 
 std::complex<long double> harmonic_c11(const rollbem::MeshSpecification& specification,

@@ -1,4 +1,4 @@
-// Stability and rolling in time at the edges of their domain.
+// Stability and rolling in the time domain at extreme parameter values.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

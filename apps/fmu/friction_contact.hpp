@@ -1,4 +1,4 @@
-// What the FMUs with friction have in common: the contact in time, on a line or a patch.
+// What the FMUs with friction have in common: the contact in the time domain, on a line or a patch.
 //
 // A step of duration h rolls by V h and shifts the wheel by s h, both at a constant rate, so that V = 0 is a rigid
 // shift; the load varies linearly over the step.

@@ -1,6 +1,6 @@
 // rollbem_patch: an elliptic contact patch of wheel and rail with Coulomb friction and spin, under a load that varies.
 //
-// Co-simulation alone: the patch itself in time, or quasi-steady forces from a table that was made of such patches.
+// Co-simulation alone: the patch itself in the time domain, or quasi-steady forces from a table that was made of such patches.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -13,7 +13,6 @@
 #include <string>
 #include <utility>
 
-#include <rollbem/adhesion/patch_stability.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/assembly/patch_shapes.hpp>
 #include <rollbem/assembly/patch_system.hpp>

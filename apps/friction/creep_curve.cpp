@@ -4,7 +4,7 @@
 
 #include <rollbem/closed_form/friction.hpp>
 
-#include "support/files.hpp"
+#include "support/sheet.hpp"
 
 namespace friction {
 
@@ -23,33 +23,83 @@ CreepCurve::Exact CreepCurve::exact(const study::Scene& scene, const CreepPoint&
     return {force * along / size, force * across / size};
 }
 
-const std::vector<std::string>& creep_columns() {
-    static const std::vector<std::string> columns = study::joined(
-        study::cells_of("method,derivative,mesh,n,alpha_L,alpha_T,creepage_ratio,force_ratio,exact,relative_error,"
-                        "stick_count,rounds,complementarity_residual,time_us,lateral_ratio,lateral_force_ratio,"
-                        "assembly_us,tangent_ratio,slip_work,pivots,status,lateral_exact,lateral_relative_error,"
-                        "lateral_tangent_ratio,spin_ratio,moment_ratio,layer,falling_ratio,half_velocity,"
-                        "memory_distance,least_velocity,sweep"),
-        study::setting_columns());
+namespace {
+
+/// A row of the table.
+struct CreepRow {
+    const CreepCurve& curve;
+    const CreepPoint& point;
+    const CreepResult& result;
+    CreepCurve::Exact exact;
+
+    study::Cell falling(std::size_t k) const { return falling_cells(curve.falling)[k]; }
+};
+
+const study::Sheet<CreepRow>& creep_sheet() {
+    using R = CreepRow;
+    static const study::Sheet<CreepRow> columns{
+        "method, derivative",
+        {{"mesh", "and what follows it: the scheme", [](const R& r) { return r.result.mesh_name; }},
+         {"n", "elements"},
+         {"alpha_L", "of the scheme; empty with --fit-border", [](const R& r) { return r.result.alpha_L; }},
+         {"alpha_T", "of the scheme; empty with --fit-border", [](const R& r) { return r.result.alpha_T; }},
+         {"creepage_ratio", "delta = xi G/(2 (1-nu) mu p0)", [](const R& r) { return r.point.longitudinal; }},
+         {"force_ratio", "-F_x/(mu N)", [](const R& r) { return r.result.force_ratio; }},
+         {"exact", "Carter's, where it holds", [](const R& r) { return r.exact.longitudinal; }},
+         {"relative_error", "force_ratio/exact - 1",
+          [](const R& r) { return relative_error(r.result.force_ratio, r.exact.longitudinal); }},
+         {"stick_count", "elements that stick", [](const R& r) { return r.result.stick_count; }},
+         {"rounds", "iterations of the active set", [](const R& r) { return r.result.rounds; }},
+         {"complementarity_residual",
+          "the largest violation of |p| <= mu p_n (over mu p0) and of the direction of slip (over |xi|)",
+          [](const R& r) { return r.result.complementarity_residual; }},
+         {"time_us", "[microseconds] of the solution, median of at least 5 runs",
+          [](const R& r) { return r.result.time_us; }},
+         {"lateral_ratio", "as creepage_ratio, across the rolling direction",
+          [](const R& r) { return r.point.lateral; }},
+         {"lateral_force_ratio", "-F_y/(mu N)", [](const R& r) { return r.result.lateral_force_ratio; }},
+         {"assembly_us", "the same, of the assembly of G'", [](const R& r) { return r.result.assembly_us; }},
+         {"tangent_ratio", "d force_ratio/d creepage_ratio", [](const R& r) { return r.result.tangent_ratio; }},
+         {"slip_work", "for each distance a rolled, in mu N mu p0 a/G, summed over the elements (second order in 1/n)",
+          [](const R& r) { return r.result.slip_work; }},
+         {"pivots", "of the fallback, used where rounds did not settle", [](const R& r) { return r.result.pivots; }},
+         {"status",
+          "where it is not ok, force_ratio, tangent_ratio and slip_work are empty. It is assists_creepage where some "
+          "tractions of the same scheme in full adhesion assist the creepage, so that the scheme does not converge "
+          "there: "
+          "alpha <= 0 (or close to 0 on coarse meshes), or alpha > 1. (With friction, alpha = 0 converges, to first "
+          "order, "
+          "where several elements slip.)",
+          [](const R& r) { return r.result.status; }},
+         {"lateral_exact", "as exact", [](const R& r) { return r.exact.lateral; }},
+         {"lateral_relative_error", "as relative_error",
+          [](const R& r) {
+              const auto& force = r.result.lateral_force_ratio;
+              return force ? relative_error(*force, r.exact.lateral) : study::Cell();
+          }},
+         {"lateral_tangent_ratio", "as tangent_ratio", [](const R& r) { return r.result.lateral_tangent_ratio; }},
+         {"spin_ratio", "phi a by the same 2 (1-nu) mu p0/G",
+          [](const R& r) { return r.point.lateral ? study::Cell(r.point.spin) : study::Cell(); }},
+         {"moment_ratio", "-M_z/(mu N a)", [](const R& r) { return r.result.moment_ratio; }},
+         {"layer", "--layer", [](const R& r) { return r.curve.layer; }},
+         {"falling_ratio", "--falling and --memory", [](const R& r) { return r.falling(0); }},
+         {"half_velocity", "--falling and --memory", [](const R& r) { return r.falling(1); }},
+         {"memory_distance", "--falling and --memory", [](const R& r) { return r.falling(2); }},
+         {"least_velocity", "--falling and --memory", [](const R& r) { return r.falling(3); }},
+         {"sweep", "--sweep", [](const R& r) { return study::Cell(r.curve.sweep); }}},
+        study::settings};
     return columns;
 }
 
+}  // namespace
+
+std::vector<std::string> creep_columns() { return creep_sheet().names(); }
+
+std::string creep_help() { return creep_sheet().help(); }
+
 study::Row creep_row(const CreepCurve& curve, const study::Scene& scene, const CreepPoint& point,
                      const CreepResult& result) {
-    const CreepCurve::Exact exact = curve.exact(scene, point);
-    const study::Cell lateral_error =
-        result.lateral_force_ratio ? relative_error(*result.lateral_force_ratio, exact.lateral) : study::Cell();
-    return study::row_of(
-        {{scene.method, scene.derivative, result.mesh_name, scene.n(), result.alpha_L, result.alpha_T},
-         {point.longitudinal, result.force_ratio, exact.longitudinal,
-          relative_error(result.force_ratio, exact.longitudinal)},
-         {result.stick_count, result.rounds, result.complementarity_residual, result.time_us},
-         {point.lateral, result.lateral_force_ratio, result.assembly_us, result.tangent_ratio, result.slip_work},
-         {result.pivots, result.status, exact.lateral, lateral_error, result.lateral_tangent_ratio},
-         {point.lateral ? study::Cell(point.spin) : study::Cell(), result.moment_ratio, curve.layer},
-         falling_cells(curve.falling),
-         {study::Cell(curve.sweep)},
-         study::setting_cells(scene)});
+    return creep_sheet().row(scene, {curve, point, result, curve.exact(scene, point)});
 }
 
 }  // namespace friction

@@ -74,7 +74,8 @@ struct CreepResult {
     std::string status{};
 };
 
-const std::vector<std::string>& creep_columns();
+std::vector<std::string> creep_columns();
+std::string creep_help();  ///< their meanings
 
 study::Row creep_row(const CreepCurve& curve, const study::Scene& scene, const CreepPoint& point,
                      const CreepResult& result);
@@ -89,6 +90,7 @@ CreepRows element_rows, border_rows;
 CreepRows rows_without;
 
 /// One row per element of every profile, and the companion file.
-void write_profiles(const Profiles& profiles, const CreepCurve& curve, bool with_header, study::TableFile& file);
+std::string profile_header();
+void write_profiles(const Profiles& profiles, const CreepCurve& curve, study::TableFile& file);
 
 }  // namespace friction

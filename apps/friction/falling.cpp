@@ -5,11 +5,7 @@
 namespace friction {
 
 std::optional<FallingLaw> read_falling(const study::Options& options) {
-    if (!options.given("falling")) {
-        for (const char* name : {"memory", "sweep"}) options.ignored(name, "without --falling");
-        return std::nullopt;
-    }
-    options.ignored("fit-border", "with --falling, which is solved by elements");
+    if (!options.given("falling")) return std::nullopt;
     const auto law = options.pair("falling");
     if (!law || law->first < 0 || !(law->second > 0)) {
         throw study::BadInput(options.said("falling") + " must be K,VH with K >= 0 and VH > 0, both finite");

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "creep_curve.hpp"
 #include "support/options.hpp"
+#include "transient.hpp"
 
 namespace friction {
 
@@ -19,25 +21,14 @@ force_ratio is -F/(mu N). exact is Carter's force (plane model b >> a, whatever 
 and Cattaneo's after a shift from rest (plane model of this b/a).
 )";
 
-inline const std::vector<study::Topic> topics{
-    {"steady", "rows and columns of steady rolling, --tractions, --pressure",
-     R"(friction_study --n 20,40 --output curve.csv --tractions tractions.csv --plot curve.svg
+inline std::vector<study::Topic> topics() {
+    return {
+        {"steady", "rows and columns of steady rolling, --tractions, --pressure",
+         R"(friction_study --n 20,40 --output curve.csv --tractions tractions.csv --plot curve.svg
 
 One row for each mesh, scheme and creepage, solved independently of the others.
-  stick_count               elements that stick
-  rounds                    iterations of the active set
-  pivots                    of the fallback, used where those did not settle
-  complementarity_residual  the largest violation of |p| <= mu p_n (over mu p0) and of the direction of slip
-                            (over |xi|)
-  time_us, assembly_us      [microseconds] medians of at least 5 runs of the solution and the assembly of G'
-  tangent_ratio             d force_ratio/d creepage_ratio
-  slip_work                 for each distance a rolled, in mu N mu p0 a/G, summed over the elements (second
-                            order in 1/n)
-Where status is not ok, the last two and force_ratio are empty. It is assists_creepage where some tractions of the
-same scheme in full adhesion assist the creepage, so that the scheme does not converge there: alpha <= 0 (or
-close to 0 on coarse meshes), or alpha > 1. (With friction, alpha = 0 converges, to first order, where several
-elements slip.)
-
+)" + creep_help() +
+             R"(
 --tractions: traction and bound in mu p0, slip s/V in mu p0/G, stick 1 or 0; traction, stick and slip are empty
 where status is not ok. lateral_traction and lateral_slip: the same across the rolling direction.
 
@@ -45,8 +36,8 @@ where status is not ok. lateral_traction and lateral_slip: the same across the r
     printf 'x_over_a,pressure\n-1,0\n0.3,1\n1,0\n' > pressure.csv
     friction_study --n 40 --pressure pressure.csv
 )"},
-    {"border", "--fit-border: the force to rounding",
-     R"(friction_study --n 40 --creepage-ratio 0.2,0.5,0.8 --fit-border --kernel plane
+        {"border", "--fit-border: the force to rounding",
+         R"(friction_study --n 40 --creepage-ratio 0.2,0.5,0.8 --fit-border --kernel plane
 
 For pressures that leave one slip zone at the trailing edge, as Hertz's does. Then mesh is fitted, and the force
 is exact to round-off, or to 1e-6 mu N under a --pressure without jumps, whatever n is: n only sets where
@@ -56,8 +47,8 @@ the largest violation at a separate set of points. With several slip zones, stic
 edge, or a pressure that jumps, mesh is cosine, and n elements with alpha = 0.5 are used instead. slip_work is
 -F xi in either case.
 )"},
-    {"lateral", "--lateral-ratio: friction in both directions",
-     R"(friction_study --n 40 --creepage-ratio 0,0.2,0.4,0.6,0.8,1 --lateral-ratio 0,0.3,0.6 --plot both.svg
+        {"lateral", "--lateral-ratio: friction in both directions",
+         R"(friction_study --n 40 --creepage-ratio 0,0.2,0.4,0.6,0.8,1 --lateral-ratio 0,0.3,0.6 --plot both.svg
 
 Both directions are coupled by friction alone; --lateral-ratio is the inner loop of the lists. force_ratio and
 lateral_force_ratio are -F_x/(mu N) and -F_y/(mu N), tangent_ratio and lateral_tangent_ratio their derivatives
@@ -68,14 +59,14 @@ ratio is 0 or the creepage has a single direction (across: with the ratio times 
     friction_study --n 40 --method nodes --nodes chebyshev --creepage-ratio 0.3 --lateral-ratio 0 \
         --spin-ratio 0,0.5,1
 )"},
-    {"layer", "--layer: an elastic layer between the bodies",
-     R"(friction_study --mesh uniform --n 40,80,160 --layer 0.5 --creepage-ratio 0.25,1
+        {"layer", "--layer: an elastic layer between the bodies",
+         R"(friction_study --mesh uniform --n 40,80,160 --layer 0.5 --creepage-ratio 0.25,1
 
 --layer adds L p to the displacement, L = h_3/G_3 for a layer of thickness h_3 and shear modulus G_3. exact is
 empty.
 )"},
-    {"falling", "--falling, --memory, --sweep: friction that falls with slip",
-     R"(friction that falls by 40 % (mu_0 p0 = 150 MPa on steel at 45 m/s: 0.1 m/s, 2 um, 1 mm/s), and in time
+        {"falling", "--falling, --memory, --sweep: friction that falls with slip",
+         R"(friction that falls by 40 % (mu_0 p0 = 150 MPa on steel at 45 m/s: 0.1 m/s, 2 um, 1 mm/s), and in time
     friction_study --falling 0.6,1.23 --memory 0.276,0.0123 --plot falling.svg
     friction_study --transient --n 80 --creepage-ratio 0.767 --falling 0.6,1.23 --memory 0.276,0.0123 \
         --integrator implicit-euler --dq 0.0125 --until 24 --plot sawtooth.svg
@@ -87,27 +78,22 @@ memory, a steep law has several steady solutions on a mesh: --sweep up and --swe
 finer the mesh, and --plot draws both (for one direction). rounds counts those of all solutions. --tractions: bound
 is that of mu_0, friction_ratio is mu/mu_0. --shift takes the time of one step.
 )"},
-    {"transient", "--transient: rolling in time, from rest, a shift or steady rolling",
-     R"(rolling from a shift to the steady state
+        {"transient", "--transient: rolling in time, from rest, a shift or steady rolling",
+         R"(rolling from a shift to the steady state
     friction_study --transient --n 40 --creepage-ratio 0.5 --shift 2 --aspect 100 --kernel plane
 
-One row for each step, the first at q = dq; with --shift, a row at q = 0 comes before. shift is the one imposed in
-this row, in mu p0 a/G. slip_work is cumulative, in mu N mu p0 a/G, and so are
-  creep_work  -int F.xi dq from the forces at both ends of a step (at its end with implicit-euler)
-  jump_work   elastic energy that jumps of the tractions release, as under --falling
-creep_work = slip_work + jump_work + change of elastic_energy, which has the same unit, to the order of the scheme
-in 1/n and of the integrator in dq. creepage is linear over a step (its end value with implicit-euler). rounds
-counts those of all solutions of a step, two with sdirk2.
+One row for each step:
+)" + transient_help() +
+             R"(creep_work = slip_work + jump_work + change of elastic_energy, which has the same unit, to the order of the scheme
+in 1/n and of the integrator in dq.
 
 A scheme that is not certainly stable, or whose steady tractions assist the creepage, is refused unless --unchecked is
-given: friction bounds its tractions, but they are wrong. Then status is unchecked instead of ok. The check finds
-eigenvalues, in a time of order n^3. With fewer than six steps in a period of --sine (OMEGA --dq > 1) or of
---load-sine (2 pi --dq > LENGTH), status is unresolved and the results are empty. A step without a solution is
-divided in halves, up to six times. If a step fails, the run has no more results: status says why in its row and is
-after_failure in the rows behind it, whose results are empty, and the exit code is 1.
+given: friction bounds its tractions, but they are wrong. The check finds eigenvalues, in a time of order n^3. A step
+without a solution is divided in halves, up to six times. If a step fails, the run has no more results, and the exit
+code is 1.
 )"},
-    {"load", "--load-sine, --load, --breathing: a load that varies",
-     R"(a load that varies by half, on a mesh that breathes with the contact
+        {"load", "--load-sine, --load, --breathing: a load that varies",
+         R"(a load that varies by half, on a mesh that breathes with the contact
     friction_study --transient --n 40 --creepage-ratio 0.5 --load-sine 0.5,8 --breathing --kernel plane \
         --from steady --until 24 --plot load.svg
 
@@ -116,5 +102,6 @@ Hertz's. With --breathing the mesh follows the contact (second order in 1/n); wh
 it rolls, status is needs_fixed_mesh and the run ends. Otherwise the mesh covers the largest contact (first order),
 and the load may vanish. Steps are divided where the table of --load has a row. exact is empty.
 )"}};
+}
 
 }  // namespace friction

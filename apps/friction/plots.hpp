@@ -11,7 +11,7 @@
 
 namespace friction {
 
-/// What options say of pressure, law, layer, load and, in time, creepage, for a title; empty for Hertz's pressure and
+/// What options say of pressure, law, layer, load and, in the time domain, creepage, for a title; empty for Hertz's pressure and
 /// a constant mu. Begins with ", " otherwise.
 std::string scene_in_title(const study::Options& options);
 
@@ -23,7 +23,7 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
 study::Plot combined_creep(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
                            const CreepCurve& curve);
 
-/// What a picture of a run in time shows in addition to the force.
+/// What a picture of a time-domain run shows in addition to the force.
 struct TimePicture {
     bool creepage_changes, load_changes;
     bool falling;         ///< mu falls with slip

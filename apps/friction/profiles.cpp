@@ -6,13 +6,13 @@
 
 namespace friction {
 
-void write_profiles(const Profiles& profiles, const CreepCurve& curve, bool with_header, study::TableFile& file) {
-    if (with_header) {
-        file.rows().write(
-            "n,creepage_ratio,x_over_a,traction,bound,stick,slip,exact,mesh,method,derivative,alpha_L,"
-            "alpha_T,status,lateral_ratio,lateral_traction,lateral_slip,layer,friction_ratio," +
-            study::join(study::setting_columns(), ",") + "\n");
-    }
+std::string profile_header() {
+    return "n,creepage_ratio,x_over_a,traction,bound,stick,slip,exact,mesh,method,derivative,alpha_L,"
+           "alpha_T,status,lateral_ratio,lateral_traction,lateral_slip,layer,friction_ratio," +
+           study::join(study::setting_columns(), ",") + "\n";
+}
+
+void write_profiles(const Profiles& profiles, const CreepCurve& curve, study::TableFile& file) {
     for (const auto& [key, profile] : profiles.all()) {
         const bool carter = curve.carter() && profile.point.lateral.value_or(0) == 0 && profile.point.spin == 0;
         const bool both = profile.lateral_traction.size() > 0;

@@ -1,4 +1,4 @@
-// A contact that rolls in time, in the units of the columns: one direction or both, a load that varies or not.
+// A contact that rolls in the time domain, in the units of the columns: one direction or both, a load that varies or not.
 #pragma once
 
 #include <cmath>

@@ -31,34 +31,17 @@ std::vector<CreepPoint> read_points(const study::Options& options) {
     return points;
 }
 
-/// Throws BadInput for options that have no effect where there are no elements, or belong to problems that the exact
-/// border does not solve.
-void refuse_element_options(const study::Options& options) {
-    for (const char* name : {"mesh", "edges", "method", "derivative", "alpha-L", "alpha-T", "alpha"}) {
-        options.ignored(name, "with --fit-border, which needs no elements");
-    }
-    for (const char* name : {"lateral-ratio", "spin-ratio", "layer"}) {
-        options.ignored(name, "with --fit-border, which is for one direction and no layer");
-    }
-}
-
 }  // namespace
 
 void run_steady(const study::Options& options, const Pressure& pressure) {
-    for (const char* name :
-         {"sine", "shift", "load-sine", "load", "breathing", "from", "dq", "until", "integrator", "unchecked"}) {
-        options.ignored(name, "without --transient");
-    }
-    options.ignored("lambda", "without --transient: a steady problem builds no G, the only matrix lambda acts on");
     const bool fits = options.flag("fit-border"), both = options.given("lateral-ratio");
-    if (fits) refuse_element_options(options);
-    if (!both) options.ignored("spin-ratio", "without --lateral-ratio");
     CreepCurve curve{options, pressure, read_points(options), read_layer(options), read_falling(options)};
     if (options.given("sweep")) curve.sweep = options.choice("sweep", {"up", "down"});
     const std::vector<study::Scene> scenes = study::make_scenes(options, study::Problem::steady);
 
     std::optional<study::TableFile> tractions;
-    if (options.given("tractions")) tractions.emplace(options, "tractions");
+    if (options.given("tractions"))
+        tractions.emplace(options, "tractions", study::has_header(options) ? profile_header() : "");
     Profiles profiles;
     if (tractions || options.given("plot")) curve.profiles = &profiles;
 
@@ -70,7 +53,7 @@ void run_steady(const study::Options& options, const Pressure& pressure) {
         (fits ? border_rows : element_rows)(curve, scenes[task], task, range, emit);
     };
     table.written = [&] {
-        if (tractions) write_profiles(profiles, curve, study::has_header(options), *tractions);
+        if (tractions) write_profiles(profiles, curve, *tractions);
     };
     table.plot = [&](const std::vector<study::Row>& rows) {
         return both ? combined_creep(table.columns, rows, curve) : creep_picture(table.columns, rows, curve);

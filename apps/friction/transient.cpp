@@ -14,24 +14,16 @@
 #include "plots.hpp"
 #include "rolling.hpp"
 #include "support/errors.hpp"
-#include "support/files.hpp"
 #include "support/non_steady.hpp"
 #include "support/progress.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
-#include "support/table.hpp"
+#include "support/sheet.hpp"
 #include "surface.hpp"
 
 namespace friction {
 
 namespace {
-
-const std::vector<std::string> columns = study::joined(
-    study::cells_of("q_over_a,creepage_ratio,shift,force_ratio,stick_count,rounds,slip_work,exact,relative_error,"
-                    "complementarity_residual,pivots,status,method,derivative,mesh,n,alpha_L,alpha_T,lambda,integrator,"
-                    "lateral_ratio,load_ratio,half_length_ratio,lateral_force_ratio,spin_ratio,moment_ratio,creep_work,"
-                    "layer,falling_ratio,half_velocity,memory_distance,least_velocity,elastic_energy,jump_work"),
-    study::setting_columns());
 
 /// Creepage ratios and load over q/a, and what comes before.
 struct History {
@@ -45,22 +37,16 @@ struct History {
 
     Ratios at(double q) const { return {omega ? amplitude * std::sin(*omega * q) : amplitude, lateral, spin}; }
     double load_at(double q) const { return load ? load->at(q) : 1; }
-    double next_stop(double from, double to) const { return load ? load->next_stop(from, to) : to; }
 };
 
 History make_history(const study::Options& options, double until) {
     History history;
     history.load = read_load(options, until);
     if (options.given("lateral-ratio")) history.lateral = options.number("lateral-ratio", study::finite());
-    if (!history.lateral) options.ignored("spin-ratio", "without --lateral-ratio");
     if (options.given("spin-ratio")) history.spin = options.number("spin-ratio", study::finite());
-    if (options.given("shift")) {
-        options.ignored("from", "with --shift, which starts from rest");
-        history.shift = options.number("shift", study::finite());
-    }
+    if (options.given("shift")) history.shift = options.number("shift", study::finite());
     history.from_steady = options.choice("from", {"rest", "steady"}) == "steady";
     if (options.given("sine")) {
-        options.ignored("creepage-ratio", "with --sine");
         const study::Sine sine = study::read_sine(options);
         history.amplitude = sine.amplitude;
         history.omega = sine.omega;
@@ -104,6 +90,81 @@ double creep_work(const Moment& before, const Moment& after, const Ratios& start
         work += part(before.moment_ratio.value_or(0), after.moment_ratio.value_or(0), start.spin, end.spin);
     }
     return work;
+}
+
+/// A row of the table. What steps did not follow is not `valid`; of a run that has ended nothing is `computed`.
+struct TimeRow {
+    const Problem& problem;
+    double q, shift;
+    Ratios ratios;
+    Moment moment;
+    double slip_work, jump_work, creep_work;
+    std::optional<double> exact;
+    bool computed, valid;
+    std::string status;
+
+    double load_ratio() const { return problem.history.load_at(q); }
+    study::Cell falling(std::size_t k) const { return falling_cells(problem.falling)[k]; }
+};
+
+template <class Value>
+auto if_valid(const Value& value) {
+    return [value](const TimeRow& r) { return r.valid ? study::Cell(value(r)) : study::Cell(); };
+}
+template <class Value>
+auto if_computed(const Value& value) {
+    return [value](const TimeRow& r) { return r.computed ? study::Cell(value(r)) : study::Cell(); };
+}
+
+const study::Sheet<TimeRow>& time_sheet() {
+    using R = TimeRow;
+    static const study::Sheet<TimeRow> columns{
+        "",
+        {{"q_over_a", "distance rolled, of a_0; the first row is at q = dq, with --shift one at q = 0 comes before",
+          [](const R& r) { return r.q; }},
+         {"creepage_ratio", "there; linear over a step (its end value with implicit-euler)",
+          [](const R& r) { return r.ratios.longitudinal; }},
+         {"shift", "imposed in this row, in mu p0 a/G", [](const R& r) { return r.shift; }},
+         {"force_ratio", "-F_x/(mu N_0)", if_valid([](const R& r) { return r.moment.force_ratio; })},
+         {"stick_count", "elements that stick", if_valid([](const R& r) { return r.moment.stick_count; })},
+         {"rounds", "of all solutions of a step, two with sdirk2",
+          if_computed([](const R& r) { return r.moment.rounds; })},
+         {"slip_work", "cumulative, in mu N mu p0 a/G", if_valid([](const R& r) { return r.slip_work; })},
+         {"exact", "Cattaneo's after a shift from rest (plane model of this b/a), where it holds",
+          if_valid([](const R& r) { return r.exact; })},
+         {"relative_error", "force_ratio/exact - 1",
+          if_valid([](const R& r) { return relative_error(r.moment.force_ratio, r.exact); })},
+         {"complementarity_residual", "as in steady rolling",
+          if_computed([](const R& r) { return r.moment.complementarity_residual; })},
+         {"pivots", "as in steady rolling", if_valid([](const R& r) { return r.moment.pivots; })},
+         {"status",
+          "unchecked instead of ok with --unchecked; unresolved, with empty results, with fewer than six steps in a "
+          "period "
+          "of --sine (OMEGA --dq > 1) or of --load-sine (2 pi --dq > LENGTH); why a step failed; after_failure behind "
+          "it",
+          [](const R& r) { return r.status; }},
+         {"method, derivative, mesh, n, alpha_L, alpha_T, lambda", "the scheme"},
+         {"integrator", "as given", [](const R& r) { return study::word(r.problem.integrator); }},
+         {"lateral_ratio", "as creepage_ratio", [](const R& r) { return r.ratios.lateral; }},
+         {"load_ratio", "N/N_0", [](const R& r) { return r.load_ratio(); }},
+         {"half_length_ratio", "a/a_0, Hertz's", [](const R& r) { return std::sqrt(r.load_ratio()); }},
+         {"lateral_force_ratio", "-F_y/(mu N_0)", if_valid([](const R& r) { return r.moment.lateral_force_ratio; })},
+         {"spin_ratio", "phi a_0 as creepage_ratio",
+          [](const R& r) { return r.ratios.lateral ? study::Cell(r.ratios.spin) : study::Cell(); }},
+         {"moment_ratio", "-M_z/(mu N_0 a_0)", if_valid([](const R& r) { return r.moment.moment_ratio; })},
+         {"creep_work", "-int F.xi dq from the forces at both ends of a step (at its end with implicit-euler)",
+          if_valid([](const R& r) { return r.creep_work; })},
+         {"layer", "--layer", [](const R& r) { return r.problem.layer; }},
+         {"falling_ratio", "--falling and --memory", [](const R& r) { return r.falling(0); }},
+         {"half_velocity", "--falling and --memory", [](const R& r) { return r.falling(1); }},
+         {"memory_distance", "--falling and --memory", [](const R& r) { return r.falling(2); }},
+         {"least_velocity", "--falling and --memory", [](const R& r) { return r.falling(3); }},
+         {"elastic_energy", "in the same unit as slip_work",
+          if_valid([](const R& r) { return r.moment.elastic_energy; })},
+         {"jump_work", "elastic energy that jumps of the tractions release, as under --falling",
+          if_valid([](const R& r) { return r.jump_work; })}},
+        study::settings};
+    return columns;
 }
 
 /// One run of a scene.
@@ -155,13 +216,11 @@ private:
                      creep_work(now_, next, history_.at(low), history_.at(high), both_ends));
             return next.status;
         };
-        while (from < end && ended_.empty()) {
-            const double to = history_.next_stop(from, end);
-            if (const auto failed = study::roll(from, to, step)) {
-                rounds += next.rounds;
-                keep(next, *failed, 0);
-            }
-            from = to;
+        if (!ended_.empty()) return;
+        const auto failed = study::roll(from, end, history_.load ? &*history_.load : nullptr, step);
+        if (failed) {
+            rounds += next.rounds;
+            keep(next, *failed, 0);
         }
         now_.rounds = rounds;
     }
@@ -187,25 +246,18 @@ private:
     study::Row row(double q, const Ratios& ratios, double shift, const std::optional<Moment>& of_row,
                    std::optional<double> exact) const {
         const Moment moment = of_row.value_or(Moment{});
-        const auto given_if = [](bool condition) {
-            return [condition](const auto& value) { return condition ? study::Cell(value) : study::Cell(); };
-        };
-        const auto computed = given_if(of_row.has_value());
-        // what steps did not follow is left out
-        const auto valid = given_if(moment.status == rollbem::StepStatus::ok && problem_.resolved());
-        const double load_ratio = history_.load_at(q);
-        return study::row_of({{q, ratios.longitudinal, shift, valid(moment.force_ratio), valid(moment.stick_count)},
-                              {computed(moment.rounds), valid(slip_work_), valid(exact),
-                               valid(relative_error(moment.force_ratio, exact))},
-                              {computed(moment.complementarity_residual), valid(moment.pivots), status(of_row)},
-                              {scene_.method, scene_.derivative, scene_.mesh_name, scene_.n()},
-                              {scene_.alpha_L, scene_.alpha_T, scene_.lambda, study::word(problem_.integrator)},
-                              {ratios.lateral, load_ratio, std::sqrt(load_ratio), valid(moment.lateral_force_ratio)},
-                              {ratios.lateral ? study::Cell(ratios.spin) : study::Cell(), valid(moment.moment_ratio)},
-                              {valid(creep_work_), problem_.layer},
-                              falling_cells(problem_.falling),
-                              {valid(moment.elastic_energy), valid(jump_work_)},
-                              study::setting_cells(scene_)});
+        return time_sheet().row(scene_, {.problem = problem_,
+                                         .q = q,
+                                         .shift = shift,
+                                         .ratios = ratios,
+                                         .moment = moment,
+                                         .slip_work = slip_work_,
+                                         .jump_work = jump_work_,
+                                         .creep_work = creep_work_,
+                                         .exact = exact,
+                                         .computed = of_row.has_value(),
+                                         .valid = moment.status == rollbem::StepStatus::ok && problem_.resolved(),
+                                         .status = status(of_row)});
     }
 
     const Problem& problem_;
@@ -219,8 +271,9 @@ private:
 
 }  // namespace
 
+std::string transient_help() { return time_sheet().help(); }
+
 void run_transient(const study::Options& options, const Pressure& pressure) {
-    for (const char* name : {"tractions", "fit-border"}) options.ignored(name, "with --transient");
     const study::Steps steps = study::read_steps(options);
     Problem problem{.history = make_history(options, double(steps.count) * steps.dq),
                     .dq = steps.dq,
@@ -230,7 +283,6 @@ void run_transient(const study::Options& options, const Pressure& pressure) {
                     .hertz = pressure.hertz,
                     .checked = !options.flag("unchecked")};
     const History& history = problem.history;
-    options.ignored("sweep", "with --transient");
     using rollbem::Integrator;
     problem.integrator = study::read_integrator(options, {Integrator::sdirk2, Integrator::implicit_euler});
 
@@ -245,13 +297,13 @@ void run_transient(const study::Options& options, const Pressure& pressure) {
     }
     checking.clear();
     std::vector<std::string> ended(scenes.size());
-    study::Table table = study::table_of(columns, scenes, steps.count + (history.shift ? 1 : 0));
+    study::Table table = study::table_of(time_sheet().names(), scenes, steps.count + (history.shift ? 1 : 0));
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
         ended[task] = Run(problem, scenes[task], starts[task]).rows(range, emit);
     };
     table.plot = [&](const std::vector<study::Row>& rows) {
         return force_in_time(
-            columns, rows,
+            time_sheet().names(), rows,
             {.creepage_changes = history.omega.has_value(),
              .load_changes = history.load.has_value(),
              .falling = problem.falling.has_value(),

@@ -39,9 +39,7 @@ rollbem::ElementSystem<double> system_of(const Case& c) {
 
 Eigen::MatrixXd G_prime(const Case& c) { return rollbem::assemble_G_prime(mesh_of(c), scheme_of(c), strip()); }
 
-rollbem::SteadySolution<double> steady(const Case& c) {
-    return rollbem::solve_steady(mesh_of(c), scheme_of(c), strip());
-}
+rollbem::Response<double> steady(const Case& c) { return rollbem::solve_steady(mesh_of(c), scheme_of(c), strip()); }
 
 double relative_difference(const Eigen::MatrixXd& first, const Eigen::MatrixXd& second) {
     return (first - second).cwiseAbs().maxCoeff() / second.cwiseAbs().maxCoeff();
@@ -77,8 +75,8 @@ static bool is_solved(rollbem::Status status) {
 }
 
 SteadyRatio steady_ratio(const Case& c) {
-    const rollbem::SteadySolution<double> solution = steady(c);
-    return {solution.c11 / rollbem::steady_c11(poisson_ratio), solution.status};
+    const rollbem::Response<double> solution = steady(c);
+    return {solution.c11() / rollbem::steady_c11(poisson_ratio), solution.status};
 }
 
 double c11_ratio(const Case& c) {
@@ -88,8 +86,8 @@ double c11_ratio(const Case& c) {
 
 Tractions tractions(const Case& c) {
     const Mesh mesh = mesh_of(c);
-    const rollbem::SteadySolution<double> solution = steady(c);
-    Tractions result{mesh.centres(), solution.traction, Eigen::ArrayXd(c.n),
+    const rollbem::Response<double> solution = steady(c);
+    Tractions result{mesh.centres(), solution.unknowns.col(0), Eigen::ArrayXd(c.n),
                      rollbem::carter_mean_tractions(mesh, poisson_ratio), solution.status};
     if (!is_solved(solution.status)) result.value.setConstant(std::numeric_limits<double>::quiet_NaN());
     for (Eigen::Index i = 0; i < c.n; ++i) {
@@ -103,10 +101,10 @@ double knothe_boundary_difference(Eigen::Index n, Derivative derivative) {
     const rollbem::PlaneKernel<double> plane =
         rollbem::PlaneKernel<double>::longitudinal(rollbem::Contact<double>::dimensionless(aspect, poisson_ratio));
     const rollbem::Collocation ahead{.alpha_L = 1, .alpha_T = 1, .derivative = derivative};
-    const rollbem::SteadySolution<double> boundary =
+    const rollbem::Response<double> boundary =
         rollbem::solve_steady(rollbem::uniform_mesh(n + 1), rollbem::KnotheBoundary{derivative}, plane);
-    const rollbem::SteadySolution<double> collocation = rollbem::solve_steady(rollbem::uniform_mesh(n), ahead, plane);
-    return relative_difference(boundary.traction, collocation.traction);
+    const rollbem::Response<double> collocation = rollbem::solve_steady(rollbem::uniform_mesh(n), ahead, plane);
+    return relative_difference(boundary.unknowns, collocation.unknowns);
 }
 
 double G_prime_difference(const Case& first, const Case& second) {
@@ -119,7 +117,7 @@ double G_difference(const Case& first, const Case& second) {
 
 double gauss_galerkin_difference(int points) {
     const rollbem::Galerkin galerkin{.alpha_L = 0, .alpha_T = 0.63, .quadrature = points};
-    const double c11 = rollbem::solve_steady(rollbem::uniform_mesh(40), galerkin, strip()).c11;
+    const double c11 = rollbem::solve_steady(rollbem::uniform_mesh(40), galerkin, strip()).c11();
     return std::abs(c11 / rollbem::steady_c11(poisson_ratio) - c11_ratio({}));
 }
 
@@ -148,9 +146,9 @@ std::vector<HarmonicResponse> harmonic_responses(const Case& c, const std::vecto
     const rollbem::FrequencySweep<double> sweep(system_of(c));
     std::vector<HarmonicResponse> result;
     for (const double frequency : z) {
-        const rollbem::SweepPoint<double> point = sweep(frequency);
+        const rollbem::Response<std::complex<double>> point = sweep(frequency);
         const double nothing = std::numeric_limits<double>::quiet_NaN();
-        result.push_back({is_solved(point.status) ? point.c11 : std::complex(nothing, nothing), point.status});
+        result.push_back({is_solved(point.status) ? point.c11() : std::complex(nothing, nothing), point.status});
     }
     return result;
 }
@@ -162,7 +160,7 @@ std::vector<std::complex<double>> harmonic_c11(const Case& c, const std::vector<
 }
 
 double steady_time_us(const Case& c) {
-    return study::median_time_us([&] { return steady(c).c11; });
+    return study::median_time_us([&] { return steady(c).c11(); });
 }
 
 }  // namespace paper

@@ -8,7 +8,7 @@
 
 #include <Eigen/Cholesky>
 
-#include <rollbem/adhesion/patch_steady.hpp>
+#include <rollbem/adhesion/creep_coefficients.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 
@@ -141,8 +141,7 @@ void Tractions::add(std::size_t task, std::size_t point, std::vector<study::Row>
     rows_[{task, point}] = std::move(rows);
 }
 
-void Tractions::write(bool with_header, study::TableFile& file) const {
-    if (with_header) file.rows().write(study::join(traction_columns(), ",") + "\n");
+void Tractions::write(study::TableFile& file) const {
     for (const auto& [place, rows] : rows_) {
         for (const study::Row& row : rows) file.rows().write(study::csv_line(row));
     }
@@ -168,7 +167,10 @@ void run_friction(const study::Options& options, const std::vector<Patch>& patch
     const Pressure pressure(options);
     for (const Patch& patch : patches) pressure.on(patch);  // before anything is written
     std::optional<study::TableFile> tractions_file;
-    if (options.given("tractions")) tractions_file.emplace(options, "tractions");
+    if (options.given("tractions")) {
+        tractions_file.emplace(options, "tractions",
+                               study::has_header(options) ? study::join(traction_columns(), ",") + "\n" : "");
+    }
     const bool from_above = points.size() == 1 && patches.size() <= 3 && options.given("plot");
     Tractions tractions;
 
@@ -178,7 +180,7 @@ void run_friction(const study::Options& options, const std::vector<Patch>& patch
                       tractions_file || from_above ? &tractions : nullptr);
     };
     table.written = [&] {
-        if (tractions_file) tractions.write(study::has_header(options), *tractions_file);
+        if (tractions_file) tractions.write(*tractions_file);
     };
     table.plot = [&](const std::vector<study::Row>& rows) {
         return from_above ? draw_from_above(patches, points.front(), tractions) : draw_friction(rows);

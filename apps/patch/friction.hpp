@@ -33,7 +33,7 @@ std::vector<CreepPoint> read_points(const study::Options& options, const std::ve
 class Tractions {
 public:
     void add(std::size_t task, std::size_t point, std::vector<study::Row> rows);
-    void write(bool with_header, study::TableFile& file) const;
+    void write(study::TableFile& file) const;
     /// By patch and creepage.
     const std::map<std::pair<std::size_t, std::size_t>, std::vector<study::Row>>& all() const { return rows_; }
 

@@ -90,7 +90,7 @@ where a/b changes (second order in 1/n); where a changes by as much as the step 
 the run ends. Otherwise the mesh covers the largest ellipse of the run: first order, and the load may vanish. Where the
 ellipse is narrower than three of its strips or elements, status is unresolved and results are empty; works count such
 steps all the same. With fewer than six steps in a period of --load-sine (2 pi --dq > LENGTH) all rows are unresolved.
-Steps are divided where --load has a row. An interrupt leaves rows in FILE.unfinished (--output FILE, without --plot);
+Steps are divided where --load has a row. An interrupt leaves rows in FILE.part (--output FILE, without --plot);
 the same command goes on from there. A step without a solution is divided in halves, up to six times. If a step fails,
 the run has no more results: status says why in its row and is after_failure in the rows behind it, and the exit code
 is 1. A patch whose modes grow in time is refused (--stability shows them).

@@ -1,4 +1,4 @@
-// A load that varies over the distance rolled, and the ellipse under it, for runs of patch_study in time.
+// A load that varies over the distance rolled, and the ellipse under it, for runs of patch_study in the time domain.
 #pragma once
 
 #include <optional>

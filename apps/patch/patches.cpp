@@ -46,7 +46,6 @@ Outline read_outline(const study::Options& options) {
 std::vector<Mesh> make_strips(const study::Options& options, double low, double high,
                               const std::vector<std::ptrdiff_t>& counts) {
     if (options.given("strip-edges")) {
-        for (const char* name : {"strips", "strip-grading"}) options.ignored(name, "with --strip-edges");
         study::Lines lines(options, "strip-edges");
         Numbers edges;
         while (lines.next()) {
@@ -92,12 +91,14 @@ void add_options(study::Options& options) {
                       "instead: any patch, as CSV y,x_trailing,x_leading in any unit of length, y increasing, straight "
                       "between the lines; a, b and c below are then sqrt(area/pi)");
     options.replaces("outline", {"a-over-b"});
+    options.not_with({"a-over-b"}, "outline");
     options.add("strips", "LIST", "strips along the rolling direction, 1 to 10000 (dimensionless); default: --n");
     options.add("strip-grading", "NAME", "edges of strips at -cos(pi j/m) of the half height: cosine; or uniform",
                 "cosine");
     options.add_input("strip-edges",
                       "instead of --strips: edges of strips, one per line, y/b from -1 to 1, or y of the outline");
     options.replaces("strip-edges", {"strips", "strip-grading"});
+    options.not_with({"strips", "strip-grading"}, "strip-edges");
 
     options.set_default("n", "8,12,16");
     options.set_help("n", "number of elements of each strip, 1 to 10000 (dimensionless)");
@@ -119,7 +120,6 @@ std::vector<Patch> make_patches(const study::Options& options) {
     std::optional<Outline> outline;
     std::vector<Contact> contacts;
     if (options.given("outline")) {
-        options.ignored("a-over-b", "with --outline");
         outline = read_outline(options);
     }
     for (const double ratio : outline ? Numbers{1} : options.numbers("a-over-b", study::between(1e-6, 1e6))) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include <rollbem/adhesion/patch_stability.hpp>
+#include <rollbem/adhesion/stability.hpp>
 #include <rollbem/assembly/patch_shapes.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
@@ -176,12 +176,10 @@ public:
             const double end = double(k + 1) * scene_.dq;
             const bool over = !ended_.empty();
             rounds_ = 0;
-            for (double from = double(k) * scene_.dq; from < end && ended_.empty();) {
-                const double to = scene_.load ? scene_.load->next_stop(from, end) : end;
-                const auto failed = study::roll(from, to, [this](double low, double high) { return step(low, high); });
-                if (failed) ended_ = study::why_ended(*failed, last_.status);
-                from = to;
-            }
+            const auto failed = over ? std::nullopt
+                                     : study::roll(double(k) * scene_.dq, end, scene_.load ? &*scene_.load : nullptr,
+                                                   [this](double low, double high) { return step(low, high); });
+            if (failed) ended_ = study::why_ended(*failed, last_.status);
             if (k >= range.first) emit(row(end, over));
         }
         return ended_;
@@ -250,30 +248,15 @@ void add_transient_options(study::Options& options) {
     options.add_flag("transient",
                      "with one value of each creepage: roll in time, one row for each step; lengths over a, N, a and b "
                      "at load_ratio 1");
-    study::add_steps(options, "with --transient: ");
-    options.add("from", "rest|steady", "with --transient: the state that the run starts from", "rest");
-    options.add("load-sine", "A,LENGTH",
-                "with --transient: load N = N_0 (1 + A sin(2 pi q/LENGTH)), |A| up to 1, LENGTH in a_0 above 0 "
-                "(dimensionless)");
-    options.add_input("load",
-                      "with --transient: CSV file with the columns q_over_a,load_ratio and, if known, a_ratio,b_ratio: "
-                      "N/N_0, a/a_0 and b/b_0 over the distance rolled in a_0, linear between its rows, which must "
-                      "cover the run (dimensionless); without them both are the cube root of load_ratio");
-    options.replaces("load-sine", {"load"});
-    options.add_flag("breathing",
-                     "with --load-sine or --load: the mesh follows the ellipse, as it does by default where --load has "
-                     "a_ratio,b_ratio and the load never vanishes; --breathing=false: it covers the largest one");
-    options.add("integrator", "NAME", "with --transient: sdirk2 (second order) or implicit-euler (first)", "sdirk2");
-}
-
-void refuse_transient_options(const study::Options& options) {
-    for (const char* name : {"dq", "until", "from", "load-sine", "load", "breathing", "integrator"}) {
-        options.ignored(name, "without --transient");
-    }
+    study::add_run_options(
+        options,
+        " and, if known, a_ratio,b_ratio: N/N_0, a/a_0 and b/b_0 over the distance rolled in a_0, linear between its "
+        "rows, which must cover the run (dimensionless); without them both are the cube root of load_ratio",
+        "the mesh follows the ellipse, as it does by default where --load has a_ratio,b_ratio and the load never "
+        "vanishes; --breathing=false: it covers the largest one");
 }
 
 void run_transient(const study::Options& options, const std::vector<Patch>& patches) {
-    options.ignored("tractions", "with --transient");
     const Pressure pressure(options);
     const study::Steps steps = study::read_steps(options);
     const std::vector<CreepPoint> points = read_points(options, patches);

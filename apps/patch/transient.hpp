@@ -1,4 +1,4 @@
-// Patches that roll in time with friction.
+// Patches that roll in the time domain with friction.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,6 @@ namespace patch {
 void add_transient_options(study::Options& options);
 
 /// Throws BadInput if an option was given that only --transient uses.
-void refuse_transient_options(const study::Options& options);
 
 /// Writes a row for each step of every patch. Throws what write_runs throws, and BadInput.
 void run_transient(const study::Options& options, const std::vector<Patch>& patches);

@@ -58,8 +58,8 @@ Cover cover_of(const Scene& scene, const Elements& elements) {
 }
 
 Complex harmonic_c11(const RollingSystem<double>& system, double z) {
-    const rollbem::HarmonicSolution<double> solution = rollbem::solve_harmonic<double>(system, z);
-    return solution.status == rollbem::Status::ok ? solution.c11 : Complex(nan, nan);
+    const rollbem::Response<Complex> solution = rollbem::solve_response<double>(system, {0, z});
+    return solution.status == rollbem::Status::ok ? solution.c11() : Complex(nan, nan);
 }
 
 Values step_forces(const Scene& scene, RollingSystem<double> system) {
@@ -147,7 +147,7 @@ RollingSystem<double> system_of(const Scene& scene, const Chebyshev& method) {
     return rollbem::rolling_system(method, kernel_of(scene));
 }
 
-rollbem::SteadySolution<double> steady(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
+rollbem::Response<double> steady(const Scene& scene, const Elements& elements, const Mesh<double>& mesh) {
     return rollbem::solve_steady<double>(slopes(scene, elements, mesh), mesh.widths());
 }
 
@@ -185,7 +185,7 @@ Values load_forces(Scene scene, const Elements& elements, const Mesh<double>& me
     return forces;
 }
 
-rollbem::ChebyshevSteadySolution<double> steady(const Scene& scene, const Chebyshev& method) {
+rollbem::Response<double> steady(const Scene& scene, const Chebyshev& method) {
     return solve_steady(method, kernel_of(scene));
 }
 
@@ -199,8 +199,8 @@ Values values(const Scene& scene, const Elements& elements, const Mesh<double>& 
         case Problem::varying_load: return load_forces(scene, elements, mesh, cover);
         case Problem::steady: break;
     }
-    const rollbem::SteadySolution<double> solution = steady(scene, elements, mesh);
-    return {solution.status == rollbem::Status::ok ? solution.c11 : nan};
+    const rollbem::Response<double> solution = steady(scene, elements, mesh);
+    return {solution.status == rollbem::Status::ok ? solution.c11() : nan};
 }
 
 Values values(const Scene& scene, const Elements& elements, long n, const Quantity& quantity) {
@@ -212,16 +212,16 @@ Values values(const Scene& scene, const Elements& elements, long n, const Quanti
 Values values(const Scene& scene, const Chebyshev& method, const Quantity& quantity) {
     if (quantity.problem == Problem::step) return step_forces(scene, system_of(scene, method));
     if (quantity.problem == Problem::harmonic) return {harmonic_c11(system_of(scene, method), quantity.frequency)};
-    const rollbem::ChebyshevSteadySolution<double> solution = steady(scene, method);
-    return {solution.status == rollbem::Status::ok ? solution.c11 : nan};
+    const rollbem::Response<double> solution = steady(scene, method);
+    return {solution.status == rollbem::Status::ok ? solution.c11() : nan};
 }
 
 Tractions tractions(const Scene& scene, const Elements& elements, long n) {
     Mesh<double> mesh = make_mesh(scene, elements.topology, n);
-    ArrayX<double> values = steady(scene, elements, mesh).traction.array();
+    ArrayX<double> values = steady(scene, elements, mesh).unknowns.col(0);
     if (elements.order == 0) return {std::move(mesh), std::move(values)};
     Mesh<double> pairs = make_mesh(scene, elements.topology, n / 2);
-    ArrayX<double> coarse = steady(scene, elements, pairs).traction.array();
+    ArrayX<double> coarse = steady(scene, elements, pairs).unknowns.col(0);
     for (Eigen::Index i = 0; i < coarse.size(); ++i) {
         const double force = (values.segment(2 * i, 2) * mesh.widths().segment(2 * i, 2)).sum();
         coarse[i] = rollbem::richardson(coarse[i], force / pairs.widths()[i], elements.order);

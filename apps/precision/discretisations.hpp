@@ -40,8 +40,8 @@ rollbem::ElementSystem<double> system_of(const Scene& scene, const Elements& ele
                                          const rollbem::Mesh<double>& mesh);
 rollbem::RollingSystem<double> system_of(const Scene& scene, const rollbem::Chebyshev& method);
 
-rollbem::SteadySolution<double> steady(const Scene& scene, const Elements& elements, const rollbem::Mesh<double>& mesh);
-rollbem::ChebyshevSteadySolution<double> steady(const Scene& scene, const rollbem::Chebyshev& method);
+rollbem::Response<double> steady(const Scene& scene, const Elements& elements, const rollbem::Mesh<double>& mesh);
+rollbem::Response<double> steady(const Scene& scene, const rollbem::Chebyshev& method);
 
 /// A mesh that breathes with the contact, or that covers the largest one.
 enum class Cover { breathing, largest };
@@ -51,7 +51,7 @@ Values load_forces(Scene scene, const Elements& elements, const rollbem::Mesh<do
                    std::size_t parts = 1);
 
 /// What a quantity other than the traction consists of: c11; or the forces -F/(a G xi) at q/a = 1, 2, ... after a step
-/// of creepage, exact in time, -F/(mu N) at the creepage ratio, the same along and across at 45 degrees, or
+/// of creepage, exact in the time domain, -F/(mu N) at the creepage ratio, the same along and across at 45 degrees, or
 /// load_forces().
 Values values(const Scene& scene, const Elements& elements, const rollbem::Mesh<double>& mesh, Cover cover,
               const Quantity& quantity);

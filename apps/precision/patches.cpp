@@ -8,7 +8,7 @@
 
 #include <rollbem/accuracy/recommended_patch.hpp>
 #include <rollbem/accuracy/richardson.hpp>
-#include <rollbem/adhesion/patch_stability.hpp>
+#include <rollbem/adhesion/stability.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
@@ -53,7 +53,8 @@ Found extrapolate(const Found& coarse, Found fine, double ratio) {
 /// c11, c22, c23, c33.
 Found coefficients(const PatchContact& contact, const rollbem::PatchMesh<double>& mesh) {
     const auto steady = rollbem::solve_steady(contact, mesh, chebyshev);
-    return {{steady.c11, steady.c22, steady.c23, steady.c33}, rollbem::name(steady.status)};
+    const auto c = creep_coefficients(contact, steady);
+    return {{c.c11, c.c22, c.c23, c.c33}, rollbem::name(steady.status)};
 }
 
 /// -F_x and -F_y over mu N under both creepages, spin alone, and all three together. Kalker's coefficients serve to

@@ -51,7 +51,8 @@ double model_error(const Scene& scene, const Quantity& quantity) {
         return error_of(quantity.problem, values(scene, cosine, mesh, Cover::largest, quantity),
                         values(plane, cosine, mesh, Cover::largest, quantity));
     }
-    const ArrayX<double> own = steady(scene, cosine, mesh).traction, other = steady(plane, cosine, mesh).traction;
+    const ArrayX<double> own = steady(scene, cosine, mesh).unknowns.col(0),
+                         other = steady(plane, cosine, mesh).unknowns.col(0);
     if (quantity.name == "traction") return weighted_norm(mesh, own - other) / weighted_norm(mesh, other);
     return (own * mesh.widths()).sum() / (other * mesh.widths()).sum() - 1;
 }

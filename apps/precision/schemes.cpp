@@ -113,9 +113,9 @@ double Case::traction_error() const {
         const auto solution = rollbem::solve_polynomial(Complex(0), nu, finite_aspect(scene_), n_);
         return precision::traction_error(nu, [&](double x) { return solution.traction(x); });
     }
-    const rollbem::ChebyshevSteadySolution<double> solution = steady(scene_, Chebyshev{n_});
+    const rollbem::Response<double> solution = steady(scene_, Chebyshev{n_});
     if (solution.status != rollbem::Status::ok) return std::numeric_limits<double>::quiet_NaN();
-    return precision::traction_error(nu, solution.traction);
+    return precision::traction_error(nu, rollbem::ChebyshevTraction<double>{solution.unknowns.col(0)});
 }
 
 std::optional<double> Case::relative_error(const Quantity& quantity) const {
@@ -163,7 +163,8 @@ double Case::run(const Quantity& quantity) const {
     if (quantity.name != "traction") return values(quantity)[0].real();
     const double nu = scene_.contact.poisson_ratio();
     if (const auto found = elements(scheme_)) return tractions(scene_, *found, n_).values[0];
-    if (scheme_ == "chebyshev-states") return steady(scene_, Chebyshev{n_}).traction(0.5);
+    if (scheme_ == "chebyshev-states")
+        return rollbem::ChebyshevTraction<double>{steady(scene_, Chebyshev{n_}).unknowns.col(0)}(0.5);
     if (scheme_ == "closed-form") return rollbem::carter_traction(0.5, nu);
     return rollbem::solve_polynomial(Complex(0), nu, finite_aspect(scene_), n_).traction(0.5).real();
 }

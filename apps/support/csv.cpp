@@ -1,7 +1,6 @@
 #include "csv.hpp"
 
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
@@ -9,11 +8,12 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include <Eigen/Core>
 #include <fcntl.h>
 #include <gsl/gsl_version.h>
-#include <sys/stat.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include "build_info.hpp"
@@ -21,54 +21,37 @@
 
 namespace study {
 
-namespace detail {
-
-// Temporary files, and folders made for them, that a signal must remove. A handler may touch lock-free atomics and
-// plain memory only.
-struct TemporaryPath {
-    std::atomic<bool> used{false};
-    std::array<char, 4096> path{};
-};
-
-}  // namespace detail
-
 namespace {
 
-std::array<detail::TemporaryPath, 128> temporary_paths;
-static_assert(std::atomic<bool>::is_always_lock_free);
+namespace fs = std::filesystem;
 
-extern "C" void remove_temporaries_and_exit(int signal) {
-    for (const detail::TemporaryPath& temporary : temporary_paths) {
-        if (temporary.used) ::unlink(temporary.path.data());
-    }
-    for (auto folder = temporary_paths.rbegin(); folder != temporary_paths.rend(); ++folder) {  // inner ones first
-        if (folder->used) ::rmdir(folder->path.data());
-    }
-    ::_exit(128 + signal);
+std::string part_of(const std::string& target) { return target + ".part"; }
+
+/// The file itself where the path is a link.
+std::string target_of(const std::string& path) {
+    std::error_code error;
+    const fs::path target = fs::canonical(path, error);
+    return error ? path : target.string();
 }
 
-/// A TOML basic string. Bytes that are not UTF-8, which TOML does not allow, become U+FFFD.
+std::string text_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A TOML basic string.
 std::string toml_string(std::string_view text) {
     std::string result = "\"";
-    for (std::size_t i = 0; i < text.size();) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        const std::size_t length = character_length(text.substr(i));
-        if (length == 0) {
-            result += "\\uFFFD";
-            ++i;
-            continue;
-        }
-        if (byte == '"' || byte == '\\') {
-            result += '\\';
-            result += text[i];
-        } else if (byte < 0x20 || byte == 0x7F) {
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x20 || byte == 0x7F) {
             std::array<char, 8> escape;
             std::snprintf(escape.data(), escape.size(), "\\u%04X", static_cast<unsigned>(byte));
             result += escape.data();
-        } else {
-            result += text.substr(i, length);
+            continue;
         }
-        i += length;
+        if (c == '"' || c == '\\') result += '\\';
+        result += c;
     }
     return result += '"';
 }
@@ -114,20 +97,6 @@ std::string eigen_version() {
 
 }  // namespace
 
-detail::TemporaryPath* detail::claim_temporary(const std::string& path) {
-    for (TemporaryPath& slot : temporary_paths) {
-        if (slot.used || path.size() >= slot.path.size()) continue;
-        std::memcpy(slot.path.data(), path.c_str(), path.size() + 1);
-        slot.used = true;
-        return &slot;
-    }
-    return nullptr;
-}
-
-void detail::release_temporary(TemporaryPath* temporary) {
-    if (temporary != nullptr) temporary->used = false;
-}
-
 std::string Cell::text(std::optional<int> digits) const {
     if (const auto* text = std::get_if<std::string>(&value_)) return *text;
     std::array<char, 64> buffer;
@@ -159,37 +128,30 @@ std::string csv_line(const Row& row) {
     return line += '\n';
 }
 
-void handle_signals() {
-    // A stream that the caller closed must not become the number of a file of results. Opened the wrong way round, what
-    // goes to a closed output still fails.
-    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-        const bool closed = ::fcntl(stream, F_GETFD) < 0;
-        if (closed) [[maybe_unused]]
-            const int opened = ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
-    }
-    struct sigaction action {};
-    action.sa_handler = remove_temporaries_and_exit;
-    sigemptyset(&action.sa_mask);
-    for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
-    struct sigaction hangup {};
-    sigaction(SIGHUP, nullptr, &hangup);
-    if (hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // not under nohup
+void ignore_write_signals() {
     for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
 }
 
-OutputFile OutputFile::standard_output() { return OutputFile("standard output", STDOUT_FILENO); }
+void make_folder(const std::string& path, const std::string& name) {
+    std::error_code error;
+    if (path != "-") fs::create_directories(path, error);
+    if (path != "-" && fs::is_directory(path)) return;
+    throw BadInput(name + " = " + path + " must be a folder that can be written" +
+                   (path == "-" ? ": it cannot be standard output"
+                    : error     ? ": " + error.message()
+                                : ""));
+}
 
-OutputFile::OutputFile(const std::string& path, const std::string& name) : shown_(path) {
-    namespace fs = std::filesystem;
+OutputFile::OutputFile(const std::string& path, const std::string& name, std::size_t kept)
+    : shown_(path == "-" ? "standard output" : path) {
     const auto refuse = [&](const std::string& why) {
         throw BadInput(name + " = " + path + " must be a file that can be written: " + why);
     };
-    std::error_code error;
     if (path == "-" || path == "/dev/stdout") {
-        descriptor_ = ::dup(STDOUT_FILENO);
-        if (descriptor_ < 0) refuse(std::strerror(errno));
+        descriptor_ = STDOUT_FILENO;
         return;
     }
+    std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (fs::is_directory(status)) refuse("it is a directory");
     if (is_stream(path)) {
@@ -198,38 +160,27 @@ OutputFile::OutputFile(const std::string& path, const std::string& name) : shown
         return;
     }
     if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0) refuse(std::strerror(errno));
-    target_ = behind_links(path);  // a link stays a link
-    if (fs::is_symlink(fs::symlink_status(target_, error))) refuse("its chain of links has no end");
-    temporary_ = target_ + ".part-" + std::to_string(::getpid());
-    slot_ = detail::claim_temporary(temporary_);
-    if (slot_ == nullptr) refuse("its name is too long");
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) {
-        detail::release_temporary(slot_);
-        refuse(std::strerror(errno));
-    }
-    struct stat before {};
-    if (fs::exists(status) && ::stat(target_.c_str(), &before) == 0) {
-        [[maybe_unused]] const int kept = ::fchmod(descriptor_, before.st_mode & 07777);  // best effort
-    }
+    const std::string part = part_of(target_of(path));
+    descriptor_ = ::open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) refuse(std::strerror(errno));
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) refuse("another run is writing it");
+    const auto size = static_cast<off_t>(kept);
+    if (::ftruncate(descriptor_, size) != 0 || ::lseek(descriptor_, size, SEEK_SET) < 0) refuse(std::strerror(errno));
+    target_ = target_of(path);
+    part_ = part;
 }
 
 OutputFile::OutputFile(OutputFile&& other) noexcept
     : shown_(std::move(other.shown_)),
       target_(std::move(other.target_)),
-      temporary_(std::move(other.temporary_)),
+      part_(std::exchange(other.part_, {})),
       buffer_(std::move(other.buffer_)),
-      descriptor_(std::exchange(other.descriptor_, -1)),
-      slot_(std::exchange(other.slot_, nullptr)) {}
+      descriptor_(std::exchange(other.descriptor_, -1)) {}
 
 OutputFile::~OutputFile() {
     if (descriptor_ > STDERR_FILENO) ::close(descriptor_);
-    remove_temporary();
+    if (!part_.empty()) ::unlink(part_.c_str());
 }
-
-bool OutputFile::is_regular() const { return !target_.empty(); }
-
-const std::string& OutputFile::path() const { return shown_; }
 
 void OutputFile::write(std::string_view text) {
     buffer_ += text;
@@ -251,26 +202,17 @@ void OutputFile::close() {
     flush();
     if (descriptor_ <= STDERR_FILENO) return;
     // some file systems find out only here that the disk is full
-    if (slot_ != nullptr && ::fsync(descriptor_) != 0 && errno != EINVAL) fail(errno);
+    if (is_regular() && ::fsync(descriptor_) != 0 && errno != EINVAL) fail(errno);
     if (::close(std::exchange(descriptor_, -1)) != 0) fail(errno);
 }
 
 void OutputFile::commit() {
     close();
-    if (slot_ == nullptr) return;
-    if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
-    detail::release_temporary(std::exchange(slot_, nullptr));
+    if (is_regular() && std::rename(part_.c_str(), target_.c_str()) != 0) fail(errno);
+    part_.clear();
 }
-
-OutputFile::OutputFile(std::string shown, int descriptor) : shown_(std::move(shown)), descriptor_(descriptor) {}
 
 void OutputFile::fail(int error) const { throw WriteError(shown_ + " cannot be written: " + std::strerror(error)); }
-
-void OutputFile::remove_temporary() {
-    if (slot_ == nullptr) return;
-    ::unlink(temporary_.c_str());
-    detail::release_temporary(std::exchange(slot_, nullptr));
-}
 
 std::string sidecar_text(const Options& options) {
     std::string text;
@@ -281,7 +223,6 @@ std::string sidecar_text(const Options& options) {
     entry("command_line", shell_quoted(options.words()));
     entry("version", build_info::version);
     entry("git_revision", build_info::git_revision);
-    if (!options.replay_note().empty()) entry("replay", options.replay_note());
     text += "\n[given]\n";
     for (const auto& [name, value] : options.given_values()) entry(name, value);
     if (!options.inputs().empty()) text += "\n[inputs]  # 64-bit FNV-1a of the contents\n";
@@ -297,6 +238,7 @@ std::string sidecar_text(const Options& options) {
     text += "\n[machine]\n";
     entry("cpu", cpu_name());
     text += "\n[conventions]\n";
+    if (!options.conventions().empty()) return text + options.conventions();
     entry("x", "rolling direction in units of the half-length a; leading edge at x/a = 1, trailing edge at x/a = -1");
     entry("elements", "numbered from the trailing edge to the leading edge");
     entry("signs", "traction acts on body 1 (the wheel); positive creepage gives negative traction and force");
@@ -310,17 +252,37 @@ std::string sidecar_text(const Options& options) {
     return text;
 }
 
-TableFile::TableFile(const Options& options, const std::string& name)
-    : options_(options),
-      csv_(options.given(name) ? OutputFile(options.text(name), "--" + name) : OutputFile::standard_output()) {
-    if (csv_.is_regular()) sidecar_.emplace(csv_.path() + ".toml", "--" + name);
+TableFile::TableFile(const Options& options, const std::string& name, std::string_view header, bool resumable)
+    : csv_(options.given(name) ? options.text(name) : "-", "--" + name,
+           resumable && options.given(name) ? find_rows(options, target_of(options.text(name)), header) : 0) {
+    if (!csv_.is_regular()) {
+        csv_.write(header);
+        return;
+    }
+    if (found_.empty()) csv_.write(header);
+    sidecar_.emplace(csv_.path() + ".toml", "--" + name);
+    sidecar_->write(sidecar_text(options));
+    if (resumable) sidecar_->flush();
+}
+
+std::size_t TableFile::find_rows(const Options& options, const std::string& path, std::string_view header) {
+    if (text_of(part_of(path + ".toml")) != sidecar_text(options)) return 0;
+    const std::string text = text_of(part_of(path));
+    if (text.rfind(header, 0) != 0) return 0;
+    std::size_t kept = header.size();
+    for (std::size_t end = 0; (end = text.find('\n', kept)) != std::string::npos; kept = end + 1) {
+        found_.push_back(text.substr(kept, end + 1 - kept));
+    }
+    return found_.empty() ? 0 : kept;
+}
+
+void TableFile::keep_part() {
+    csv_.keep_part();
+    if (sidecar_) sidecar_->keep_part();
 }
 
 void TableFile::commit() {
-    if (sidecar_) {
-        sidecar_->write(sidecar_text(options_));
-        sidecar_->close();
-    }
+    if (sidecar_) sidecar_->close();
     csv_.commit();
     if (sidecar_) sidecar_->commit();
 }

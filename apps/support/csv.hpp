@@ -70,32 +70,21 @@ inline std::size_t index_of(const std::vector<std::string>& columns, std::string
 /// A row as a line of CSV.
 std::string csv_line(const Row& row);
 
-namespace detail {
+/// A closed pipe and a file larger than allowed then make write() throw instead of ending the program.
+void ignore_write_signals();
 
-struct TemporaryPath;
+/// A folder that results are written to, created if it does not exist. Throws BadInput, which names `name`.
+void make_folder(const std::string& path, const std::string& name);
 
-/// Lets an interrupt remove the file or, once it is empty, the folder, until it is released. Null if its name is too
-/// long or there are too many of them.
-TemporaryPath* claim_temporary(const std::string& path);
-
-/// Does nothing for null.
-void release_temporary(TemporaryPath* temporary);
-
-}  // namespace detail
-
-/// An interrupt ends the program with 128 + its number and leaves no partial file; a closed pipe, a stream that the
-/// caller closed and a file larger than allowed make write() throw.
-void handle_signals();
-
-/// A file to write from start to end. A regular file is written under another name beside it and takes its own name in
-/// commit(); without commit() nothing is left. Pipes and devices are written to directly.
+/// A file to write from start to end. A regular file is written to FILE.part and takes its own name in commit(); without
+/// commit() nothing is left. Pipes and devices are written to directly.
 class OutputFile {
 public:
-    static OutputFile standard_output();
+    static OutputFile standard_output() { return {"-", "standard output"}; }
 
-    /// `name` is the option or quantity that named the path, for messages. A path of - is standard output; links are
-    /// followed, even to a file that does not exist yet. Throws BadInput if it cannot be written.
-    OutputFile(const std::string& path, const std::string& name);
+    /// `name` is the option or quantity that named the path, for messages. A path of - is standard output. The first
+    /// `kept` bytes of FILE.part stay. Throws BadInput if the file cannot be written.
+    OutputFile(const std::string& path, const std::string& name, std::size_t kept = 0);
 
     OutputFile(OutputFile&& other) noexcept;
     OutputFile(const OutputFile&) = delete;
@@ -104,8 +93,8 @@ public:
 
     ~OutputFile();
 
-    bool is_regular() const;  ///< written under another name first
-    const std::string& path() const;
+    bool is_regular() const { return !target_.empty(); }  ///< written to FILE.part first
+    const std::string& path() const { return shown_; }
 
     void write(std::string_view text);
 
@@ -118,16 +107,14 @@ public:
     /// Gives the file its name, and ends it if close() has not. Throws WriteError.
     void commit();
 
-private:
-    OutputFile(std::string shown, int descriptor);
+    /// Leaves FILE.part as it is without commit().
+    void keep_part() { part_.clear(); }
 
+private:
     [[noreturn]] void fail(int error) const;
 
-    void remove_temporary();
-
-    std::string shown_, target_, temporary_, buffer_;
+    std::string shown_, target_{}, part_{}, buffer_{};
     int descriptor_ = -1;
-    detail::TemporaryPath* slot_ = nullptr;
 };
 
 /// The TOML file that stands beside a CSV file.
@@ -137,17 +124,26 @@ std::string sidecar_text(const Options& options);
 /// on the disk.
 class TableFile {
 public:
-    /// Writes to the file that --name gives, or to standard output without it. Throws BadInput if that cannot be
-    /// written.
-    TableFile(const Options& options, const std::string& name);
+    /// Writes to the file that --name gives, or to standard output without it. A table that is `resumable` goes on in
+    /// FILE.part if that begins with `header` and FILE.toml.part says that the run was this one. Throws BadInput if the
+    /// file cannot be written.
+    TableFile(const Options& options, const std::string& name, std::string_view header, bool resumable = false);
 
     OutputFile& rows() { return csv_; }
+
+    /// Lines of CSV that were there, without the header.
+    const std::vector<std::string>& found() const { return found_; }
+
+    /// Leaves what is written for another run to go on with.
+    void keep_part();
 
     /// Throws WriteError.
     void commit();
 
 private:
-    const Options& options_;
+    std::size_t find_rows(const Options& options, const std::string& path, std::string_view header);
+
+    std::vector<std::string> found_;
     OutputFile csv_;
     std::optional<OutputFile> sidecar_;
 };

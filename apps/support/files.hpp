@@ -16,12 +16,7 @@ class Options;
 /// line feed. Throws BadInput.
 std::string contents(const Options& options, const std::string& name);
 
-/// Bytes of the first character of a text in UTF-8, which must not be empty; 0 if it does not start with a character.
-std::size_t character_length(std::string_view text);
-
-bool is_utf8(std::string_view text);
-
-/// The text for a message: control characters and bytes that are not UTF-8 become \xNN.
+/// The text for a message: control characters become \xNN.
 std::string printable(std::string_view text);
 
 /// The separator of the cells of a line: a comma, or a semicolon or tab if there is no comma outside quotes.
@@ -52,24 +47,10 @@ private:
     std::size_t next_ = 0, number_ = 0, read_ = 0;
 };
 
-/// The end of a chain of symbolic links, whether or not there is a file. A chain that does not end is returned
-/// unchanged.
-std::string behind_links(const std::string& path);
-
-/// Whether `path` is a stream that is already open, such as /dev/fd/3, or something else that is not a regular file.
+/// Whether `path` is there and is not a regular file.
 bool is_stream(const std::string& path);
 
-/// Where an option reads or writes.
-struct Place {
-    std::string said;     ///< for messages
-    std::string path;     ///< - for a standard stream
-    int descriptor = -1;  ///< of the standard stream
-
-    static Place input(const std::string& said, const std::string& path);
-    static Place output(const std::string& said, const std::string& path);
-};
-
-/// Whether both are the same file, pipe or standard stream, whatever their names. Devices never are the same.
-bool same_place(const Place& first, const Place& second);
+/// Whether both are the same file, or - for the same standard stream, whatever their names. Devices never are the same.
+bool same_place(const std::string& first, const std::string& second);
 
 }  // namespace study

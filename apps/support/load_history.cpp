@@ -80,15 +80,27 @@ double LoadHistory::next_stop(double from, double to) const {
     return next == knots.end() ? to : std::min(*next, to);
 }
 
+void add_run_options(Options& options, const std::string& load, const std::string& breathing) {
+    options
+        .add("load-sine", "A,LENGTH",
+             "load N = N_0 (1 + A sin(2 pi q/LENGTH)), |A| up to 1, LENGTH in a_0 above 0 (dimensionless)")
+        .only_with({"transient"});
+    options.add_input("load", "CSV file with the columns q_over_a,load_ratio" + load).only_with({"transient"});
+    options.replaces("load-sine", {"load"});
+    options.not_with({"load"}, "load-sine");
+    options.only_with({"breathing"}, {"transient"});
+    options.add_flag("breathing", breathing).only_with({"load-sine", "load"}, ": the contact does not change");
+    options.add("from", "rest|steady", "the state that the run starts from", "rest").only_with({"transient"});
+    add_steps(options, "transient");
+    options.add("integrator", "NAME", "sdirk2 (second order) or implicit-euler (first)", "sdirk2")
+        .only_with({"transient"});
+}
+
 std::optional<LoadHistory> read_load_history(const Options& options, double until, const std::string& further) {
     const bool breathing = options.flag("breathing");
-    if (!options.given("load-sine") && !options.given("load")) {
-        options.ignored("breathing", "without --load-sine or --load: the contact does not change");
-        return std::nullopt;
-    }
+    if (!options.given("load-sine") && !options.given("load")) return std::nullopt;
     options.ignored("pressure", "under a load that varies: how the contact of a table grows is not known");
     if (!options.given("load-sine")) return load_of_table(options, until, breathing, further);
-    options.ignored("load", "with --load-sine");
     return load_of_sine(options, breathing);
 }
 

@@ -1,4 +1,4 @@
-// A load that varies over the distance rolled, for runs in time. Units: N in N_0, q in a_0, which belongs to N_0.
+// A load that varies over the distance rolled, for time-domain runs. Units: N in N_0, q in a_0, which belongs to N_0.
 #pragma once
 
 #include <optional>
@@ -31,6 +31,10 @@ struct LoadHistory {
     /// Where a step has to end: at the first knot between two places, otherwise at the second place.
     double next_stop(double from, double to) const;
 };
+
+/// Declares what runs with friction share: --load-sine, --load, --breathing, --from, --dq, --until and --integrator, all
+/// for --transient. `load` and `breathing` are what --help says of these besides.
+void add_run_options(Options& options, const std::string& load, const std::string& breathing);
 
 /// --load-sine or --load, and --breathing; nothing if the load is constant. The run is `until` long [a_0]. A table may
 /// have the columns `further` besides. Throws BadInput.

@@ -48,11 +48,14 @@ Sine read_sine(const Options& options) {
     return {sine->first, sine->second};
 }
 
-void add_steps(Options& options, const std::string& when) {
-    options.add("dq", "D", when + "distance rolled in a step, in units of a, above 0 (dimensionless)", "0.05");
-    options.add("until", "Q",
-                when + "distance rolled in all, in units of a: a multiple of --dq, up to 1e7 times (dimensionless)",
-                "10");
+void add_steps(Options& options, const std::string& mode) {
+    const auto dq = options.add("dq", "D", "distance rolled in a step, in units of a, above 0 (dimensionless)", "0.05");
+    const auto until =
+        options.add("until", "Q",
+                    "distance rolled in all, in units of a: a multiple of --dq, up to 1e7 times (dimensionless)", "10");
+    if (mode.empty()) return;
+    dq.only_with({mode});
+    until.only_with({mode});
 }
 
 Steps read_steps(const Options& options) {
@@ -98,8 +101,8 @@ rollbem::RollingSystem<double> system_of(const Scene& scene) {
 
 std::string steady_status(const Scene& scene, const rollbem::RollingSystem<double>& system) {
     if (!scene.chebyshev) {
-        const rollbem::SteadySolution<double> solution = rollbem::solve_steady(system);
-        return steady_status(scene, solution.status, solution.c11);
+        const rollbem::Response<double> solution = rollbem::solve_steady(system);
+        return steady_status(scene, solution.status, solution.c11());
     }
     return name(solve_steady(*scene.chebyshev, scene.kernel).status);
 }

@@ -1,4 +1,4 @@
-// What studies of problems in time share: scenes whose model itself is stable, whether the plane model has exact
+// What studies of problems in the time domain share: scenes whose model itself is stable, whether the plane model has exact
 // solutions for a contact, which schemes can be stepped, and the options for that.
 #pragma once
 
@@ -23,7 +23,7 @@ bool plane_model_decays(const rollbem::Contact<double>& contact);
 /// Throws BadInput unless plane_model_decays.
 void require_plane_model(const rollbem::Contact<double>& contact);
 
-/// All cases of a problem in time. Throws BadInput if make_scenes or require_plane_model does.
+/// All cases of a problem in the time domain. Throws BadInput if make_scenes or require_plane_model does.
 std::vector<Scene> make_non_steady_scenes(const Options& options, Methods methods = Methods::elements);
 
 /// A sinusoidal creepage: amplitude * sin(omega q), omega in V/a.
@@ -37,13 +37,13 @@ inline bool resolves(double omega, double dq) { return omega * dq <= 1; }
 /// --sine AMP,OMEGA. Throws BadInput unless both are finite, AMP is not 0 and OMEGA is positive.
 Sine read_sine(const Options& options);
 
-/// Declares --dq and --until, and reads them as 1 to 1e7 steps of dq, in units of a. `when` precedes the text of
-/// --help. Throws BadInput.
+/// Declares --dq and --until, and reads them as 1 to 1e7 steps of dq, in units of a. With `mode`, only that option
+/// makes steps. Throws BadInput.
 struct Steps {
     double dq;
     std::size_t count;
 };
-void add_steps(Options& options, const std::string& when);
+void add_steps(Options& options, const std::string& mode = "");
 Steps read_steps(const Options& options);
 
 /// The name of an integrator in options and columns.

@@ -21,23 +21,6 @@ namespace study {
 
 namespace {
 
-/// Breaks lines at blanks so that none is longer than `width`, unless a word is.
-std::string wrap(const std::string& text, std::size_t width) {
-    std::istringstream words(text);
-    std::string word, result;
-    std::size_t column = 0;
-    while (words >> word) {
-        if (column > 0) {
-            const bool breaks = column + 1 + word.size() > width;
-            result += breaks ? '\n' : ' ';
-            column = breaks ? 0 : column + 1;
-        }
-        result += word;
-        column += word.size();
-    }
-    return result;
-}
-
 // `what` is expected: "a number" of a list, or "one number".
 double to_number(const std::string& name, const std::string& text, const std::string& what, const Rule& rule) {
     const std::optional<double> value = detail::parse_number<double>(text);
@@ -53,6 +36,12 @@ std::ptrdiff_t to_integer(const std::string& name, const std::string& text, std:
                        std::to_string(high) + "]");
     }
     return *value;
+}
+
+/// "--one, --two or --three"
+std::string dashed(std::vector<std::string> names) {
+    for (std::string& name : names) name.insert(0, "--");
+    return listed(names, "or");
 }
 
 }  // namespace
@@ -90,6 +79,22 @@ std::string checksum(std::string_view text) {
     return result.data();
 }
 
+std::string wrap(const std::string& text, std::size_t width) {
+    std::istringstream words(text);
+    std::string word, result;
+    std::size_t column = 0;
+    while (words >> word) {
+        if (column > 0) {
+            const bool breaks = column + 1 + word.size() > width;
+            result += breaks ? '\n' : ' ';
+            column = breaks ? 0 : column + 1;
+        }
+        result += word;
+        column += word.size();
+    }
+    return result;
+}
+
 std::string join(const std::vector<std::string>& words, const std::string& separator) {
     return CLI::detail::join(words, separator);
 }
@@ -112,7 +117,7 @@ Options::Options(std::string program, const std::string& purpose)
     app_->get_option("--version")->description("print version and git revision and exit");
     group("Program");
     add_input("config",
-              "read options from a TOML or INI file without sections, e.g. alpha-T = 0.63 or n = [10, 20]; or from a "
+              "read options from a TOML file, e.g. alpha-T = 0.63, mesh = \"cosine\" or n = [10, 20]; or from a "
               "FILE.toml beside results, to repeat that run without its outputs and --jobs. The command line takes "
               "precedence. Every input FILE may be -, standard input");
 
@@ -145,6 +150,8 @@ Options::Options(std::string program, const std::string& purpose)
 
     replaces("alpha", {"alpha-L", "alpha-T"});
     replaces("edges", {"n", "mesh", "size-ratio", "epsilon"});
+    not_with({"alpha-L", "alpha-T"}, "alpha");
+    not_with({"mesh", "n"}, "edges");
 
     group("Contact");
     add("kernel", "NAME", "strip (half-width b) or plane (its limit b >> a)", "strip");
@@ -173,8 +180,8 @@ Options::~Options() = default;
 
 void Options::group(const std::string& heading) { group_ = heading; }
 
-void Options::add(const std::string& name, const std::string& value, const std::string& help,
-                  const std::string& default_text) {
+Options::Added Options::add(const std::string& name, const std::string& value, const std::string& help,
+                            const std::string& default_text) {
     const std::string nothing;
     CLI::Option* option = app_->add_option("--" + name, nothing);
     // Every use of the option is kept; how many there may be is checked when its values are read.
@@ -182,29 +189,72 @@ void Options::add(const std::string& name, const std::string& value, const std::
     option->group(group_);
     entries_[name] = {option, help, ""};
     set_default(name, default_text);
+    return {*this, name};
 }
 
-void Options::add_file(const std::string& name, const std::string& help, Kind kind) {
+Options::Added Options::add_file(const std::string& name, const std::string& help, Kind kind) {
     add(name, "FILE", help);
     entries_[name].kind = kind;
+    return {*this, name};
 }
 
-void Options::add_input(const std::string& name, const std::string& help) { add_file(name, help, Kind::input); }
+Options::Added Options::add_input(const std::string& name, const std::string& help) {
+    return add_file(name, help, Kind::input);
+}
 
-void Options::add_output(const std::string& name, const std::string& help) { add_file(name, help, Kind::output); }
+Options::Added Options::add_output(const std::string& name, const std::string& help) {
+    return add_file(name, help, Kind::output);
+}
 
-void Options::add_table(const std::string& name, const std::string& help) { add_file(name, help, Kind::table); }
+Options::Added Options::add_table(const std::string& name, const std::string& help) {
+    return add_file(name, help, Kind::table);
+}
 
-void Options::add_folder(const std::string& name, const std::string& help, std::vector<std::string> files) {
+Options::Added Options::add_folder(const std::string& name, const std::string& help, std::vector<std::string> files) {
     add(name, "DIR", help);
     entries_[name].kind = Kind::folder;
     entries_[name].files = std::move(files);
+    return {*this, name};
 }
 
-void Options::add_flag(const std::string& name, const std::string& help) {
-    CLI::Option* option = app_->add_flag("--" + name, help);
+Options::Added Options::add_flag(const std::string& name, const std::string& help) {
+    CLI::Option* option = app_->add_flag("--" + name);
     option->group(group_);
     entries_[name] = {option, help, "", Kind::flag};
+    set_default(name, "");
+    return {*this, name};
+}
+
+const Options::Added& Options::Added::only_with(const std::vector<std::string>& modes, const std::string& why) const {
+    const std::string shown = options_.entry(name_).help;
+    options_.set_help(name_, "with " + dashed(modes) + ": " + shown);
+    options_.only_with({name_}, modes, why);
+    return *this;
+}
+
+const Options::Added& Options::Added::not_with(const std::string& mode, const std::string& why) const {
+    options_.not_with({name_}, mode, why);
+    return *this;
+}
+
+void Options::not_with(const std::vector<std::string>& names, const std::string& mode, const std::string& why) {
+    for (const std::string& name : names) limits_.push_back({name, {mode}, false, why});
+}
+
+void Options::only_with(const std::vector<std::string>& names, const std::vector<std::string>& modes,
+                        const std::string& why) {
+    for (const std::string& name : names) limits_.push_back({name, modes, true, why});
+}
+
+void Options::check_limits() const {
+    const auto is_on = [&](const std::string& mode) {
+        return entry(mode).kind == Kind::flag ? flag(mode) : given(mode);
+    };
+    for (const Limit& limit : limits_) {
+        const bool on = std::any_of(limit.modes.begin(), limit.modes.end(), is_on);
+        if (on == limit.needs) continue;
+        ignored(limit.name, (limit.needs ? "without " : "with ") + dashed(limit.modes) + limit.why);
+    }
 }
 
 void Options::set_default(const std::string& name, const std::string& default_text) {
@@ -280,6 +330,7 @@ std::optional<std::string> Options::parse(int argc, const char* const* argv) {
         if (given(name)) throw BadInput(said(name) + " cannot be used here: " + reason);
     }
     check_files();
+    check_limits();
     return std::nullopt;
 }
 
@@ -416,23 +467,13 @@ std::vector<std::pair<std::string, std::string>> Options::values() const {
     return result;
 }
 
-std::string Options::replay_note() const {
-    for (const auto& [name, checksum] : inputs_) {
-        if (!is_utf8(text(name))) return "impossible: the name of the file of --" + name + " is not UTF-8";
-    }
-    for (const auto& [name, checksum] : inputs_) {
-        if (text(name) == "-") return "needs the file of --" + name + " on standard input again";
-    }
-    return "";
-}
-
 void Options::note_input(const std::string& name, std::string_view contents) const {
     if (name == "config") return;
     const std::string text = checksum(contents);
     const auto expected = expected_.find(name);
-    if (expected != expected_.end() && entry(name).option->count() == 0 && expected->second != text) {
-        throw BadInput(said(name) + " must be the file of the run that " + said("config") +
-                       " repeats, but its contents have changed: " + text + " instead of " + expected->second);
+    if (expected != expected_.end() && expected->second != text) {
+        std::fprintf(stderr, "%s: %s is not as it was in the run that %s repeats\n", program_.c_str(),
+                     said(name).c_str(), said("config").c_str());
     }
     inputs_[name] = text;
 }
@@ -442,14 +483,14 @@ std::string Options::version() const {
 }
 
 void Options::read_config() {
-    const std::string text = contents(*this, "config");
-    replays_ = is_sidecar(text);
-    for (Setting& setting : read_settings(text, said("config"))) {
-        if (replays_ && setting.section.empty() && setting.name == "program" && setting.values[0] != program_) {
-            throw BadInput(setting.where + " must be " + program_ + ", whose run this is to repeat");
-        }
-        if (replays_ && setting.section == "inputs") expected_[setting.name] = setting.values[0];
-        if (replays_ && setting.section != "given") continue;
+    Config config = study::read_config(contents(*this, "config"), said("config"));
+    replays_ = config.is_sidecar;
+    expected_ = std::move(config.inputs);
+    if (replays_ && !config.program.empty() && config.program != program_) {
+        throw BadInput(said("config") + ": program = " + config.program + " must be " + program_ +
+                       ", whose run this is to repeat");
+    }
+    for (Setting& setting : config.settings) {
         const auto found = entries_.find(setting.name);
         if (found == entries_.end() || setting.name == "config") {
             throw BadInput(setting.where + " must name an option of " + program_ + suggestion(setting.name) +
@@ -458,11 +499,9 @@ void Options::read_config() {
         const Kind kind = found->second.kind;
         const bool writes = kind == Kind::output || kind == Kind::table || kind == Kind::folder;
         if (replays_ && (writes || setting.name == "jobs")) continue;
-        const bool one_word = setting.values.size() == 1;
-        if (found->second.kind == Kind::flag && !(one_word && setting.values[0] == "true") &&
-            !(one_word && setting.values[0] == "false")) {
-            throw BadInput(setting.where + " must be true or false");
-        }
+        const bool is_truth =
+            setting.values.size() == 1 && (setting.values[0] == "true" || setting.values[0] == "false");
+        if (kind == Kind::flag && !is_truth) throw BadInput(setting.where + " must be true or false");
         found->second.configured = std::move(setting.values);
     }
 }
@@ -549,42 +588,36 @@ void Options::check_inputs() const {
 
 void Options::check_files() const {
     check_inputs();
-    std::vector<Place> inputs, outputs;
-    std::vector<std::string> companions;
-    if (!given("output")) outputs.push_back(Place::output("standard output", "-"));
+    struct File {
+        std::string said, path;
+        bool is_sidecar = false;
+    };
+    std::vector<File> inputs, outputs;
+    if (!given("output")) outputs.push_back({"standard output", "-"});
     for (const auto& [name, entry] : entries_) {
-        const bool reads = entry.kind == Kind::input, has_sidecar = entry.kind == Kind::table;
         if (!given(name) || entry.kind == Kind::value || entry.kind == Kind::flag) continue;
         const std::string path = text(name);
-        if (entry.kind == Kind::folder) {
-            for (const std::string& file : entry.files) {
-                outputs.push_back(Place::output(file + " of " + said(name), path + "/" + file));
-            }
+        if (entry.kind == Kind::input) {
+            if (path != "-") inputs.push_back({said(name), path});
             continue;
         }
-        if (reads) {
-            inputs.push_back(Place::input(said(name), path));
-            continue;
-        }
-        outputs.push_back(Place::output(said(name), path));
-        if (has_sidecar && outputs.back().descriptor < 0 && !is_stream(path)) {
-            outputs.push_back(Place::output(said(name) + ".toml, written beside it,", path + ".toml"));
-            companions.push_back(outputs.back().said);
+        for (const std::string& file : entry.files) outputs.push_back({file + " of " + said(name), path + "/" + file});
+        if (entry.kind == Kind::folder) continue;
+        outputs.push_back({said(name), path});
+        if (entry.kind == Kind::table && path != "-" && !is_stream(path)) {
+            outputs.push_back({said(name) + ".toml, written beside it,", path + ".toml", true});
         }
     }
-    // a repeated run may overwrite the file that describes it: it has been read by then
-    const auto repeats = [&](const Place& output, const Place& input) {
-        const bool is_companion = std::find(companions.begin(), companions.end(), output.said) != companions.end();
-        return replays_ && is_companion && input.said == said("config");
-    };
-    for (std::size_t i = 0; i < outputs.size(); ++i) {
-        for (const Place& input : inputs) {
-            if (!same_place(outputs[i], input) || repeats(outputs[i], input)) continue;
-            throw BadInput(outputs[i].said + " must not be a file that this run reads: " + input.said);
+    for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+        for (const File& input : inputs) {
+            // a repeated run may overwrite the file that describes it: it has been read by then
+            if (replays_ && output->is_sidecar && input.said == said("config")) continue;
+            if (!same_place(output->path, input.path)) continue;
+            throw BadInput(output->said + " must not be a file that this run reads: " + input.said);
         }
-        for (std::size_t k = i + 1; k < outputs.size(); ++k) {
-            if (!same_place(outputs[i], outputs[k])) continue;
-            throw BadInput(outputs[k].said + " must not be written to as well as " + outputs[i].said);
+        for (auto other = output + 1; other != outputs.end(); ++other) {
+            if (!same_place(output->path, other->path)) continue;
+            throw BadInput(other->said + " must not be written to as well as " + output->said);
         }
     }
 }

@@ -52,6 +52,9 @@ std::optional<Number> parse_number(std::string_view text) {
 /// By which a changed text is noticed.
 std::string checksum(std::string_view text);
 
+/// Breaks lines at blanks so that none is longer than `width`, unless a word is.
+std::string wrap(const std::string& text, std::size_t width);
+
 /// The words joined by `separator`.
 std::string join(const std::vector<std::string>& words, const std::string& separator);
 
@@ -71,24 +74,41 @@ public:
     /// Heading in --help of the options added next.
     void group(const std::string& heading);
 
+    /// An option that was declared, to say in which modes of the study it has an effect.
+    class Added {
+    public:
+        Added(Options& options, std::string name) : options_(options), name_(std::move(name)) {}
+
+        /// Has an effect with one of these options only: --help says so, and without them it is bad input. `why`
+        /// follows the message.
+        const Added& only_with(const std::vector<std::string>& modes, const std::string& why = "") const;
+
+        /// Has no effect with that option.
+        const Added& not_with(const std::string& mode, const std::string& why = "") const;
+
+    private:
+        Options& options_;
+        std::string name_;
+    };
+
     /// Declares --name VALUE. Say the unit in `help`, or that the value is dimensionless.
-    void add(const std::string& name, const std::string& value, const std::string& help,
-             const std::string& default_text = "");
+    Added add(const std::string& name, const std::string& value, const std::string& help,
+              const std::string& default_text = "");
 
     /// Declares --name FILE, a file that is read. No output may be the same file.
-    void add_input(const std::string& name, const std::string& help);
+    Added add_input(const std::string& name, const std::string& help);
 
     /// Declares --name FILE, a file that is written. No other file of the run may be the same.
-    void add_output(const std::string& name, const std::string& help);
+    Added add_output(const std::string& name, const std::string& help);
 
     /// The same with a file beside it, FILE.toml.
-    void add_table(const std::string& name, const std::string& help);
+    Added add_table(const std::string& name, const std::string& help);
 
     /// Declares --name DIR, a folder that `files` are written to.
-    void add_folder(const std::string& name, const std::string& help, std::vector<std::string> files);
+    Added add_folder(const std::string& name, const std::string& help, std::vector<std::string> files);
 
     /// Declares --name, which takes no value.
-    void add_flag(const std::string& name, const std::string& help);
+    Added add_flag(const std::string& name, const std::string& help);
 
     void set_default(const std::string& name, const std::string& default_text);
 
@@ -102,12 +122,23 @@ public:
     void refuse_group(const std::string& heading, const std::string& reason,
                       const std::vector<std::string>& allowed = {});
 
+    /// As Added::not_with, for several options.
+    void not_with(const std::vector<std::string>& names, const std::string& mode, const std::string& why = "");
+
+    /// As Added::only_with, for several options, but without a word in --help.
+    void only_with(const std::vector<std::string>& names, const std::vector<std::string>& modes,
+                   const std::string& why = "");
+
     /// Says that --name takes the place of `others`: a configuration file's values of one side give way to the other
     /// side on the command line.
     void replaces(const std::string& name, std::vector<std::string> others);
 
     /// Text below the options in --help, exactly as given; the topics and the exit codes follow it.
     void footer(const std::string& text, std::vector<Topic> topics = {});
+
+    /// Replaces what the file beside the results says of axes, signs and units: lines of TOML.
+    void set_conventions(std::string text) { conventions_ = std::move(text); }
+    const std::string& conventions() const { return conventions_; }
 
     std::string version() const;  ///< program, version and git revision
     /// Reads the command line. Returns a text to print instead of running (--help, --version); throws BadInput.
@@ -163,11 +194,8 @@ public:
     /// Every file read so far except that of --config, by option, with its checksum.
     const std::map<std::string, std::string>& inputs() const { return inputs_; }
 
-    /// Why the file beside the results cannot repeat this run, or what else it takes; empty if nothing.
-    std::string replay_note() const;
-
-    /// To be called with the contents of each file that is read. Throws BadInput if this run repeats another one, whose
-    /// file was different.
+    /// To be called with the contents of each file that is read. Says on standard error if this run repeats another one
+    /// and the contents were different.
     void note_input(const std::string& name, std::string_view contents) const;
 
 private:
@@ -181,7 +209,18 @@ private:
         std::vector<std::string> files{};       ///< of a folder
     };
 
-    void add_file(const std::string& name, const std::string& help, Kind kind);
+    /// Where an option has no effect: without any of the modes, or with the one.
+    struct Limit {
+        std::string name;
+        std::vector<std::string> modes;
+        bool needs;
+        std::string why;
+    };
+
+    Added add_file(const std::string& name, const std::string& help, Kind kind);
+
+    /// Throws BadInput for an option that its limits exclude.
+    void check_limits() const;
 
     /// Throws BadInput if two inputs are standard input.
     void check_inputs() const;
@@ -218,10 +257,11 @@ private:
     template <class Number, class Read>
     std::vector<Number> list(const std::string& name, const Read& read) const;
 
-    std::string program_, group_;
+    std::string program_, group_, conventions_;
     std::unique_ptr<CLI::App> app_;
     std::map<std::string, Entry> entries_;
     std::vector<std::pair<std::string, std::string>> refused_;
+    std::vector<Limit> limits_;
     std::vector<std::string> words_;
     std::vector<Topic> topics_;
     std::vector<std::pair<std::string, std::vector<std::string>>> alternatives_;

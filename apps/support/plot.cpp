@@ -36,50 +36,29 @@ std::string number_text(double number) {
     return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr};
 }
 
-/// Those values of a logarithmic axis that have room for their labels, including the first and the last; none if labels
-/// would be long, or if the values are many and not whole numbers.
-std::vector<double> ticks_at(const std::set<double>& values) {
-    std::size_t longest = 0;
-    bool whole = true;
-    for (const double value : values) {
-        longest = std::max(longest, number_text(value).size());
-        whole = whole && value == std::round(value);
-    }
-    if (longest > 4 || (values.size() > 12 && !whole)) return {};
-    const double room = 0.016 * static_cast<double>(longest) * std::log(*values.rbegin() / *values.begin());
-    std::vector<double> ticks;
-    for (const double value : values) {
-        if (ticks.empty() || std::log(value / ticks.back()) > room) ticks.push_back(value);
-    }
-    if (ticks.size() > 1) ticks.back() = *values.rbegin();
-    return ticks;
-}
-
-/// Ticks of a logarithmic x axis: at the x values if those are few or whole, such as numbers of elements, otherwise as
-/// gnuplot sets them, at powers of the base, unless fewer than two of those are on the axis. Empty for gnuplot's ticks.
-std::string logarithmic_ticks(const Plot& plot) {
+/// What a plot has on its x axis: the values, each once.
+std::set<double> x_values(const Plot& plot) {
     std::set<double> values;
     for (const Series& series : plot.series) {
-        for (const auto& point : series.points) {
-            if (point.first > 0) values.insert(point.first);
-        }
+        for (const auto& point : series.points) values.insert(point.first);
     }
-    if (plot.x_range) values = {plot.x_range->low, plot.x_range->high};
-    if (values.empty() || !(*values.begin() > 0)) return "";
-    const double low = *values.begin(), high = *values.rbegin(), base = plot.log_base;
-    std::vector<double> ticks = plot.x_range ? std::vector<double>{} : ticks_at(values);
-    if (ticks.empty()) {
-        const double first = std::ceil(std::log(low) / std::log(base) - 1e-9);
-        if (std::pow(base, first + 1) <= high * (1 + 1e-9)) return "";
-        const double decade = std::pow(10.0, std::floor(std::log10(low)));
-        for (const double tick : {1, 2, 3, 5, 7, 10, 20, 30, 50, 70}) {
-            if (tick * decade >= low && tick * decade <= high) ticks.push_back(tick * decade);
-        }
-        if (ticks.size() < 2) ticks = {low, high};
+    return values;
+}
+
+/// The scale of a logarithmic x axis: marks at numbers of elements if those are few; otherwise gnuplot's, which sets too
+/// few where the axis is short, unless it is linear.
+std::string logarithmic_axis(const Plot& plot) {
+    const std::set<double> values = x_values(plot);
+    const auto is_short = [](double value) { return value == std::round(value) && value < 1e4; };
+    const bool whole = std::all_of(values.begin(), values.end(), is_short);
+    const double low = values.empty() ? 1 : *values.begin(), high = values.empty() ? 1 : *values.rbegin();
+    std::string ticks;
+    if (whole && values.size() <= 8) {
+        for (const double value : values) ticks += (ticks.empty() ? "set xtics (" : ",") + number_text(value);
+        if (!ticks.empty()) ticks += ")\n";
     }
-    std::string text;
-    for (const double tick : ticks) text += (text.empty() ? "" : ",") + number_text(tick);
-    return text;
+    if (ticks.empty() && low > 0 && high < 10 * low && !plot.x_range) return "";
+    return "set logscale x " + std::to_string(plot.log_base) + "\n" + ticks;
 }
 
 /// "set title", in two lines if one would be longer than `widest` characters.
@@ -90,21 +69,6 @@ std::string title_command(const std::string& title, std::ptrdiff_t widest) {
     if (end == std::string::npos) return "set title " + gnuplot_string(title) + "\n";
     return "set title sprintf(\"%s\\n%s\", " + gnuplot_string(title.substr(0, end + 1)) + ", " +
            gnuplot_string(title.substr(end + 2)) + ")\n";
-}
-
-/// Ticks of a linear x axis whose values hardly differ, where gnuplot's own would overlap: at the first and the last.
-/// Empty for gnuplot's ticks.
-std::string ticks_of_neighbours(const Plot& plot) {
-    double low = HUGE_VAL, high = -HUGE_VAL;
-    for (const Series& series : plot.series) {
-        for (const auto& point : series.points) {
-            low = std::min(low, point.first);
-            high = std::max(high, point.first);
-        }
-    }
-    if (plot.x_range || !(high - low < 0.01 * std::max(std::abs(low), std::abs(high)))) return "";
-    const std::string first = Cell(low).text(6), last = Cell(high).text(6);
-    return first == last ? first : first + "," + last;
 }
 
 /// Colour, dashes and markers of a series. References are black.
@@ -133,19 +97,6 @@ std::string style_of(const Series& given, std::size_t style) {
 bool has_place(const Plot& plot, const std::pair<double, double>& point) {
     return std::isfinite(point.first) && std::isfinite(point.second) && (!plot.log_x || point.first > 0) &&
            (!plot.log_y || point.second > 0);
-}
-
-/// Of both axes of a plot in true scale: 1, 2 or 5 times a power of ten, 5 to 10 ticks on the longer axis.
-double tick_step(const Plot& plot) {
-    double longer = 0;
-    for (const auto& range : {plot.x_range, plot.y_range}) {
-        if (range) longer = std::max(longer, std::abs(range->high - range->low));
-    }
-    const double power = std::pow(10.0, std::floor(std::log10(longer / 10)));
-    for (const double step : {1, 2, 5}) {
-        if (step * power >= longer / 10) return step * power;
-    }
-    return 10 * power;
 }
 
 /// Lines for gnuplot: points, rectangles by middle and half sides, or arrows by tail and components.
@@ -189,11 +140,8 @@ std::string panel_script(const Plot& plot, bool alone) {
     script += title_command(title, alone ? 105 : 76) + "set xlabel " + gnuplot_string(plot.x_label) + "\nset ylabel " +
               gnuplot_string(plot.y_label) + "\nset grid lt 1 lc rgb '#dddddd' lw 1\n";
     script += "set key above samplen 3\nset autoscale xfix\nset format '%h'\n";
-    if (plot.true_scale) {
-        const std::string step = number_text(tick_step(plot));
-        script += "set size ratio -1\nset xtics " + step + "\nset ytics " + step + "\n";
-    }
-    if (plot.log_x) script += "set logscale x " + std::to_string(plot.log_base) + "\n";
+    if (plot.true_scale) script += "set size ratio -1\n";
+    if (plot.log_x) script += logarithmic_axis(plot);
     if (plot.log_y) script += "set logscale y 10\nset format y '10^{%T}'\n";
     for (const auto& [axis, range] : {std::pair{"x", plot.x_range}, std::pair{"y", plot.y_range}}) {
         if (!range) continue;
@@ -201,12 +149,6 @@ std::string panel_script(const Plot& plot, bool alone) {
             "set " + std::string(axis) + "range [" + number_text(range->low) + ":" + number_text(range->high) + "]\n";
     }
     if (!plot.x_range) script += "set offsets graph 0.02, graph 0.02, 0, 0\n";  // no marker is cut by the frame
-    if (plot.log_x) {
-        const std::string ticks = logarithmic_ticks(plot);
-        if (!ticks.empty()) script += "set xtics (" + ticks + ")\n";
-    } else if (const std::string ticks = ticks_of_neighbours(plot); !ticks.empty()) {
-        script += "set xtics (" + ticks + ")\n";
-    }
     std::vector<std::string> commands;
     std::size_t curves = 0, drawn = 0, references = 0;  // drawn: of those with a label
     for (std::size_t k = 0; k < plot.series.size(); ++k) {
@@ -330,6 +272,12 @@ std::string shown_name(const std::string& column) {
         {"spin_ratio", "δ_φ"},       {"creepage_ratio", "δ"}, {"a_over_b", "a/b"}};
     const auto found = names.find(column);
     return found == names.end() ? column : found->second;
+}
+
+void raise_to_drawn(Plot& plot) {
+    for (Series& series : plot.series) {
+        for (auto& point : series.points) point.second = std::max(point.second, least_drawn);
+    }
 }
 
 bool can_be_drawn(const Plot& plot) {

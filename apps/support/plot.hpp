@@ -39,6 +39,11 @@ std::string shown_name(const std::string& column);
 /// Relative errors below this are round-off, or 0, which a logarithmic axis cannot show.
 inline constexpr double least_drawn = 1e-16;
 
+struct Plot;
+
+/// Raises smaller values of y to it: a logarithmic axis has no zero, and results can be exact.
+void raise_to_drawn(Plot& plot);
+
 struct PlotRange {
     double low, high;  ///< the other way round if the axis points left or down
 };

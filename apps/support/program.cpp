@@ -26,7 +26,7 @@ int report(const Options& options, const std::string& message, ExitCode code) {
 
 int run_program(Options& options, int argc, const char* const* argv, const std::function<int(const Options&)>& body) {
     gsl_set_error_handler_off();  // the default handler aborts the program
-    handle_signals();
+    ignore_write_signals();
     try {
         if (const std::optional<std::string> text = options.parse(argc, argv)) {
             OutputFile standard_output = OutputFile::standard_output();

@@ -8,42 +8,27 @@
 namespace study {
 
 Progress::Progress(std::string what, std::size_t total, bool enabled, std::string unit)
-    : what_(std::move(what)), unit_(std::move(unit)), total_(total), enabled_(enabled && isatty(STDERR_FILENO) != 0) {
-    if (!enabled_) return;
-    clock_ = std::thread([this] {
-        std::unique_lock lock(mutex_);
-        auto pause = std::chrono::milliseconds(500);
-        while (!stopped_.wait_for(lock, pause, [this] { return stop_; })) {
-            show();
-            pause = std::chrono::milliseconds(200);
-        }
-    });
-}
+    : what_(std::move(what)), unit_(std::move(unit)), total_(total), enabled_(enabled && isatty(STDERR_FILENO) != 0) {}
 
 void Progress::update(std::size_t done) {
-    if (!enabled_) return;
     const std::lock_guard lock(mutex_);
     done_ = done;
+    show();
 }
 
 void Progress::doing(const std::string& now) {
-    if (!enabled_) return;
     const std::lock_guard lock(mutex_);
     now_ = now;
+    show();
 }
 
 void Progress::clear() {
-    if (!clock_.joinable()) return;
-    {
-        const std::lock_guard lock(mutex_);
-        stop_ = true;
-    }
-    stopped_.notify_all();
-    clock_.join();
-    if (shown_) std::fputs("\r\033[K", stderr);
+    if (std::exchange(shown_, false)) std::fputs("\r\033[K", stderr);
 }
 
 void Progress::show() {
+    if (!enabled_ || Clock::now() < next_) return;
+    next_ = Clock::now() + std::chrono::milliseconds(200);
     const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
     std::string line = what_ + ": " + std::to_string(done_) + " of " + std::to_string(total_) + " " + unit_;
     if (!now_.empty()) line += ", " + now_;

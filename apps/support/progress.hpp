@@ -1,13 +1,11 @@
-// Progress: one line on the terminal during long runs. Its clock shows that a long row is still being computed.
+// Progress: one line on the terminal during long runs, drawn at most five times a second.
 // Silent in the first half second, if standard error is no terminal, and if the rows themselves appear there.
 #pragma once
 
 #include <chrono>
-#include <condition_variable>
 #include <cstddef>
 #include <mutex>
 #include <string>
-#include <thread>
 
 namespace study {
 
@@ -29,15 +27,13 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    void show();
+    void show();  ///< if it is time
 
     std::string what_, unit_, now_;
     std::size_t total_, done_ = 0;
-    bool enabled_, shown_ = false, stop_ = false;
-    Clock::time_point start_ = Clock::now();
+    bool enabled_, shown_ = false;
+    Clock::time_point start_ = Clock::now(), next_ = start_ + std::chrono::milliseconds(500);
     std::mutex mutex_;
-    std::condition_variable stopped_;
-    std::thread clock_;  // draws the line, several times a second
 };
 
 }  // namespace study

@@ -23,16 +23,27 @@ std::string early_ends(const Table& table, const std::vector<std::string>& ended
     return text;
 }
 
-}  // namespace
-
-std::optional<double> roll(double from, double to, const std::function<rollbem::StepStatus(double, double)>& step,
-                           int halvings) {
+/// Rolls by one step, or without a solution by halves. Returns where a step failed for good.
+std::optional<double> in_halves(double from, double to, const std::function<rollbem::StepStatus(double, double)>& step,
+                                int halvings) {
     const rollbem::StepStatus status = step(from, to);
     if (status == rollbem::StepStatus::ok) return std::nullopt;
     if (status != rollbem::StepStatus::no_solution || halvings == 0) return to;
     const double middle = from + (to - from) / 2;
-    if (const auto failed = roll(from, middle, step, halvings - 1)) return failed;
-    return roll(middle, to, step, halvings - 1);
+    if (const auto failed = in_halves(from, middle, step, halvings - 1)) return failed;
+    return in_halves(middle, to, step, halvings - 1);
+}
+
+}  // namespace
+
+std::optional<double> roll(double from, double to, const LoadHistory* load,
+                           const std::function<rollbem::StepStatus(double, double)>& step) {
+    while (from < to) {
+        const double stop = load != nullptr ? load->next_stop(from, to) : to;
+        if (const auto failed = in_halves(from, stop, step, most_halvings)) return failed;
+        from = stop;
+    }
+    return std::nullopt;
 }
 
 std::string why_ended(double q, rollbem::StepStatus status) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include "errors.hpp"
@@ -50,10 +51,6 @@ MeshPointer mesh_from_file(const Options& options) {
 /// The name of the mesh in the columns and, for every n, its gradings.
 std::pair<std::string, std::vector<std::vector<GradedMesh>>> make_meshes(const Options& options) {
     const bool from_file = options.given("edges");
-    if (from_file) {
-        options.ignored("mesh", "with --edges");
-        options.ignored("n", "with --edges");
-    }
     const std::string name = from_file ? "edges" : options.choice("mesh", mesh_names());
     const std::string used = from_file ? "with --edges" : "with --mesh " + name;
     const auto topology = rollbem::topology_named(name);  // none with --edges
@@ -92,8 +89,6 @@ std::vector<std::pair<double, double>> make_alphas(const Options& options) {
     const Rule rule = between(-2, 2);
     std::vector<std::pair<double, double>> alphas;
     if (options.given("alpha")) {
-        options.ignored("alpha-L", "with --alpha");
-        options.ignored("alpha-T", "with --alpha");
         for (const double alpha : options.numbers("alpha", rule)) alphas.emplace_back(alpha, alpha);
         return alphas;
     }
@@ -185,19 +180,34 @@ const std::vector<std::string>& all_setting_columns() {
     return columns;
 }
 
-Row setting_cells(const Scene& scene) {
-    return {scene.is_plane() ? "plane" : "strip",
-            aspect_cell(scene.contact),
-            scene.contact.poisson_ratio(),
-            scene.size_ratio,
-            scene.epsilon,
-            scene.quadrature,
-            scene.nodes};
+Cell scene_cell(const Scene& scene, const std::string& column) {
+    static const std::map<std::string, Cell (*)(const Scene&)> cells{
+        {"method", [](const Scene& s) { return Cell(s.method); }},
+        {"derivative", [](const Scene& s) { return Cell(s.derivative); }},
+        {"mesh", [](const Scene& s) { return Cell(s.mesh_name); }},
+        {"n", [](const Scene& s) { return s.n() > 0 ? Cell(s.n()) : Cell(); }},
+        {"alpha_L", [](const Scene& s) { return Cell(s.alpha_L); }},
+        {"alpha_T", [](const Scene& s) { return Cell(s.alpha_T); }},
+        {"lambda", [](const Scene& s) { return Cell(s.lambda); }},
+        {"kernel", [](const Scene& s) { return Cell(s.is_plane() ? "plane" : "strip"); }},
+        {"aspect", [](const Scene& s) { return aspect_cell(s.contact); }},
+        {"poisson", [](const Scene& s) { return Cell(s.contact.poisson_ratio()); }},
+        {"size_ratio", [](const Scene& s) { return Cell(s.size_ratio); }},
+        {"epsilon", [](const Scene& s) { return Cell(s.epsilon); }},
+        {"quadrature", [](const Scene& s) { return Cell(s.quadrature); }},
+        {"nodes", [](const Scene& s) { return Cell(s.nodes); }}};
+    return cells.at(column)(scene);
 }
 
-Row all_setting_cells(const Scene& scene) {
-    return joined({scene.method, scene.derivative, scene.mesh_name}, setting_cells(scene));
+Row scene_cells(const Scene& scene, const std::vector<std::string>& columns) {
+    Row row;
+    for (const std::string& column : columns) row.push_back(scene_cell(scene, column));
+    return row;
 }
+
+Row setting_cells(const Scene& scene) { return scene_cells(scene, setting_columns()); }
+
+Row all_setting_cells(const Scene& scene) { return scene_cells(scene, all_setting_columns()); }
 
 Cell aspect_cell(const rollbem::Contact<double>& contact) {
     return std::isfinite(contact.aspect()) ? Cell(contact.aspect()) : Cell("inf");

@@ -22,7 +22,7 @@
 
 namespace study {
 
-/// Whether b/a may be infinite: a problem in time needs G, which has no such limit.
+/// Whether b/a may be infinite: a problem in the time domain needs G, which has no such limit.
 enum class Problem { steady, non_steady };
 
 /// What a study can compute with. Chebyshev states are for full adhesion.
@@ -41,7 +41,7 @@ struct Scene {
     rollbem::AnyScheme scheme{};
     rollbem::AnyKernel<double> kernel;
 
-    Eigen::Index n() const { return chebyshev ? chebyshev->states : mesh->size(); }
+    Eigen::Index n() const { return chebyshev ? chebyshev->states : mesh ? mesh->size() : 0; }
 
     /// What n counts, for the axis of a plot.
     std::string n_label() const { return std::string("number of ") + (chebyshev ? "states" : "elements") + " n"; }
@@ -60,6 +60,10 @@ const std::vector<std::string>& all_setting_columns();
 /// Their cells.
 Row setting_cells(const Scene& scene);
 Row all_setting_cells(const Scene& scene);
+
+/// The cells under these columns: method, derivative, mesh, n, alpha_L, alpha_T, lambda and those above.
+Cell scene_cell(const Scene& scene, const std::string& column);
+Row scene_cells(const Scene& scene, const std::vector<std::string>& columns);
 
 /// b/a, "inf" if it is infinite.
 Cell aspect_cell(const rollbem::Contact<double>& contact);

@@ -56,16 +56,19 @@ void StateSpaceFiles::add_options(Options& options, const std::string& what) {
                            " as linear differential equations: A.csv, B.csv, C.csv, D.csv and state_space.toml in this "
                            "folder, which is made if it does not exist (dimensionless)",
                        names());
-    options.add("states", "K",
-                "with --state-space: reduce to the K states that matter most (balanced reduction, the steady state "
-                "exact), 1 to the number there is; an error bound stands in state_space.toml (dimensionless)");
+    options
+        .add("states", "K",
+             "reduce to the K states that matter most (balanced reduction, the steady state "
+             "exact), 1 to the number there is; an error bound stands in state_space.toml (dimensionless)")
+        .only_with({"state-space"});
 }
 
 StateSpaceFiles::StateSpaceFiles(const Options& options, Space space, const std::string& conventions,
-                                 const std::string& states, const std::string& bounded)
-    : folder_(options.text("state-space"), "--state-space") {
+                                 const std::string& states, const std::string& bounded) {
+    const std::string folder = options.text("state-space");
     const std::string meaning = options.given("states") ? reduce(options, space, bounded) : "x = \"" + states + "\"\n";
-    for (const std::string& name : names()) files_.emplace_back(folder_.file(name), "--state-space");
+    make_folder(folder, "--state-space");
+    for (const std::string& name : names()) files_.emplace_back(folder + "/" + name, "--state-space");
     std::size_t next = 0;
     for (const Eigen::MatrixXd* matrix : {&space.A, &space.B, &space.C, &space.D}) write(files_[next++], *matrix);
     files_[next].write(sidecar_text(options) + "\n[state_space]\n" + conventions + meaning);
@@ -74,7 +77,6 @@ StateSpaceFiles::StateSpaceFiles(const Options& options, Space space, const std:
 
 void StateSpaceFiles::commit() {
     for (OutputFile& file : files_) file.commit();
-    folder_.keep();
 }
 
 }  // namespace study

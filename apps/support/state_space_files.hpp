@@ -8,7 +8,6 @@
 
 #include "csv.hpp"
 #include "options.hpp"
-#include "output_folder.hpp"
 
 namespace study {
 
@@ -31,7 +30,6 @@ public:
     void commit();
 
 private:
-    OutputFolder folder_;
     std::vector<OutputFile> files_;
 };
 

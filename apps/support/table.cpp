@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <condition_variable>
 #include <cstdint>
-#include <cstdio>
 #include <exception>
-#include <fstream>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -13,7 +11,6 @@
 
 #include <unistd.h>
 
-#include "files.hpp"
 #include "progress.hpp"
 
 namespace study {
@@ -51,60 +48,6 @@ std::vector<Task> tasks_of(const Table& table, RowRange wanted) {
     }
     return tasks;
 }
-
-/// Rows of a run that may be interrupted, in a file beside the one that they are for.
-class UnfinishedRows {
-public:
-    /// Reads what an earlier run left. Throws BadInput if that run was another one, or if the file cannot be written.
-    explicit UnfinishedRows(const Options& options) : path_(options.text("output") + ".unfinished") {
-        std::string first = options.version();
-        for (const auto& [name, value] : options.values()) {
-            if (name != "output" && name != "jobs" && name != "quiet" && name != "check" && name != "no-timing")
-                first += " --" + name + " " + value;
-        }
-        for (const auto& [name, checksum] : options.inputs()) first += " " + name + " " + checksum;
-        std::ifstream old(path_, std::ios::binary);
-        std::string line;
-        if (std::getline(old, line)) {
-            const bool cut_short = old.eof() && first.rfind(line, 0) == 0;
-            if (line != first && !cut_short) {
-                throw BadInput(options.said("output") + ": " + path_ + " must hold rows of the same run: it is of \"" +
-                               printable(line.substr(0, 200)) + "\"; remove it to start again");
-            }
-            while (std::getline(old, line) && !old.eof()) {  // not a line cut short
-                const std::size_t blank = line.find(' ');
-                lines_.push_back((blank == std::string::npos ? "" : line.substr(blank + 1)) + '\n');
-                if (checksum(lines_.back()) == line.substr(0, blank)) continue;
-                throw BadInput(options.said("output") + ": " + path_ + ": line " + std::to_string(lines_.size() + 1) +
-                               " must not have changed; remove the file to start again");
-            }
-        }
-        old.close();
-        file_.open(path_, std::ios::binary | std::ios::trunc);
-        file_ << first << '\n';
-        for (const std::string& kept : lines_) file_ << checksum(kept) << ' ' << kept;
-        if (!file_.flush())
-            throw BadInput(options.said("output") + ": " + path_ + " must be a file that can be written");
-    }
-
-    const std::vector<std::string>& lines() const { return lines_; }
-
-    /// Throws WriteError.
-    void add(const std::string& line) {
-        file_ << checksum(line) << ' ' << line;
-        if (!file_.flush()) throw WriteError(path_ + ": cannot be written");
-    }
-
-    void remove() {
-        file_.close();
-        std::remove(path_.c_str());
-    }
-
-private:
-    std::string path_;
-    std::vector<std::string> lines_;
-    std::ofstream file_;
-};
 
 }  // namespace
 
@@ -191,7 +134,8 @@ void write_table(const Options& options, const Table& table) {
     const bool png = plots && plot_is_png(options);
 
     // 1. Every file is opened first, so that an output that cannot be written costs no computing time.
-    TableFile file(options, "output");
+    const std::string header = has_header(options) ? csv_line(Row(table.columns.begin(), table.columns.end())) : "";
+    TableFile file(options, "output", header, table.resumable);
     OutputFile& csv = file.rows();
     std::optional<OutputFile> drawing;
     if (plots) drawing.emplace(options.text("plot"), "--plot");
@@ -201,17 +145,9 @@ void write_table(const Options& options, const Table& table) {
     for (const std::size_t rows : table.rows_of_task) total += rows;
     RowRange wanted = shard.rows(total);
     const std::size_t count = wanted.last - wanted.first;
-    if (has_header(options)) csv.write(csv_line(Row(table.columns.begin(), table.columns.end())));
-    std::optional<UnfinishedRows> unfinished;
-    std::vector<std::string> lines;  // for table.accept
-    std::size_t written = 0;
-    if (table.resumable && csv.is_regular()) {
-        unfinished.emplace(options);
-        lines = unfinished->lines();
-        for (const std::string& line : lines) csv.write(line);
-        written = std::min(lines.size(), count);
-        wanted.first += written;
-    }
+    std::vector<std::string> lines = file.found();  // for table.accept
+    std::size_t written = std::min(lines.size(), count);
+    wanted.first += written;
     const std::vector<Task> tasks = tasks_of(table, wanted);
     const bool shows = shows_progress(options);
     if (table.prepare) {
@@ -225,7 +161,7 @@ void write_table(const Options& options, const Table& table) {
     const auto emit = [&](Row row) {
         const std::string line = csv_line(row);
         csv.write(line);
-        if (unfinished) unfinished->add(line);
+        if (table.resumable) csv.flush();
         if (table.accept) lines.push_back(line);
         progress.update(++written);
         if (plots) kept.push_back(std::move(row));
@@ -236,8 +172,8 @@ void write_table(const Options& options, const Table& table) {
     try {
         compute_in_order(
             table, tasks, jobs, emit, [&] { csv.flush(); }, started);
-    } catch (const BadInput&) {  // it would end there again
-        if (unfinished) unfinished->remove();
+    } catch (const WriteError&) {
+        if (table.resumable) file.keep_part();
         throw;
     }
     progress.clear();
@@ -245,7 +181,6 @@ void write_table(const Options& options, const Table& table) {
     // 3. The files take their names.
     if (table.accept) table.accept(lines);
     file.commit();
-    if (unfinished) unfinished->remove();
     if (table.written) table.written();
     if (plots) draw(table.plot(kept), *drawing, png);
 }

@@ -34,8 +34,7 @@ struct Table {
     std::function<Plot(const std::vector<Row>& rows)> plot;  ///< for --plot
     /// If set, what a task computes, e.g. "n = 20", for the progress line.
     std::function<std::string(std::size_t task)> label{};
-    /// Whether rows are also kept in FILE.unfinished as they come, each with its checksum. It stays after an interrupt;
-    /// the same run then goes on after the rows it holds, and removes it at the end. Not with `plot`.
+    /// Whether the same run goes on after the rows that an interrupt left in FILE.part. Not with `plot`.
     bool resumable = false;
     /// If set, called with all rows, as lines of CSV, before the file of the rows takes its name: BadInput leaves none.
     std::function<void(const std::vector<std::string>& lines)> accept{};

@@ -39,7 +39,7 @@ TEST_CASE("Extrapolation succeeds where the error has the assumed order, and onl
     const double exact = steady_c11(0.28);
     const auto steady = [](const auto& make_mesh, double alpha_L, double alpha_T) {
         return [=](std::ptrdiff_t n) {
-            return solve_steady(make_mesh(n), Collocation{.alpha_L = alpha_L, .alpha_T = alpha_T}, kernel).c11;
+            return solve_steady(make_mesh(n), Collocation{.alpha_L = alpha_L, .alpha_T = alpha_T}, kernel).c11();
         };
     };
     const auto uniform = [](Eigen::Index n) { return uniform_mesh(n); };
@@ -52,7 +52,7 @@ TEST_CASE("Extrapolation succeeds where the error has the assumed order, and onl
     CHECK(second.status == Status::ok);
     CHECK(std::abs(second.value / exact - 1) < 3e-6);
     // between centres the next term is of fourth order
-    const auto centres = [](std::ptrdiff_t n) { return solve_steady(cosine_mesh(n), NodeDifference{}, kernel).c11; };
+    const auto centres = [](std::ptrdiff_t n) { return solve_steady(cosine_mesh(n), NodeDifference{}, kernel).c11(); };
     for (const std::ptrdiff_t n : {5, 10, 20, 40}) {
         const double error = richardson(centres(n), centres(2 * n), 2.0) / exact - 1;
         CAPTURE(n, error);
@@ -62,7 +62,9 @@ TEST_CASE("Extrapolation succeeds where the error has the assumed order, and onl
     CHECK(extrapolate(steady(uniform, 0, 0.63), 10, 1).status == Status::order_differs);
     // a frequency that the mesh does not resolve, and one that it does
     const auto harmonic = [](double z) {
-        return [=](std::ptrdiff_t n) { return solve_harmonic(cosine_mesh(n), Collocation{0.5, 0.5}, kernel, z).c11; };
+        return [=](std::ptrdiff_t n) {
+            return solve_response(rolling_system(cosine_mesh(n), Collocation{0.5, 0.5}, kernel), {0, z}).c11();
+        };
     };
     CHECK(extrapolate(harmonic(5), 10, 2).status == Status::order_differs);
     const auto resolved = extrapolate(harmonic(1), 20, 2);
@@ -82,7 +84,7 @@ void check_promise(const Recommended& best, double tolerance, double slack, doub
 // Errors against exact results, for states and for elements.
 template <class Recommended, class Kernel>
 double steady_error(const Recommended& best, const Kernel& own, double exact) {
-    const double c11 = best.evaluate([&](const auto&... method) { return solve_steady(method..., own).c11; });
+    const double c11 = best.evaluate([&](const auto&... method) { return solve_steady(method..., own).c11(); });
     return std::abs(c11 / exact - 1);
 }
 
@@ -93,7 +95,7 @@ double harmonic_error(const Recommended& best, const Kernel& own, const std::vec
     double largest = 0;
     for (std::size_t i = 0; i < frequencies.size(); ++i) {
         const Complex c11 = best.evaluate([&](const auto&... method) {
-            return solve_harmonic<double>(rolling_system(method..., own), frequencies[i]).c11;
+            return solve_response<double>(rolling_system(method..., own), {0, frequencies[i]}).c11();
         });
         largest = std::max(largest, std::abs(c11 / exact[i] - 1.0));
     }
@@ -191,7 +193,7 @@ TEST_CASE("States recommended for steady rolling stay below their error bound", 
                 if (aspect < 0.03 || aspect > 3 || tolerance > 1e-4) continue;
                 double missed = 0;
                 for (Eigen::Index m = best.method.states / 2; m < best.method.states / 2 + 3; ++m) {
-                    missed = std::max(missed, std::abs(solve_steady(Chebyshev{m}, strip).c11 / exact - 1));
+                    missed = std::max(missed, std::abs(solve_steady(Chebyshev{m}, strip).c11() / exact - 1));
                 }
                 CAPTURE(best.method.states);
                 CHECK(missed > tolerance);

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/patch_stability.hpp>
+#include <rollbem/adhesion/stability.hpp>
 #include <rollbem/adhesion/state_space.hpp>
 #include <rollbem/compiled/balanced_reduction.hpp>
 #include <rollbem/compiled/frequency.hpp>
@@ -90,7 +90,7 @@ TEST_CASE("patch_transient: a step of each creepage and of spin, up to steady ro
         CHECK_THAT(all[k].moment, WithinRel(by_eta[k].moment + by_phi[k].moment, 1e-10));
     }
     const auto steady = solve_steady(circle.contact, circle.mesh, chebyshev);
-    const TangentialForce<double> reached = forces(circle.contact, steady, xi, eta, phi);
+    const TangentialForce<double> reached = creep_force(circle.contact, steady, {xi, eta, phi});
     CHECK_THAT(all.back().longitudinal, WithinRel(reached.longitudinal, 1e-6));
     CHECK_THAT(all.back().lateral, WithinRel(reached.lateral, 1e-6));
     CHECK_THAT(all.back().moment, WithinRel(reached.moment, 1e-6));
@@ -106,12 +106,12 @@ TEST_CASE("patch_transient: the state space in SI units settles at the steady fo
     const auto steady = solve_steady(longer.contact, longer.mesh, chebyshev);
     for (const auto& [xi, eta, phi] : {Creepage<double>{1e-3, 0, 0}, {0, -2e-3, 0}, {0, 0, 0.4}, {1e-3, -2e-3, 0.4}}) {
         const VectorX<double> settled = gains * Eigen::Vector3d(xi, eta, phi);
-        const TangentialForce<double> expected = forces(longer.contact, steady, xi, eta, phi);
+        const TangentialForce<double> expected = creep_force(longer.contact, steady, {xi, eta, phi});
         CHECK_THAT(settled[0], WithinRel(expected.longitudinal, 1e-9) || WithinAbs(0, 1e-9));
         CHECK_THAT(settled[1], WithinRel(expected.lateral, 1e-9) || WithinAbs(0, 1e-9));
         CHECK_THAT(settled[2], WithinRel(expected.moment, 1e-9) || WithinAbs(0, 1e-12));
     }
-    // in time: the first millimetre after a step of spin, by the series of exp(A t)
+    // in the time domain: the first millimetre after a step of spin, by the series of exp(A t)
     const Creepage<double> turned{0, 0, 0.4};
     const AdhesionModel model(longer.contact, longer.system, unchecked, Integrator::matrix_exponential);
     const TangentialForce<double> rolled = step_response(model, turned, 1e-3, {1e-3}).back();

@@ -1,4 +1,5 @@
 // Tests of adhesion/response.hpp, and of several inputs through the sweep, the state space and element_blocks.hpp.
+#include <algorithm>
 #include <complex>
 #include <stdexcept>
 
@@ -34,11 +35,11 @@ struct Both {
 
 TEST_CASE("both directions of a line as one system have the coefficients of each") {
     const Both both;
-    const Response<double> steady = solve_steady_response(both.whole);
+    const Response<double> steady = solve_steady(both.whole);
     REQUIRE(steady.status == Status::ok);
     REQUIRE(steady.coefficients.rows() == 3);
-    CHECK(steady.coefficients(0, 0) == Approx(solve_steady(both.longitudinal).c11).epsilon(1e-13));
-    CHECK(steady.coefficients(1, 1) == Approx(solve_steady(both.lateral).c11).epsilon(1e-13));
+    CHECK(steady.coefficients(0, 0) == Approx(solve_steady(both.longitudinal).c11()).epsilon(1e-13));
+    CHECK(steady.coefficients(1, 1) == Approx(solve_steady(both.lateral).c11()).epsilon(1e-13));
     CHECK(steady.coefficients(0, 1) == 0);
     CHECK(steady.coefficients(2, 0) == 0);
     // by spin the rigid slip is x: of Carter's problem c23 = pi/4, and by lateral creepage the moment is -pi/4 (plane)
@@ -52,23 +53,36 @@ TEST_CASE("a sweep, the response and the state space agree for three inputs") {
     REQUIRE(sweep.reduced());
     const StateSpace<double> states = state_space(both.whole);
     for (const double z : {0.0, 0.3, 2.0, 30.0}) {
-        const SweepPoint<double> point = sweep(z);
+        const Response<Complex> point = sweep(z);
         const Response<Complex> response = solve_response(both.whole, {0, z});
         REQUIRE(point.status == Status::ok);
         REQUIRE(response.status == Status::ok);
         const double scale = response.coefficients.cwiseAbs().maxCoeff();
         CHECK((point.coefficients - response.coefficients).cwiseAbs().maxCoeff() < 1e-12 * scale);
-        CHECK(point.c11 == point.coefficients(0, 0));
-        CHECK(std::abs(point.c11 - solve_harmonic(both.longitudinal, z).c11) < 1e-12 * scale);
+        CHECK(std::abs(point.c11() - solve_response(both.longitudinal, {0, z}).c11()) < 1e-12 * scale);
         const MatrixX<Complex> by_states = dense::transfer(states, {0, z});
         CHECK((by_states - response.coefficients).cwiseAbs().maxCoeff() < 1e-11 * scale);
     }
 }
 
-TEST_CASE("what takes one creepage refuses a system of three") {
+TEST_CASE("a sweep of independent parts has the coefficients of the whole and the worse of both numbers") {
     const Both both;
-    CHECK(refusal([&] { solve_steady(both.whole); }) == "solve_steady: number of inputs = 3 must be 1");
-    CHECK(refusal([&] { solve_harmonic(both.whole, 0); }) == "solve_harmonic: number of inputs = 3 must be 1");
+    const FrequencySweep<double> whole(both.whole);
+    const FrequencySweep<double> parts({SystemPart<double>{both.longitudinal, 0}, {both.lateral.with_spin(), 1}});
+    const FrequencySweep<double> along(both.longitudinal), across(both.lateral.with_spin());
+    for (const double z : {0.0, 0.3, 30.0}) {
+        const Response<Complex> point = parts(z);
+        REQUIRE(point.status == Status::ok);
+        CHECK((point.coefficients - whole(z).coefficients).cwiseAbs().maxCoeff() < 1e-12);
+        CHECK((z == 0 || point.residual > 0));  // the reduced equations of steady rolling are solved as they stand
+        CHECK(point.rcond == std::min(along(z).rcond, across(z).rcond));
+        CHECK(point.residual == std::max(along(z).residual, across(z).residual));
+    }
+    // one part that cannot be trusted spoils the whole
+    const auto singular = rolling_system(cosine_mesh<double>(16), Collocation{.alpha_L = -0.5, .alpha_T = -0.5},
+                                         PlaneKernel<double>::longitudinal(both.contact));
+    CHECK(FrequencySweep<double>({SystemPart<double>{singular, 0}, {both.lateral, 1}})(1).status ==
+          Status::assists_creepage);
 }
 
 TEST_CASE("systems of both directions are checked") {

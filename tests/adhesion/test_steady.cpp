@@ -29,11 +29,11 @@ constexpr auto analytic = Derivative::analytic;
 
 // c11 over its exact value, minus 1, for a wide strip
 double error(const Mesh<double>& mesh, const AnyScheme& scheme, double nu = 0.25) {
-    return solve_steady(mesh, scheme, StripKernel<double>(1000, 1 - nu, nu)).c11 / steady_c11(nu) - 1;
+    return solve_steady(mesh, scheme, StripKernel<double>(1000, 1 - nu, nu)).c11() / steady_c11(nu) - 1;
 }
 
 double plane_error(const Mesh<double>& mesh, const AnyScheme& scheme) {
-    return solve_steady(mesh, scheme, PlaneKernel<double>(1000, 0.75, 0.25)).c11 / steady_c11(0.25) - 1;
+    return solve_steady(mesh, scheme, PlaneKernel<double>(1000, 0.75, 0.25)).c11() / steady_c11(0.25) - 1;
 }
 
 // whether `value` rounds to what is printed with `digits` significant digits
@@ -200,7 +200,7 @@ TEST_CASE("Node differences are of second order on the cosine mesh, in force and
             const VectorX<double> ones = VectorX<double>::Ones(n), x = system.points()->matrix();
             const VectorX<double> unit = dense::solve(system.G_prime(), ones), spun = dense::solve(system.G_prime(), x);
             const ArrayX<double> p = unit.array(), by_spin = spun.array(), w = mesh.widths();
-            CHECK((w * p).sum() == Approx(-solve_steady(mesh, scheme, kernel).c11).epsilon(1e-12));
+            CHECK((w * p).sum() == Approx(-solve_steady(mesh, scheme, kernel).c11()).epsilon(1e-12));
             c11.push_back(-(w * p).sum() / steady_c11(0.28) - 1);
             spin_force.push_back(-(w * by_spin).sum() * 4 * c1 / std::numbers::pi - 1);
             moment.push_back((w * mesh.centres() * p).sum() * 4 * c1 / std::numbers::pi - 1);
@@ -214,18 +214,18 @@ TEST_CASE("Node differences are of second order on the cosine mesh, in force and
     // on uniform meshes of first order, at a fifth of the error of differences over each element's own width
     std::vector<double> uniform;
     for (const Eigen::Index n : {10, 20, 40, 80}) {
-        uniform.push_back(solve_steady(uniform_mesh(n), NodeDifference{}, kernel).c11 / steady_c11(0.28) - 1);
+        uniform.push_back(solve_steady(uniform_mesh(n), NodeDifference{}, kernel).c11() / steady_c11(0.28) - 1);
     }
     check_errors(uniform, {3.652e-3, 1.554e-3, 7.129e-4, 3.409e-4}, 1.14, 0.05);
 }
 
 TEST_CASE("The c11 of a strip tends to that of the plane as (a/b)^2", "[steady][convergence]") {
     std::vector<double> sizes, errors;
-    const double plane = solve_steady(cosine_mesh(20), Collocation{0.5, 0.5}, PlaneKernel<double>(1, 0.75, 0.25)).c11;
+    const double plane = solve_steady(cosine_mesh(20), Collocation{0.5, 0.5}, PlaneKernel<double>(1, 0.75, 0.25)).c11();
     for (const double b : {10.0, 20.0, 40.0, 80.0}) {
         sizes.push_back(b);
         errors.push_back(
-            solve_steady(cosine_mesh(20), Collocation{0.5, 0.5}, StripKernel<double>(b, 0.75, 0.25)).c11 / plane - 1);
+            solve_steady(cosine_mesh(20), Collocation{0.5, 0.5}, StripKernel<double>(b, 0.75, 0.25)).c11() / plane - 1);
     }
     const double order = support::observed_order(sizes, errors);
     CAPTURE(order, errors[0]);
@@ -239,12 +239,12 @@ TEST_CASE("Tractions converge to Carter's away from the edges", "[steady][conver
             const Mesh<double> mesh = graded ? cosine_mesh(n) : uniform_mesh(n);
             const auto solution = solve_steady(mesh, Collocation{0.5, 0.5}, PlaneKernel<double>(1000, 0.75, 0.25));
             CHECK(solution.status == Status::ok);
-            CHECK((solution.traction.array() < 0).all());
+            CHECK((solution.unknowns.array() < 0).all());
             double largest = 0;
             for (Eigen::Index l = 0; l < n; ++l) {
                 if (std::abs(mesh.centres()[l]) > 0.5) continue;
                 largest =
-                    std::max(largest, std::abs(solution.traction[l] / carter_traction(mesh.centres()[l], 0.25) - 1));
+                    std::max(largest, std::abs(solution.unknowns(l) / carter_traction(mesh.centres()[l], 0.25) - 1));
             }
             sizes.push_back(n);
             errors.push_back(largest);
@@ -274,10 +274,10 @@ TEMPLATE_TEST_CASE("A steady solution satisfies its equations and carries its fo
                 CHECK(solution.rcond > Scalar(1e-4));
                 CHECK(solution.rcond <= 1);
                 const MatrixX<Scalar> G_prime = assemble_G_prime(mesh, scheme, kernel);
-                const VectorX<Scalar> slope = G_prime * solution.traction;
+                const VectorX<Scalar> slope = G_prime * solution.unknowns;
                 CHECK((slope.array() - 1).abs().maxCoeff() < 3000 * eps);
-                CHECK(std::abs(solution.c11 + (mesh.widths() * solution.traction.array()).sum()) <=
-                      30 * eps * solution.c11);
+                CHECK(std::abs(solution.c11() + (mesh.widths() * solution.unknowns.col(0).array()).sum()) <=
+                      30 * eps * solution.c11());
             }
         }
     }
@@ -288,31 +288,27 @@ TEST_CASE("A steady solution scales with length, modulus and creepage", "[steady
         {.half_length = 0.006, .half_width = 0.03, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
     const Contact<double> unit = Contact<double>::dimensionless(5, 0.28);
     for (const auto& [name, mesh] : brute_force::every_mesh<double>(15)) {
-        const auto with_units = solve_steady(steel, mesh, Collocation{}, 1e-4),
-                   without = solve_steady(unit, mesh, Collocation{}, 1.0);
+        const auto with_units = solve_steady(mesh, Collocation{}, StripKernel<double>::longitudinal(steel)),
+                   without = solve_steady(mesh, Collocation{}, StripKernel<double>::longitudinal(unit));
+        const double force = creep_force(steel, with_units, 1e-4);
         CAPTURE(name);
-        CHECK(std::abs(with_units.c11 / without.c11 - 1) < 1e-13);
-        CHECK((with_units.traction / (8.2e10 * 1e-4) - without.traction).norm() < 1e-12 * without.traction.norm());
-        CHECK(std::abs(with_units.force_per_width / (-0.006 * 8.2e10 * 1e-4 * without.c11) - 1) < 1e-13);
-        const double sum = 0.006 * (mesh.widths() * with_units.traction.array()).sum();
-        CHECK(std::abs(with_units.force_per_width / sum - 1) < 1e-13);
-        CHECK(with_units.force_per_width < 0);
+        CHECK(std::abs(with_units.c11() / without.c11() - 1) < 1e-13);
+        CHECK((with_units.unknowns - without.unknowns).norm() < 1e-12 * without.unknowns.norm());
+        CHECK(std::abs(force / (-0.06 * 0.006 * 8.2e10 * 1e-4 * without.c11()) - 1) < 1e-13);
+        const double sum = 0.06 * 0.006 * 8.2e10 * 1e-4 * (mesh.widths() * with_units.unknowns.col(0).array()).sum();
+        CHECK(std::abs(force / sum - 1) < 1e-13);
+        CHECK(force < 0);
         CHECK(with_units.status == Status::ok);
-        const auto knothe = solve_steady(steel, mesh, KnotheBoundary{}, 1e-4);
-        REQUIRE(knothe.traction.size() == mesh.size());
-        CHECK(knothe.traction[mesh.size() - 1] == 0);
-        CHECK(std::abs(knothe.force_per_width / (0.006 * (mesh.widths() * knothe.traction.array()).sum()) - 1) < 1e-13);
-        const auto reverse = solve_steady(steel, mesh, Collocation{}, -1e-4);
-        CHECK(reverse.traction == -with_units.traction);
-        CHECK(reverse.c11 == with_units.c11);
+        CHECK(creep_force(steel, with_units, -1e-4) == -force);
     }
     // an infinite width is the plane
     const Contact<double> wide({.half_length = 1,
                                 .half_width = std::numeric_limits<double>::infinity(),
                                 .shear_modulus = 1,
                                 .poisson_ratio = 0.25});
-    CHECK(std::abs(solve_steady(wide, cosine_mesh(20), Collocation{0.5, 0.5}, 1.0).c11 / steady_c11(0.25) - 1 -
-                   plane_error(cosine_mesh(20), Collocation{0.5, 0.5})) < 1e-14);
+    CHECK(std::abs(solve_steady(cosine_mesh(20), Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(wide)).c11() /
+                       steady_c11(0.25) -
+                   1 - plane_error(cosine_mesh(20), Collocation{0.5, 0.5})) < 1e-14);
 }
 
 TEMPLATE_TEST_CASE("The status reports that alpha = 0 is singular or carries no force", "[steady]", SCALARS) {
@@ -320,12 +316,13 @@ TEMPLATE_TEST_CASE("The status reports that alpha = 0 is singular or carries no 
     const PlaneKernel<Scalar> kernel(Scalar(1000), Scalar(0.75), Scalar(0.25));
     for (Eigen::Index n = 1; n < 60; ++n) {
         const auto solution = solve_steady(uniform_mesh<Scalar>(n), Collocation{0, 0}, kernel);
-        CAPTURE(n, static_cast<double>(solution.rcond), static_cast<double>(solution.c11));
+        CAPTURE(n, static_cast<double>(solution.rcond), static_cast<double>(solution.c11()));
         if (n % 2 == 1) {
             CHECK(solution.status != Status::ok);  // antisymmetric of odd size
         } else {
             CHECK(solution.status == Status::assists_creepage);
-            CHECK(std::abs(solution.c11) < 1000 * std::numeric_limits<Scalar>::epsilon() / solution.rcond);  // no force
+            CHECK(std::abs(solution.c11()) <
+                  1000 * std::numeric_limits<Scalar>::epsilon() / solution.rcond);  // no force
         }
     }
 }
@@ -361,28 +358,20 @@ TEST_CASE("Lateral creepage gives c22 in the units of the contact", "[steady]") 
     const Contact<double> contact(
         {.half_length = 0.006, .half_width = 0.012, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
     for (const auto& [name, mesh] : brute_force::every_mesh<double>(15)) {
-        const auto solution = solve_steady(contact, mesh, Collocation{}, StripKernel<double>::lateral(contact), 1e-4);
+        const auto solution = solve_steady(mesh, Collocation{}, StripKernel<double>::lateral(contact));
+        const double force = creep_force(contact, solution, 1e-4);
         const auto unit = solve_steady(mesh, Collocation{}, StripKernel<double>(2, 1, -0.28));
         CAPTURE(name);
         CHECK(solution.status == Status::ok);
-        CHECK(std::abs(solution.c11 / unit.c11 - 1) < 1e-14);
-        CHECK((solution.traction / (8.2e10 * 1e-4) - unit.traction).norm() < 1e-13 * unit.traction.norm());
-        CHECK(solution.traction.maxCoeff() < 0);
-        const double sum = 0.006 * (mesh.widths() * solution.traction.array()).sum();
-        CHECK(std::abs(solution.force_per_width / sum - 1) < 1e-13);
-        CHECK(std::abs(solution.force_per_width / (-0.006 * 8.2e10 * solution.c11 * 1e-4) - 1) < 1e-14);
+        CHECK(std::abs(solution.c11() / unit.c11() - 1) < 1e-14);
+        CHECK((solution.unknowns - unit.unknowns).norm() < 1e-13 * unit.unknowns.norm());
+        CHECK(solution.unknowns.maxCoeff() < 0);
+        const double sum = 0.024 * 0.006 * 8.2e10 * 1e-4 * (mesh.widths() * solution.unknowns.col(0).array()).sum();
+        CHECK(std::abs(force / sum - 1) < 1e-13);
+        CHECK(std::abs(force / (-0.024 * 0.006 * 8.2e10 * solution.c11() * 1e-4) - 1) < 1e-14);
         CHECK(solution.residual == unit.residual);
         CHECK(solution.rcond == unit.rcond);
     }
-    const auto across = StripKernel<double>::lateral(contact);
-    const auto knothe = solve_steady(contact, cosine_mesh(15), KnotheBoundary{}, across, -1e-4);
-    REQUIRE(knothe.traction.size() == 15);
-    CHECK(knothe.traction[14] == 0);
-    CHECK(knothe.force_per_width > 0);
-    const auto lost = solve_steady(contact, uniform_mesh(4), Collocation{}, across, std::nan(""));
-    CHECK(lost.status == Status::not_finite);
-    CHECK_THROWS_AS(solve_steady(contact, uniform_mesh(4), Collocation{}, StripKernel<double>(3, 1, 0), 1),
-                    std::invalid_argument);
 }
 
 TEST_CASE("c22 tends to pi/2, whatever Poisson's ratio, as c11 does to its limit", "[steady]") {
@@ -391,10 +380,13 @@ TEST_CASE("c22 tends to pi/2, whatever Poisson's ratio, as c11 does to its limit
         // the plane's equations are those of c11 but for their factor, and so are the errors
         const auto across = [](const Contact<double>& contact) {
             const auto kernel = StripKernel<double>::lateral(contact);
-            return solve_steady(contact, cosine_mesh(20), Collocation{}, kernel, 1).c11 / steady_c22() - 1;
+            return solve_steady(cosine_mesh(20), Collocation{}, kernel).c11() / steady_c22() - 1;
         };
         const double lateral = across(wide);
-        const double longitudinal = solve_steady(wide, cosine_mesh(20), Collocation{}, 1).c11 / steady_c11(nu) - 1;
+        const double longitudinal =
+            solve_steady(cosine_mesh(20), Collocation{}, StripKernel<double>::longitudinal(wide)).c11() /
+                steady_c11(nu) -
+            1;
         CAPTURE(nu, lateral, longitudinal);
         CHECK(std::abs(lateral - longitudinal) < 1e-14);
         CHECK(std::abs(lateral) < 1e-2);
@@ -411,11 +403,11 @@ TEST_CASE("A scheme that does not converge to full adhesion has a status of its 
     for (const Case& wrong : {Case{{-0.5, -0.5}, -1}, Case{{0, -0.5}, -1}, Case{{1.5, 1.5}, 3}}) {
         for (const Eigen::Index n : {20, 21, 80, 160}) {
             const auto solution = solve_steady(uniform_mesh(n), wrong.scheme, kernel);
-            CAPTURE(n, wrong.scheme.alpha_L, wrong.scheme.alpha_T, solution.c11);
+            CAPTURE(n, wrong.scheme.alpha_L, wrong.scheme.alpha_T, solution.c11());
             // residual and condition number alone do not show it
             CHECK(solution.residual < 1e-15);
             CHECK(solution.rcond > 1e-6);
-            CHECK(std::abs(solution.c11 / steady_c11(0.25) - wrong.ratio) < 0.05);
+            CHECK(std::abs(solution.c11() / steady_c11(0.25) - wrong.ratio) < 0.05);
             CHECK(solution.status == Status::assists_creepage);
         }
     }
@@ -423,8 +415,8 @@ TEST_CASE("A scheme that does not converge to full adhesion has a status of its 
         for (const double alpha_L : {0.0, alpha}) {
             for (const Eigen::Index n : {20, 21, 80}) {
                 const auto solution = solve_steady(uniform_mesh(n), Collocation{alpha_L, alpha}, kernel);
-                CAPTURE(n, alpha, alpha_L, solution.c11);
-                CHECK(std::abs(solution.c11 / steady_c11(0.25) - 1) < 0.5 / static_cast<double>(n));
+                CAPTURE(n, alpha, alpha_L, solution.c11());
+                CHECK(std::abs(solution.c11() / steady_c11(0.25) - 1) < 0.5 / static_cast<double>(n));
                 CHECK(solution.status == Status::ok);
             }
         }
@@ -432,17 +424,12 @@ TEST_CASE("A scheme that does not converge to full adhesion has a status of its 
 }
 
 TEST_CASE("Input that is not finite is reported, and matrices that are not square are rejected", "[steady]") {
-    const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-    const Contact<double> contact = Contact<double>::dimensionless(10, 0.25);
-    CHECK(solve_steady(contact, uniform_mesh(4), Collocation{}, nan).status == Status::not_finite);
-    CHECK(solve_steady(contact, uniform_mesh(4), Collocation{}, infinity).status == Status::not_finite);
-    CHECK(solve_steady(contact, uniform_mesh(4), Collocation{}, 0.0).status == Status::ok);
-    CHECK(solve_steady(contact, uniform_mesh(4), Collocation{}, 0.0).traction.isZero(0));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
     MatrixX<double> broken = MatrixX<double>::Identity(3, 3);
     broken(1, 2) = nan;
     const ArrayX<double> three = ArrayX<double>::Ones(3);
     CHECK(solve_steady<double>(broken, three).status == Status::not_finite);
-    CHECK(solve_steady<double>(-2 * MatrixX<double>::Identity(3, 3), three).c11 == 1.5);
+    CHECK(solve_steady<double>(-2 * MatrixX<double>::Identity(3, 3), three).c11() == 1.5);
     CHECK(solve_steady<double>(MatrixX<double>::Ones(3, 3), three).status != Status::ok);
     CHECK_THROWS_WITH(solve_steady<double>(MatrixX<double>::Ones(3, 2), three),
                       "solve_steady: number of columns of G_prime = 2 must be positive and equal the number of rows");
@@ -458,11 +445,11 @@ TEST_CASE("Two collocation points in one place are reported as ill-conditioned",
     ArrayX<double> edges(6);
     edges << -1, -0.17594030825560192, 0.005631806488683111, 0.079234900637084937, 0.0825571296575629, 1;
     const double alpha = 0.55507984072057392;
-    const SteadySolution<double> solution =
+    const Response<double> solution =
         solve_steady(mesh_from_edges<double>(edges),
                      Collocation{.alpha_L = alpha, .alpha_T = alpha, .derivative = Derivative::analytic},
                      StripKernel<double>(18713779409.996429, 1 - 0.33151985305346909, 0.33151985305346909));
-    CAPTURE(solution.rcond, solution.c11);
+    CAPTURE(solution.rcond, solution.c11());
     CHECK(solution.status == Status::ill_conditioned);
 }
 
@@ -482,8 +469,10 @@ TEST_CASE("The status of a steady solution changes at the documented thresholds"
     // a residual of 0.5e-13 or 0.4e-13; trusted up to 100 n eps = 0.444e-13
     const auto with_error = [&](double error) {
         MatrixX<double> G_prime = -MatrixX<double>::Identity(2, 2);
-        return detail::solve_steady_in_place<double>(
-            G_prime, two, [&](const VectorX<double>& p) -> VectorX<double> { return -(1 + error) * p; });
+        const MatrixX<double> ones = MatrixX<double>::Ones(2, 1);
+        auto factorised = detail::factorise(G_prime, ones, ones);
+        const MatrixX<double> product = -(1 + error) * factorised.response.unknowns;
+        return detail::judge(factorised, product, ones);
     };
     CHECK(with_error(1e-10).status == Status::ill_conditioned);
     CHECK(with_error(1e-13).status == Status::ill_conditioned);
@@ -512,18 +501,7 @@ TEST_CASE("A steady solution evaluates its kernel for one assembly of G' and not
     CHECK(count == 2 * once);
 }
 
-TEST_CASE("The creepage is converted to the contact's scalar type", "[steady]") {
-    const Contact<double> contact = Contact<double>::dimensionless(10, 0.25);
-    const Mesh<double> mesh = uniform_mesh(4);
-    const SteadySolution<double> half = solve_steady(contact, mesh, Collocation{}, 0.5);
-    CHECK(solve_steady(contact, mesh, Collocation{}, 0.5f).force_per_width == half.force_per_width);
-    CHECK(solve_steady(contact, mesh, Collocation{}, 1).force_per_width == 2 * half.force_per_width);
-}
-
-TEST_CASE("Forces and widths that are not finite are reported", "[steady]") {
-    const Contact<double> stiff({.half_length = 1, .half_width = 10, .shear_modulus = 1e300, .poisson_ratio = 0.25});
-    CHECK(solve_steady(stiff, uniform_mesh(4), Collocation{}, 1.0).status == Status::ok);
-    CHECK(solve_steady(stiff, uniform_mesh(4), Collocation{}, 1e10).status == Status::not_finite);
+TEST_CASE("Widths that are not finite are reported", "[steady]") {
     const ArrayX<double> widths = Eigen::Array2d(1, std::numeric_limits<double>::quiet_NaN());
     CHECK(solve_steady<double>(-MatrixX<double>::Identity(2, 2), widths).status == Status::not_finite);
 }
@@ -531,9 +509,9 @@ TEST_CASE("Forces and widths that are not finite are reported", "[steady]") {
 TEST_CASE("A system is solved for steady rolling as its mesh and scheme are", "[steady]") {
     const PlaneKernel<double> kernel(100, 0.75, 0.25);
     const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5}, behind{.alpha_L = -0.5, .alpha_T = -0.5};
-    const SteadySolution<double> elements = solve_steady(rolling_system(cosine_mesh(20), halves, kernel));
+    const Response<double> elements = solve_steady(rolling_system(cosine_mesh(20), halves, kernel));
     CHECK(elements.status == Status::ok);
-    CHECK(elements.c11 == solve_steady(cosine_mesh(20), halves, kernel).c11);
+    CHECK(elements.c11() == solve_steady(cosine_mesh(20), halves, kernel).c11());
     CHECK(solve_steady(rolling_system(cosine_mesh(20), behind, kernel)).status == Status::assists_creepage);
 
     // unknowns other than tractions may have either sign
@@ -542,11 +520,11 @@ TEST_CASE("A system is solved for steady rolling as its mesh and scheme are", "[
     CHECK(solve_steady(RollingSystem<double>(identity, identity, ArrayX<double>::Ones(2))).status == Status::ok);
 
     const ChebyshevSystem<double> states = rolling_system(Chebyshev{12}, kernel);
-    const SteadySolution<double> solution = solve_steady(states);
+    const Response<double> solution = solve_steady(states);
     CHECK(solution.status == Status::ok);
-    CHECK(std::abs(solution.c11 / steady_c11(0.25) - 1) < 1e-13);
+    CHECK(std::abs(solution.c11() / steady_c11(0.25) - 1) < 1e-13);
     const EdgeDistances<double> x{1.3, 0.7};
-    CHECK(std::abs(states.traction(solution.traction)(x) / carter_traction(x, 0.25) - 1) < 1e-12);
+    CHECK(std::abs(states.traction<double>(solution.unknowns.col(0))(x) / carter_traction(x, 0.25) - 1) < 1e-12);
 
     // singular matrices are reported all the same
     MatrixX<double> G_prime = MatrixX<double>::Ones(2, 2);

@@ -174,7 +174,7 @@ TEST_CASE("The tangent of three forces by three motions is the difference quotie
 
 TEST_CASE("Long steps of all inputs end in the steady response", "[transient]") {
     const auto check = [](const auto& where, const ElementSystem<double, 2>& system, double width) {
-        const Response<double> response = solve_steady_response(system.whole());
+        const Response<double> response = solve_steady(system.whole());
         const Creepage<double> creepage{1e-3, -4e-4, 0.7};
         const Forces inputs(creepage.longitudinal, creepage.lateral, a * creepage.spin);
         const Forces expected = -width * a * G * Forces(1, 1, a).cwiseProduct(Forces(response.coefficients * inputs));

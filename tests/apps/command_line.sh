@@ -63,10 +63,7 @@ bad '--zzzzzz is not an option; see --help' "$steady" --zzzzzz -0.5
 bad '--mehs is not an option; did you mean --mesh?; --oytput is not an option; did you mean --output?' \
     "$steady" --mehs cosine --oytput x.csv
 bad 'foo bar was not expected' "$steady" foo bar
-bad '--mesh = \x1B[1m\xFF must be one of' "$steady" --mesh "$(printf '\033[1m\377')"
-bad '\x07\xC3 was not expected' "$steady" "$(printf '\007\303')"
-bad 'must be a file that can be read' "$steady" --edges "$(printf 'é\377')"
-bad 'é\xFF' "$steady" --edges "$(printf 'é\377')"
+bad '--mesh = \x1B[1m must be one of' "$steady" --mesh "$(printf '\033[1m')"
 
 # options that would be ignored
 bad '--epsilon = 0.5 has no effect with --mesh uniform; it is for --mesh knothe and modified-knothe' "$steady" --epsilon 0.5
@@ -184,7 +181,7 @@ echo old >real.csv && ln -s real.csv link.csv
 [ -h link.csv ] && [ "$(wc -l <real.csv)" -eq 2 ] || fail "link as output"
 grep -q '^command_line = ".*--n 10 --output link.csv"$' link.csv.toml || fail "companion file"
 if command -v python3 >/dev/null && python3 -c 'import tomllib' 2>/dev/null; then
-    "$steady" --n 10 --output "$(printf 'q"\\\001\377.csv')" || fail "odd file name"
+    "$steady" --n 10 --output "$(printf 'q"\\\001.csv')" || fail "odd file name"
     cat ./q*.toml | python3 -c 'import sys, tomllib; tomllib.loads(sys.stdin.buffer.read().decode())' || fail "TOML"
     rm -f ./q*
 fi
@@ -193,12 +190,7 @@ if shared=$(mktemp /dev/shm/rollbem-XXXXXX 2>/dev/null); then
         fail "a file below /dev that is there"
     rm -f "$shared" "$shared.toml"
 fi
-ln -s there.csv dangling.csv && ln -s loop.csv loop.csv
-"$steady" --n 10 --output dangling.csv || fail "--output dangling.csv"
-[ -h dangling.csv ] && [ ! -h there.csv ] && [ "$(wc -l <there.csv)" -eq 2 ] || fail "a dangling link as output"
-"$steady" --n 10 --output loop.csv 2>err
-[ $? -eq 2 ] && [ -h loop.csv ] && grep -q 'must be a file that can be written' err || fail "a loop of links as output"
-[ -z "$(find . -name '*.part-*')" ] || fail "temporary files are left"
+[ -z "$(find . -name '*.part')" ] || fail "temporary files are left"
 
 # errors while writing
 for sink in '> /dev/full' '--output /dev/full' '| true' '| true --jobs 2'; do
@@ -217,7 +209,7 @@ cat pipe >through &
 wait
 [ -p pipe ] && [ "$(wc -l <through)" -eq 2 ] && [ ! -e pipe.toml ] || fail "rows through a pipe"
 
-# a full disk: no file appears, whether the rows or the companion do not fit
+# a full disk: the older file stays, whether the rows or the companion do not fit
 for arguments in '--n 10' '--n 10,20,30,40,50,60,70,80 --alpha-T 0.5,0.6,0.63'; do
     echo old >full.csv
     (ulimit -f 1 && "$steady" $arguments --output full.csv 2>err)
@@ -232,43 +224,6 @@ ln -s /dev/full full.csv.toml
 # a read-only file system, also for root
 bad 'must be a file that can be written' "$steady" --output /sys/x.csv
 bad 'must be a file that can be written' "$steady" --n 10 --output x.csv --plot /sys/x.svg
-
-# closed streams: writing fails, and no message ends up in a file of results
-for close in '>&-' '>&- 2>&-'; do
-    eval "\"$steady\" --n 10 $close" 2>err
-    [ $? -eq 4 ] || fail "exit code with $close"
-done
-"$steady" --n 10 --output closed.csv >&- 2>&- <&-
-[ $? -eq 0 ] && [ "$(wc -l <closed.csv)" -eq 2 ] || fail "a file with all streams closed"
-PATH=/nonexistent "$steady" --n 10 --output closed.csv --plot closed.svg >&- 2>&- <&-
-[ $? -eq 3 ] && [ "$(wc -l <closed.csv)" -eq 2 ] || fail "a message in a file"
-
-# an interrupt leaves no file, and older files as they were
-interrupt INT big.csv "$steady" --n 6000 --output big.csv
-[ $code -eq 130 ] || fail "exit $code instead of 130 after an interrupt"
-[ -z "$(find . -name 'big.csv*')" ] || fail "an interrupt leaves files"
-echo old | tee big.csv big.csv.toml >big.svg
-interrupt TERM big.csv "$steady" --n 6000 --jobs 2 --output big.csv --plot big.svg
-[ $code -eq 143 ] || fail "exit $code instead of 143 after a termination"
-for file in big.csv big.csv.toml big.svg; do [ "$(cat $file)" = old ] || fail "$file after a termination"; done
-[ "$(ls -d big*)" = "$(printf '%s\n' big.csv big.csv.toml big.svg)" ] || fail "a termination leaves $(ls -d big*)"
-
-# the clock of the progress line advances within a long row
-if command -v script >/dev/null && command -v timeout >/dev/null; then
-    timeout 40 script -qefc "'$programs/stability_study' --critical --n 800 --output long.csv" typescript >/dev/null 2>&1 &
-    pid=$!
-    tries=0
-    while ! grep -q 'stability_study: 0 of 1 rows, n = 800, 3 s' typescript 2>/dev/null && [ $tries -lt 300 ]; do
-        sleep 0.1
-        tries=$((tries + 1))
-    done
-    kill $pid
-    wait $pid 2>/dev/null
-    for second in 1 2 3; do
-        grep -q "stability_study: 0 of 1 rows, n = 800, $second s" typescript || fail "no progress after $second s"
-    done
-    rm -f long.csv*
-fi
 
 # plots: without gnuplot the rows are still written
 PATH=/nonexistent "$steady" --n 10,20 --output rows.csv --plot rows.svg 2>err
@@ -286,7 +241,7 @@ for end in 'kill -KILL $$' 'cat >/dev/null; echo half; exit 1' 'exec 0<&-; exit 
     [ $code -eq 3 ] && grep -q gnuplot err && [ "$(wc -l <err)" -eq 1 ] || fail "exit $code, $(cat err) with: $end"
     [ "$(wc -l <rows.csv)" -eq 3 ] && [ "$(cat rows.svg)" = old ] || fail "files with: $end"
 done
-[ -z "$(find . -name '*.part-*')" ] || fail "temporary files are left by plots"
+[ -z "$(find . -name '*.part')" ] || fail "temporary files are left by plots"
 if command -v gnuplot >/dev/null; then
     "$steady" --n 10,20 --alpha-T 0.5,0.63 --plot steady.svg >out 2>err || fail "steady plot: $(cat err)"
     grep -q '</svg>' steady.svg || fail "steady.svg is not whole"
@@ -302,15 +257,12 @@ if command -v gnuplot >/dev/null; then
         [ "$(wc -l <out)" -eq 3 ] || fail "rows with a full disk under $picture"
         [ -h $picture ] || [ "$(cat $picture)" = old ] || fail "a full disk cuts $picture"
     done
-    ln -s there.svg dangling.svg
-    "$steady" --n 10,20 --plot dangling.svg >out && [ -h dangling.svg ] && grep -q '</svg>' there.svg ||
-        fail "a dangling link as plot"
     mkfifo pipe.svg
     cat pipe.svg >through &
     "$steady" --n 10,20 --plot pipe.svg >out || fail "a plot through a pipe"
     wait
     grep -q '</svg>' through && [ -p pipe.svg ] || fail "a plot through a pipe is not whole"
 fi
-[ -z "$(find . -name '*.part-*')" ] || fail "temporary files are left by plots that failed"
+[ -z "$(find . -name '*.part')" ] || fail "temporary files are left by plots that failed"
 
 finish

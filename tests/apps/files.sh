@@ -9,49 +9,27 @@ printf '%s\n' -1 -0.2 0.5 1 >"$scratch/edges"
 # malformed LINE TEXT CONTENT: refused at that line
 malformed() {
     printf "$3" >"$scratch/malformed.toml"
-    bad "--config = $scratch/malformed.toml: line $1 = " "$steady" --config "$scratch/malformed.toml" --output x.csv
+    bad "--config = $scratch/malformed.toml: line $1" "$steady" --config "$scratch/malformed.toml" --output x.csv
     bad "$2" "$steady" --config "$scratch/malformed.toml"
 }
-malformed 1 'must be a list [VALUE, VALUE], with its ] at the end' 'n=[100'
-malformed 1 'n=[100,200 must be a list' 'n=[100,200'
-malformed 2 'n=[10 must be a list' 'quiet = true\nn=[10\nmesh = cosine\n'
-malformed 2 'n=[10, must be a list' '\nn=[10,\nmesh = cosine\n'
-malformed 1 'must be a list' 'n = [10 20]\n'
-malformed 1 'must be a list' 'n = [10,,20]\n'
-malformed 1 'must be a list' 'n = []\n'
-malformed 1 'must be a list' 'n = [[10]]\n'
-malformed 1 'must end after its value' 'n = [10] 20\n'
-malformed 1 'must end after its value' 'mesh = "cosine" "uniform"\n'
-malformed 1 'must be NAME = VALUE' 'n'
-malformed 1 'must be NAME = VALUE' 'quiet\n'
-malformed 1 'must be NAME = VALUE' 'n 10\n'
-malformed 1 'must be NAME = VALUE' '= 10\n'
-malformed 1 'must be NAME = VALUE: there are no sections' '[section]\nn = 10\n'
-malformed 2 'must have a value' '\nn =\n'
-malformed 3 'mesh = "cosine must close its quotes' '# one\n; two\nmesh = "cosine\nn = 10\n'
-malformed 1 'must close its quotes' "mesh = 'cosine"
-malformed 1 'must not have an escape' 'mesh = "cos\\qine"\n'
-malformed 1 'must not have an escape' 'mesh = "cos\\u00"\n'
-malformed 1 'must not have an escape' 'mesh = "cos\\u0000ine"\n'
-malformed 1 'must not have an escape' 'mesh = "cos\\ud800ine"\n'
-malformed 1 'must have quotes around a value' 'n = 10 20\n'
-malformed 1 'must have quotes around a value' 'n = 10]\n'
-malformed 1 'must have quotes around a value' 'n = 10 = 20\n'
-malformed 1 'must not have control characters' 'mesh = "cos\001ine"\n'
-malformed 1 'n = 10\x00 must' 'n = 10\000\n'
-malformed 1 'n = \x01\xFF must' 'n = \001\377\n'
-malformed 2 'line 2 = [no' '\357\273\277n = 10\n[no sections]\n'
-malformed 3 'must not give n a second time' 'n = 10\nquiet = true\nn = 20\n'
+malformed 1 'must be TOML' 'n=[100'
+malformed 2 'must be TOML' 'quiet = true\nmesh = cosine\n'
+malformed 1 'must be TOML' 'n = 10 20\n'
+malformed 3 'must be TOML' 'n = 10\nquiet = true\nn = 20\n'
+malformed 1 'must not be an empty list' 'n = []\n'
+malformed 1 'must be a text, a number, true or false, or a list of these' 'n = [[10]]\n'
+malformed 1 'must be a text, a number, true or false' '[section]\nn = 10\n'
 malformed 2 'must name an option of steady_study; see' 'n = 10\nbogus = 1\n'
-malformed 1 'must name an option of steady_study' 'config = x\n'
-malformed 1 'must be true or false' 'quiet = yes\n'
+malformed 1 'must name an option of steady_study' 'config = "x"\n'
+malformed 1 'must be true or false' 'quiet = "yes"\n'
 malformed 1 'must be true or false' 'quiet = [true, false]\n'
+malformed 2 'must name an option of steady_study; did you mean --alpha-T?' '[given]\nalpha-t = 10\n'
 
 # a configuration file; the command line takes precedence
 printf 'n = [10, 20]\nalpha-T = "0.5,0.6"\nquiet = true\n' >c.toml
 good 5 "$steady" --config c.toml
 good 3 "$steady" --config c.toml --n 30
-printf '# one\n; two\n"n" = [10, # ten\n  "20",\n]\r\nalpha-T=0.5 , 0.6# two\nmesh = "cos\\u0069ne"\nquiet = true' >c.toml
+printf '# one\n"n" = [10, # ten\n  "20",\n]\r\nalpha-T=[0.5 , 0.6]# two\nmesh = "cos\\u0069ne"\nquiet = true' >c.toml
 good 5 "$steady" --config c.toml
 check 'all that a configuration file says' '$mesh == "cosine" && ($n == 10 || $n == 20) && ($alpha_T == 0.5 || $alpha_T > 0.59)'
 "$steady" --config - <c.toml | cut -d, -f1-10 >from_stdin
@@ -64,9 +42,9 @@ check 'alpha in place of a configured alpha-T' '$alpha_L == 0.4 && $alpha_T == 0
 printf 'alpha = 0.4\nn = 10\n' >c.toml
 good 2 "$steady" --config c.toml --alpha-T 0.5
 check 'alpha-T in place of a configured alpha' '$alpha_L == 0 && $alpha_T == 0.5'
-printf 'n = 10\nmesh = cosine\nedges = none\n' >c.toml
+printf 'n = 10\nmesh = "cosine"\nedges = "none"\n' >c.toml
 good 2 "$steady" --config c.toml --mesh uniform
-printf 'n = 10\nmesh = knothe\nepsilon = 0.3\n' >c.toml
+printf 'n = 10\nmesh = "knothe"\nepsilon = 0.3\n' >c.toml
 good 2 "$steady" --config c.toml --edges "$scratch/edges"
 printf 'n = 10\nomega = 3\n' >c.toml
 good 6 "$programs/frequency_study" --config c.toml --points 5
@@ -93,25 +71,11 @@ good 1 "$steady" --config run.csv.toml
 mkdir parts
 (cd parts && "$steady" --config ../run.csv.toml --edges ../own >../out) && [ -z "$(ls -A parts)" ] ||
     fail "a run that is repeated writes its files again"
-# a table that has changed does not repeat the run; another one may be given
+# a table that has changed gives other rows, and a line says so
 printf '%s\n' -1 -0.2 0.6 1 >own
-"$steady" --config run.csv.toml >out 2>err
-[ $? -eq 2 ] && [ ! -s out ] && [ "$(wc -l <err)" -eq 1 ] &&
-    grep -q -e '--edges = own must be the file of the run that --config = run.csv.toml repeats' err ||
-    fail "a table that has changed: $(cat out err)"
-good 1 "$steady" --config run.csv.toml --edges own
-"$steady" --quiet --edges - --output stdin.csv <"$scratch/edges" || fail stdin.csv
-grep -q '^replay = "needs the file of --edges on standard input again"' stdin.csv.toml || fail "standard input: $(cat stdin.csv.toml)"
-"$steady" --config stdin.csv.toml <"$scratch/edges" | cut -d, -f1-11 >again
-cut -d, -f1-11 stdin.csv | cmp -s - again || fail "standard input again"
-"$steady" --config stdin.csv.toml <own >out 2>err
-[ $? -eq 2 ] && grep -q 'contents have changed' err || fail "another standard input: $(cat out err)"
-odd=$(printf 'odd\377')
-cp own "$odd" && "$steady" --quiet --edges "$odd" --output odd.csv || fail odd.csv
-grep -q '^replay = "impossible: the name of the file of --edges is not UTF-8"' odd.csv.toml || fail "$(cat odd.csv.toml)"
-! grep -q '^replay' run.csv.toml || fail "a note without a reason"
-rm -f "$odd" odd.csv* stdin.csv*
-bad 'program = "steady_study" must be traction_study' "$programs/traction_study" --config "$scratch/run.csv.toml"
+"$steady" --config run.csv.toml >out 2>err || fail "a table that has changed: $(cat err)"
+! cmp -s out before && [ "$(cat err)" = "steady_study: --edges = own is not as it was in the run that --config = run.csv.toml repeats" ] || fail "a table that has changed: $(cat out err)"
+bad 'program = steady_study must be traction_study' "$programs/traction_study" --config "$scratch/run.csv.toml"
 cp run.csv.toml run.svg
 "$steady" --config run.svg --plot run.svg 2>err
 [ $? -eq 2 ] && grep -q 'must not be a file that this run reads' err || fail "a plot over the run that it repeats"
@@ -121,10 +85,6 @@ cmp -s out run.csv || fail "a flag of a run that is repeated"
 friction="$programs/friction_study --n 8 --creepage-ratio 0.5 --no-timing"
 $friction --tractions t.csv --output run.csv && $friction --config t.csv.toml --tractions t.csv --output again.csv &&
     cmp -s run.csv again.csv || fail "the file beside --tractions"
-malformed 2 'must be [NAME]' '[given]\n[odd name]\n'
-malformed 2 'must end after its ]' '[given]\n[odd] name\n'
-malformed 3 'must not give n a second time' '[given]\nn = 10\nn = 20\n'
-malformed 2 'must name an option of steady_study; did you mean --alpha-T?' '[given]\nalpha-t = 10\n'
 rm -rf run.* t.csv* again.* parts own
 
 # - is a standard stream, not a file
@@ -134,7 +94,6 @@ mkdir streams
 "$steady" --n 10 | cut -d, -f1-10 | cmp -s - out || fail "--output -"
 [ "$(wc -l <err)" -eq 2 ] || fail "--edges -"
 [ -z "$(ls -A streams)" ] || fail "files in place of standard streams: $(ls -A streams)"
-bad '--config = - must be a file that can be read' sh -c "\"$steady\" --config - <&-"
 bad "--config = $scratch must be a file that can be read" "$steady" --config "$scratch"
 bad "--edges = $scratch must be a file that can be read" "$steady" --edges "$scratch"
 "$steady" --n 10 --output - >/dev/full 2>err
@@ -160,7 +119,7 @@ taken() {
 }
 mkdir names
 cp "$scratch/edges" names/edges
-(cd names && ln edges hard && ln -s edges soft && printf 'n = 10\n' >c.csv.toml && ln -s new link && ln -s ./new other)
+(cd names && ln edges hard && ln -s edges soft && printf 'n = 10\n' >c.csv.toml)
 for name in edges ./edges hard soft "$scratch/names/edges" ../names/edges; do
     taken "--output = $name must not be a file that this run reads: --edges = edges" \
         "$steady" --edges edges --output "$name"
@@ -171,12 +130,10 @@ taken '--plot = e.svg must not be a file that this run reads: --edges = e.svg' "
 taken '--output = c.csv.toml must not' "$steady" --config c.csv.toml --output c.csv.toml
 taken '--output = c.csv.toml, written beside it, must not' "$steady" --config c.csv.toml --output c.csv
 taken '--plot = ./p.svg must not be written to as well as --output = p.svg' "$steady" --n 10 --output p.svg --plot ./p.svg
-printf 'output = edges\nedges = edges\n' >names/both.toml
+printf 'output = "edges"\nedges = "edges"\n' >names/both.toml
 taken '--output = edges must not' "$steady" --config both.toml
 printf 'q_over_a,creepage\n0,0\n1,1\n' >names/h
 taken '--output = ./h must not be a file that this run reads: --history = h' "$programs/transient_study" --history h --output ./h
-taken '--output = h must not be a file that this run reads: --history = -' \
-    sh -c "\"$programs/transient_study\" --history - --output h <h"
 taken '--edges = - must be a file: standard input is read as --config = -' \
     sh -c "printf '%s\\n' -1 1 | \"$steady\" --config - --edges -"
 printf 'x_over_a,pressure\n-1,0\n0.3,1\n1,0\n' >names/p
@@ -184,7 +141,6 @@ friction="$programs/friction_study --n 10 --creepage-ratio 0.5"
 taken '--output = p must not be a file that this run reads: --pressure = p' $friction --pressure p --output p
 taken '--tractions = ./p must not be a file that this run reads: --pressure = p' $friction --pressure p --tractions ./p
 taken '--tractions = t must not be written to as well as --output = ./t' $friction --tractions t --output ./t
-taken '--tractions = other must not be written to as well as --output = link' $friction --tractions other --output link
 taken '--tractions = o.toml must not be written to as well as --output = o.toml, written beside it' $friction --tractions o.toml --output o
 taken '--tractions = - must not be written to as well as standard output' $friction --tractions -
 taken '--tractions = - must not be written to as well as standard output' sh -c "$friction --tractions - >/dev/null"

@@ -131,26 +131,6 @@ orders() {
     done
 }
 
-# interrupt SIGNAL FILE PROGRAM ARG...: sends the signal while FILE is being written; the exit code is left in $code.
-interrupt() {
-    signal=$1
-    file=$2
-    shift 2
-    "$@" &
-    pid=$!
-    tries=0
-    while [ -z "$(find . -name "$file.part-*")" ] && [ $tries -lt 100 ]; do
-        sleep 0.05
-        tries=$((tries + 1))
-    done
-    kill -"$signal" $pid
-    { sleep 20; kill -KILL $pid; } >/dev/null 2>&1 &
-    watchdog=$!
-    wait $pid
-    code=$?
-    kill $watchdog 2>/dev/null
-}
-
 # The last line of each script.
 finish() {
     [ $failures -eq 0 ] || exit 1

@@ -45,8 +45,8 @@ bad 'line 1 = -0.9 must be -1, the smallest y' $p --strip-edges "$scratch/edges"
 printf -- '-1\n0.5\n' >"$scratch/edges"
 bad '--strips = 4 has no effect with --strip-edges' $p --strips 4 --strip-edges "$scratch/edges"
 bad 'must end with 1, the largest y' $p --strip-edges "$scratch/edges"
-bad '--omega = 1 has no effect with friction' $p --spin 1 --omega 1
-bad '--stability = true has no effect with friction' $p --lateral 1 --stability
+bad '--omega = 1 has no effect with --spin' $p --spin 1 --omega 1
+bad '--stability = true has no effect with --lateral' $p --lateral 1 --stability
 bad '--tractions = t.csv has no effect without' $p --tractions t.csv
 bad "must go with --pressure for friction: Hertz's contact is an ellipse" $p --spin 1 --outline "$scratch/outline.csv"
 bad '--pressure = t.csv has no effect without' $p --pressure t.csv

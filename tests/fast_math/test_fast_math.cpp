@@ -1,5 +1,5 @@
 // The library under -ffast-math, where compilers assume that every number is finite: no result that is NaN or infinite
-// has status ok, and none is accepted as input. Here steady rolling and steps in time of one direction.
+// has status ok, and none is accepted as input. Here steady rolling and steps in the time domain of one direction.
 #include <rollbem/adhesion/steady.hpp>
 #include <rollbem/adhesion/transient.hpp>
 
@@ -11,12 +11,6 @@ using namespace fast_math_tests;
 using fast_math_tests::finite, fast_math_tests::nan;  // not the functions of C
 
 TEST_CASE_METHOD(Fixture, "Fast math: steady rolling reports what is not finite", "[fast_math]") {
-    CHECK(solve_steady(contact, mesh, scheme, 1e-3).status == Status::ok);
-    for (const double creepage : {nan, infinity, -infinity}) {
-        CHECK(solve_steady(contact, mesh, scheme, creepage).status == Status::not_finite);
-    }
-    const Contact<double> stiff({.half_length = 1, .half_width = 10, .shear_modulus = 1e300, .poisson_ratio = 0.25});
-    CHECK(solve_steady(stiff, mesh, scheme, 1e10).status == Status::not_finite);
     CHECK(solve_steady<double>(good.G_prime(), widths).status == Status::ok);
     for (Eigen::Index k = 0; k < n * n; ++k) {
         for (const double value : {nan, infinity, -infinity}) {

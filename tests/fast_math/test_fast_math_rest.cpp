@@ -22,14 +22,14 @@ TEST_CASE_METHOD(Fixture, "Fast math: frequency response and stability report wh
     const FrequencySweep<double> sweep(good);
     REQUIRE(sweep.reduced());
     CHECK(sweep(1).status == Status::ok);
-    CHECK(solve_harmonic(good, 1).status == Status::ok);
+    CHECK(solve_response(good, {0, 1}).status == Status::ok);
     CHECK(count_unstable(good).status == Status::ok);
     CHECK_THAT(refusal([&] { sweep(nan); }), ContainsSubstring("omega a/V = nan must be finite"));
     CHECK_THAT(refusal([&] { sweep.at({0, infinity}); }), ContainsSubstring("Im(s) = inf must be finite"));
-    CHECK_THAT(refusal([&] { solve_harmonic(good, nan); }), ContainsSubstring("must be finite"));
+    CHECK_THAT(refusal([&] { solve_response(good, {0, nan}); }), ContainsSubstring("must be finite"));
     // finite input with a result that overflows
     const ElementSystem<double> huge(1e-3 * good.G(), 1e-3 * good.G_prime(), 1e308 * widths);
-    CHECK(solve_harmonic(huge, 1).status == Status::not_finite);
+    CHECK(solve_response(huge, {0, 1}).status == Status::not_finite);
     CHECK(FrequencySweep<double>(huge)(1).status == Status::not_finite);
 }
 

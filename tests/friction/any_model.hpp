@@ -70,7 +70,7 @@ struct Setup {
     }
 };
 
-/// The contact of a setup, with G' alone or in time.
+/// The contact of a setup, with G' alone or in the time domain.
 inline FrictionContact make(const Setup& setup, bool steady = false) {
     const auto of = [&]<class Own>(const Own& own) -> FrictionContact {
         const Friction<Own> friction{own, setup.pressure(), {setup.distance, setup.least}, setup.with_tangents};

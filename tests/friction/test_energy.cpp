@@ -112,7 +112,7 @@ TEST_CASE("Slip times traction balances the energy to second order", "[friction]
 }
 
 TEST_CASE("Galerkin's method loses no energy except by slip", "[friction]") {
-    // exactly in space on any mesh; in time at the order of the integrator
+    // exactly in space on any mesh; in the time domain at the order of the integrator
     for (const Mesh<double>& mesh : {cosine_mesh<double>(20), uniform_mesh<double>(15), geometric_mesh(12, 5.0)}) {
         for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
             std::vector<double> sizes, gaps;
@@ -206,7 +206,7 @@ TEST_CASE("Galerkin about the centres has no force in full adhesion and the righ
         // w G' is antisymmetric, so that sum w p = p.(w G' p) = 0
         const auto adhesion = solve_steady<double>(system.G_prime(), system.weights());
         CHECK(adhesion.status == Status::assists_creepage);
-        CHECK(std::abs(adhesion.c11) < 1e-12);
+        CHECK(std::abs(adhesion.c11()) < 1e-12);
 
         const FrictionModel<> model(scene.contact, system, unchecked, scene.friction);
         const FrictionState<> rest = model.at_rest();

@@ -29,7 +29,7 @@ void for_each(const std::vector<Setup>& setups, const Function& function) {
     }
 }
 
-/// Hertz's pressure of another load, and its half-length, on a mesh that breathes; the rates are derivatives by the
+/// Hertz's pressure of another load, and its half-length, on a mesh that breathes; the rates are derivatives with respect to the
 /// factor of the pressures.
 Load breathing(const Setup& setup, double half_length) {
     const ArrayX<double> pressure = setup.pressure();
@@ -207,7 +207,7 @@ TEST_CASE("In full sliding the force opposes the creepage, at the coefficient of
                 CHECK(off < (setup.distance > 0 ? 1 : 0.1) / ratio + 1e-12);
                 CHECK(off <= before + 1e-14);
                 before = off;
-                // the next steps in time are the same, at rates of slip that leave no time to remember
+                // the next steps in the time domain are the same, at rates of slip that leave no time to remember
                 if (ratio < 5e3) continue;
                 for (int k = 0; k < 30; ++k) ride.step(0.2, creepage(ratio, degrees));
                 CHECK((ratios(ride.step(0.2, creepage(ratio, degrees))) - ratios(step)).norm() < 1e-3);

@@ -29,7 +29,7 @@ using Catch::Matchers::ContainsSubstring;
 TEST_CASE("Small creepage or high friction gives the linear solutions", "[friction]") {
     for (const Collocation& scheme : {half, Collocation{0, 0.63}}) {
         const Scene scene(cosine_mesh<double>(30), scheme), grippy(cosine_mesh<double>(30), scheme, 1e9);
-        const double linear = -scene.contact.width() * solve_steady(scene.mesh, scheme, scene.kernel).c11;
+        const double linear = -scene.contact.width() * solve_steady(scene.mesh, scheme, scene.kernel).c11();
         const double small = from_scratch(scene.steady(), 1e-9).force / 1e-9;
         const FrictionStep<> gripped = from_scratch(grippy.steady(), 0.3);
         CHECK(std::abs(small / linear - 1) < 1e-12);

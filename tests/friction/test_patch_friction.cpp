@@ -1,4 +1,4 @@
-// Friction on a contact patch: steady forces against limits of small elements, steps in time, symmetries, work, units.
+// Friction on a contact patch: steady forces against limits of small elements, steps in the time domain, symmetries, work, units.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 #include <rollbem/accuracy/recommended_patch.hpp>
 #include <rollbem/adhesion/dissipation.hpp>
-#include <rollbem/adhesion/patch_stability.hpp>
+#include <rollbem/adhesion/stability.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
@@ -342,7 +342,7 @@ TEST_CASE("patch_friction: small creepages adhere as Kalker's coefficients say")
     const TangentialForce<double> columns[] = {tangent.by_longitudinal, tangent.by_lateral, tangent.by_spin};
     const double units[][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (std::size_t k = 0; k < 3; ++k) {
-        const auto exact = forces(scene.contact, adhesion, units[k][0], units[k][1], units[k][2]);
+        const auto exact = creep_force(scene.contact, adhesion, {units[k][0], units[k][1], units[k][2]});
         const double scale = G * scene.c * scene.c * (k == 2 ? scene.c : 1);
         CHECK(std::abs(columns[k].longitudinal - exact.longitudinal) < 1e-11 * scale);
         CHECK(std::abs(columns[k].lateral - exact.lateral) < 1e-11 * scale);

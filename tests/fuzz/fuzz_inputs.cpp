@@ -76,7 +76,7 @@ void take(const std::vector<std::string>& words) {
     require(sidecar.find('\0') == std::string::npos, "TOML has no zero bytes");
 }
 
-/// Reads the words as friction_study does in time, up to the load of every step.
+/// Reads the words as friction_study does in the time domain, up to the load of every step.
 void take_friction(const std::vector<std::string>& words) {
     study::Options options("fuzz", "purpose");
     options.add_input("pressure", "a file");
@@ -85,7 +85,7 @@ void take_friction(const std::vector<std::string>& words) {
     options.add("load-sine", "A,LENGTH", "two numbers");
     options.add_input("load", "a file");
     options.add_flag("breathing", "a flag");
-    study::add_steps(options, "");
+    study::add_steps(options);
     std::vector<const char*> argv{"fuzz"};
     for (const std::string& word : words) argv.push_back(word.c_str());
     if (options.parse(static_cast<int>(argv.size()), argv.data())) return;

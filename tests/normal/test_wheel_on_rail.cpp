@@ -59,12 +59,14 @@ TEST_CASE("wheel_on_rail: contacts of the Manchester benchmark, S1002 on 60E1, a
         REQUIRE(contact.status == NormalStatus::ok);
         REQUIRE(contact.patches.size() == 1);
         const RailPatch& patch = contact.patches[0];
-        // the arcs of the formulas differ from the benchmark's table by up to 6e-3 mm where they join: at the gauge corner
+        // of a few of CONTACT's cells: on the flange and at its corner
         const bool corner = std::abs(c.angle) > 0.2;
-        CHECK(1e3 * patch.x == Approx(c.x).margin(corner ? 2e-2 : 2e-3));
-        CHECK(1e3 * side * patch.y == Approx(c.y).margin(corner ? 1e-2 : 2e-3));
-        CHECK(1e3 * patch.z == Approx(c.z).margin(corner ? 5e-3 : 5e-4));
-        CHECK(side * patch.angle == Approx(c.angle).margin(corner ? 1e-3 : 1e-4));
+        // the patch of right 2 covers a joint of 60E1's arcs, where the benchmark's table differs from the formulas
+        const bool joint = side > 0 && c.lateral == .5;
+        CHECK(1e3 * patch.x == Approx(c.x).margin(1e-3));
+        CHECK(1e3 * side * patch.y == Approx(c.y).margin(joint ? 2.5e-3 : 2e-3));
+        CHECK(1e3 * patch.z == Approx(c.z).margin(5e-4));
+        CHECK(side * patch.angle == Approx(c.angle).margin(1.5e-4));
         CHECK(patch.load == Approx(c.load).epsilon(1e-3));
         CHECK(1e3 * patch.approach == Approx(c.approach).epsilon(corner ? 5e-3 : 3e-3));
         // CONTACT's own errors on this grid are 3e-3 and 2e-2, more where the patch is a few cells wide
@@ -73,9 +75,9 @@ TEST_CASE("wheel_on_rail: contacts of the Manchester benchmark, S1002 on 60E1, a
         position.height = contact.height;
         const Creepage<double> creepage =
             creepage_of(patch, position, {.forward = 2, .pitch_rate = c.pitch_rate}, 0.46);
-        CHECK(-creepage.longitudinal == Approx(c.xi).margin(corner ? 3e-5 : 2e-6));
-        CHECK(-side * creepage.lateral == Approx(c.eta).margin(corner ? 3e-5 : 4e-6));
-        CHECK(-side * creepage.spin * 1e-3 == Approx(c.phi).margin(corner ? 3e-6 : 2e-7));
+        CHECK(-creepage.longitudinal == Approx(c.xi).margin(corner ? 8e-6 : 2e-6));
+        CHECK(-side * creepage.lateral == Approx(c.eta).margin(corner ? 2e-5 : 4e-6));
+        CHECK(-side * creepage.spin * 1e-3 == Approx(c.phi).margin(corner ? 2e-6 : 2e-7));
     }
 }
 
@@ -85,7 +87,7 @@ TEST_CASE("wheel_on_rail: a second implementation on fine grids", "[profiles]") 
                                           {.cells_x = 60, .cells_s = 60});
     REQUIRE(contact.patches.size() == 1);
     const RailPatch& patch = contact.patches[0];
-    CHECK(patch.angle == Approx(-1.15908).margin(1e-3));
+    CHECK(patch.angle == Approx(-1.15908).margin(4e-4));
     CHECK(patch.load == Approx(15441).epsilon(2e-3));
     CHECK(1e-6 * patch.peak_pressure == Approx(2585.8).epsilon(2e-3));
     CHECK(1e6 * patch.area == Approx(8.96).epsilon(4e-3));

@@ -1,5 +1,5 @@
 // rollbem/friction/model.hpp: scenes drawn at random, in one direction and two, with constant friction and with
-// friction that falls with slip, steady and in time, against the conditions of the law.
+// friction that falls with slip, steady and in the time domain, against the conditions of the law.
 // ROLLBEM_SCENES sets how many tenths (default 10000), ROLLBEM_SEED the seed of the generator.
 #include <algorithm>
 #include <cmath>

@@ -44,6 +44,8 @@ StripKernel<double> strip(double aspect, double nu = 0.28) { return {aspect, 1 -
 
 double relative_error(Complex value, Complex exact) { return std::abs(value / exact - 1.0); }
 
+ChebyshevTraction<double> traction_of(const Response<double>& steady) { return {steady.unknowns.col(0)}; }
+
 // agreement with the result of other code within 40 %
 auto about(double found) { return Catch::Matchers::WithinRel(found, 0.4); }
 
@@ -53,9 +55,9 @@ double plane_error(Eigen::Index m, double z_max) {
     double largest = 0;
     for (int k = 0; k <= 100; ++k) {
         const double z = z_max * k / 100;
-        const SweepPoint<double> point = sweep(z);
+        const Response<Complex> point = sweep(z);
         CHECK(point.status == Status::ok);
-        largest = std::max(largest, relative_error(point.c11, reference::plane_c11({0, z}, 0.25, 100)));
+        largest = std::max(largest, relative_error(point.c11(), reference::plane_c11({0, z}, 0.25, 100)));
     }
     return largest;
 }
@@ -65,23 +67,21 @@ TEST_CASE("Steady rolling of the plane is exact with any number of states", "[ch
         for (const double aspect : {0.01, 1.0, 100.0, 1e12, infinity}) {
             for (const auto& [c1, c2, exact] :
                  {std::tuple(0.75, 0.25, steady_c11(0.25)), std::tuple(1.0, -0.3, std::numbers::pi / 2)}) {
-                const ChebyshevSteadySolution<double> solution =
-                    solve_steady(Chebyshev{m}, PlaneKernel<double>(aspect, c1, c2));
+                const Response<double> solution = solve_steady(Chebyshev{m}, PlaneKernel<double>(aspect, c1, c2));
                 CAPTURE(m, aspect, c1);
                 CHECK(solution.status == Status::ok);
-                CHECK(std::abs(solution.c11 / exact - 1) <= 4 * eps);
-                CHECK(solution.error_estimate <= 1000 * eps);
+                CHECK(std::abs(solution.c11() / exact - 1) <= 4 * eps);
+                CHECK(solution.error_estimate() <= 1000 * eps);
             }
         }
-        const ChebyshevSteadySolution<double> solution =
-            solve_steady(Chebyshev{m}, PlaneKernel<double>(infinity, 0.75, 0.25));
+        const Response<double> solution = solve_steady(Chebyshev{m}, PlaneKernel<double>(infinity, 0.75, 0.25));
         for (const double d : {1e-300, 1e-12, 0.1, 1.0, 1.9}) {
             for (const EdgeDistances<double> x : {EdgeDistances<double>{d, 2 - d}, EdgeDistances<double>{2 - d, d}}) {
-                CHECK(std::abs(solution.traction(x) / carter_traction(x, 0.25) - 1) < 1e-14);
+                CHECK(std::abs(traction_of(solution)(x) / carter_traction(x, 0.25) - 1) < 1e-14);
             }
         }
-        CHECK(solution.traction(1) == 0);
-        CHECK(solution.traction(-1) == -infinity);
+        CHECK(traction_of(solution)(1) == 0);
+        CHECK(traction_of(solution)(-1) == -infinity);
     }
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("The frequency response of the plane has the known errors", "[chebyshe
     CHECK_THAT(plane_error(12, 5), about(5.9e-9));
     CHECK(plane_error(16, 5) < 2e-14);
     for (const Eigen::Index m : {24, 200}) CHECK(plane_error(m, 5) < 4e-15);
-    CHECK(relative_error(solve_harmonic(rolling_system(Chebyshev{600}, plane), 5).c11,
+    CHECK(relative_error(solve_response(rolling_system(Chebyshev{600}, plane), {0, 5}).c11(),
                          reference::plane_c11({0, 5}, 0.25, 100)) < 1e-14);
     CHECK(FrequencySweep<double>(rolling_system(Chebyshev{96}, plane)).reduced());
 }
@@ -107,7 +107,7 @@ TEST_CASE("The largest error over all frequencies falls with the square of the n
         const FrequencySweep<double> sweep(rolling_system(Chebyshev{m}, plane));
         double largest = 0, where = 0;
         for (double z = 0.1; z < 20.0 * static_cast<double>(m); z *= 1.005) {
-            const double error = std::abs(sweep(z).c11 - reference::plane_c11({0, z}, 0.25, 100)) / steady;
+            const double error = std::abs(sweep(z).c11() - reference::plane_c11({0, z}, 0.25, 100)) / steady;
             if (error > largest) where = z;
             largest = std::max(largest, error);
         }
@@ -122,7 +122,7 @@ TEST_CASE("At a fixed frequency each further state of the plane gains more than 
     const Complex exact = reference::plane_c11({0, 5}, 0.25, 100);
     double before = 0, rate_before = 0;
     for (Eigen::Index m = 6; m <= 14; m += 2) {
-        const double error = relative_error(solve_harmonic(rolling_system(Chebyshev{m}, plane), 5).c11, exact);
+        const double error = relative_error(solve_response(rolling_system(Chebyshev{m}, plane), {0, 5}).c11(), exact);
         if (m > 6) {
             const double rate = std::log(before / error) / 2;  // per state
             CAPTURE(m, error, rate);
@@ -158,13 +158,13 @@ TEST_CASE("Strips converge down to round-off at the geometric rate of their sing
          {std::tuple<double, Eigen::Index, Eigen::Index>{0.1, 24, 80}, {0.3, 12, 44}, {1.0, 6, 24}, {3.0, 3, 12}}) {
         const Complex corner(1, aspect);
         const double expected = std::log(std::abs(corner + std::sqrt(corner * corner - 1.0)));
-        const auto steady_error = [&, exact = solve_steady(Chebyshev{4 * last}, strip(aspect)).c11,
+        const auto steady_error = [&, exact = solve_steady(Chebyshev{4 * last}, strip(aspect)).c11(),
                                    kernel = strip(aspect)](Eigen::Index m) {
-            return std::abs(solve_steady(Chebyshev{m}, kernel).c11 / exact - 1);
+            return std::abs(solve_steady(Chebyshev{m}, kernel).c11() / exact - 1);
         };
         const auto harmonic_error = [&, exact = reference::strip_c11(Complex(0, 1), 0.28, aspect).c11,
                                      kernel = strip(aspect)](Eigen::Index m) {
-            return relative_error(solve_harmonic(rolling_system(Chebyshev{m}, kernel), 1).c11, exact);
+            return relative_error(solve_response(rolling_system(Chebyshev{m}, kernel), {0, 1}).c11(), exact);
         };
         const double steady = geometric_rate(first, last, steady_error),
                      harmonic = geometric_rate(first, last, harmonic_error);
@@ -186,8 +186,8 @@ TEST_CASE("The response of states at -omega is the complex conjugate of that at 
         const FrequencySweep<double> sweep(rolling_system(Chebyshev{m}, plane));
         const FrequencySweep<double> narrow(rolling_system(Chebyshev{m}, strip(0.5)));
         for (const double z : {1e-6, 0.3, 5.0, 100.0}) {
-            CHECK(relative_error(sweep(-z).c11, std::conj(sweep(z).c11)) <= 8 * eps);
-            CHECK(relative_error(narrow(-z).c11, std::conj(narrow(z).c11)) <= 8 * eps);
+            CHECK(relative_error(sweep(-z).c11(), std::conj(sweep(z).c11())) <= 8 * eps);
+            CHECK(relative_error(narrow(-z).c11(), std::conj(narrow(z).c11())) <= 8 * eps);
         }
     }
 }
@@ -253,12 +253,13 @@ TEST_CASE("A strip that takes 320 elements takes 8 to 28 states", "[chebyshev]")
         rolling_system(cosine_mesh(320), Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, strip(10));
     for (const auto& [z, found] : {std::pair(0.0, 1.6e-6), {1.0, 1.4e-6}, {5.0, 1.5e-5}, {20.0, 2.2e-4}}) {
         const Complex exact = reference::strip_c11(Complex(0, z), 0.28, 10).c11;
-        const double error = relative_error(solve_harmonic(elements, z).c11, exact);
+        const double error = relative_error(solve_response(elements, {0, z}).c11(), exact);
         CAPTURE(z, error);
         CHECK(error > 0.9 * found);
         CHECK(error < 1.1 * found);
         const Eigen::Index m = z < 2 ? 8 : z < 10 ? 12 : 28;
-        CHECK(relative_error(solve_harmonic(rolling_system(Chebyshev{m}, strip(10)), z).c11, exact) < error / 100);
+        CHECK(relative_error(solve_response(rolling_system(Chebyshev{m}, strip(10)), {0, z}).c11(), exact) <
+              error / 100);
     }
 }
 
@@ -310,26 +311,26 @@ TEST_CASE("Strips by Chebyshev states have the known errors against the referenc
                           {0.3, 5, 64, 0}}) {
         const EstimatedC11<double> exact = reference::strip_c11(Complex(0, c.z), 0.28, c.aspect);
         const RollingSystem<double> system = rolling_system(Chebyshev{c.m}, strip(c.aspect));
-        const double error = relative_error(FrequencySweep<double>(system)(c.z).c11, exact.c11);
+        const double error = relative_error(FrequencySweep<double>(system)(c.z).c11(), exact.c11);
         CAPTURE(c.aspect, c.z, c.m, error);
         if (c.found > 0) CHECK_THAT(error, about(c.found));
         if (c.found == 0) CHECK(error < 1e-12);
         if (c.z != 0) continue;
-        const ChebyshevSteadySolution<double> steady = solve_steady(Chebyshev{c.m}, strip(c.aspect));
-        CHECK(std::abs(steady.c11 / FrequencySweep<double>(system)(0).c11.real() - 1) < 1e-13);
-        CHECK(std::abs(steady.c11 / exact.c11.real() - 1) <= steady.error_estimate);
+        const Response<double> steady = solve_steady(Chebyshev{c.m}, strip(c.aspect));
+        CHECK(std::abs(steady.c11() / FrequencySweep<double>(system)(0).c11().real() - 1) < 1e-13);
+        CHECK(std::abs(steady.c11() / exact.c11.real() - 1) <= steady.error_estimate());
     }
 }
 
 TEST_CASE("The error estimate of steady rolling bounds the error on narrow strips", "[chebyshev]") {
-    const double exact = solve_steady(Chebyshev{400}, strip(0.02)).c11;
+    const double exact = solve_steady(Chebyshev{400}, strip(0.02)).c11();
     CHECK(std::abs(exact / reference::strip_c11(0, 0.28, 0.02).c11.real() - 1) < 1e-11);
     for (const Eigen::Index m : {1, 2, 3, 5, 8, 12, 20, 40, 80, 160}) {
-        const ChebyshevSteadySolution<double> solution = solve_steady(Chebyshev{m}, strip(0.02));
-        const double error = std::abs(solution.c11 / exact - 1);
-        CAPTURE(m, error, solution.error_estimate);
-        CHECK(error <= solution.error_estimate);
-        CHECK(solution.error_estimate < 30 * error);
+        const Response<double> solution = solve_steady(Chebyshev{m}, strip(0.02));
+        const double error = std::abs(solution.c11() / exact - 1);
+        CAPTURE(m, error, solution.error_estimate());
+        CHECK(error <= solution.error_estimate());
+        CHECK(solution.error_estimate() < 30 * error);
         CHECK(solution.status == (m < 20 ? Status::not_converged : Status::ok));
     }
 }
@@ -341,24 +342,26 @@ TEST_CASE("Strips by Chebyshev states agree with elements, longitudinally and la
             const StripKernel<double> kernel = lateral ? StripKernel<double>(aspect, 1, -0.28) : strip(aspect);
             const ChebyshevSystem<double> system = rolling_system(Chebyshev{48}, kernel);
             const auto steady =
-                extrapolate([&](Eigen::Index n) { return solve_steady(cosine_mesh(n), halves, kernel).c11; }, 40, 2);
+                extrapolate([&](Eigen::Index n) { return solve_steady(cosine_mesh(n), halves, kernel).c11(); }, 40, 2);
             const auto harmonic = extrapolate(
-                [&](Eigen::Index n) { return solve_harmonic(rolling_system(cosine_mesh(n), halves, kernel), 1).c11; },
+                [&](Eigen::Index n) {
+                    return solve_response(rolling_system(cosine_mesh(n), halves, kernel), {0, 1}).c11();
+                },
                 40, 2);
             CAPTURE(aspect, lateral, steady.error_estimate, harmonic.error_estimate);
             CHECK(steady.status == Status::ok);
             CHECK(harmonic.status == Status::ok);
-            CHECK(std::abs(solve_steady(Chebyshev{48}, kernel).c11 / steady.value - 1) < 3e-6);
-            CHECK(relative_error(solve_harmonic(system, 1).c11, harmonic.value) < 3e-6);
+            CHECK(std::abs(solve_steady(Chebyshev{48}, kernel).c11() / steady.value - 1) < 3e-6);
+            CHECK(relative_error(solve_response(system, {0, 1}).c11(), harmonic.value) < 3e-6);
         }
         // tractions at the centres of elements away from the edges
         const Mesh<double> mesh = cosine_mesh(160);
-        const SteadySolution<double> elements = solve_steady(mesh, halves, strip(aspect));
-        const ChebyshevSteadySolution<double> states = solve_steady(Chebyshev{48}, strip(aspect));
+        const Response<double> elements = solve_steady(mesh, halves, strip(aspect));
+        const Response<double> states = solve_steady(Chebyshev{48}, strip(aspect));
         for (Eigen::Index l = 5; l < 155; l += 7) {
-            const double p = states.traction({mesh.from_trailing()[l], mesh.from_leading()[l]});
-            CAPTURE(l, p, elements.traction[l]);
-            CHECK(std::abs(elements.traction[l] / p - 1) < 0.02);
+            const double p = traction_of(states)({mesh.from_trailing()[l], mesh.from_leading()[l]});
+            CAPTURE(l, p, elements.unknowns(l));
+            CHECK(std::abs(elements.unknowns(l) / p - 1) < 0.02);
         }
     }
 }
@@ -368,53 +371,42 @@ TEST_CASE("Steady rolling by states in SI units agrees with elements", "[chebysh
         {.half_length = 6e-3, .half_width = 9e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
     const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
     const Mesh<double> mesh = cosine_mesh(160);
+    const auto strips = StripKernel<double>::longitudinal(contact);
+    const Response<double> states = solve_steady(Chebyshev{24}, strips), elements = solve_steady(mesh, halves, strips);
+    CHECK(states.status == Status::ok);
+    CHECK(std::abs(states.c11() / reference::strip_c11(0, 0.28, 1.5).c11.real() - 1) < 1e-12);
     for (const double creepage : {1e-4, -3e-3}) {
-        const ChebyshevSteadySolution<double> states = solve_steady(contact, Chebyshev{24}, creepage);
-        const SteadySolution<double> elements = solve_steady(contact, mesh, halves, creepage);
-        CHECK(states.status == Status::ok);
-        CHECK(std::abs(states.c11 / reference::strip_c11(0, 0.28, 1.5).c11.real() - 1) < 1e-12);
-        CHECK(states.force_per_width == -6e-3 * 8e10 * states.c11 * creepage);
-        CHECK(states.force_per_width * creepage < 0);
-        CHECK(std::abs(states.force_per_width / elements.force_per_width - 1) < 2e-5);
-        CHECK(states.error_estimate ==
-              solve_steady(Chebyshev{24}, StripKernel<double>::longitudinal(contact)).error_estimate);
-        CHECK(states.rcond > 0.1);
-        for (Eigen::Index l = 20; l < 140; l += 17) {
-            const double x = mesh.centres()[l];
-            CHECK(std::abs(states.traction(x) / elements.traction[l] - 1) < 2e-3);
-        }
-        CHECK(states.traction(1) == 0);
+        const double force = creep_force(contact, states, creepage);
+        CHECK(force == -contact.width() * 6e-3 * 8e10 * states.c11() * creepage);
+        CHECK(force * creepage < 0);
+        CHECK(std::abs(force / creep_force(contact, elements, creepage) - 1) < 2e-5);
     }
-    // lateral creepage, and the plane
+    CHECK(states.rcond > 0.1);
+    for (Eigen::Index l = 20; l < 140; l += 17) {
+        const double x = mesh.centres()[l];
+        CHECK(std::abs(traction_of(states)(x) / elements.unknowns(l) - 1) < 2e-3);
+    }
+    CHECK(traction_of(states)(1) == 0);
+    // lateral creepage, and infinite widths
     const auto lateral = StripKernel<double>::lateral(contact);
-    const ChebyshevSteadySolution<double> across = rollbem::solve_steady(contact, Chebyshev{24}, lateral, 1e-4);
-    CHECK(across.c11 == rollbem::solve_steady(Chebyshev{24}, lateral).c11);
-    CHECK(std::abs(across.c11 / solve_steady(mesh, halves, lateral).c11 - 1) < 2e-5);
-    CHECK(across.force_per_width == -6e-3 * 8e10 * across.c11 * 1e-4);
-    CHECK(across.traction(0.3) == Approx(8e10 * 1e-4 * solve_steady(Chebyshev{24}, lateral).traction(0.3)));
+    const Response<double> across = solve_steady(Chebyshev{24}, lateral);
+    CHECK(std::abs(across.c11() / solve_steady(mesh, halves, lateral).c11() - 1) < 2e-5);
     CHECK(across.status == Status::ok);
-    const auto wide = solve_steady(contact, Chebyshev{1}, PlaneKernel<double>::longitudinal(contact), 1e-4);
-    CHECK(wide.force_per_width == Approx(-6e-3 * 8e10 * steady_c11(0.28) * 1e-4).epsilon(4 * eps));
     const Contact<double> endless({.half_length = 6e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
-    CHECK(rollbem::solve_steady(endless, Chebyshev{4}, 1e-4).force_per_width ==
-          Approx(wide.force_per_width).epsilon(1e-14));
-    const auto endless_lateral = StripKernel<double>::lateral(endless);
-    CHECK(rollbem::solve_steady(endless, Chebyshev{4}, endless_lateral, 1e-4).c11 ==
+    CHECK(solve_steady(Chebyshev{4}, StripKernel<double>::longitudinal(endless)).c11() ==
+          Approx(steady_c11(0.28)).epsilon(1e-14));
+    CHECK(solve_steady(Chebyshev{4}, StripKernel<double>::lateral(endless)).c11() ==
           Approx(steady_c22()).epsilon(1e-14));
-    // too few states, and creepages that are not finite
+    // too few states
     const Contact<double> narrow({.half_length = 6e-3, .half_width = 1e-3, .shear_modulus = 8e10, .poisson_ratio = 0});
-    CHECK(solve_steady(narrow, Chebyshev{3}, 1e-4).status == Status::not_converged);
-    for (const double bad : {infinity, std::numeric_limits<double>::quiet_NaN(), 1e305}) {
-        CHECK(solve_steady(contact, Chebyshev{8}, bad).status == Status::not_finite);
-    }
-    CHECK_THROWS_WITH(solve_steady(contact, Chebyshev{0}, 1e-4), ContainsSubstring("states = 0 must be at least 1"));
-    CHECK_THROWS_WITH(solve_steady(contact, Chebyshev{8}, strip(2), 1e-4), ContainsSubstring("b/a of the kernel"));
+    CHECK(solve_steady(Chebyshev{3}, StripKernel<double>::longitudinal(narrow)).status == Status::not_converged);
 }
 
 TEST_CASE("Tractions of harmonic creepage follow from the states", "[chebyshev]") {
     const ChebyshevSystem<double> system = rolling_system(Chebyshev{24}, plane);
     for (const double z : {0.0, 0.5, 5.0}) {
-        const ChebyshevTraction<Complex> traction = system.traction(solve_harmonic(system, z).traction);
+        const ChebyshevTraction<Complex> traction =
+            system.traction<Complex>(solve_response(system, {0, z}).unknowns.col(0));
         const reference::ExactTraction exact(Complex(0, z), 0.25, 100);
         CHECK(std::abs(traction.coefficients.sum()) < 1e-13);
         for (const double x : {-1 + 1e-9, -0.9, -0.3, 0.0, 0.2, 0.99, 1 - 1e-9}) {
@@ -445,7 +437,7 @@ TEST_CASE("The number of quadrature points is just enough for round-off in the s
 }
 
 TEST_CASE("An infinitely wide strip has the coefficient of the plane", "[chebyshev]") {
-    CHECK(solve_steady(Chebyshev{4}, strip(infinity)).c11 == Approx(steady_c11(0.28)).epsilon(4 * eps));
+    CHECK(solve_steady(Chebyshev{4}, strip(infinity)).c11() == Approx(steady_c11(0.28)).epsilon(4 * eps));
 }
 
 TEST_CASE("Chebyshev states are accurate to rounding", "[chebyshev]") {
@@ -454,13 +446,13 @@ TEST_CASE("Chebyshev states are accurate to rounding", "[chebyshev]") {
     const FrequencySweep<double> sweep(system);
     for (const double z : {0.0, 1.0, 5.0}) {
         const std::complex<double> exact = polynomial_c11(std::complex<double>(0, z), 0.25, 100.0).c11;
-        CHECK(std::abs(sweep(z).c11 / exact - 1.0) < 30 * eps);
+        CHECK(std::abs(sweep(z).c11() / exact - 1.0) < 30 * eps);
     }
     const StripKernel<double> kernel(0.5, 0.75, 0.25);
-    const ChebyshevSteadySolution<double> narrow = solve_steady(Chebyshev{64}, kernel);
+    const Response<double> narrow = solve_steady(Chebyshev{64}, kernel);
     const FrequencySweep<double> narrow_sweep(rolling_system(Chebyshev{64}, kernel));
     CHECK(narrow.status == Status::ok);
-    CHECK(std::abs(narrow_sweep(0).c11.real() / narrow.c11 - 1) < 100 * eps);
+    CHECK(std::abs(narrow_sweep(0).c11().real() / narrow.c11() - 1) < 100 * eps);
     const AdhesionModel<> model(Contact<double>::dimensionless(100, 0.25), system, judge_stability(system));
     CHECK(std::abs(model.force(model.steady(1)) / (-200 * steady_c11(0.25)) - 1) < 100 * eps);
 }
@@ -469,39 +461,39 @@ TEST_CASE("Round-off of steady states does not grow with their number", "[chebys
     const PlaneKernel<double> kernel(100, 0.75, 0.25);
     const std::complex<double> exact = polynomial_c11(std::complex<double>(0, 1), 0.25, 100.0).c11;
     for (const auto& [m, found] : {std::pair<Eigen::Index, double>{1, 7.8e-2}, {2, 9.7e-3}, {3, 4.6e-4}, {200, 0}}) {
-        const ChebyshevSteadySolution<double> steady = solve_steady(Chebyshev{m}, kernel);
+        const Response<double> steady = solve_steady(Chebyshev{m}, kernel);
         const ChebyshevSystem<double> system = rolling_system(Chebyshev{m}, kernel);
-        const SteadySolution<double> by_system = solve_steady(system);
+        const Response<double> by_system = solve_steady(system);
         CAPTURE(m, steady.rcond, by_system.rcond);
         CHECK(steady.status == Status::ok);
         CHECK(steady.rcond > 0.2);  // for any number of states
-        CHECK(std::abs(steady.c11 / steady_c11(0.25) - 1) <= 4 * eps);
-        CHECK(std::abs(by_system.c11 / steady_c11(0.25) - 1) <= 10 * eps);
+        CHECK(std::abs(steady.c11() / steady_c11(0.25) - 1) <= 4 * eps);
+        CHECK(std::abs(by_system.c11() / steady_c11(0.25) - 1) <= 10 * eps);
         CHECK(by_system.status == Status::ok);
         CHECK(judge_stability(system).stable());
         const FrequencySweep<double> sweep(system);
         CHECK(sweep.reduced() == (m < 200));  // 1/rcond of G' grows with the square of m / 2
-        const SweepPoint<double> point = sweep(1);
-        const double error = std::abs(point.c11 / exact - 1.0);
+        const Response<Complex> point = sweep(1);
+        const double error = std::abs(point.c11() / exact - 1.0);
         CHECK(point.status == Status::ok);
         if (found > 0) CHECK_THAT(error, about(found));
         if (found == 0) CHECK(error < 10 * eps);
-        CHECK(std::abs(sweep(-1).c11 / std::conj(point.c11) - 1.0) <= 4 * eps);
+        CHECK(std::abs(sweep(-1).c11() / std::conj(point.c11()) - 1.0) <= 4 * eps);
     }
 }
 
 #ifdef ROLLBEM_SLOW_CHECKS
 TEST_CASE("Steady states in long double have its digits", "[chebyshev]") {
     const auto c11 = [](Eigen::Index m, const auto& kernel) {
-        const ChebyshevSteadySolution<long double> steady = solve_steady(Chebyshev{m}, kernel);
+        const Response<long double> steady = solve_steady(Chebyshev{m}, kernel);
         CHECK(steady.status == Status::ok);
-        return steady.c11;
+        return steady.c11();
     };
     constexpr long double rounding = std::numeric_limits<long double>::epsilon();
     for (const Eigen::Index m : {1, 2, 3, 200}) {
         CHECK(std::abs(c11(m, PlaneKernel<long double>(100, 0.75L, 0.25L)) / steady_c11(0.25L) - 1) <= 4 * rounding);
     }
-    const double narrow = solve_steady(Chebyshev{64}, StripKernel<double>(0.5, 0.75, 0.25)).c11;
+    const double narrow = solve_steady(Chebyshev{64}, StripKernel<double>(0.5, 0.75, 0.25)).c11();
     CHECK(static_cast<double>(c11(64, StripKernel<long double>(0.5L, 0.75L, 0.25L)) / narrow - 1) ==
           Approx(0).margin(30 * eps));
 }
@@ -518,19 +510,20 @@ TEST_CASE("Chebyshev states of random contacts are stable and within their error
         const ChebyshevSystem<double> system = rolling_system(Chebyshev{m}, kernel);
         CAPTURE(scene, nu, aspect, m, lateral, z);
         CHECK(judge_stability(system).stable());
-        CHECK(relative_error(solve_harmonic(system, -z).c11, std::conj(solve_harmonic(system, z).c11)) < 1e-13);
-        const ChebyshevSteadySolution<double> steady = solve_steady(Chebyshev{m}, kernel);
-        CHECK(relative_error(solve_harmonic(system, 0).c11, steady.c11) < 1e-11);
-        const HarmonicSolution<double> slow = solve_harmonic(system, 0);
-        CHECK((system.traction(slow.traction).coefficients - steady.traction.coefficients.cast<Complex>())
+        CHECK(relative_error(solve_response(system, {0, -z}).c11(), std::conj(solve_response(system, {0, z}).c11())) <
+              1e-13);
+        const Response<double> steady = solve_steady(Chebyshev{m}, kernel);
+        CHECK(relative_error(solve_response(system, {0, 0}).c11(), steady.c11()) < 1e-11);
+        const Response<Complex> slow = solve_response(system, {0, 0});
+        CHECK((system.traction<Complex>(slow.unknowns.col(0)).coefficients - steady.unknowns.col(0).cast<Complex>())
                   .cwiseAbs()
                   .maxCoeff() < 1e-10);
-        CHECK(steady.traction(1) == 0);
+        CHECK(traction_of(steady)(1) == 0);
         const double exact =
-            lateral ? solve_steady(Chebyshev{250}, kernel).c11 : reference::strip_c11(0, nu, aspect).c11.real();
-        CHECK(std::abs(steady.c11 / exact - 1) <= steady.error_estimate + 1e-12);
-        CHECK((steady.status == Status::ok) == (steady.error_estimate <= 1e-2));
-        const Complex fine = solve_harmonic(rolling_system(Chebyshev{m + 40}, kernel), z).c11;
+            lateral ? solve_steady(Chebyshev{250}, kernel).c11() : reference::strip_c11(0, nu, aspect).c11.real();
+        CHECK(std::abs(steady.c11() / exact - 1) <= steady.error_estimate() + 1e-12);
+        CHECK((steady.status == Status::ok) == (steady.error_estimate() <= 1e-2));
+        const Complex fine = solve_response(rolling_system(Chebyshev{m + 40}, kernel), {0, z}).c11();
         if (!lateral) CHECK(relative_error(fine, reference::strip_c11(Complex(0, z), nu, aspect).c11) < 1e-4);
         if (!lateral && aspect > 1)
             CHECK(relative_error(fine, reference::strip_c11(Complex(0, z), nu, aspect).c11) < 1e-11);
@@ -555,7 +548,7 @@ TEST_CASE("States under spin have the closed form of steady rolling", "[chebyshe
     const double pi = std::numbers::pi;
     for (const Eigen::Index m : {2, 3, 12, 60}) {
         const auto system = rolling_system(Chebyshev{m}, lateral_plane);
-        const Response<double> steady = solve_steady_response(system.with_spin());
+        const Response<double> steady = solve_steady(system.with_spin());
         CAPTURE(m, steady.coefficients);
         REQUIRE(steady.status == Status::ok);
         CHECK(std::abs(steady.coefficients(0, 0) - pi / 2) < 1e-13);  // by lateral creepage

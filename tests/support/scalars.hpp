@@ -19,8 +19,8 @@
 #define ROLLBEM_SCALARS(keyword, Scalar)                                                            \
     keyword template decltype(detail::influence_matrix<Scalar>) detail::influence_matrix<Scalar>;   \
     keyword template decltype(detail::influence_product<Scalar>) detail::influence_product<Scalar>; \
-    keyword template decltype(detail::factorise_steady<Scalar>) detail::factorise_steady<Scalar>;   \
-    keyword template decltype(detail::judge_steady<Scalar>) detail::judge_steady<Scalar>;           \
+    keyword template decltype(detail::factorise<Scalar, Scalar>) detail::factorise<Scalar, Scalar>; \
+    keyword template decltype(detail::judge<Scalar, Scalar>) detail::judge<Scalar, Scalar>;         \
     keyword template class AdhesionModel<1, Scalar>;                                                \
     keyword template class detail::ActiveSet<Scalar>;                                               \
     keyword template class detail::FrictionCore<ConstantFriction<Scalar>, 1, Scalar>;               \

@@ -64,45 +64,22 @@ std::vector<Claim> kernel_and_alpha() {
                                 number(nearer)};
          }},
         {"5A", "maximal accuracy for alpha = 0.5", "alpha_L = alpha_T is most accurate at 0.5 (n = 40)", true,
-         "Kalker's choice in CONTACT",
-         [](const Results& r) {
-             return optimum(on_paper_alphas(r, "05a"), {40}, 0.5, {}, Vary::both_alphas, {0.4, 0.6});
-         }},
+         "Kalker's choice in CONTACT", best_alpha("05a", {40}, 0.5, {}, Vary::both_alphas, {0.4, 0.6})},
         {"5A", "the less accurate strategy", "alpha_T = 0 is the least accurate of the three ways", true, "",
-         [](const Results& r) -> Finding {
-             const auto errors = three_errors(r, "05a");
-             return {errors[2] > errors[0] && errors[2] > errors[1], three_texts(errors)};
-         }},
-        {"5A", "the more precise", "alpha_L = 0 is the most accurate of the three ways", true, "",
-         [](const Results& r) -> Finding {
-             const auto errors = three_errors(r, "05a");
-             return {errors[1] < errors[0] && errors[1] < errors[2], three_texts(errors)};
-         }},
+         best_of("05a", 2, true)},
+        {"5A", "the more precise", "alpha_L = 0 is the most accurate of the three ways", true, "", best_of("05a", 1)},
         {"5A", "an optimal result when alpha_T = 0.63", "alpha_L = 0 is most accurate at alpha_T = 0.63 (n = 40)", true,
-         "",
-         [](const Results& r) {
-             return optimum(on_paper_alphas(r, "05b"), {40}, 0.63, {}, Vary::alpha_T, {0.5, 0.7});
-         }},
+         "", best_alpha("05b", {40}, 0.63, {}, Vary::alpha_T, {0.5, 0.7})},
         {"5B", "independently of the number of elements",
          "alpha_L = 0, alpha_T = 0.63 is optimal for n = 40, 60 and 80", true,
          "optimal: no alpha_T of the grid (by 0.05, and 0.63) is better by more than 0.01 % of c11",
-         [](const Results& r) {
-             return optimum(on_paper_alphas(r, "05b"), fine, 0.63, {}, Vary::alpha_T, {0.5, 0.7});
-         }},
+         best_alpha("05b", fine, 0.63, {}, Vary::alpha_T, {0.5, 0.7})},
         {"5B", "", "The alpha_T without error falls as n grows", true,
          "it is a zero crossing of the error; from n = 60 on it is nearer to 0.6 than to 0.63",
-         [](const Results&) -> Finding {
-             const std::vector<Eigen::Index> numbers{20, 40, 60, 80, 160, 320};
-             bool holds = true;
-             double before = 1;
-             const std::string text = for_each_n(numbers, [&](std::size_t k) {
-                 const double alpha = true_optimum(ratio_over({.n = numbers[k]}, Vary::alpha_T), 0.5, 0.7);
-                 holds = holds && alpha < before;
-                 before = alpha;
-                 return number(alpha, 4);
-             });
-             return {holds, text};
-         }},
+         falls_with_n(
+             {20, 40, 60, 80, 160, 320}, "",
+             [](Eigen::Index n) { return true_optimum(ratio_over({.n = n}, Vary::alpha_T), 0.5, 0.7); },
+             [](double alpha) { return number(alpha, 4); })},
     };
 }
 
@@ -218,15 +195,12 @@ std::vector<Claim> analytic_derivative_over_alpha() {
          }},
         {"7B", "approximately alpha_T = 0.6", "One of the two stays there whatever n", true,
          "approximately: within 0.02",
-         [](const Results& r) -> Finding {
-             bool holds = true;
-             const std::string text = for_each_n(fine, [&](std::size_t k) {
-                 const std::vector<double> found = crossings(r.curve("07b", k));
-                 if (found.empty() || std::abs(found.back() - 0.6) > 0.02) holds = false;
-                 return found.empty() ? std::string("none") : number(found.back());
-             });
-             return {holds, text};
-         }},
+         for_all_n(fine, "",
+                   [](const Results& r, std::size_t k) -> Finding {
+                       const std::vector<double> found = crossings(r.curve("07b", k));
+                       if (found.empty()) return {false, "none"};
+                       return {std::abs(found.back() - 0.6) <= 0.02, number(found.back())};
+                   })},
         {"7B", "not very sensitive to the mesh density", "Near alpha_T = 0.5 the error hardly depends on n", true,
          "judged by the spread over n = 40, 60, 80 against the error itself: less than half",
          [](const Results& r) -> Finding {
@@ -272,10 +246,9 @@ std::vector<Claim> analytic_derivative_over_n() {
          }},
         {"8B", "and alpha_T = 0.6 is acceptable", "The analytic derivative with 0.6 is acceptable above n = 30", true,
          "acceptable: below 0.1 %",
-         [](const Results& r) -> Finding {
-             const double largest = largest_error(within(r.curve("08b", 2), 31, 160));
-             return {largest < 1e-3, "largest error " + percent(largest)};
-         }},
+         below(
+             1e-3, [](const Results& r) { return largest_error(within(r.curve("08b", 2), 31, 160)); },
+             [](double largest) { return "largest error " + percent(largest); })},
         {"8B", "convergence speed is, however, smaller",
          "The analytic derivative with 0.47 needs more elements than the other two", true,
          "judged by the n from which on the error stays below 0.1 %",

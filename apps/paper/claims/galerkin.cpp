@@ -66,44 +66,24 @@ Finding coincidence(const Results& r) {
 std::vector<Claim> claims_of_galerkin() {
     return {
         {"11A", "obtains the best results", "Of the three ways alpha_L = 0 is the best (7 points, fd)", true, "",
-         [](const Results& r) -> Finding {
-             const auto errors = three_errors(r, "11a");
-             return {errors[1] < errors[0] && errors[1] < errors[2], three_texts(errors)};
-         }},
+         best_of("11a", 1)},
         {"11A", "minimum error for alpha_T = alpha = 1", "alpha_L = 0 errs least at alpha_T = 1 (n = 40)", true,
          "within [0, 1]; the true optimum lies beyond",
-         [](const Results& r) {
-             return optimum(on_paper_alphas(r, "11b"), {40}, 1, {.method = Method::galerkin_7}, Vary::alpha_T,
-                            {0.8, 1.2});
-         }},
+         best_alpha("11b", {40}, 1, {.method = Method::galerkin_7}, Vary::alpha_T, {0.8, 1.2})},
         {"11B", "this trend is maintained", "The same for n = 60 and 80", true, "",
-         [](const Results& r) {
-             const std::vector<Points> curves = on_paper_alphas(r, "11b");
-             return optimum({curves[1], curves[2]}, {60, 80}, 1, {.method = Method::galerkin_7}, Vary::alpha_T,
-                            {0.8, 1.2});
-         }},
+         best_alpha("11b", {60, 80}, 1, {.method = Method::galerkin_7}, Vary::alpha_T, {0.8, 1.2}, 1)},
         {"12A", "characterised by dips", "Gauss points that meet element edges cause dips (7 points, analytic)", true,
          "a dip: the error at the coincidence differs by more than twice the change expected from both sides",
          [](const Results&) { return dips(); }},
         {"12A", "observed in the curve alpha_T = 0",
          "alpha_T = 0 is the most accurate of the three ways (7 points, analytic)", false,
-         "the indices are swapped, as in several captions: alpha_L = 0 is the most accurate",
-         [](const Results& r) -> Finding {
-             const auto errors = three_errors(r, "12a");
-             return {errors[2] < errors[0] && errors[2] < errors[1], three_texts(errors)};
-         }},
+         "the indices are swapped, as in several captions: alpha_L = 0 is the most accurate", best_of("12a", 2)},
         {"12B", "Again the curve alpha_L = 0 presents the best precision",
-         "Of the three ways alpha_L = 0 is the best (closed form, analytic)", true, "",
-         [](const Results& r) -> Finding {
-             const auto errors = three_errors(r, "12b");
-             return {errors[1] < errors[0] && errors[1] < errors[2], three_texts(errors)};
-         }},
+         "Of the three ways alpha_L = 0 is the best (closed form, analytic)", true, "", best_of("12b", 1)},
         {"13A", "reach 1 when alpha_T = 0.63",
          "Galerkin in closed form, alpha_L = 0, is optimal at 0.63 for n = 40, 60 and 80", true,
          "optimal as in Fig. 5B, with whose curves these coincide",
-         [](const Results& r) {
-             return optimum(on_paper_alphas(r, "13a"), fine, 0.63, exact_galerkin, Vary::alpha_T, {0.5, 0.7});
-         }},
+         best_alpha("13a", fine, 0.63, exact_galerkin, Vary::alpha_T, {0.5, 0.7})},
         {"12B, 13", "coincident with Figure 5.A",
          "Galerkin in closed form with the analytic derivative is collocation with finite differences", true,
          "the mean of the derivative over an element is the central difference: one formula gives both, and quadrature "
@@ -124,10 +104,8 @@ std::vector<Claim> claims_of_galerkin() {
          true},
         {"Sec. 7", "", "With its integrals in closed form Galerkin costs about what collocation costs (n = 40)", true,
          "about: less than twice",
-         [](const Results&) -> Finding {
-             const double ratio = cost_ratio(exact_galerkin);
-             return {ratio < 2, times(ratio)};
-         },
+         below(
+             2, [](const Results&) { return cost_ratio(exact_galerkin); }, times),
          true},
     };
 }

@@ -35,6 +35,49 @@ std::string for_each_n(const std::vector<Eigen::Index>& numbers, const Text& tex
     return result;
 }
 
+/// How a claim is judged.
+using Judge = std::function<Finding(const Results&)>;
+
+/// Holds if judge(r, k) does for every one of the numbers of elements, all of whose texts follow `text`.
+template <class Each>
+Judge for_all_n(const std::vector<Eigen::Index>& numbers, const std::string& text, const Each& judge) {
+    return [=](const Results& r) -> Finding {
+        bool holds = true;
+        const std::string all = for_each_n(numbers, [&](std::size_t k) {
+            const Finding one = judge(r, k);
+            holds = holds && one.holds;
+            return one.measured;
+        });
+        return {holds, text + all};
+    };
+}
+
+/// Holds if |value(n)| falls below `factor` times that before with every step of n; `shown` gives its text.
+template <class Value, class Shown>
+Judge falls_with_n(const std::vector<Eigen::Index>& numbers, const std::string& text, const Value& value,
+                   const Shown& shown, double factor = 1) {
+    return [=](const Results&) -> Finding {
+        bool holds = true;
+        double before = 1;
+        const std::string all = for_each_n(numbers, [&](std::size_t k) {
+            const double here = value(numbers[k]);
+            holds = holds && std::abs(here) < factor * std::abs(before);
+            before = here;
+            return shown(here);
+        });
+        return {holds, text + all};
+    };
+}
+
+/// Holds if `measure` is below `limit`.
+template <class Measure, class Shown>
+Judge below(double limit, const Measure& measure, const Shown& shown) {
+    return [=](const Results& r) -> Finding {
+        const double value = measure(r);
+        return {value < limit, shown(value)};
+    };
+}
+
 /// alpha by 0.05, and 0.63: the finest grid that the paper's alphas show.
 inline std::vector<double> paper_alphas() {
     std::vector<double> grid = fractions(0, 20, 20);
@@ -83,6 +126,27 @@ inline std::array<double, 3> three_errors(const Results& r, const std::string& p
 inline std::string three_texts(const std::array<double, 3>& errors) {
     return "least error on the grid: alpha_L = alpha_T " + percent(errors[0]) + ", alpha_L = 0 " + percent(errors[1]) +
            ", alpha_T = 0 " + percent(errors[2]);
+}
+
+/// Holds if that way of varying alpha has the smallest, or the largest, of the least errors on the grid of a panel.
+inline Judge best_of(const std::string& panel, std::size_t way, bool worst = false) {
+    return [=](const Results& r) -> Finding {
+        const std::array<double, 3> errors = three_errors(r, panel);
+        bool holds = true;
+        for (std::size_t k = 0; k < 3; ++k) {
+            holds = holds && (k == way || (worst ? errors[way] > errors[k] : errors[way] < errors[k]));
+        }
+        return {holds, three_texts(errors)};
+    };
+}
+
+/// optimum() of curves `first`, ... of a panel over alpha, one for each of the numbers.
+inline Judge best_alpha(const std::string& panel, const std::vector<Eigen::Index>& numbers, double claimed,
+                        const Case& scheme, Vary vary, Range search, std::ptrdiff_t first = 0) {
+    return [=](const Results& r) {
+        const std::vector<Points> curves = on_paper_alphas(r, panel);
+        return optimum({curves.begin() + first, curves.end()}, numbers, claimed, scheme, vary, search);
+    };
 }
 
 /// Largest difference from Carter's traction at centres between two x/a, over the largest traction: what a plot shows.

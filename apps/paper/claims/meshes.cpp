@@ -12,8 +12,7 @@ constexpr Case on(Topology mesh, double alpha_L, double alpha_T) {
 }
 
 /// The grading at which each of the three curves of a panel is nearest to 1.
-std::function<Finding(const Results&)> best_grading(const std::string& panel, double claimed, const Case& scheme,
-                                                    Range search) {
+Judge best_grading(const std::string& panel, double claimed, const Case& scheme, Range search) {
     return [=](const Results& r) {
         return optimum({r.curve(panel, 0), r.curve(panel, 1), r.curve(panel, 2)}, fine, claimed, scheme, Vary::grading,
                        search);
@@ -75,10 +74,9 @@ std::vector<Claim> gradings() {
          true, "within epsilon <= 1", best_grading("16b", 1, modified_equal, {0.1, 1})},
         {"16B", "but its influence is small", "The influence of epsilon is small, 0.5/0.5", true,
          "small: below 1 % of c11",
-         [](const Results& r) -> Finding {
-             const double largest = influence(r, "16b");
-             return {largest < 0.01, "c11*/c11 varies by " + percent(largest) + " at most"};
-         }},
+         below(
+             0.01, [](const Results& r) { return influence(r, "16b"); },
+             [](double largest) { return "c11*/c11 varies by " + percent(largest) + " at most"; })},
     };
 }
 

@@ -7,41 +7,45 @@ namespace paper {
 
 namespace {
 
-/// Whether the curves of all n in all panels are stable below `limit` - `reading`.
-std::function<Finding(const Results&)> stable_below(const std::vector<std::string>& panels, double limit,
-                                                    double reading = 0) {
+/// Where a curve becomes unstable; 1.5 if it does not.
+double first_of(const Results& r, const std::string& panel, std::size_t k) {
+    return first_positive(r.curve(panel, k)).value_or(1.5);
+}
+
+/// Where the curves of a panel's three n become unstable.
+std::string onsets(const Results& r, const std::string& panel) {
+    return printed(panel) + ": " + onset(r.curve(panel, 0)) + ", " + onset(r.curve(panel, 1)) + ", " +
+           onset(r.curve(panel, 2));
+}
+
+/// Holds if judge(first, before) does for every curve of all panels: where it becomes unstable, `never` if it does not,
+/// and where that of the coarser mesh does.
+Judge onsets_of(const std::vector<std::string>& panels, double never,
+                const std::function<bool(double first, double before)>& judge) {
     return [=](const Results& r) -> Finding {
         bool holds = true;
         std::string text;
         for (const std::string& panel : panels) {
-            text += (text.empty() ? "" : "; ") + printed(panel) + ":";
+            text += (text.empty() ? "" : "; ") + onsets(r, panel);
+            double before = 2;
             for (std::size_t k = 0; k < 3; ++k) {
-                const Points& curve = r.curve(panel, k);
-                holds = holds && first_positive(curve).value_or(2) > limit - reading - 1e-9;
-                text += (k > 0 ? ", " : " ") + onset(curve);
+                const double first = first_positive(r.curve(panel, k)).value_or(never);
+                holds = holds && judge(first, before);
+                before = first;
             }
         }
         return {holds, "unstable (n = 20, 40, 60) " + text};
     };
 }
 
+/// Whether the curves of all n in all panels are stable below `limit` - `reading`.
+Judge stable_below(const std::vector<std::string>& panels, double limit, double reading = 0) {
+    return onsets_of(panels, 2, [=](double first, double) { return first > limit - reading - 1e-9; });
+}
+
 /// Whether instability begins at a smaller alpha on each finer mesh.
-std::function<Finding(const Results&)> finer_is_worse(const std::vector<std::string>& panels) {
-    return [panels](const Results& r) -> Finding {
-        bool holds = true;
-        std::string text;
-        for (const std::string& panel : panels) {
-            double before = 2;
-            text += (text.empty() ? "" : "; ") + printed(panel) + ":";
-            for (std::size_t k = 0; k < 3; ++k) {
-                const double here = first_positive(r.curve(panel, k)).value_or(1.5);
-                holds = holds && here < before;
-                before = here;
-                text += (k > 0 ? ", " : " ") + onset(r.curve(panel, k));
-            }
-        }
-        return {holds, "unstable (n = 20, 40, 60) " + text};
-    };
+Judge finer_is_worse(const std::vector<std::string>& panels) {
+    return onsets_of(panels, 1.5, [](double first, double before) { return first < before; });
 }
 
 /// The smallest alpha_T >= 0.5, by 0.01, that is unstable beyond rounding (alpha_L = 0, collocation, fd).
@@ -87,28 +91,17 @@ std::vector<Claim> positions() {
          true, "", stable_below({"18a", "18b"}, 0.5)},
         {"Sec. 6.1", "give rise to unstable solutions",
          "alpha_L = alpha_T = 1, Knothe and Gross-Thebing's scheme, is unstable", true, "beyond rounding",
-         [](const Results& r) -> Finding {
-             bool holds = true;
-             const std::string text = for_each_n(coarse, [&](std::size_t k) {
-                 const double fraction = value_at(r.curve("18b", k), 1);
-                 holds = holds && fraction > 0 && certainly_unstable({.n = coarse[k], .alpha_L = 1, .alpha_T = 1});
-                 return percent(fraction, 3) + " of the eigenvalues";
-             });
-             return {holds, text};
-         }},
+         for_all_n(coarse, "",
+                   [](const Results& r, std::size_t k) -> Finding {
+                       const double fraction = value_at(r.curve("18b", k), 1);
+                       return {fraction > 0 && certainly_unstable({.n = coarse[k], .alpha_L = 1, .alpha_T = 1}),
+                               percent(fraction, 3) + " of the eigenvalues"};
+                   })},
         {"Sec. 6.1", "cases converge to the exact value", "Yet its steady results converge", true, "finite differences",
-         [](const Results&) -> Finding {
-             const std::vector<Eigen::Index> numbers{40, 80, 160, 320};
-             double before = 1;
-             bool holds = true;
-             const std::string text = for_each_n(numbers, [&](std::size_t k) {
-                 const double error = c11_ratio({.n = numbers[k], .alpha_L = 1, .alpha_T = 1}) - 1;
-                 holds = holds && std::abs(error) < 0.6 * std::abs(before);
-                 before = error;
-                 return percent(error);
-             });
-             return {holds, "error " + text};
-         }},
+         falls_with_n(
+             {40, 80, 160, 320}, "error ",
+             [](Eigen::Index n) { return c11_ratio({.n = n, .alpha_L = 1, .alpha_T = 1}) - 1; },
+             [](double error) { return percent(error); }, 0.6)},
         {"19", "alpha_T < 0.7 is required", "alpha_L = 0 is stable below alpha_T = 0.7, either derivative", true,
          "on the curves' grid of 0.005; bisected, the analytic derivative turns unstable at 0.6985 for n = 60",
          stable_below({"19a", "19b"}, 0.7)},
@@ -132,16 +125,12 @@ std::vector<Claim> positions() {
          }},
         {"19", "", "The recommended 0/0.63 is stable on coarse meshes, but not for n = 160", true,
          "beyond rounding; the smallest unstable alpha_T passes 0.63 there",
-         [](const Results&) -> Finding {
-             const std::vector<Eigen::Index> numbers{20, 40, 80, 160};
-             bool holds = true;
-             const std::string text = for_each_n(numbers, [&](std::size_t k) {
-                 const bool unstable = certainly_unstable({.n = numbers[k]});
-                 holds = holds && unstable == (numbers[k] == 160);
-                 return std::string(unstable ? "unstable" : "stable");
-             });
-             return {holds, text};
-         }},
+         for_all_n({20, 40, 80, 160}, "",
+                   [](const Results&, std::size_t k) -> Finding {
+                       const Eigen::Index n = std::array{20, 40, 80, 160}[k];
+                       const bool unstable = certainly_unstable({.n = n});
+                       return {unstable == (n == 160), unstable ? "unstable" : "stable"};
+                   })},
         {"19B", "", "The unstable alpha_T do not form an interval: there are islands (n = 40, fd)", true,
          "judged by where the curve leaves 0 and returns to it",
          [](const Results& r) -> Finding {
@@ -166,30 +155,20 @@ std::vector<Claim> galerkin_and_split_points() {
          "within 0.02, as a limit read off a plot: at n = 60 the analytic derivative turns unstable a little earlier",
          stable_below({"20a", "20b"}, 0.85, 0.02)},
         {"20", "more stable than the collocation method", "Galerkin turns unstable later than collocation", true, "",
-         [](const Results& r) -> Finding {
-             bool holds = true;
-             const std::string text = for_each_n(coarse, [&](std::size_t k) {
-                 for (const char derivative : {'a', 'b'}) {
-                     const std::string letter(1, derivative);
-                     holds = holds && first_positive(r.curve("20" + letter, k)).value_or(1.5) >
-                                          first_positive(r.curve("19" + letter, k)).value_or(1.5);
-                 }
-                 return onset(r.curve("20b", k)) + " against " + onset(r.curve("19b", k));
-             });
-             return {holds, "unstable, fd: " + text};
-         }},
+         for_all_n(coarse, "unstable, fd: ",
+                   [](const Results& r, std::size_t k) -> Finding {
+                       return {first_of(r, "20a", k) > first_of(r, "19a", k) &&
+                                   first_of(r, "20b", k) > first_of(r, "19b", k),
+                               onset(r.curve("20b", k)) + " against " + onset(r.curve("19b", k))};
+                   })},
         {"20", "also more stable than the analytical calculation",
          "With Galerkin, finite differences turn unstable later than the analytic derivative", true, "",
-         [](const Results& r) -> Finding {
-             bool holds = true;
-             const std::string text = for_each_n(coarse, [&](std::size_t k) {
-                 const double fd = first_positive(r.curve("20b", k)).value_or(1.5);
-                 const double closed = first_positive(r.curve("20a", k)).value_or(1.5);
-                 holds = holds && (fd > closed || (fd == 1.5 && closed == 1.5));
-                 return onset(r.curve("20b", k)) + " against " + onset(r.curve("20a", k));
-             });
-             return {holds, "unstable " + text};
-         }},
+         for_all_n(coarse, "unstable ",
+                   [](const Results& r, std::size_t k) -> Finding {
+                       const double fd = first_of(r, "20b", k), closed = first_of(r, "20a", k);
+                       return {fd > closed || (fd == 1.5 && closed == 1.5),
+                               onset(r.curve("20b", k)) + " against " + onset(r.curve("20a", k))};
+                   })},
         {"20", "more critical for refined meshes", "With Galerkin, too, the unstable alpha_T come down as n grows",
          true, "", finer_is_worse({"20a", "20b"})},
         {"20", "all eigenvalues are stable for n = 20", "Galerkin with n = 20 has no unstable alpha_T", true,

@@ -67,7 +67,7 @@ struct RecommendedElements {
     /// solve(mesh, scheme), extrapolated if that is recommended; `solve` returns a real or complex number. For states
     /// and elements alike:
     ///
-    ///     const auto c11 = [&](const auto&... method) { return solve_steady(method..., kernel).c11; };
+    ///     const auto c11 = [&](const auto&... method) { return solve_steady(method..., kernel).c11(); };
     ///     const double by_states = recommended_scheme(1e-6, Purpose::steady).evaluate(c11);
     ///     const double by_elements = recommended_elements(1e-6, Purpose::steady).evaluate(c11);
     template <class Scalar = double, class Solve>
@@ -176,7 +176,7 @@ inline RecommendedElements recommended_elements(double tolerance, Purpose::Frict
 ///
 ///     const RecommendedStates best = recommended_scheme(1e-6, Purpose::frequency);  // 11 states
 ///     const auto system = rolling_system(best.method, kernel);
-///     const std::complex<double> c11 = solve_harmonic(system, 5.0).c11;
+///     const std::complex<double> c11 = solve_response(system, {0, 5}).c11();
 ///
 /// The difference between strip and plane, of order (a/b)^2, is one of the models and not part of the error. If only
 /// c11 for the plane kernel is wanted, steady_c11 and polynomial_c11 are exact to rounding at less cost. Throws

@@ -41,11 +41,11 @@ constexpr const char* name(Integrator integrator) {
 struct Unchecked {};
 inline constexpr Unchecked unchecked{};
 
-/// What a model checks when it is made: in time the verdict on its system's eigenvalues, and always that its scheme
+/// What a model checks when it is made: in the time domain the verdict on its system's eigenvalues, and always that its scheme
 /// converges to full adhesion; or nothing.
 struct Checks {
     bool wanted = true;
-    StabilityVerdict verdict;  ///< in time
+    StabilityVerdict verdict;  ///< in the time domain
 
     Checks() = default;
     Checks(const StabilityVerdict& known) : verdict(known) {}  // NOLINT: implicit on purpose
@@ -118,7 +118,7 @@ bool converges(const DirectionBlocks<Scalar>& G_prime, const ArrayX<Scalar>& are
     return converges(G_prime[0][0], areas) && converges(G_prime[1][1], areas);
 }
 
-/// The requirements of every model in time, if they are wanted.
+/// The requirements of every time-domain model, if they are wanted.
 template <class Scalar>
 void require_usable_in_time(const char* who, const RollingSystem<Scalar>& system, const Checks& checks) {
     require_G(who, system);

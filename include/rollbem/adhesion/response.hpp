@@ -1,5 +1,5 @@
-// Response of a system to any number of creepages in full adhesion: steady, G' p = inputs, and to e^{st}, Eq. (16).
-// All coefficients of a patch and its frequency response come from here.
+// Solves linear problems in full adhesion for systems and ready matrices: steady rolling, G' p = inputs, Eq. (15), and
+// the response to e^{st}, (G' - s G) p = inputs, Eq. (16).
 #pragma once
 
 #include <algorithm>
@@ -7,54 +7,89 @@
 #include <complex>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 #include <Eigen/LU>
 
 #include "../detail/finite.hpp"
 #include "../detail/reciprocal_condition.hpp"
 #include "../detail/require.hpp"
+#include "../rolling/consistency.hpp"
 #include "../status.hpp"
+#include "../system/response.hpp"
 #include "../system/rolling_system.hpp"
 #include "../types.hpp"
 
 namespace rollbem {
 
-/// Unknowns and forces per unit of each of k creepages, dimensionless; Value is real for steady rolling, else complex.
-template <class Value>
-struct Response {
-    using Scalar = typename Eigen::NumTraits<Value>::Real;
-
-    MatrixX<Value> unknowns;      ///< n x k; of elements p / (G creepage) [-]
-    MatrixX<Value> coefficients;  ///< k x k: entry (i, j) is minus force i per creepage j; c11 if k = 1 [-]
-    Scalar residual = 0;          ///< |A p - inputs| / (|A| |p| + |inputs|) in the maximum norm, A = G' - s G [-]
-    Scalar rcond = 0;             ///< estimate of 1 / (|A| |A^-1|) in the 1-norm [-]
-    Status status = Status::not_finite;
-};
-
 namespace detail {
 
-/// Solves A p = inputs. `allowed` is the least rcond in units of n eps.
-template <class Value, class Scalar>
-Response<Value> solve_response(const MatrixX<Value>& A, const MatrixX<Value>& inputs, const MatrixX<Scalar>& outputs,
-                               Scalar allowed) {
+/// A factorised problem before its residual is known.
+template <class Value>
+struct Factorised {
     Response<Value> response;
-    const MatrixX<Scalar> magnitudes = A.cwiseAbs();
-    const Scalar norm = magnitudes.rowwise().sum().maxCoeff(), largest_input = inputs.cwiseAbs().maxCoeff();
-    const Eigen::PartialPivLU<MatrixX<Value>> lu(A);
-    response.unknowns.resize(inputs.rows(), inputs.cols());
-    for (Eigen::Index j = 0; j < inputs.cols(); ++j) response.unknowns.col(j) = lu.solve(inputs.col(j));
-    response.coefficients.noalias() = -(outputs.transpose().template cast<Value>() * response.unknowns);
-    if (!all_finite(magnitudes) || !all_finite(response.unknowns) || !all_finite(response.coefficients)) {
-        return response;
+    typename Response<Value>::Scalar norm;  ///< |A| in the maximum norm
+    bool finite;                            ///< whether A, the unknowns and the coefficients are
+};
+
+/// Factorises A in place and solves A p = inputs.
+template <class Value, class Scalar>
+Factorised<Value> factorise(MatrixX<Value>& A, const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs) {
+    const Eigen::Index n = A.rows();
+    Response<Value> response;
+    VectorX<Scalar> row_sums = VectorX<Scalar>::Zero(n), magnitudes(n);
+    Scalar norm_1 = 0;
+    for (Eigen::Index j = 0; j < n; ++j) {
+        magnitudes = A.col(j).cwiseAbs();
+        row_sums += magnitudes;
+        norm_1 = (std::max)(norm_1, magnitudes.sum());
     }
-    response.residual = (A * response.unknowns - inputs).cwiseAbs().maxCoeff() /
-                        (norm * response.unknowns.cwiseAbs().maxCoeff() + largest_input);
-    response.rcond = reciprocal_condition(lu, one_norm(magnitudes));
-    const Scalar rounding = static_cast<Scalar>(A.rows()) * std::numeric_limits<Scalar>::epsilon();
-    const bool trusted = is_finite(response.rcond) && response.rcond > allowed * rounding &&
-                         is_finite(response.residual) && response.residual <= 100 * rounding;
-    response.status = trusted ? Status::ok : Status::ill_conditioned;
+    const Eigen::PartialPivLU<Eigen::Ref<MatrixX<Value>>> lu(A);
+    response.unknowns.resize(n, inputs.cols());
+    for (Eigen::Index j = 0; j < inputs.cols(); ++j) {
+        response.unknowns.col(j) = lu.solve(inputs.col(j).template cast<Value>());
+    }
+    response.coefficients.noalias() = -(outputs.transpose().template cast<Value>() * response.unknowns);
+    const bool finite = all_finite(row_sums) && all_finite(response.unknowns) && all_finite(response.coefficients);
+    if (finite) response.rcond = reciprocal_condition(lu, norm_1);
+    return {std::move(response), row_sums.maxCoeff(), finite};
+}
+
+/// The response with residual and status; `product` is the original A times the unknowns.
+template <class Value, class Scalar>
+Response<Value> judge(Factorised<Value> factorised, MatrixX<Value> product, const MatrixX<Scalar>& inputs) {
+    Response<Value> response = std::move(factorised.response);
+    if (!factorised.finite) return response;
+    product -= inputs;
+    const Scalar size = factorised.norm * response.unknowns.cwiseAbs().maxCoeff() + inputs.cwiseAbs().maxCoeff();
+    response.residual =
+        all_finite(product) ? product.cwiseAbs().maxCoeff() / size : std::numeric_limits<Scalar>::infinity();
+    const int allowed = Eigen::NumTraits<Value>::IsComplex ? 1 : 100;
+    response.status = trust(product.rows(), response.rcond, response.residual, allowed);
     return response;
+}
+
+template <class Value, class Scalar>
+Response<Value> solve_copied(MatrixX<Value> A, const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs) {
+    const MatrixX<Value> original = A;
+    Factorised<Value> factorised = factorise(A, inputs, outputs);
+    MatrixX<Value> product = original * factorised.response.unknowns;
+    return judge(std::move(factorised), std::move(product), inputs);
+}
+
+/// Tells if tractions of steady rolling, where known, assist the creepage.
+template <class Value>
+void judge_tractions(const MatrixX<typename Response<Value>::Scalar>& steady,
+                     const ArrayX<typename Response<Value>::Scalar>& widths, Response<Value>& response) {
+    if (response.status == Status::ok && !opposes_creepage<typename Response<Value>::Scalar>(steady.col(0), widths)) {
+        response.status = Status::assists_creepage;
+    }
+}
+
+template <class Scalar>
+void require_equations(const MatrixX<Scalar>& G_prime) {
+    require(G_prime.rows() > 0 && G_prime.cols() == G_prime.rows(), "solve_steady", "number of columns of G_prime",
+            G_prime.cols(), "be positive and equal the number of rows");
 }
 
 template <class Scalar>
@@ -69,43 +104,67 @@ Scalar equation_scale(const std::complex<Scalar>& s) {
     return (std::max)({Scalar(1), std::abs(s.real()), std::abs(s.imag())});
 }
 
+/// (G' - s G) p = inputs, whatever the tractions of steady rolling are.
+template <class Scalar>
+Response<std::complex<Scalar>> solve_growing(const RollingSystem<Scalar>& system, const std::complex<Scalar>& s) {
+    const Scalar scale = equation_scale(s);
+    MatrixX<std::complex<Scalar>> A(system.size(), system.size());
+    A.real() = system.G_prime() / scale - (s.real() / scale) * system.G();
+    A.imag() = -(s.imag() / scale) * system.G();
+    return solve_copied<std::complex<Scalar>, Scalar>(std::move(A), system.inputs() / scale, system.outputs());
+}
+
 }  // namespace detail
 
-/// Steady rolling: G' p = inputs, for ready matrices (G' n x n in units of 1/G, inputs and outputs n x k). Throws
-/// std::invalid_argument if their sizes do not fit.
+/// Steady rolling: G' p = inputs, for ready matrices (G' n x n in units of 1/G, inputs and outputs n x k). G' is passed
+/// by value: the factors overwrite it. Throws std::invalid_argument if sizes do not fit.
 template <class Scalar>
-Response<Scalar> solve_steady_response(const MatrixX<Scalar>& G_prime, const MatrixX<Scalar>& inputs,
-                                       const MatrixX<Scalar>& outputs) {
+Response<Scalar> solve_steady(MatrixX<Scalar> G_prime, const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs) {
+    detail::require_equations(G_prime);
     const Eigen::Index n = G_prime.rows();
-    detail::require(n > 0 && G_prime.cols() == n, "solve_steady_response", "number of columns of G_prime",
-                    G_prime.cols(), "be positive and equal the number of rows");
-    detail::require(inputs.rows() == n, "solve_steady_response", "number of rows of inputs", inputs.rows(),
+    detail::require(inputs.rows() == n, "solve_steady", "number of rows of inputs", inputs.rows(),
                     "equal that of G_prime");
-    detail::require(outputs.rows() == n, "solve_steady_response", "number of rows of outputs", outputs.rows(),
+    detail::require(outputs.rows() == n, "solve_steady", "number of rows of outputs", outputs.rows(),
                     "equal that of G_prime");
-    return detail::solve_response<Scalar, Scalar>(G_prime, inputs, outputs, 100);
+    return detail::solve_copied<Scalar, Scalar>(std::move(G_prime), inputs, outputs);
 }
 
-/// The same for a system.
+/// G' p = 1 for elements of these widths (in units of a), whose tractions must oppose the creepage. Throws
+/// std::invalid_argument unless G' is square with as many columns as there are widths.
 template <class Scalar>
-Response<Scalar> solve_steady_response(const RollingSystem<Scalar>& system) {
-    return solve_steady_response(system.G_prime(), system.inputs(), system.outputs());
+Response<Scalar> solve_steady(MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths) {
+    detail::require_equations(G_prime);
+    detail::require(widths.size() == G_prime.cols(), "solve_steady", "number of widths", widths.size(),
+                    "equal the number of columns of G_prime");
+    const MatrixX<Scalar> ones = MatrixX<Scalar>::Ones(widths.size(), 1), outputs = widths.matrix();
+    Response<Scalar> response = solve_steady<Scalar>(std::move(G_prime), ones, outputs);
+    detail::judge_tractions(response.unknowns, widths, response);
+    return response;
 }
 
-/// Response to creepages e^{st} for any complex s in units of V/a: (G' - s G) p = inputs; s = i omega a/V for harmonic
-/// creepage. Throws std::invalid_argument if s is not finite.
+/// The same for a system; unknowns that are not tractions may have either sign.
+template <class Scalar>
+Response<Scalar> solve_steady(const RollingSystem<Scalar>& system) {
+    Response<Scalar> response = solve_steady<Scalar>(system.G_prime(), system.inputs(), system.outputs());
+    if (system.unknowns_are_tractions()) {
+        detail::judge_tractions(response.unknowns, system.weights(), response);
+    }
+    return response;
+}
+
+/// Response to creepages e^{st}, Eq. (16), for any complex s in units of V/a; s = i omega a/V for harmonic creepage, of
+/// either sign. Status::assists_creepage if the tractions of steady rolling do not oppose the first creepage. Throws
+/// std::invalid_argument if s is not finite.
 template <class Scalar>
 Response<std::complex<Scalar>> solve_response(const RollingSystem<Scalar>& system,
                                               std::type_identity_t<std::complex<Scalar>> s) {
-    using Complex = std::complex<Scalar>;
     detail::require_growth("solve_response", s);
-    const Scalar scale = detail::equation_scale(s);
-    const Complex ratio(s.real() / scale, s.imag() / scale);
-    MatrixX<Complex> A(system.size(), system.size());
-    A.real() = system.G_prime() / scale - ratio.real() * system.G();
-    A.imag() = -ratio.imag() * system.G();
-    const MatrixX<Complex> inputs = (system.inputs() / scale).template cast<Complex>();
-    return detail::solve_response<Complex, Scalar>(A, inputs, system.outputs(), 1);
+    Response<std::complex<Scalar>> response = detail::solve_growing(system, s);
+    if (response.status == Status::ok && system.unknowns_are_tractions()) {
+        const MatrixX<Scalar> steady = system.G_prime().partialPivLu().solve(system.inputs().leftCols(1));
+        detail::judge_tractions(steady, system.weights(), response);
+    }
+    return response;
 }
 
 }  // namespace rollbem

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -305,6 +308,33 @@ StabilityVerdict judge_stability(const ElementSystem<Scalar, 2>& system) {
         return judge_stability(RollingSystem<Scalar>(system.G(d, d), system.G_prime(d, d), system.elements().areas));
     };
     return direction(0) + direction(1);
+}
+
+/// The verdict on all eigenvalues of independent parts; two halves of a patch cost a quarter of the whole.
+template <class Scalar>
+StabilityVerdict judge_stability(const std::vector<SystemPart<Scalar>>& parts) {
+    StabilityVerdict all{.spectral_abscissa = -std::numeric_limits<double>::infinity(), .status = Status::ok};
+    for (const SystemPart<Scalar>& part : parts) all = all + judge_stability(part.system);
+    return all;
+}
+
+/// The worst verdict on the nodes of PatchShapes, each judged by its parts: the largest of each number. Shapes between
+/// two nodes are assumed to behave like them.
+template <class Shapes>
+requires requires(const Shapes& shapes) { shapes.parts(shapes.node_count()); }
+StabilityVerdict judge_stability(const Shapes& shapes) {
+    StabilityVerdict worst{.spectral_abscissa = -std::numeric_limits<double>::infinity(), .status = Status::ok};
+    for (std::size_t node = 0; node < shapes.node_count(); ++node) {
+        const StabilityVerdict own = judge_stability(shapes.parts(node));
+        worst.n = own.n;
+        worst.decay_proved = (node == 0 || worst.decay_proved) && own.stable();
+        worst.unstable_count = (std::max)(worst.unstable_count, own.unstable_count);
+        worst.settled_unstable_count = (std::max)(worst.settled_unstable_count, own.settled_unstable_count);
+        worst.uncertain_count = (std::max)(worst.uncertain_count, own.uncertain_count);
+        worst.spectral_abscissa = (std::max)(worst.spectral_abscissa, own.spectral_abscissa);
+        if (worst.status == Status::ok) worst.status = own.status;
+    }
+    return worst;
 }
 
 }  // namespace rollbem

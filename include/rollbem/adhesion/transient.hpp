@@ -247,7 +247,7 @@ private:
     }
 
     // At given semi-axes: areas are stretched by both, the arms of moments by either. `twice` counts one of these arms
-    // twice, for the derivative by its semi-axis.
+    // twice, for the derivative with respect to its semi-axis.
     template <class Unknowns>
     Inputs force_of(const Unknowns& unknowns, const Axes& at, const Axes& twice = contact_axes) const {
         Inputs result;

@@ -152,7 +152,7 @@ public:
     ElementSystem<Scalar, 2> system(std::type_identity_t<Scalar> a_over_b) const;
 
     /// The system at a node in independent parts, as patch_parts.
-    std::vector<PatchPart<Scalar>> parts(std::size_t node) const;
+    std::vector<SystemPart<Scalar>> parts(std::size_t node) const;
 
 private:
     // At semi-axes 1 and 1/a_over_b.
@@ -176,21 +176,11 @@ ElementSystem<Scalar_, 2> PatchShapes<Scalar_>::system(std::type_identity_t<Scal
 }
 
 template <class Scalar_>
-std::vector<PatchPart<Scalar_>> PatchShapes<Scalar_>::parts(std::size_t node) const {
+std::vector<SystemPart<Scalar_>> PatchShapes<Scalar_>::parts(std::size_t node) const {
     const Scalar a_over_b = std::exp(set_->first + static_cast<Scalar>(node) * set_->step);
-    if (!mirrored_) return {{system(a_over_b).whole(), 0}};
-    const Eigen::Index m = strips_, n = size() / m;
-    const Elements<Scalar> places = elements(a_over_b);
-    const MatrixX<Scalar> inputs = rigid_slip(places), outputs = force_weights(places);
+    if (!mirrored_) return {{system(a_over_b).whole()}};
     const detail::ShapeNode<Scalar>& at = set_->nodes[node];
-    std::vector<PatchPart<Scalar>> parts;
-    for (const Scalar sign : {Scalar(1), Scalar(-1)}) {
-        parts.push_back(
-            {{detail::half_matrix(at.G, n, m, sign) / std::sqrt(a_over_b), detail::half_matrix(at.G_prime, n, m, sign),
-              detail::half_columns(inputs, n, m, sign), detail::half_outputs(outputs, n, m, sign)},
-             sign > 0 ? 0 : 1});
-    }
-    return parts;
+    return detail::mirrored_parts<Scalar>(at.G, at.G_prime, elements(a_over_b), strips_, std::sqrt(a_over_b));
 }
 
 }  // namespace rollbem

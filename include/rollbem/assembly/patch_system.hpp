@@ -2,7 +2,7 @@
 // are mirror images.
 #pragma once
 
-#include <memory>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -99,37 +99,72 @@ MatrixX<Scalar> folded(const MatrixX<Scalar>& rows, Eigen::Index n, Eigen::Index
     return result;
 }
 
-/// G or G' of mirrored strips at y <= 0, with tractions of which p_x is even in y and p_y odd (sign = 1) or p_x odd and
-/// p_y even (sign = -1). The odd one vanishes on a strip in the middle, so that there are always n m unknowns.
+/// One of the two problems into which mirrored strips fall, on those at y <= 0: p_x even in y and p_y odd (sign = 1, of
+/// xi), or p_x odd and p_y even (sign = -1, of eta and phi). The odd one vanishes on a strip in the middle, so that there
+/// are always n m unknowns: p_x, then p_y, on `x` and `y` strips.
 template <class Scalar>
-MatrixX<Scalar> half_matrix(const InfluenceRows<Scalar>& rows, Eigen::Index n, Eigen::Index m, Scalar sign) {
-    const Eigen::Index x = sign > 0 ? (m + 1) / 2 : m / 2, y = m - x;
-    MatrixX<Scalar> result(m * n, m * n);
-    result.topLeftCorner(x * n, x * n) = folded(rows.xx, n, m, x, x, sign);
-    result.topRightCorner(x * n, y * n) = folded(rows.xy, n, m, x, y, -sign);
-    result.bottomLeftCorner(y * n, x * n) = folded(rows.xy, n, m, y, x, sign);
-    result.bottomRightCorner(y * n, y * n) = folded(rows.yy, n, m, y, y, -sign);
-    return result;
-}
+struct MirroredHalf {
+    Eigen::Index n, m;  ///< elements in a strip, strips
+    Scalar sign;
+    Eigen::Index x = sign > 0 ? (m + 1) / 2 : m / 2, y = m - x;
+    Eigen::Index first = sign > 0 ? 0 : 1, count = sign > 0 ? 1 : 2;  ///< of its creepages
 
-/// The rows of a 2N x 3 matrix (rigid slip, weights of forces) that belong to half_matrix.
-template <class Scalar>
-MatrixX<Scalar> half_columns(const MatrixX<Scalar>& whole, Eigen::Index n, Eigen::Index m, Scalar sign) {
-    const Eigen::Index x = sign > 0 ? (m + 1) / 2 : m / 2, y = m - x;
-    MatrixX<Scalar> result(m * n, sign > 0 ? 1 : 2);
-    const Eigen::Index first = sign > 0 ? 0 : 1;
-    result.topRows(x * n) = whole.block(0, first, x * n, result.cols());
-    result.bottomRows(y * n) = whole.block(m * n, first, y * n, result.cols());
-    return result;
-}
+    static std::array<MirroredHalf, 2> both(Eigen::Index n, Eigen::Index m) {
+        return {{{.n = n, .m = m, .sign = 1}, {.n = n, .m = m, .sign = -1}}};
+    }
 
-/// The weights of forces: those of both halves.
+    /// G or G'.
+    MatrixX<Scalar> matrix(const InfluenceRows<Scalar>& rows) const {
+        MatrixX<Scalar> result(m * n, m * n);
+        result.topLeftCorner(x * n, x * n) = folded(rows.xx, n, m, x, x, sign);
+        result.topRightCorner(x * n, y * n) = folded(rows.xy, n, m, x, y, -sign);
+        result.bottomLeftCorner(y * n, x * n) = folded(rows.xy, n, m, y, x, sign);
+        result.bottomRightCorner(y * n, y * n) = folded(rows.yy, n, m, y, y, -sign);
+        return result;
+    }
+
+    /// The rows and columns of the 2N x 3 rigid slip that belong to this half.
+    MatrixX<Scalar> inputs(const MatrixX<Scalar>& whole) const {
+        MatrixX<Scalar> result(m * n, count);
+        result.topRows(x * n) = whole.block(0, first, x * n, count);
+        result.bottomRows(y * n) = whole.block(m * n, first, y * n, count);
+        return result;
+    }
+
+    /// The same of the weights of forces, those of strips at y > 0 included.
+    MatrixX<Scalar> outputs(const MatrixX<Scalar>& whole) const {
+        MatrixX<Scalar> result = inputs(whole);
+        const Eigen::Index pairs = (m / 2) * n;  // without a strip in the middle
+        result.topRows(pairs) *= 2;
+        result.middleRows(x * n, pairs) *= 2;
+        return result;
+    }
+
+    /// Writes the unknowns into those of the whole, 2N x 3.
+    void unfold(const MatrixX<Scalar>& half, MatrixX<Scalar>& whole) const {
+        const auto write = [&](Eigen::Index strips, Eigen::Index from, Eigen::Index to, Scalar parity) {
+            for (Eigen::Index j = 0; j < strips; ++j) {
+                const auto own = half.middleRows((from + j) * n, n);
+                whole.block((to + j) * n, first, n, count) = own;
+                if (m - 1 - j != j) whole.block((to + m - 1 - j) * n, first, n, count) = parity * own;
+            }
+        };
+        write(x, 0, 0, sign);
+        write(y, x, m, -sign);
+    }
+};
+
+/// Both halves as systems; G is divided by `scale`.
 template <class Scalar>
-MatrixX<Scalar> half_outputs(MatrixX<Scalar> whole, Eigen::Index n, Eigen::Index m, Scalar sign) {
-    const Eigen::Index pairs = (m / 2) * n;  // without a strip in the middle
-    whole.topRows(pairs) *= 2;
-    whole.middleRows(m * n, pairs) *= 2;
-    return half_columns(whole, n, m, sign);
+std::vector<SystemPart<Scalar>> mirrored_parts(const InfluenceRows<Scalar>& G, const InfluenceRows<Scalar>& G_prime,
+                                               const Elements<Scalar>& elements, Eigen::Index strips, Scalar scale) {
+    const MatrixX<Scalar> inputs = rigid_slip(elements), outputs = force_weights(elements);
+    std::vector<SystemPart<Scalar>> parts;
+    for (const auto& half : MirroredHalf<Scalar>::both(elements.size() / strips, strips)) {
+        parts.push_back(
+            {{half.matrix(G) / scale, half.matrix(G_prime), half.inputs(inputs), half.outputs(outputs)}, half.first});
+    }
+    return parts;
 }
 
 }  // namespace detail
@@ -155,38 +190,19 @@ ElementSystem<Scalar, 2> rolling_system(const PatchMesh<Scalar>& mesh, const Sch
                              assemble_G_prime(mesh, scheme, kernel));
 }
 
-/// A system of some of the creepages xi, eta, phi, which cause none of the forces of the others.
-template <class Scalar>
-struct PatchPart {
-    RollingSystem<Scalar> system;
-    Eigen::Index first;  ///< of its creepages: 0 xi, 1 eta, 2 phi
-};
-
 /// A patch as independent systems for linear problems: if the strips are mirrored, one of xi and one of eta with phi,
 /// each with N = n m unknowns (the tractions p_x, then p_y, of the strips at y <= 0); otherwise the whole. Throws
 /// std::invalid_argument unless the scheme takes differences of u and fits the strips' mesh, and all entries are
 /// finite.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
-std::vector<PatchPart<Scalar>> patch_parts(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
-    std::vector<PatchPart<Scalar>> parts;
-    if (!mesh.is_mirrored()) {
-        parts.push_back({rolling_system(mesh, scheme, kernel).whole(), 0});
-        return parts;
-    }
-    const Eigen::Index n = mesh.elements_per_strip(), m = mesh.strip_count();
+std::vector<SystemPart<Scalar>> patch_parts(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
+    if (!mesh.is_mirrored()) return {{rolling_system(mesh, scheme, kernel).whole()}};
     const auto rows = [&](Quantity quantity) {
         return detail::patch_rows(mesh, detail::strip_rows(mesh.along(), scheme, quantity), kernel, quantity,
                                   detail::computed_strips(mesh));
     };
-    const detail::InfluenceRows<Scalar> G = rows(Quantity::displacement), G_prime = rows(Quantity::slope);
-    const Elements<Scalar> elements = patch_elements(mesh, scheme);
-    const MatrixX<Scalar> inputs = rigid_slip(elements), outputs = force_weights(elements);
-    for (const Scalar sign : {Scalar(1), Scalar(-1)}) {
-        parts.push_back({{detail::half_matrix(G, n, m, sign), detail::half_matrix(G_prime, n, m, sign),
-                          detail::half_columns(inputs, n, m, sign), detail::half_outputs(outputs, n, m, sign)},
-                         sign > 0 ? 0 : 1});
-    }
-    return parts;
+    return detail::mirrored_parts<Scalar>(rows(Quantity::displacement), rows(Quantity::slope),
+                                          patch_elements(mesh, scheme), mesh.strip_count(), 1);
 }
 
 }  // namespace rollbem

@@ -105,7 +105,7 @@ Elements<Scalar> line_elements(const Mesh<Scalar>& mesh, const Scheme& scheme) {
 }
 
 /// Assembles both matrices. Throws std::invalid_argument if the scheme does not fit the mesh, if G is not finite (an
-/// infinite half-width), and for a plane kernel with Lambda <= 0, whose model is unstable in time.
+/// infinite half-width), and for a plane kernel with Lambda <= 0, whose model is unstable in the time domain.
 template <class Scalar, RollingScheme<Scalar> Scheme, ElementKernel Kernel>
 ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     require_stable_model(kernel);

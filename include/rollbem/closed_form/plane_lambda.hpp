@@ -1,4 +1,4 @@
-// Lambda, the compliance number of the plane model: unless it is positive, that model is unstable in time, before any
+// Lambda, the compliance number of the plane model: unless it is positive, that model is unstable in the time domain, before any
 // discretisation. Dimensionless: a = G = V = 1.
 #pragma once
 

@@ -1,10 +1,11 @@
-// Contact patches of the half-space by node differences, compiled for double. Replaces adhesion/patch_steady.hpp,
+// Contact patches of the half-space by node differences, compiled for double. Replaces adhesion/creep_coefficients.hpp,
 // assembly/patch_shapes.hpp and assembly/patch_system.hpp; link rollbem::compiled.
 #pragma once
 
-#include "../adhesion/patch_steady.hpp"
+#include "../adhesion/creep_coefficients.hpp"
 #include "../assembly/patch_shapes.hpp"
 #include "assembly.hpp"
+#include "steady.hpp"
 
 namespace rollbem {
 
@@ -12,8 +13,6 @@ extern template class Outline<double>;
 extern template class PatchContact<double>;
 extern template class PatchMesh<double>;
 extern template PatchMesh<double> patch_mesh<double>(const PatchContact<double>&, Mesh<double>, const Mesh<double>&);
-extern template Response<double> solve_steady_response<double>(const MatrixX<double>&, const MatrixX<double>&,
-                                                               const MatrixX<double>&);
 extern template Elements<double> patch_elements<double, NodeDifference>(const PatchMesh<double>&,
                                                                         const NodeDifference&);
 extern template detail::InfluenceRows<double> detail::patch_rows<double, HalfSpace<double>>(
@@ -22,13 +21,15 @@ extern template DirectionBlocks<double> assemble_G_prime<double, NodeDifference,
     const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
 extern template ElementSystem<double, 2> rolling_system<double, NodeDifference, HalfSpace<double>>(
     const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
-extern template std::vector<PatchPart<double>> patch_parts<double, NodeDifference, HalfSpace<double>>(
+extern template std::vector<SystemPart<double>> patch_parts<double, NodeDifference, HalfSpace<double>>(
     const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
 extern template detail::ShapeNode<double> detail::shape_node<double, NodeDifference, HalfSpace<double>>(
     const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&, double);
 extern template ElementSystem<double, 2> detail::system_of<double>(std::shared_ptr<const detail::ShapeSet<double>>,
                                                                    Elements<double>, double);
-extern template PatchSteadySolution<double> solve_steady<double, NodeDifference, HalfSpace<double>>(
-    const PatchContact<double>&, const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
+extern template Response<double> solve_steady<double, NodeDifference, HalfSpace<double>>(const PatchContact<double>&,
+                                                                                         const PatchMesh<double>&,
+                                                                                         const NodeDifference&,
+                                                                                         const HalfSpace<double>&);
 
 }  // namespace rollbem

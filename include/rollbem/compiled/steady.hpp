@@ -9,16 +9,14 @@
 
 namespace rollbem {
 
-extern template detail::FactorisedSteady<double> detail::factorise_steady<double>(MatrixX<double>&,
-                                                                                  const ArrayX<double>&);
-extern template SteadySolution<double> solve_steady<double>(MatrixX<double>, const ArrayX<double>&);
-extern template SteadySolution<double> detail::judge_steady<double>(detail::FactorisedSteady<double>,
-                                                                    const ArrayX<double>&, const VectorX<double>&);
-extern template ChebyshevSteadySolution<double> detail::solve_chebyshev_steady<AnyKernel<double>>(
-    const Chebyshev&, const AnyKernel<double>&);
-extern template ChebyshevSteadySolution<double> detail::solve_chebyshev_steady<PlaneKernel<double>>(
-    const Chebyshev&, const PlaneKernel<double>&);
-extern template ChebyshevSteadySolution<double> detail::solve_chebyshev_steady<StripKernel<double>>(
-    const Chebyshev&, const StripKernel<double>&);
+extern template decltype(detail::factorise<double, double>) detail::factorise<double, double>;
+extern template decltype(detail::judge<double, double>) detail::judge<double, double>;
+extern template decltype(detail::solve_copied<double, double>) detail::solve_copied<double, double>;
+extern template decltype(detail::solve_chebyshev_steady<AnyKernel<double>>)
+    detail::solve_chebyshev_steady<AnyKernel<double>>;
+extern template decltype(detail::solve_chebyshev_steady<PlaneKernel<double>>)
+    detail::solve_chebyshev_steady<PlaneKernel<double>>;
+extern template decltype(detail::solve_chebyshev_steady<StripKernel<double>>)
+    detail::solve_chebyshev_steady<StripKernel<double>>;
 
 }  // namespace rollbem

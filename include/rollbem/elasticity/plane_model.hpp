@@ -1,4 +1,4 @@
-// The plane model itself, before any discretisation, is unstable in time if Lambda <= 0. Every problem that is not
+// The plane model itself, before any discretisation, is unstable in the time domain if Lambda <= 0. Every problem that is not
 // steady checks this.
 #pragma once
 

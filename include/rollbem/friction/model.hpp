@@ -34,7 +34,7 @@ namespace rollbem {
 /// For steady rolling alone a system of G' is enough, steady_system(): no kernel must be integrated for G, no eigenvalue
 /// judged, and the half-width may be infinite. Such a model refuses to advance and to shift (StepStatus::invalid_step) and
 /// knows no elastic energy (NaN). Its states are those of a model with the same contact, G' and pressures, and so start
-/// a run in time. If the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1), forces would be wrong
+/// a time-domain run. If the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1), forces would be wrong
 /// wherever elements stick: the status of every solution is then StepStatus::assists_creepage, with the residual but
 /// without numbers, unless the model is made `unchecked`. Collocation at the centres (alpha = 0) is a special case: its
 /// tractions assist the creepage in full adhesion, but are correct with friction. It dissipates no energy, whereas full

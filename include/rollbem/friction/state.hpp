@@ -110,7 +110,7 @@ struct FrictionStep {
     Force force = detail::nothing<Force>();  ///< on body 1 [N]
     /// d force / d creepage at the end of the step [N]; for a rigid shift, by the shift [N/m].
     Tangent tangent = detail::nothing<Tangent>();
-    /// Derivatives by the load at the end of a step, at constant half-length and half-width, and by these; if they
+    /// Derivatives with respect to the load at the end of a step, at constant half-length and half-width, and by these; if they
     /// depend on the load, the total derivative is tangent_by_load + tangent_by_half_length da/d load +
     /// tangent_by_half_width db/d load. NaN for steps without a load of their own; by the load also if NormalLoad has no
     /// pressure_rate, by the others also if the system cannot breathe and for a rigid shift. A patch of constant a/b has

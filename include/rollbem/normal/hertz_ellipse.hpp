@@ -33,7 +33,7 @@ struct Rectangle {
     Scalar x_1, x_2, y_1, y_2;
 };
 
-/// Pressures of elements [Pa], and their derivatives by the load [Pa/N].
+/// Pressures of elements [Pa], and their derivatives with respect to the load [Pa/N].
 template <class Scalar>
 struct ElementPressures {
     ArrayX<Scalar> mean, rate;
@@ -118,7 +118,7 @@ std::array<Scalar, 2> integrate_hemisphere(const Rectangle<Scalar>& unit) {
     return integrals;
 }
 
-/// The share of a Hertzian load that an element carries, and the load times its derivative by the load.
+/// The share of a Hertzian load that an element carries, and the load times its derivative with respect to the load.
 template <class Scalar>
 std::array<Scalar, 2> hertz_share(Scalar a, Scalar b, const Rectangle<Scalar>& element) {
     const auto [height, inverse] =
@@ -130,7 +130,7 @@ std::array<Scalar, 2> hertz_share(Scalar a, Scalar b, const Rectangle<Scalar>& e
 }
 
 /// Sets mean pressures of elements under a load on semi-axes a, b, scaled so that the elements carry it exactly, and
-/// their derivatives by the load; returns the share of the load that they cover. Pressures are sized already.
+/// their derivatives with respect to the load; returns the share of the load that they cover. Pressures are sized already.
 template <class Scalar>
 Scalar set_ellipse_pressures(Scalar a, Scalar b, Scalar load, const std::vector<Rectangle<Scalar>>& elements,
                              ArrayX<Scalar>& mean, ArrayX<Scalar>& rate) {
@@ -144,7 +144,7 @@ Scalar set_ellipse_pressures(Scalar a, Scalar b, Scalar load, const std::vector<
         mean[i] = share / area;
         rate[i] = growth / area;
     }
-    // N s_i/sum s, and its derivative by N where ds_i/dN = (growth_i - s_i)/N
+    // N s_i/sum s, and its derivative with respect to N where ds_i/dN = (growth_i - s_i)/N
     rate = rate / carried + mean * (1 - growing / carried) / carried;
     mean *= load / carried;
     return carried;

@@ -73,7 +73,7 @@ public:
     Scalar half_length_rate(Scalar load) const { return fixed_ ? 0 : semi_axes(load).half_length / (3 * load); }
     Scalar half_width_rate(Scalar load) const { return fixed_ ? 0 : semi_axes(load).half_width / (3 * load); }
 
-    /// Sets pressures, which carry N exactly, their derivatives by N, and the semi-axes of the mesh. A fixed mesh
+    /// Sets pressures, which carry N exactly, their derivatives with respect to N, and the semi-axes of the mesh. A fixed mesh
     /// without load, N = 0, has no pressure. The status is invalid_load, which a step under the resulting `load` also
     /// returns, if N is negative or not finite, if a fixed mesh does not cover the ellipse, or if N = 0 on a mesh that
     /// follows it: it would have no size. It is unresolved, with all of `result` set, if the ellipse under N > 0 is

@@ -35,21 +35,19 @@ public:
         const Eigen::Index n = values_[0].size();
         detail::require(n >= 4, "Profile", "number of points", n, "be at least 4");
         detail::require(values_[1].size() == n, "Profile", "number of z", values_[1].size(), "equal that of y");
+        for (Eigen::Index i = 0; i < n; ++i) {
+            check(i, detail::is_finite(values_[0][i]) && detail::is_finite(values_[1][i]), "be finite");
+            if (i == 0) continue;
+            check(i, std::hypot(step(0, i), step(1, i)) > 0, "differ from the one before it");
+            if (i == 1) continue;
+            check(i - 1, step(0, i) * step(0, i - 1) + step(1, i) * step(1, i - 1) >= 0,
+                  "not turn the curve by more than 90 degrees");
+        }
         if (values_[0][n - 1] < values_[0][0]) {
             for (Eigen::ArrayXd& of : values_) of.reverseInPlace();
         }
         knots_ = Eigen::ArrayXd::Zero(n);
-        for (Eigen::Index i = 0; i < n; ++i) {
-            check(i, detail::is_finite(values_[0][i]) && detail::is_finite(values_[1][i]), "be finite");
-            if (i == 0) continue;
-            const double length = std::hypot(step(0, i), step(1, i));
-            check(i, length > 0, "differ from the one before it");
-            knots_[i] = knots_[i - 1] + length;
-            if (i > 1) {
-                check(i - 1, step(0, i) * step(0, i - 1) + step(1, i) * step(1, i - 1) >= 0,
-                      "not turn the curve by more than 90 degrees");
-            }
-        }
+        for (Eigen::Index i = 1; i < n; ++i) knots_[i] = knots_[i - 1] + std::hypot(step(0, i), step(1, i));
         detail::require(values_[0][n - 1] > values_[0][0], "Profile", "y from one end to the other",
                         values_[0][n - 1] - values_[0][0], "differ");
         for (std::size_t k = 0; k < 2; ++k) bends_[k] = second_derivatives(values_[k]);

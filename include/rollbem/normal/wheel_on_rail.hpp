@@ -98,8 +98,8 @@ public:
     };
 
     /// The contact that carries the vertical load [N] at this lateral position, roll and yaw; the height of `position`
-    /// is not used. `friction` is the force along s over the normal force, positive on the wheel towards positive s, by
-    /// which friction supports the wheel: N (cos delta + friction sin delta) is vertical.
+    /// is not used. `friction` is the force of friction on the rail along s over the normal force N: the rail carries
+    /// N (cos delta + friction sin delta).
     Contact carry(const WheelsetPosition& position, double load, double friction, Workspace& workspace,
                   const Options& options) const;
     Contact carry(const WheelsetPosition& position, double load, Workspace& workspace) const {
@@ -266,11 +266,12 @@ inline auto WheelOnRail::plane(const Attitude& attitude, double height, const Re
         double s, x, y, z, depth, angle;
     };
     std::array<Cut, count + 1> cuts;
-    double sum = 0, y = 0, angle = 0, deepest = 0;
+    double sum = 0, x = 0, y = 0, angle = 0, deepest = 0;  // means over y
     for (int k = 0; k <= count; ++k) {
         Cut& cut = cuts[static_cast<std::size_t>(k)];
         cut.s = from + (to - from) * k / count;
-        const Place at = locus(attitude, wheel_.at(cut.s));
+        const Point on_wheel = wheel_.at(cut.s);
+        const Place at = locus(attitude, on_wheel);
         const Point below = rail_.at(rail_place(at.y));
         cut = {cut.s,
                at.x,
@@ -279,16 +280,19 @@ inline auto WheelOnRail::plane(const Attitude& attitude, double height, const Re
                (std::max)(height + at.z - below.z, 0.0),
                std::atan2(below.slope[1], below.slope[0])};
         if (!detail::is_finite(cut.depth)) cut.depth = 0;
-        const double weight = std::pow(cut.depth, 2.5);
+        const double weight = on_wheel.slope[0] * std::pow(cut.depth, 2.5);
         if (weight == 0) continue;
         sum += weight;
+        x += weight * cut.x;
         y += weight * cut.y;
         angle += weight * cut.angle;
         deepest = (std::max)(deepest, cut.depth);
     }
+    x /= sum;
     y /= sum;
     angle /= sum;
     Plane found;
+    found.x = x;
     found.y = y;
     found.angle = angle;
     found.sine = std::sin(angle);
@@ -300,7 +304,6 @@ inline auto WheelOnRail::plane(const Attitude& attitude, double height, const Re
     while (k < count && cuts[k].y < y) ++k;
     const double part = (y - cuts[k - 1].y) / (cuts[k].y - cuts[k - 1].y);
     found.wheel_s = cuts[k - 1].s + part * (cuts[k].s - cuts[k - 1].s);
-    found.x = cuts[k - 1].x + part * (cuts[k].x - cuts[k - 1].x);
     std::size_t first = 0, last = count;
     while (first < count && cuts[first].depth == 0) ++first;
     while (last > 0 && cuts[last].depth == 0) --last;

@@ -89,7 +89,7 @@ public:
         add(&ShapeNode<Scalar>::G, coefficients, factor, p, sum);
     }
 
-    /// Adds the derivative by a semi-axis at the end of a step of the matrix of a stage times p. The stage takes `part`
+    /// Adds the derivative with respect to a semi-axis at the end of a step of the matrix of a stage times p. The stage takes `part`
     /// of the step, `progress` of which is done at its end.
     template <class Tractions, class Scratch, class Result>
     void add_rates(const Stage& stage, Axis axis, Scalar part, Scalar progress, const Tractions& p, Scratch&& scratch,

@@ -19,9 +19,9 @@
 #include "../detail/require.hpp"
 #include "../elasticity/line_kernel.hpp"
 #include "../elasticity/plane_model.hpp"
-#include "../scene/contact.hpp"
 #include "../status.hpp"
 #include "../system/contact_fit.hpp"
+#include "../system/response.hpp"
 #include "../system/rolling_system.hpp"
 #include "../types.hpp"
 #include "detail/chebyshev_compliance.hpp"
@@ -95,19 +95,6 @@ private:
     MatrixX<Scalar> stiffness_;  // (m+1) x m: a_0 ... a_m of u
 };
 
-/// Steady rolling; for unit creepage dimensionless, with a = G = xi = 1. With a lateral kernel c11 is c22.
-template <class Scalar>
-struct ChebyshevSteadySolution {
-    ChebyshevTraction<Scalar> traction;  ///< traction(x/a) is p on body 1 [Pa]
-    Scalar force_per_width = 0;          ///< F_bar = -a G c11 xi [N/m], Eq. (30)
-    Scalar c11 = 0;                      ///< creep coefficient [-]
-    /// Relative error of c11: twice the contribution of the kernel's smooth part to the last two coefficients, which
-    /// decay geometrically.
-    Scalar error_estimate = 0;
-    Scalar rcond = 0;                    ///< estimate of 1/(|K| |K^-1|) of the scaled equations in the 1-norm [-]
-    Status status = Status::not_finite;  ///< not_converged if error_estimate exceeds 1e-2
-};
-
 template <class Scalar_>
 MatrixX<Scalar_> ChebyshevSystem<Scalar_>::rates() const {
     const Eigen::Index m = this->size();
@@ -126,7 +113,7 @@ MatrixX<Scalar_> ChebyshevSystem<Scalar_>::rates() const {
 /// The system of Chebyshev states: G = (T_k(x_l)) at the m Chebyshev points, whose condition is sqrt(2), and G' = G A =
 /// (T_k'(x_l) + T_m'(x_l) last_k). Throws std::invalid_argument unless there is at least one state, the half-width is
 /// finite (otherwise only solve_steady exists), b/a >= 0.001, and, for a plane kernel, Lambda > 0, as its model is
-/// otherwise unstable in time. Narrow strips need more states: for 1e-9, about 8 at b/a = 10, 16 at 1 and 32 at 0.3.
+/// otherwise unstable in the time domain. Narrow strips need more states: for 1e-9, about 8 at b/a = 10, 16 at 1 and 32 at 0.3.
 /// Rounding does not limit the number of states in double (tried up to 1500), but the fastest mode decays at about
 /// m^2/10, and for m >= 200 rcond(G') is too small for the reduction of FrequencySweep. In float the status of a steady
 /// solution of the system is ill_conditioned above some 60 states; that of solve_steady(Chebyshev, kernel) never is.
@@ -179,7 +166,7 @@ ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method,
 namespace detail {
 
 template <LineKernel Kernel>
-ChebyshevSteadySolution<typename Kernel::Scalar> solve_chebyshev_steady(const Chebyshev& method, const Kernel& kernel) {
+Response<typename Kernel::Scalar> solve_chebyshev_steady(const Chebyshev& method, const Kernel& kernel) {
     using Scalar = typename Kernel::Scalar;
     const SmoothSplit<Scalar> split = detail::chebyshev_split(method.states, kernel);
     const Eigen::Index m = method.states;
@@ -189,59 +176,39 @@ ChebyshevSteadySolution<typename Kernel::Scalar> solve_chebyshev_steady(const Ch
     VectorX<Scalar> right = VectorX<Scalar>::Zero(m + 1);
     right[1] = carter;
     const Eigen::PartialPivLU<MatrixX<Scalar>> lu(equations);
-    ChebyshevSteadySolution<Scalar> solution;
-    VectorX<Scalar>& a = solution.traction.coefficients;
-    a = lu.solve(right);
-    solution.force_per_width = std::numbers::pi_v<Scalar> * a[0];
-    solution.c11 = -solution.force_per_width;
-    if (!detail::all_finite(a) || !detail::is_finite(solution.c11)) return solution;
-    solution.rcond = detail::reciprocal_condition(lu, detail::one_norm(equations));
+    Response<Scalar> response;
+    response.unknowns = lu.solve(right);
+    const auto a = response.unknowns.col(0);
+    response.coefficients.setConstant(1, 1, -std::numbers::pi_v<Scalar> * a[0]);
+    if (!detail::all_finite(response.unknowns) || !detail::is_finite(response.c11())) return response;
+    response.rcond = detail::reciprocal_condition(lu, detail::one_norm(equations));
+    response.residual = std::numeric_limits<Scalar>::quiet_NaN();  // not computed
     const auto by_smooth_part = [&](Eigen::Index k) {
         return std::abs(k == 0 ? a[0] + carter : k == 1 ? a[1] - carter : a[k]);
     };
     const Scalar rounding = static_cast<Scalar>(m + 1) * std::numeric_limits<Scalar>::epsilon();
-    solution.error_estimate = 2 * (by_smooth_part(m - 1) + by_smooth_part(m)) / std::abs(a[0]) + rounding;
-    const bool trusted = detail::is_finite(solution.error_estimate) && detail::is_finite(solution.rcond) &&
-                         solution.rcond > 100 * rounding;
-    solution.status = !trusted                                  ? Status::ill_conditioned
-                      : solution.error_estimate <= Scalar(1e-2) ? Status::ok
-                                                                : Status::not_converged;
-    return solution;
+    const Scalar error = 2 * (by_smooth_part(m - 1) + by_smooth_part(m)) / std::abs(a[0]) + rounding;
+    response.error_estimates.setConstant(1, 1, error);
+    response.status =
+        detail::is_finite(error) ? detail::trust<Scalar>(m + 1, response.rcond, 0, 100) : Status::ill_conditioned;
+    if (response.status == Status::ok && !(error <= Scalar(1e-2))) response.status = Status::not_converged;
+    return response;
 }
 
 }  // namespace detail
 
-/// Steady rolling at unit creepage. There u = x + a constant that is determined by sum a_k = 0, so that K_00 is not
-/// needed and an infinite half-width has a solution. For the plane kernel a single state is exact. The kernel must be a
-/// LineKernel. Throws std::invalid_argument unless there is at least one state and b/a >= 0.001.
+/// Steady rolling at unit creepage; the unknowns are the coefficients of a ChebyshevTraction, p/(G xi). The estimate of
+/// c11's relative error is twice the contribution of the kernel's smooth part to the last two coefficients, which decay
+/// geometrically; Status::not_converged if it exceeds 1e-2. The residual is not computed, but NaN.
+///
+/// There u = x + a constant that is determined by sum a_k = 0, so that K_00 is not needed and an infinite half-width has
+/// a solution. For the plane kernel a single state is exact. The kernel must be a LineKernel. Throws
+/// std::invalid_argument unless there is at least one state and b/a >= 0.001.
 template <LineKernel Kernel>
-ChebyshevSteadySolution<typename Kernel::Scalar> solve_steady(const Chebyshev& method, const Kernel& kernel) {
+Response<typename Kernel::Scalar> solve_steady(const Chebyshev& method, const Kernel& kernel) {
     return detail::solve_chebyshev_steady(method, kernel);
 }
 template <class Kernel>
 void solve_steady(const Chebyshev& method, const Kernel& kernel) = delete;  // kernel must be a LineKernel
-
-/// Steady rolling of a contact at a creepage [-] along the direction of one of its kernels (positive creepage, negative
-/// traction). Throws std::invalid_argument unless there is at least one state, b/a >= 0.001 and the kernel's b/a is the
-/// contact's; a creepage or a result that is not finite gives Status::not_finite.
-template <class Scalar, LineKernel Kernel>
-ChebyshevSteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Chebyshev& method,
-                                             const Kernel& kernel, std::type_identity_t<Scalar> creepage) {
-    detail::require_same_aspect("solve_steady", contact, detail::aspect_of<Scalar>(kernel));
-    ChebyshevSteadySolution<Scalar> solution = detail::solve_chebyshev_steady(method, kernel);
-    VectorX<Scalar>& a = solution.traction.coefficients;
-    a *= contact.shear_modulus() * creepage;
-    solution.force_per_width = -contact.half_length() * contact.shear_modulus() * solution.c11 * creepage;
-    const bool finite = detail::all_finite(a) && detail::is_finite(solution.force_per_width);
-    if (!detail::is_finite(creepage) || !finite) solution.status = Status::not_finite;
-    return solution;
-}
-
-/// The same at a longitudinal creepage, strip kernel.
-template <class Scalar>
-ChebyshevSteadySolution<Scalar> solve_steady(const Contact<Scalar>& contact, const Chebyshev& method,
-                                             std::type_identity_t<Scalar> creepage) {
-    return solve_steady(contact, method, StripKernel<Scalar>::longitudinal(contact), creepage);
-}
 
 }  // namespace rollbem

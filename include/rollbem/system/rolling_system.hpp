@@ -111,6 +111,13 @@ private:
     SystemOrigin<Scalar> origin_;
 };
 
+/// A part of a linear problem: a system of some of its creepages, which cause none of the forces of the others.
+template <class Scalar>
+struct SystemPart {
+    RollingSystem<Scalar> system;
+    Eigen::Index first = 0;  ///< of its creepages among those of the whole; of a patch 0 xi, 1 eta, 2 phi
+};
+
 template <class Scalar>
 RollingSystem<Scalar>::RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, MatrixX<Scalar> inputs,
                                      MatrixX<Scalar> outputs, SystemOrigin<Scalar> origin)
@@ -210,15 +217,5 @@ RollingSystem<Scalar> both_directions(const RollingSystem<Scalar>& longitudinal,
             diagonal(longitudinal.outputs(), lateral.outputs()),
             {longitudinal.unknowns_are_tractions() && lateral.unknowns_are_tractions(), aspect}};
 }
-
-namespace detail {
-
-/// Throws std::invalid_argument if a system has more than one creepage.
-template <class Scalar>
-void require_single_input(const char* who, const RollingSystem<Scalar>& system) {
-    require(system.input_count() == 1, who, "number of inputs", system.input_count(), "be 1");
-}
-
-}  // namespace detail
 
 }  // namespace rollbem

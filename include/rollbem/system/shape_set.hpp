@@ -33,7 +33,7 @@ struct ShapeNode {
     InfluenceRows<Scalar> G, G_prime, G_y;
 };
 
-/// Weights of neighbouring nodes for the matrices of one a/b, and their derivatives by ln(a/b).
+/// Weights of neighbouring nodes for the matrices of one a/b, and their derivatives with respect to ln(a/b).
 template <class Scalar>
 struct ShapeWeights {
     std::size_t first = 0, count = 1;

@@ -114,7 +114,7 @@ private:
     /// Coefficients of splines through the columns, with one more beyond either end.
     static Eigen::ArrayXXd with_ends(Eigen::ArrayXXd columns);
 
-    /// Forces over mu N and their derivatives by the coordinates of the lattice, xi and phi not negative.
+    /// Forces over mu N and their derivatives with respect to the coordinates of the lattice, xi and phi not negative.
     struct Sample {
         Eigen::Array3d value, by_x, by_y, by_spin, by_shape;
     };
@@ -157,7 +157,7 @@ public:
     }
 
     /// Spline coefficients of given nodes inside and of what follows outside: there 1/|X| goes on with the opposite
-    /// sign, f(2 n - |u|) = 2 f_slide - f(|u|), so that the derivative by 1/|X| is continuous in full sliding. What lies
+    /// sign, f(2 n - |u|) = 2 f_slide - f(|u|), so that the derivative with respect to 1/|X| is continuous in full sliding. What lies
     /// inside depends on the spline, hence the iteration; a step of 2/3 leaves about a third of the error, also at nodes that
     /// are nearly their own mirror image, where a whole one would only change its sign.
     void complete(const CreepForceGrid& grid, Eigen::Index shape) {

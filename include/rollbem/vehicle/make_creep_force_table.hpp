@@ -13,7 +13,7 @@
 
 #include <Eigen/Core>
 
-#include "../adhesion/patch_steady.hpp"
+#include "../adhesion/creep_coefficients.hpp"
 #include "../assembly/patch_system.hpp"
 #include "../detail/parallel_for.hpp"
 #include "../detail/require.hpp"
@@ -41,7 +41,7 @@ public:
     const PatchContact<double>& contact() const { return contact_; }
     const PatchMesh<double>& mesh() const { return patch_.mesh; }  ///< the first of the two
     /// In full adhesion, of the same elements.
-    PatchSteadySolution<double> coefficients() const {
+    Response<double> in_adhesion() const {
         return solve_steady(contact_, mesh(), scheme, HalfSpace<double>(contact_.poisson_ratio()));
     }
 
@@ -164,9 +164,10 @@ inline CreepForceGrid make_creep_force_grid(const CreepForceRange& range, std::s
     detail::parallel_for(coefficients.size(), jobs, [&](std::size_t i) {
         const double a_over_b = CreepForceGrid::a_over_b_of(static_cast<Eigen::Index>(i), range.shapes,
                                                             range.smallest_a_over_b, range.largest_a_over_b);
-        const auto found = CreepForceSource(a_over_b, range.poisson_ratio, range.n).coefficients();
+        const CreepForceSource source(a_over_b, range.poisson_ratio, range.n);
+        const Response<double> found = source.in_adhesion();
         detail::require(found.status == Status::ok, who, "status of the patch at a/b", name(found.status), "be ok");
-        coefficients[i] = found;
+        coefficients[i] = creep_coefficients(source.contact(), found);
     });
     return {range.poisson_ratio, range.smallest_a_over_b, range.largest_a_over_b, range.levels, coefficients};
 }

@@ -45,7 +45,7 @@ private:
 };
 
 /// What a motion imposes on a step of k creepages: the shifts at constant creepage, the contributions of a linear
-/// change, and their derivatives by the motion's end values, the same for each creepage.
+/// change, and their derivatives with respect to the motion's end values, the same for each creepage.
 template <int k, class Scalar>
 struct ImposedMotion {
     using Values = AdhesionValues<k, Scalar>;

@@ -63,7 +63,7 @@ struct LineEquations {
         influence.find_displacement(LengthScale<Scalar>::rate(a()), y, scratch);
         sum += progress * scratch;
     }
-    /// The derivative by the half-length at the end of the step of the equations at constant unknowns.
+    /// The derivative with respect to the half-length at the end of the step of the equations at constant unknowns.
     void find_rates(std::size_t axis, Scalar part, Scalar progress, Scalar, const Vector& y, Vector& scratch,
                     Vector& rates) const {
         scratch.noalias() = influence.G_prime * y;
@@ -198,7 +198,7 @@ public:
 
     /// From the unknowns `old`. at(part, progress) are the equations of the stage that takes `part` of the step and ends
     /// when `progress` of it is done; `varies`: the semi-axes change. `inputs` times the travel is in the unit of y. Of
-    /// the derivatives by the semi-axes at the end `axes` are computed: 0, 1 (by the half-length) or 2.
+    /// the derivatives with respect to the semi-axes at the end `axes` are computed: 0, 1 (by the half-length) or 2.
     template <class EquationsAt>
     void solve(std::uint64_t model, const EquationsAt& at, const RationalExponential<Scalar>& integrator, bool varies,
                const Vector& old, const ImposedMotion<k, Scalar>& motion, std::size_t axes,
@@ -265,8 +265,8 @@ public:
     }
 
     const Vector& change() const { return change_; }             ///< of the unknowns
-    const MatrixX<Scalar>& per_end() const { return per_end_; }  ///< derivative by the motion's end values
-    /// Derivatives by the half-length and by the half-width at the end, in those of the contact.
+    const MatrixX<Scalar>& per_end() const { return per_end_; }  ///< derivative with respect to the motion's end values
+    /// Derivatives with respect to the half-length and by the half-width at the end, in those of the contact.
     const Vector& per_length() const { return per_axis_[0]; }
     const Vector& per_width() const { return per_axis_[1]; }
 

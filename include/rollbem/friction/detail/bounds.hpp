@@ -247,7 +247,7 @@ private:
         }
     }
 
-    // Derivatives by the half-length at the end of the step; that of a stage changes by `progress` times as much.
+    // Derivatives with respect to the half-length at the end of the step; that of a stage changes by `progress` times as much.
     void find_path_change() {
         AlongContact<Scalar> start = at_start();
         for (Index i = 0; i < size(); ++i) {

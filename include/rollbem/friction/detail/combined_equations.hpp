@@ -121,7 +121,7 @@ public:
     Index slipping_count() const { return slipping_.count; }
     Index slipping(Index k) const { return slipping_[k]; }
 
-    /// Derivatives by the size of tractions: entry (i, k) becomes the slip of element i, against its present slip, due
+    /// Derivatives with respect to the size of tractions: entry (i, k) becomes the slip of element i, against its present slip, due
     /// to a unit increase of the traction of the k-th slipping element, the sizes of the others fixed. Rows of elements
     /// that do not slip are left unchanged.
     /// With `turning`, those entries hold before what the increase adds to the slip across, by turning it.

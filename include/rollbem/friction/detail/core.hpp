@@ -1,4 +1,4 @@
-// Common core of friction in steady rolling and in time: one or two stages of a step, between the units of the contact
+// Common core of friction in steady rolling and in the time domain: one or two stages of a step, between the units of the contact
 // and dimensionless equations s = M p + c.
 #pragma once
 

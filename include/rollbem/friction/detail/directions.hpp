@@ -21,7 +21,7 @@
 
 namespace rollbem::detail {
 
-/// The slip of the elements of a solver and its derivatives by their bounds, the interface between FallingSet and
+/// The slip of the elements of a solver and its derivatives with respect to their bounds, the interface between FallingSet and
 /// solvers: what both numbers of directions have in common. All memory is allocated by the constructors.
 template <class Scalar_>
 class SlippingElements {

@@ -28,7 +28,7 @@ struct FrictionPassage {
     Scalar velocity_per_slip;         ///< slip velocity [m/s] over the solver's slip
 };
 
-/// Derivatives by the parameter of a tangent.
+/// Derivatives with respect to the parameter of a tangent.
 template <class Slip>
 struct FallingChange {
     using Vector = VectorX<typename Slip::Scalar>;

@@ -97,7 +97,7 @@ struct FrictionScratch {
     Vectors change, right, response;
     Vector work;        // of all stages so far
     Vector bound;       // mu p_n/G of the present stage; p_n/G if mu depends on slip
-    Vector bound_rate;  // its derivative by the load
+    Vector bound_rate;  // its derivative with respect to the load
     Vector rate;
     JumpWork<directions, Scalar> jump_work;
     // dc of the second stage, from the first

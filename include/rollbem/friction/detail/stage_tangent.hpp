@@ -14,7 +14,7 @@
 
 namespace rollbem::detail {
 
-/// Derivatives by one parameter of the stage that `bounds` have solved last in scratch.solver, while no element changes
+/// Derivatives with respect to one parameter of the stage that `bounds` have solved last in scratch.solver, while no element changes
 /// its zone. Each leaves dp in scratch.response.
 template <int directions, class Scalar, class Bounds>
 class StageTangent {

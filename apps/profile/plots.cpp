@@ -1,0 +1,119 @@
+#include "plots.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+namespace profile {
+
+namespace {
+
+/// Ranges with a margin around all points; `down` reverses y.
+void fit_ranges(study::Plot& plot, bool down) {
+    study::PlotRange x{1e9, -1e9}, y{1e9, -1e9};
+    for (const study::Series& series : plot.series) {
+        for (const auto& [at, value] : series.points) {
+            if (!std::isfinite(at) || !std::isfinite(value)) continue;
+            x = {std::min(x.low, at), std::max(x.high, at)};
+            y = {std::min(y.low, value), std::max(y.high, value)};
+        }
+    }
+    for (study::PlotRange* range : {&x, &y}) {
+        const double margin = 0.05 * (range->high - range->low);
+        *range = {range->low - margin, range->high + margin};
+    }
+    if (down) std::swap(y.low, y.high);
+    plot.x_range = x;
+    plot.y_range = y;
+    plot.true_scale = true;
+}
+
+}  // namespace
+
+study::Plot draw_patches(const std::vector<Drawn>& patches) {
+    std::vector<study::Plot> panels;
+    for (const auto& [left, patch] : patches) {
+        const double sign = left ? -1 : 1;
+        const auto text = [](double value, int digits) { return study::Cell(value).text(digits); };
+        study::Plot plot{.title = std::string(left ? "Left" : "Right") + " wheel, N = " + text(1e-3 * patch.load, 4) +
+                                  " kN, p_{max} = " + text(1e-6 * patch.peak_pressure, 4) +
+                                  " MPa, δ = " + text(sign * patch.angle, 3) + " rad",
+                         .x_label = "x [mm], rolling to the right",
+                         .y_label = "s [mm]"};
+        constexpr std::array<std::size_t, 5> styles{5, 2, 4, 1, 3};
+        const rollbem::CellGrid& grid = patch.grid;
+        for (std::size_t level = 0; level < 5; ++level) {
+            study::Series series{.label = "p > " + text(0.2 * double(level), 2) + " p_{max}",
+                                 .style = styles[level],
+                                 .shape = study::Shape::rectangles};
+            for (Eigen::Index i = 0; i < grid.nx; ++i) {
+                for (Eigen::Index j = 0; j < grid.ny; ++j) {
+                    const double p = patch.pressure(i, j);
+                    if (!(p > 0) || std::min(std::size_t(5 * p / patch.pressure.maxCoeff()), std::size_t(4)) != level) {
+                        continue;
+                    }
+                    const double x = 1e3 * grid.x(i), s = sign * 1e3 * grid.y(j);
+                    series.points.emplace_back(x - 500 * grid.dx, s - 500 * grid.dy);
+                    series.points.emplace_back(x + 500 * grid.dx, s + 500 * grid.dy);
+                }
+            }
+            if (!series.points.empty()) plot.series.push_back(std::move(series));
+        }
+        study::Series edge{.label = "outline", .markers = false, .reference = true};
+        const rollbem::Outline<double>& outline = *patch.outline;
+        const Eigen::ArrayXd& y = outline.y();
+        for (Eigen::Index i = 0; i < y.size(); ++i) {
+            edge.points.emplace_back(1e3 * outline.trailing(y[i]), sign * 1e3 * y[i]);
+        }
+        for (Eigen::Index i = y.size(); i-- > 0;) {
+            edge.points.emplace_back(1e3 * outline.leading(y[i]), sign * 1e3 * y[i]);
+        }
+        edge.points.push_back(edge.points.front());
+        plot.series.push_back(std::move(edge));
+        fit_ranges(plot, true);
+        panels.push_back(std::move(plot));
+    }
+    return study::side_by_side(std::move(panels));
+}
+
+study::Plot draw_contact_points(const rollbem::WheelOnRail& wheel, const std::vector<std::string>& columns,
+                                const std::vector<study::Row>& rows) {
+    constexpr double apart = 25;  // of the profiles [mm]
+    const double offset = 1e3 * (wheel.wheel_origin() - wheel.rail_origin());
+    const auto number = [&](const study::Row& row, const char* name) {
+        return row[study::index_of(columns, name)].number();
+    };
+    std::vector<study::Plot> panels;
+    for (const std::string side : {"left", "right"}) {
+        study::Plot plot{.title = "Where the " + side + " wheel touches the rail, over the lateral shift",
+                         .x_label = "y from the rail's top, field side to the right [mm]",
+                         .y_label = "z [mm]"};
+        study::Series joined{.label = "contact points", .style = 1};
+        for (const study::Row& row : rows) {
+            if (row[study::index_of(columns, "side")].text() != side || !number(row, "load")) continue;
+            joined.points.emplace_back(1e3 * *number(row, "rail_y"), 1e3 * *number(row, "z"));
+            joined.points.emplace_back(offset + 1e3 * *number(row, "wheel_y"),
+                                       1e3 * (*number(row, "rolling_radius") - wheel.dimensions().radius) - apart);
+            joined.points.emplace_back(std::nan(""), 0);
+        }
+        if (joined.points.empty()) continue;
+        const auto curve = [&](const rollbem::Profile& profile, double dy, double dz, const char* label) {
+            study::Series series{.label = label, .markers = false, .reference = true};
+            for (Eigen::Index i = 0; i < profile.size(); ++i) {
+                series.points.emplace_back(1e3 * profile.y()[i] + dy, 1e3 * profile.z()[i] + dz);
+            }
+            plot.series.push_back(std::move(series));
+        };
+        curve(wheel.rail(), 0, 0, "rail");
+        curve(wheel.wheel(), offset, -apart, "wheel");
+        plot.series.push_back(std::move(joined));
+        fit_ranges(plot, true);
+        panels.push_back(std::move(plot));
+    }
+    return study::side_by_side(std::move(panels));
+}
+
+}  // namespace profile

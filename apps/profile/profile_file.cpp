@@ -1,0 +1,171 @@
+#include "profile_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <rollbem/detail/finite.hpp>
+
+#include "support/columns_file.hpp"
+#include "support/csv.hpp"
+#include "support/errors.hpp"
+#include "support/files.hpp"
+
+namespace profile {
+
+namespace {
+
+/// Points in the unit of the file, and where they stand in it, for messages.
+struct Points {
+    std::vector<double> y, z;
+    std::vector<std::string> where;
+};
+
+Points read_csv(const study::Options& options, const std::string& name) {
+    Points points;
+    std::vector<study::Numbers> columns = study::read_columns(
+        options, name, "y,z", "", [&](const auto&, const std::string& where) { points.where.push_back(where); });
+    points.y = std::move(columns[0]);
+    points.z = std::move(columns[1]);
+    return points;
+}
+
+/// The points between point.begin and point.end, and what the lines "name = value" above them say of these. `!` begins
+/// a comment.
+Points read_simpack(const study::Options& options, const std::string& name) {
+    // what changes points; what else there may be does not, or only with values that are not 0
+    std::map<std::string, double> settings{
+        {"mirror.y", 0},    {"mirror.z", 0},    {"shift.y", 0},       {"shift.z", 0},        {"units.len.f", 1000},
+        {"inversion", 0},   {"rotate", 0},      {"approx.smooth", 0}, {"point.dist.min", 0}, {"bound.y.min", 1},
+        {"bound.y.max", 0}, {"bound.z.min", 1}, {"bound.z.max", 0}};
+    Points points;
+    bool inside = false, ended = false;
+    study::Lines lines(options, name);
+    while (lines.next() && !ended) {
+        std::string text = lines.text().substr(0, lines.text().find('!'));
+        const std::string where = lines.where() + " = " + lines.text();
+        if (const std::size_t equals = text.find('='); !inside && equals != std::string::npos) {
+            std::istringstream words(text.substr(0, equals));
+            std::string key;
+            words >> key;
+            const auto setting = settings.find(key);
+            if (setting == settings.end()) continue;
+            const std::vector<std::string> cells = study::cells_of(text.substr(equals + 1), ',');
+            const auto value = study::number_of(cells.front(), ',');
+            if (!value || !std::isfinite(*value))
+                throw study::BadInput(where + ": " + key + " must be a finite number");
+            setting->second = *value;
+            for (const char* unknown : {"rotate", "approx.smooth", "point.dist.min"}) {
+                if (key == unknown && *value != 0) throw study::BadInput(where + ": " + key + " must be 0");
+            }
+            if (key == "units.len.f" && !(*value > 0)) throw study::BadInput(where + ": units.len.f must be positive");
+            continue;
+        }
+        std::istringstream words(text);
+        std::string y, z;
+        if (!(words >> y)) continue;
+        if (y == "point.begin" || y == "point.end") {
+            ended = inside;
+            inside = y == "point.begin";
+            continue;
+        }
+        if (!inside) continue;
+        words >> z;
+        const auto read_y = study::number_of(y, ','), read_z = study::number_of(z, ',');
+        if (!read_y || !read_z || !std::isfinite(*read_y) || !std::isfinite(*read_z)) {
+            throw study::BadInput(where + " must begin with y and z, two finite numbers");
+        }
+        points.y.push_back((*read_y + settings["shift.y"]) * (settings["mirror.y"] != 0 ? -1 : 1));
+        points.z.push_back((*read_z + settings["shift.z"]) * (settings["mirror.z"] != 0 ? -1 : 1));
+        points.where.push_back(where);
+    }
+    for (const std::string of : {"bound.y", "bound.z"}) {
+        if (settings[of + ".min"] < settings[of + ".max"]) {
+            throw study::BadInput(options.said(name) + ": " + of + ".min must not be below " + of +
+                                  ".max: cut the points instead");
+        }
+    }
+    if (points.y.empty()) throw study::BadInput(options.said(name) + " must have points after a line point.begin");
+    // the factor is of lengths in the file over metres, so that the order of the lines above does not matter
+    for (std::vector<double>* of : {&points.y, &points.z}) {
+        for (double& value : *of) value /= settings["units.len.f"];
+    }
+    return points;
+}
+
+bool ends_with(const std::string& text, const std::string& end) {
+    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+rollbem::Profile read(const study::Options& options, const std::string& name, const std::string& known,
+                      const std::string& ending) {
+    const std::string file = options.text(name);
+    Points points;
+    const bool csv = ends_with(file, ".csv");
+    if (csv) {
+        points = read_csv(options, name);
+        const double per_metre = options.choice("length-unit", {"m", "mm"}) == "mm" ? 1000 : 1;
+        for (std::vector<double>* of : {&points.y, &points.z}) {
+            for (double& value : *of) value /= per_metre;
+        }
+    } else if (ends_with(file, ending)) {
+        points = read_simpack(options, name);
+    } else {
+        throw study::BadInput(options.said(name) + " must be " + known + " or a file that ends in .csv or " + ending);
+    }
+    const auto array = [](const std::vector<double>& values) {
+        return Eigen::ArrayXd(Eigen::Map<const Eigen::ArrayXd>(values.data(), Eigen::Index(values.size())));
+    };
+    try {
+        return {array(points.y), array(points.z)};
+    } catch (const std::invalid_argument& error) {
+        const std::string text = error.what(),
+                          of_point = "number of the point = ", rule = "must be that of a point that ";
+        const std::size_t found = text.find(of_point);
+        if (found == std::string::npos) throw study::BadInput(options.said(name) + ": " + text);
+        throw study::BadInput(points.where[std::stoul(text.substr(found + of_point.size())) - 1] + " " +
+                              text.substr(text.find(rule) + rule.size()));
+    }
+}
+
+/// Worn or measured profiles without their noise.
+rollbem::Profile smoothed(const study::Options& options, const rollbem::Profile& profile) {
+    return options.given("smooth") ? profile.smoothed(options.number("smooth", study::positive())) : profile;
+}
+
+}  // namespace
+
+void add_profile_options(study::Options& options) {
+    options.group("Profiles");
+    options.add_input(
+        "wheel",
+        "s1002 (default), or a file .csv (columns y,z, y to the right, z down, flange of the right wheel at "
+        "negative y, z = 0 on the tape circle at y = 0) or .prw");
+    options.set_default("wheel", "s1002");
+    options.add_input("rail", "60e1 (default), or a file .csv (inner side of the right rail at negative y) or .prr");
+    options.set_default("rail", "60e1");
+    options.add("length-unit", "NAME", "of CSV profiles: m or mm", "m");
+    options.add("cant", "X", "by which the rail is turned inwards [rad]; 0 for a profile that is canted already",
+                "0.02499479361892016");
+    options.add("smooth", "X", "root mean square [m] by which smoothed profiles from files may leave their points");
+}
+
+rollbem::Profile read_wheel(const study::Options& options) {
+    return options.text("wheel") == "s1002" ? rollbem::s1002()
+                                            : smoothed(options, read(options, "wheel", "s1002", ".prw"));
+}
+
+rollbem::Profile read_rail(const study::Options& options) {
+    const double cant = options.number("cant", study::between(-0.5, 0.5));
+    if (options.text("rail") == "60e1") return rollbem::rail_60e1(cant);
+    const rollbem::Profile rail = smoothed(options, read(options, "rail", "60e1", ".prr"));
+    const rollbem::Profile canted = cant == 0 ? rail : rail.moved(-cant, 0, 0);
+    return canted.moved(0, 0, -canted.z().minCoeff());
+}
+
+}  // namespace profile

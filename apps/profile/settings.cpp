@@ -1,0 +1,146 @@
+#include "settings.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+#include "help.hpp"
+#include "profile_file.hpp"
+#include "support/columns_file.hpp"
+#include "support/errors.hpp"
+#include "support/files.hpp"
+
+namespace profile {
+
+void add_options(study::Options& options) {
+    options.refuse_group("Discretisation", "patches have strips along x, with the cosine mesh and rows between nodes",
+                         {"n"});
+    options.set_default("n", "12");
+    options.set_help("n", "with --friction: elements of each strip, 1 to 100 (dimensionless)");
+    options.refuse("kernel", "the bodies are half-spaces");
+    options.refuse("aspect", "a patch is as wide as profiles and load make it");
+    options.set_help("poisson", "Poisson's ratio of wheel and rail, 0 to 0.5 (dimensionless)");
+    options.add("shear-modulus", "G", "shear modulus of wheel and rail [Pa]", "8.2e10");
+    add_profile_options(options);
+    options.group("Track and wheelset");
+    options.add("radius", "R", "of the wheel's tape circle [m]", "0.46");
+    options.add("gauge", "X", "between the rails [m]", "1.435");
+    options.add("gauge-depth", "X", "below their tops, where the gauge is measured [m]", "0.014");
+    options.add("flange-back", "X", "between the backs of the flanges [m]", "1.36");
+    options.add("tape-offset", "X", "of the tape circle from the flange's back [m]", "0.07");
+    options.add("side", "NAME", "left, right or both", "right");
+    options.add("shift", "LIST", "lateral shifts of the wheelset to the right, -0.1 to 0.1 [m]", "0");
+    options.add("yaw", "LIST", "yaw angles, clockwise from above, -0.3 to 0.3 [rad]", "0");
+    options.add_input("positions", "instead: CSV with the columns shift,yaw and, if given, roll and pitch_rate");
+    options.replaces("positions", {"shift", "yaw"});
+    options.add("roll", "X", "roll angle, -0.3 to 0.3 [rad]; default: that in which both wheels carry the load");
+    options.add("load", "N", "vertical load on each wheel [N]", "1e5");
+    options.add("cells", "NX,NS", "across what touches, 10 to 1000 each, more where it has lobes (dimensionless)",
+                "40,20");
+    options.group("Friction");
+    options.add("friction", "MU", "coefficient of friction: adds creepages and forces (dimensionless)");
+    options.add("speed", "V", "with --friction: of the wheelset [m/s]", "1");
+    options.add("pitch-rate", "LIST",
+                "with --friction: about the axle, negative when rolling forward [rad/s]; default: that in which the "
+                "longitudinal creepages of both wheels add up to 0");
+    options.add("strips", "M",
+                "with --friction: strips of a patch, 1 to 100; fewer where rolling would gain energy (dimensionless)",
+                "13");
+    options.group("Result");
+    options.add_folder("outline", "also write outlines and pressures of all patches into this folder, for patch_study",
+                       {});
+    options.footer(help);
+    options.set_conventions(
+        "axes = \"track axes: x forward, y to the right, z down; patches: x, s along y turned by the angle, n into the "
+        "rail\"\n"
+        "signs = \"creepages are CONTACT's CKSI, CETA, CPHI; forces and moment act on the wheel\"\n"
+        "units = \"m, rad, s, N, Pa, W; columns ending in _us in microseconds\"\n"
+        "cells = \"the shortest text that is read back exactly; an undefined value is an empty cell\"\n");
+}
+
+std::vector<Case> read_cases(const study::Options& options) {
+    const study::Rule turn = study::between(-0.3, 0.3);
+    std::optional<double> roll;
+    if (options.given("roll")) roll = options.number("roll", turn);
+    std::vector<std::optional<double>> rates{std::nullopt};
+    if (options.given("pitch-rate")) {
+        rates.clear();
+        for (const double rate : options.numbers("pitch-rate", study::finite())) rates.emplace_back(rate);
+    }
+    std::vector<Case> cases;
+    if (options.given("positions")) {
+        for (const char* name : {"shift", "yaw"}) options.ignored(name, "with --positions");
+        study::Lines lines(options, "positions");
+        std::string names = "shift,yaw";
+        std::array<std::size_t, 2> place{0, 0};  // of roll and pitch_rate
+        const std::vector<std::string> header = lines.next()
+                                                    ? study::cells_of(lines.text(), study::separator_of(lines.text()))
+                                                    : std::vector<std::string>{};
+        std::size_t next = 2;
+        for (const std::size_t k : {std::size_t(0), std::size_t(1)}) {
+            const std::string name = k == 0 ? "roll" : "pitch_rate";
+            if (std::find(header.begin(), header.end(), name) == header.end()) continue;
+            names += "," + name;
+            place[k] = next++;
+            options.ignored(k == 0 ? "roll" : "pitch-rate", "with a column " + name + " in --positions");
+        }
+        const std::vector<study::Numbers> columns = study::read_columns(options, "positions", names);
+        for (std::size_t i = 0; i < columns[0].size(); ++i) {
+            for (const std::optional<double>& rate : rates) {
+                cases.push_back({columns[0][i], columns[1][i], place[0] ? columns[place[0]][i] : roll,
+                                 place[1] ? columns[place[1]][i] : rate});
+            }
+        }
+        if (cases.empty()) throw study::BadInput(options.said("positions") + " must have a row below its header");
+        return cases;
+    }
+    for (const double shift : options.numbers("shift", study::between(-0.1, 0.1))) {
+        for (const double yaw : options.numbers("yaw", turn)) {
+            for (const std::optional<double>& rate : rates) cases.push_back({shift, yaw, roll, rate});
+        }
+    }
+    return cases;
+}
+
+Settings read_settings(const study::Options& options) {
+    const auto positive = [&](const char* name) { return options.number(name, study::positive()); };
+    const rollbem::TrackDimensions track{.gauge = positive("gauge"),
+                                         .gauge_depth = positive("gauge-depth"),
+                                         .flange_back = positive("flange-back"),
+                                         .tape_offset = options.number("tape-offset", study::finite()),
+                                         .radius = positive("radius"),
+                                         .shear_modulus = positive("shear-modulus"),
+                                         .poisson_ratio = options.number("poisson", study::between(0, 0.5))};
+    const auto cells = options.pair("cells");
+    const auto fits = [](double count) { return count >= 10 && count <= 1000 && count == std::floor(count); };
+    if (!cells || !fits(cells->first) || !fits(cells->second)) {
+        throw study::BadInput(options.said("cells") +
+                              " must be two integers from 10 to 1000 with a comma between them");
+    }
+    const std::string side = options.choice("side", {"left", "right", "both"});
+    std::vector<Side> sides;
+    if (side != "right") sides.push_back(Side::left);
+    if (side != "left") sides.push_back(Side::right);
+    std::optional<FrictionSettings> friction;
+    if (options.given("friction")) {
+        friction = {positive("friction"), positive("speed"), Eigen::Index(options.integer("n", 1, 100)),
+                    Eigen::Index(options.integer("strips", 1, 100))};
+    } else {
+        for (const char* name : {"speed", "pitch-rate", "n", "strips"}) options.ignored(name, "without --friction");
+    }
+    const double load = positive("load");
+    const rollbem::Profile wheel = read_wheel(options), rail = read_rail(options);
+    try {
+        return {rollbem::WheelsetOnTrack(rollbem::WheelOnRail(wheel, rail, track)),
+                sides,
+                load,
+                {.cells_x = Eigen::Index(cells->first), .cells_s = Eigen::Index(cells->second)},
+                friction};
+    } catch (const std::invalid_argument& error) {
+        throw study::BadInput(options.said("rail") + ": " + error.what());
+    }
+}
+
+}  // namespace profile

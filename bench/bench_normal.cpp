@@ -1,0 +1,67 @@
+// Patches from profiles. BM_NormalContact/n: pressures on 2 n x n cells under Hertz's gap (a/b = 2.6), from nothing; its
+// counter error is that of the peak pressure against Hertz. BM_ProfilePatch/n: S1002 on 60E1 with 2 n x n cells across
+// what touches, from the profiles to outline and pressures, from the position 0.1 mm beside it; /0 from nothing at n = 20.
+// Sample run: ./bench_normal --benchmark_filter=/20$
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include <benchmark/benchmark.h>
+
+#include <rollbem/normal/hertz_ellipse.hpp>
+#include <rollbem/normal/normal_contact.hpp>
+#include <rollbem/normal/wheel_on_rail.hpp>
+
+namespace {
+
+using namespace rollbem;
+
+void BM_NormalContact(benchmark::State& state) {
+    const auto n = static_cast<Eigen::Index>(state.range(0));
+    constexpr double shear_modulus = 8.2e10, nu = 0.28, load = 1e5, along = 0.46, across = 0.1;
+    const ElasticBody<double> steel{2 * shear_modulus * (1 + nu), nu};
+    const double infinite = std::numeric_limits<double>::infinity();
+    const HertzEllipse<double> hertz(
+        {.load = load, .radii_1 = {along, infinite}, .radii_2 = {infinite, across}, .body_1 = steel, .body_2 = steel});
+    const double a = 1.1 * hertz.half_length(), b = 1.1 * hertz.half_width();
+    const double dx = a / double(n), dy = 2 * b / double(n);
+    const CellGrid grid{.nx = 2 * n, .ny = n, .x_0 = -a + dx / 2, .y_0 = -b + dy / 2, .dx = dx, .dy = dy};
+    Eigen::ArrayXXd gap(grid.nx, grid.ny);
+    for (Eigen::Index j = 0; j < grid.ny; ++j) {
+        for (Eigen::Index i = 0; i < grid.nx; ++i) {
+            gap(i, j) = grid.x(i) * grid.x(i) / (2 * along) + grid.y(j) * grid.y(j) / (2 * across);
+        }
+    }
+    NormalContact normal((1 - nu) / shear_modulus);
+    NormalContact::Solution solution;
+    for (auto _ : state) {
+        solution = normal.carry(grid, gap, load);
+        benchmark::DoNotOptimize(solution.approach);
+    }
+    state.counters["n"] = double(n);
+    state.counters["steps"] = solution.steps;
+    state.counters["relative_error"] = normal.pressure().maxCoeff() / hertz.peak_pressure() - 1;
+}
+BENCHMARK(BM_NormalContact)->Arg(10)->Arg(20)->Arg(40)->Arg(80)->Unit(benchmark::kMillisecond);
+
+void BM_ProfilePatch(benchmark::State& state) {
+    const bool fresh = state.range(0) == 0;
+    const Eigen::Index n = fresh ? 20 : static_cast<Eigen::Index>(state.range(0));
+    const WheelOnRail wheel(s1002(), rail_60e1());
+    const WheelOnRail::Options options{.cells_x = 2 * n, .cells_s = n};
+    WheelOnRail::Workspace workspace;
+    int64_t k = 0;
+    for (auto _ : state) {
+        if (fresh) workspace = {};
+        const double lateral = -4e-3 - 1e-4 * double(++k % 2);  // one lobe
+        const auto contact = wheel.carry({.lateral = lateral, .yaw = 5e-3}, 1e5, 0, workspace, options);
+        if (contact.status != NormalStatus::ok) state.SkipWithError(name(contact.status));
+        benchmark::DoNotOptimize(contact.height);
+    }
+    state.counters["n"] = double(n);
+}
+BENCHMARK(BM_ProfilePatch)->Arg(0)->Arg(10)->Arg(20)->Arg(40)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();

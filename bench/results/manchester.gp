@@ -1,0 +1,15 @@
+set datafile separator ','
+set terminal svg size 1100,430 enhanced font 'sans,14' background '#ffffff'
+set multiplot layout 1,2
+set key outside bottom center horizontal
+set grid
+set xlabel 'lateral shift [mm], yaw 2.4 mrad a mm'
+set ylabel 'force on the wheel / (μ N), moment / (μ N c)'
+set yrange [-1.05:1.05]
+f(s, c) = sprintf('< awk -v rows=1 -F, -f ../manchester/compare.awk ../manchester/contact.csv manchester.csv | awk -F, -v OFS=, "\$1 == \"%s\" { print \$2, \$%d }"', s, c)
+do for [s in 'left right'] {
+    set title s . ' wheel'
+    plot f(s,3) with lines lw 2 lc rgb '#0072b2' title 'longitudinal', f(s,6) with points pt 6 lc rgb '#0072b2' title 'CONTACT', \
+        f(s,4) with lines lw 2 lc rgb '#d55e00' title 'lateral', f(s,7) with points pt 4 lc rgb '#d55e00' title 'CONTACT', \
+        f(s,5) with lines lw 2 lc rgb '#009e73' title 'moment', f(s,8) with points pt 8 lc rgb '#009e73' title 'CONTACT'
+}

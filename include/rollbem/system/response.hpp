@@ -1,0 +1,83 @@
+// What a linear problem in full adhesion has found, steady, G' p = inputs, Eq. (15), or under creepages e^{st}, Eq. (16).
+// Lines, patches and Chebyshev states, real or complex, have this one result, and one rule for when to trust it.
+#pragma once
+
+#include <limits>
+#include <type_traits>
+
+#include <Eigen/Core>
+
+#include "../detail/finite.hpp"
+#include "../scene/contact.hpp"
+#include "../status.hpp"
+#include "../types.hpp"
+
+namespace rollbem {
+
+/// Unknowns and forces per unit of each of k creepages, dimensionless; Value is real for steady rolling, else complex.
+/// Creepage, tractions and force act along the kernel's direction: with a lateral kernel c11 is c22.
+template <class Value>
+struct Response {
+    using Scalar = typename Eigen::NumTraits<Value>::Real;
+
+    /// n x k: of elements p / (G creepage) on body 1, trailing to leading, against the creepage; of a patch p_x, then
+    /// p_y; of solve_steady(Chebyshev, kernel) the coefficients of a ChebyshevTraction. Empty in sweeps.
+    MatrixX<Value> unknowns{};
+    MatrixX<Value> coefficients{};  ///< k x k: entry (i, j) is minus force i per creepage j
+    /// k x k: estimates of the relative errors of the coefficients of Chebyshev states and long patches; otherwise
+    /// empty.
+    MatrixX<Scalar> error_estimates{};
+    Scalar residual = 0;  ///< |A p - inputs| / (|A| |p| + |inputs|) in the maximum norm, A = G' - s G [-]
+    Scalar rcond = 0;     ///< estimate of 1 / (|A| |A^-1|) in the 1-norm [-]
+    Status status = Status::not_finite;
+
+    /// The first coefficient: Kalker's creep coefficient of a line, -F_bar / (a G xi), Eq. (30); see steady_c11 and
+    /// steady_c22 for b >> a.
+    Value c11() const { return coefficients(0, 0); }
+    /// Of c11; NaN if there is none.
+    Scalar error_estimate() const {
+        return error_estimates.size() > 0 ? error_estimates(0, 0) : std::numeric_limits<Scalar>::quiet_NaN();
+    }
+};
+
+/// Force on body 1 [N] of a line contact in steady rolling, over its width(): -a G c11 xi per metre, Eq. (30).
+template <class Scalar>
+Scalar creep_force(const Contact<Scalar>& contact, const Response<Scalar>& steady,
+                   std::type_identity_t<Scalar> creepage) {
+    return -contact.width() * contact.half_length() * contact.shear_modulus() * steady.c11() * creepage;
+}
+
+namespace detail {
+
+/// Whether a solution of n equations can be used; `allowed` is the least rcond in units of n eps.
+template <class Scalar>
+Status trust(Eigen::Index n, Scalar rcond, Scalar residual, int allowed) {
+    const Scalar rounding = static_cast<Scalar>(n) * std::numeric_limits<Scalar>::epsilon();
+    const bool trusted = is_finite(rcond) && rcond > static_cast<Scalar>(allowed) * rounding && is_finite(residual) &&
+                         residual <= 100 * rounding;
+    return trusted ? Status::ok : Status::ill_conditioned;
+}
+
+/// The response of a whole whose parts have not been added yet.
+template <class Value>
+Response<Value> response_without_parts(Eigen::Index inputs) {
+    Response<Value> whole;
+    whole.coefficients = MatrixX<Value>::Zero(inputs, inputs);
+    whole.rcond = 1;
+    whole.status = Status::ok;
+    return whole;
+}
+
+/// Adds all but the unknowns of a part, whose first creepage is number `first` of the whole: the worse of both numbers.
+template <class Value>
+void add_part(const Response<Value>& part, Eigen::Index first, Response<Value>& whole) {
+    const Eigen::Index count = part.coefficients.cols();
+    whole.coefficients.block(first, first, count, count) = part.coefficients;
+    if (!(part.residual <= whole.residual)) whole.residual = part.residual;
+    if (!(part.rcond >= whole.rcond)) whole.rcond = part.rcond;
+    if (whole.status == Status::ok) whole.status = part.status;
+}
+
+}  // namespace detail
+
+}  // namespace rollbem
