@@ -107,9 +107,9 @@ public:
     /// dp for the slip s.
     void solve(const ElementVectors<Scalar>& s, ElementVectors<Scalar>& change);
     /// The same to working precision for `part`, at which the factors have been aimed; those of coupled directions may be
-    /// of an earlier Newton step near the solution. `slip_change` becomes ds.
+    /// of an earlier Newton step near the solution. `slip_change`, unless null, becomes ds.
     void solve(const ElementVectors<Scalar>& s, const CombinedPartition<Scalar>& part, ElementVectors<Scalar>& change,
-               ElementVectors<Scalar>& slip_change);
+               ElementVectors<Scalar>* slip_change);
 
     /// Whether the present factors are for the same elements that slip.
     bool slips_as(const CombinedPartition<Scalar>& part) const {
@@ -436,30 +436,34 @@ void CombinedEquations<Scalar>::solve(const ElementVectors<Scalar>& s, ElementVe
 
 template <class Scalar>
 void CombinedEquations<Scalar>::solve(const ElementVectors<Scalar>& s, const CombinedPartition<Scalar>& part,
-                                      ElementVectors<Scalar>& change, ElementVectors<Scalar>& slip_change) {
+                                      ElementVectors<Scalar>& change, ElementVectors<Scalar>* slip_change) {
     if (way_ == Way::released) {
         released_.solve(s, part.stiffness, change, slip_change);
         return;
     }
     solve(s, change);
-    multiply(change, slip_change);
-    if (!coupled_) return;
+    if (!coupled_) {
+        if (slip_change != nullptr) multiply(change, *slip_change);
+        return;
+    }
+    multiply(change, change_);
     Scalar share = 1;
     for (int round = 0; round < 4 && share > Scalar(1e-5); ++round) {
-        across_ = (s + slip_change).array().colwise() * part.stick.array();
+        across_ = (s + change_).array().colwise() * part.stick.array();
         for (Index k = 0; k < slipping_.count; ++k) {
             const Index i = slipping_[k];
             Scalar rest = 0;
             for (Index d = 0; d < 2; ++d) {
-                rest += test_(k, d) * (s(i, d) + slip_change(i, d)) + part.stiffness[i] * tangent_(k, d) * change(i, d);
+                rest += test_(k, d) * (s(i, d) + change_(i, d)) + part.stiffness[i] * tangent_(k, d) * change(i, d);
             }
             across_.row(i) = rest * test_.row(k);
         }
         solve(across_, slip_);
         change += slip_;
-        multiply(change, slip_change);
+        multiply(change, change_);
         share = slip_.norm() / change.norm();
     }
+    if (slip_change != nullptr) *slip_change = change_;
 }
 
 }  // namespace rollbem::detail

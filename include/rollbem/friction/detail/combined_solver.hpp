@@ -131,7 +131,7 @@ public:
         turned_change_ = change;
         if (keeps_plain()) {
             exchange_plain();
-            answer(plain_part_, plain_change_, bound_change, share, plain_response_, plain_slip_change_);
+            answer(plain_part_, plain_change_, bound_change, share, plain_response_, turn_.follows());
             exchange_plain();
         }
         if (turn_.follows()) {
@@ -139,7 +139,7 @@ public:
             turned_change_.col(0) -= angle_change_.cwiseProduct(slip_.col(1));
             turned_change_.col(1) += angle_change_.cwiseProduct(slip_.col(0));
         }
-        answer(part_, turned_change_, bound_change, share, traction_change, change_);
+        answer(part_, turned_change_, bound_change, share, traction_change, false);
     }
     bool angles_follow() const { return turn_.follows(); }
     bool keeps_plain() const { return is_apart_ || turn_.follows(); }
@@ -227,17 +227,17 @@ private:
         if (is_apart_) equations_.exchange_factors(kept_);
     }
 
-    // dp and ds by the present factors, those of `part`, at constant angles.
+    // dp by the present factors, those of `part`, at constant angles; ds, if asked for, into plain_slip_change_.
     void answer(const CombinedPartition<Scalar>& part, const Vectors& change, const Vector* bound_change, Scalar share,
-                Vectors& traction_change, Vectors& slip_change) {
+                Vectors& traction_change, bool with_slip) {
         trial_slip_ = change;
         if (bound_change != nullptr) {
             trial_ = (share * *bound_change).asDiagonal() * part.direction;
             multiply(trial_, change_);
             trial_slip_ += change_;
         }
-        equations_.solve(trial_slip_, part, traction_change, slip_change);
-        slip_change += trial_slip_;
+        equations_.solve(trial_slip_, part, traction_change, with_slip ? &plain_slip_change_ : nullptr);
+        if (with_slip) plain_slip_change_ += trial_slip_;
         if (bound_change != nullptr) traction_change += trial_;
     }
 

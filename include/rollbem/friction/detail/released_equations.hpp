@@ -119,8 +119,8 @@ public:
         for (Index k = 0; k < count_; ++k) change.row(elements_[at(k)]) = sigma_[k] * total_[2 * k] * tangent_.row(k);
     }
     /// The same to working precision where the factors are those of almost the same t, w and k; k is `stiffness`.
-    /// `slip_change` becomes M dp.
-    void solve(const Vectors& s, const Vector& stiffness, Vectors& change, Vectors& slip_change) {
+    /// `slip_change`, unless null, becomes M dp.
+    void solve(const Vectors& s, const Vector& stiffness, Vectors& change, Vectors* slip_change) {
         for (Index k = 0; k < count_; ++k) {
             if (sigma_[k] != 0) resist(k, stiffness[elements_[at(k)]]);
         }
@@ -133,7 +133,7 @@ public:
             multiply(change);
             share = right_.head(2 * count_).norm() / total_.head(2 * count_).norm();
         }
-        slip_change = change_;
+        if (slip_change != nullptr) *slip_change = change_;
         for (Index k = 0; k < count_; ++k) change.row(elements_[at(k)]) = sigma_[k] * total_[2 * k] * tangent_.row(k);
     }
 
