@@ -1,10 +1,10 @@
 // Length of a plane vector.
 #pragma once
 
+#include "language.hpp"
+
 #include <cmath>
 #include <limits>
-
-#include "language.hpp"
 
 namespace rollbem::detail {
 
