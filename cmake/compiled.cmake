@@ -24,12 +24,14 @@ compile_headers(steady assembly lu steady)
 compile_headers(eigenvalues balanced_reduction decompositions monomial stability)
 compile_headers(line chebyshev frequency rolling_system transient)
 compile_headers(friction friction stick_border)
-compile_headers(patch creep_force_table patch)
+compile_headers(patch patch)
+compile_headers(table creep_force_table)
 
 # Objects of their own: what steady rolling needs, and the rest. steady_study links only the former.
 add_library(rollbem_compiled_steady OBJECT "${steady_source}")
 add_library(rollbem_compiled STATIC
-    "${eigenvalues_source}" "${line_source}" "${friction_source}" "${patch_source}" $<TARGET_OBJECTS:rollbem_compiled_steady>)
+    "${eigenvalues_source}" "${line_source}" "${friction_source}" "${patch_source}" "${table_source}"
+    $<TARGET_OBJECTS:rollbem_compiled_steady>)
 add_library(rollbem::compiled ALIAS rollbem_compiled)
 set_target_properties(rollbem_compiled PROPERTIES EXPORT_NAME compiled)
 foreach(target IN ITEMS rollbem_compiled_steady rollbem_compiled)

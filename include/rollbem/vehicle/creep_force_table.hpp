@@ -341,31 +341,27 @@ auto BasicCreepForceTable<Real>::sample(double shape, double x, double y, double
         by_y(y - static_cast<double>(j)), by_spin(spin - static_cast<double>(k));
     // Rows of four neighbours in phi, each of four numbers, of which the last is not used.
     using Number = Eigen::Array4d;
-    Number value = Number::Zero(), along_x = value, along_y = value, along_spin = value, along_shape = value;
+    Number value = Number::Zero(), along_x = value, along_y = value, along_spin = value;
     const std::array<double, 4>& share = by_shape.value;
-    // the digits of the coefficients serve for a derivative
-    const Eigen::Array4f slope = Eigen::Map<const Eigen::Array4d>(by_shape.slope.data()).cast<float>();
     const std::size_t next_shape = static_cast<std::size_t>(per_shape()) * width;
+    const auto row_of = [&](std::size_t p, std::size_t q) {
+        return coefficients_.data() +
+               at(s - 1, i - 1 + static_cast<Eigen::Index>(p), j - 1 + static_cast<Eigen::Index>(q), k - 1);
+    };
     for (std::size_t p = 0; p < 4; ++p) {
-        Number row = Number::Zero(), row_y = row, row_spin = row, row_shape = row;
+        Number row = Number::Zero(), row_y = row, row_spin = row;
         for (std::size_t q = 0; q < 4; ++q) {
-            const float* from = coefficients_.data() + at(s - 1, i - 1 + static_cast<Eigen::Index>(p),
-                                                          j - 1 + static_cast<Eigen::Index>(q), k - 1);
+            const float* from = row_of(p, q);
             Number here = Number::Zero(), here_spin = here;
-            Eigen::Array4f here_shape = Eigen::Array4f::Zero();
             for (std::size_t t = 0; t < 4; ++t, from += width) {
-                const auto single = [&](std::size_t r) {
-                    return Eigen::Map<const Eigen::Array4f>(from + r * next_shape);
+                const auto of_shape = [&](std::size_t r) {
+                    return share[r] * Eigen::Map<const Eigen::Array4f>(from + r * next_shape).cast<double>();
                 };
-                const auto of_shape = [&](std::size_t r) { return share[r] * single(r).template cast<double>(); };
                 const Number node = of_shape(0) + of_shape(1) + of_shape(2) + of_shape(3);
                 here += by_spin.value[t] * node;
                 here_spin += by_spin.slope[t] * node;
-                here_shape += static_cast<float>(by_spin.value[t]) * (slope[0] * single(0) + slope[1] * single(1) +
-                                                                      slope[2] * single(2) + slope[3] * single(3));
             }
             row += by_y.value[q] * here;
-            row_shape += by_y.value[q] * here_shape.cast<double>();
             row_y += by_y.slope[q] * here;
             row_spin += by_y.value[q] * here_spin;
         }
@@ -373,9 +369,23 @@ auto BasicCreepForceTable<Real>::sample(double shape, double x, double y, double
         along_x += by_x.slope[p] * row;
         along_y += by_x.value[p] * row_y;
         along_spin += by_x.value[p] * row_spin;
-        along_shape += by_x.value[p] * row_shape;
     }
-    return {value.head<3>(), along_x.head<3>(), along_y.head<3>(), along_spin.head<3>(), along_shape.head<3>()};
+    // in a pass of its own, as registers are few, and in float, whose digits serve for a derivative
+    Eigen::Array4f along_shape = Eigen::Array4f::Zero();
+    for (std::size_t p = 0; p < 4; ++p) {
+        for (std::size_t q = 0; q < 4; ++q) {
+            const float* from = row_of(p, q);
+            for (std::size_t t = 0; t < 4; ++t, from += width) {
+                const double weight = by_x.value[p] * by_y.value[q] * by_spin.value[t];
+                for (std::size_t r = 0; r < 4; ++r) {
+                    along_shape += static_cast<float>(weight * by_shape.slope[r]) *
+                                   Eigen::Map<const Eigen::Array4f>(from + r * next_shape);
+                }
+            }
+        }
+    }
+    return {value.head<3>(), along_x.head<3>(), along_y.head<3>(), along_spin.head<3>(),
+            along_shape.head<3>().cast<double>()};
 }
 
 template <std::same_as<double> Real>
