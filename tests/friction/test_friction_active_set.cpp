@@ -1,4 +1,4 @@
-// rollbem/friction/detail/active_set.hpp, complementary_path.hpp, stick_equations.hpp, stick_transform.hpp,
+// rollbem/friction/detail/active_set.hpp, complementary_path.hpp, stick_equations.hpp,
 // falling_set.hpp
 #include <algorithm>
 #include <cmath>

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "../assembly/patch_system.hpp"
+#include "../detail/require.hpp"
 #include "../discretisation/patch_mesh.hpp"
 #include "../elasticity/rectangle_kernel.hpp"
 #include "../scene/creep_coefficients.hpp"
@@ -22,10 +23,11 @@
 namespace rollbem {
 
 /// Kalker's coefficients from the 3 x 3 of a response in units of a (outlines: c), steady or harmonic: entry (i, j) minus
-/// the force F_x, F_y, M_z per xi, eta, phi.
+/// the force F_x, F_y, M_z per xi, eta, phi. Throws std::invalid_argument if they are not 3 x 3.
 template <class Value, class Scalar>
 CreepCoefficients<Value> creep_coefficients(const PatchContact<Scalar>& contact, const Response<Value>& response) {
     const MatrixX<Value>& coefficients = response.coefficients;
+    detail::require(coefficients.cols() == 3, "creep_coefficients", "number of creepages", coefficients.cols(), "be 3");
     const Scalar force = contact.a_over_b(), spin = std::sqrt(force);  // a^2/(a b), a/c
     return {force * coefficients(0, 0), force * coefficients(1, 1), force * spin * coefficients(1, 2),
             force * spin * coefficients(2, 1), force * force * coefficients(2, 2)};
@@ -36,11 +38,13 @@ CreepCoefficients<Value> creep_coefficients(const PatchContact<Scalar>& contact,
 inline constexpr double largest_mesh_change = 0.07;
 
 /// The forces on body 1 [N] and the moment about the origin [N m] of steady rolling, also of an outline without symmetry.
+/// Throws std::invalid_argument if the coefficients are not 3 x 3.
 template <class Scalar>
 TangentialForce<Scalar> creep_force(const PatchContact<Scalar>& contact, const Response<Scalar>& steady,
                                     const Creepage<Scalar>& creepage) {
     const Scalar a = contact.half_length(), scale = -contact.shear_modulus() * a * a;
     const MatrixX<Scalar>& c = steady.coefficients;
+    detail::require(c.cols() == 3, "creep_force", "number of creepages", c.cols(), "be 3");
     const auto force = [&](Eigen::Index i) {
         return scale * (c(i, 0) * creepage.longitudinal + c(i, 1) * creepage.lateral + c(i, 2) * (creepage.spin * a));
     };

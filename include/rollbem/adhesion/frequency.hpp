@@ -14,6 +14,7 @@
 
 #include "../detail/finite.hpp"
 #include "../detail/reciprocal_condition.hpp"
+#include "../detail/require.hpp"
 #include "../rolling/consistency.hpp"
 #include "../status.hpp"
 #include "../system/rolling_system.hpp"
@@ -36,8 +37,16 @@ public:
 
     /// Of one system.
     explicit FrequencySweep(RollingSystem<Scalar> system) { add({std::move(system)}); }
-    /// Of several that do not couple, as patch_parts makes them.
+    /// Of several that do not couple, as patch_parts makes them, in the order of their creepages. Throws
+    /// std::invalid_argument if there is none, or if their creepages do not follow each other from number 0 on.
     explicit FrequencySweep(std::vector<SystemPart<Scalar>> parts) {
+        detail::require(!parts.empty(), "FrequencySweep", "number of parts", parts.size(), "be positive");
+        Eigen::Index next = 0;
+        for (const SystemPart<Scalar>& part : parts) {
+            detail::require(part.first == next, "FrequencySweep", "number of the first creepage of a part", part.first,
+                            "be that of creepages before it");
+            next += part.system.input_count();
+        }
         for (SystemPart<Scalar>& part : parts) add(std::move(part));
     }
 

@@ -264,7 +264,13 @@ private:
             return call(from, to, *own);
         } else {
             const Eigen::Index n = size();
-            if (&from == &to || from.traction.rows() != n || to.traction.rows() != n) return refused();
+            const auto fits = [&](const State& state) {
+                return state.traction.rows() == n && state.zones.size() == static_cast<std::size_t>(n) &&
+                       state.normal_pressure.size() == n && workspace.from_.traction.size() == n &&
+                       state.friction_coefficient.size() == workspace.from_.friction_coefficient.size();
+            };
+            if (&from == &to || !fits(from) || !fits(to)) return refused();
+            workspace.direction_ = direction_;
             lower(from, workspace.from_);
             lower(to, workspace.to_);
             const Step step = raise(call(workspace.from_, workspace.to_, *own));

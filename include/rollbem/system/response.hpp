@@ -33,7 +33,9 @@ struct Response {
 
     /// The first coefficient: Kalker's creep coefficient of a line, -F_bar / (a G xi), Eq. (30); see steady_c11 and
     /// steady_c22 for b >> a.
-    Value c11() const { return coefficients(0, 0); }
+    Value c11() const {
+        return coefficients.size() > 0 ? coefficients(0, 0) : Value(std::numeric_limits<Scalar>::quiet_NaN());
+    }
     /// Of c11; NaN if there is none.
     Scalar error_estimate() const {
         return error_estimates.size() > 0 ? error_estimates(0, 0) : std::numeric_limits<Scalar>::quiet_NaN();

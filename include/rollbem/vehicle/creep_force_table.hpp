@@ -413,7 +413,7 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     const detail::SplineWeights by_shape(shape - static_cast<double>(cell));
     // beyond the table the shape stays that of its last ellipse
     const double shape_per_log =
-        position == std::clamp(position, 0.0, 1.0) ? static_cast<double>(grid_.shapes() - 1) / (last - first) : 0;
+        result.a_over_b_on_table ? static_cast<double>(grid_.shapes() - 1) / (last - first) : 0;
     Eigen::Array4d linear = Eigen::Array4d::Zero(), linear_by_shape = linear;
     for (Eigen::Index k = 0; k < 4; ++k) {
         const Eigen::Array4d of = scales_.col(cell + k).head<4>();
@@ -466,13 +466,15 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
         const double slope = distance > 0 ? -left * left * (1 + 8 * distance) / distance : 0;  // d share, over |u|
         at.value += share * all.array();
         at.by_shape += share * (lack_by_shape * place).array();
+        if (distance < 1e-9) {  // no rounding
+            at.by_shape = Eigen::Array3d(0, 0, step * (couples_by_shape * place[1] + turns_by_shape * place[2]));
+        }
         at.by_x += share * lack.col(0).array() + slope * place[0] * all.array();
         at.by_y += share * lack.col(1).array() + slope * place[1] * all.array();
         at.by_spin += share * lack.col(2).array() + slope * place[2] * all.array();
     }
     if (distance < 1e-9) {  // no rounding
         at.value = at.by_x * place[0] + at.by_y * place[1] + at.by_spin * place[2];
-        at.by_shape = 0;
     }
 
     // The signs of the quadrant; between the two groups of symmetry derivatives change sign with both.
@@ -509,7 +511,7 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     result.tangent_by_friction_coefficient = in_si(load * by_bound);
     result.tangent_by_half_length = in_si((by_size / 2 + by_a_over_b) / a);
     result.tangent_by_half_width = in_si((by_size / 2 - by_a_over_b) / b);
-    const double sum = force.sum() + slope.sum() + c + bound;
+    const double sum = force.sum() + slope.sum() + by_size.sum() + by_a_over_b.sum() + c + bound;
     return detail::is_finite(sum) ? ended(StepStatus::ok) : TabulatedForce{};
 }
 
