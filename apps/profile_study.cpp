@@ -149,6 +149,7 @@ study::Row row_of(const Settings& settings, const Case& at, const Contacts& cont
         const profile::PatchForces of = rubs ? wheel.forces[*number] : profile::PatchForces{};
         const bool solved = rubs && of.status == rollbem::StepStatus::ok;
         if (rubs && !solved) status = name(of.status);
+        if (known && !rubs) status = "no_pitch_rate";  // the other wheel has no contact
         const auto force = [&](double number_of, bool if_known) { return if_known ? study::Cell(number_of) : none; };
         forces = {force(of.creepage.longitudinal, rubs),
                   force(sign * of.creepage.lateral, rubs),

@@ -21,7 +21,8 @@ of the rail on the wheel, over the mean of V and the circumferential speed: a dr
 creepage. longitudinal_force, lateral_force (along s) and spin_moment, about n at the reference point, act on the wheel
 (CONTACT's FX, FS, MN on the rail are minus these). slip_power [W] is what friction turns into heat, minus the power of
 forces and moment on the creepages; elements those of each patch. The loads are vertical: the normal forces are found
-together with those of friction. Status may then be that of friction, with the forces empty.
+together with those of friction. Status may then be that of friction, with the forces empty, or no_pitch_rate: the other
+wheel has no contact, and --pitch-rate is not given.
 --outline writes files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P and patch K, e.g. for
   patch_study --n 12 --outline DIR/1_right_1.outline.csv --pressure DIR/1_right_1.pressure.csv --longitudinal 0.1
 --positions: a row for each position. --smooth is for worn or measured profiles: the smoothest curve that leaves the
