@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -91,6 +92,7 @@ Points read_simpack(const study::Options& options, const std::string& name) {
         }
     }
     if (points.y.empty()) throw study::BadInput(options.said(name) + " must have points after a line point.begin");
+    if (!ended) throw study::BadInput(options.said(name) + " must have a line point.end after its points");
     // the factor is of lengths in the file over metres, so that the order of the lines above does not matter
     for (std::vector<double>* of : {&points.y, &points.z}) {
         for (double& value : *of) value /= settings["units.len.f"];
@@ -121,8 +123,9 @@ rollbem::Profile read(const study::Options& options, const std::string& name, co
     const auto array = [](const std::vector<double>& values) {
         return Eigen::ArrayXd(Eigen::Map<const Eigen::ArrayXd>(values.data(), Eigen::Index(values.size())));
     };
+    std::optional<rollbem::Profile> profile;
     try {
-        return {array(points.y), array(points.z)};
+        profile.emplace(array(points.y), array(points.z));
     } catch (const std::invalid_argument& error) {
         const std::string text = error.what(),
                           of_point = "number of the point = ", rule = "must be that of a point that ";
@@ -131,6 +134,13 @@ rollbem::Profile read(const study::Options& options, const std::string& name, co
         throw study::BadInput(points.where[std::stoul(text.substr(found + of_point.size())) - 1] + " " +
                               text.substr(text.find(rule) + rule.size()));
     }
+    const auto [least, largest] = std::minmax_element(points.y.begin(), points.y.end());
+    const double width = *largest - *least;
+    if (width > 1 || width < 1e-3) {
+        throw study::BadInput(options.said(name) + ": width of the profile = " + study::Cell(width).text(4) +
+                              " m must lie in [0.001, 1]" + (csv ? ": is --length-unit right?" : ""));
+    }
+    return *std::move(profile);
 }
 
 /// Worn or measured profiles without their noise.
@@ -156,6 +166,10 @@ void add_profile_options(study::Options& options) {
 }
 
 rollbem::Profile read_wheel(const study::Options& options) {
+    options.choice("length-unit", {"m", "mm"});
+    const std::string wheel = options.text("wheel"), rail = options.text("rail");
+    if (!ends_with(wheel, ".csv") && !ends_with(rail, ".csv")) options.ignored("length-unit", "without a .csv profile");
+    if (wheel == "s1002" && rail == "60e1") options.ignored("smooth", "without a profile from a file");
     return options.text("wheel") == "s1002" ? rollbem::s1002()
                                             : smoothed(options, read(options, "wheel", "s1002", ".prw"));
 }

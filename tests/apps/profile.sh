@@ -27,6 +27,10 @@ bad_wheel 'number of points = 3 must be at least 4' 'y,z\n0,0\n1,0\n2,0\n'
 bad_wheel 'line 4 = 1,0 must differ from the one before it' 'y,z\n0,0\n1,0\n1,0\n2,0\n'
 bad_wheel 'line 3 = 1,0 must not turn the curve by more than 90 degrees' 'y,z\n3,0\n1,0\n2,0\n-1,0\n'
 bad_wheel 'line 3 = 1,inf must be two finite numbers' 'y,z\n0,0\n1,inf\n2,0\n3,0\n'
+bad_wheel 'width of the profile = 3 m must lie in [0.001, 1]: is --length-unit right?' 'y,z\n0,0\n1,0\n2,0\n3,0\n'
+bad '--length-unit = mm has no effect without a .csv profile' $p --length-unit mm
+bad '--smooth = 1e-5 has no effect without a profile from a file' $p --smooth 1e-5
+bad_wheel 'must have a line point.end after its points' 'point.begin\n0 0\n1 0\n' prw
 bad_wheel 'must have points after a line point.begin' '0 0\n1 0\n' prw
 bad_wheel 'line 3 = 1 x must begin with y and z' 'point.begin\n0 0 ! first\n1 x\n' prw
 bad_wheel 'line 1 = rotate = 0.1 ! [rad]: rotate must be 0' 'rotate = 0.1 ! [rad]\npoint.begin\n0 0\n' prw
@@ -70,8 +74,8 @@ within spin_moment 2e-3 1e-2
     awk -F, '/^[-0-9]/ { print $1, $2, 1 }' "$benchmark/rail.csv"
     printf 'point.end\n'
 } >rail.prr
-at="--cant 0 --shift 0.002 --length-unit mm"
-$profile $at --wheel "$benchmark/wheel.csv" --rail "$benchmark/rail.csv" >one
+at="--cant 0 --shift 0.002"
+$profile $at --length-unit mm --wheel "$benchmark/wheel.csv" --rail "$benchmark/rail.csv" >one
 $profile $at --wheel wheel.prw --rail rail.prr >other
 cmp one other || fail 'a profile as .prw'
 
