@@ -4,7 +4,6 @@
 //     ./friction_study --n 20,40 --creepage-ratio 0.25,0.5,0.75,1 --plot curve.svg
 //     ./friction_study --transient --n 40 --creepage-ratio 0.5 --shift 2 --until 10
 #include "friction/help.hpp"
-#include "friction/pressure.hpp"
 #include "friction/steady.hpp"
 #include "friction/transient.hpp"
 #include "support/load_history.hpp"
@@ -86,11 +85,8 @@ int main(int argc, char** argv) {
     options.footer(friction::help, friction::topics());
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        // 2. The pressure.
-        const friction::Pressure pressure = friction::make_pressure(given);
-
-        // 3. Rows, tractions and pictures: friction/steady.cpp, friction/transient.cpp.
-        (given.flag("transient") ? friction::run_transient : friction::run_steady)(given, pressure);
+        // 2. Rows, tractions and pictures: friction/steady.cpp, friction/transient.cpp.
+        (given.flag("transient") ? friction::run_transient : friction::run_steady)(given);
         return study::exit_ok;
     });
 }

@@ -1,72 +1,58 @@
 // Creep curves with the exact border between slip and stick.
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <optional>
-#include <utility>
 
-#include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/stick_border.hpp>
 
-#include "creep_curve.hpp"
+#include "steady.hpp"
 #include "support/timing.hpp"
-#include "surface.hpp"
 
 namespace friction {
 
-namespace {
-
-/// At the centres of the cosine mesh, which is also the one used where the border has no exact solution.
-Profile profile_of(const study::Scene& scene, const CreepPoint& point,
-                   const rollbem::StickBorderSolution<double>& solution, const Pressure& pressure) {
-    const rollbem::Mesh<double> mesh = rollbem::cosine_mesh<double>(scene.n());
-    const std::optional<double> alpha = solution.exact ? std::nullopt : std::optional(0.5);
-    Profile profile{.scene = &scene,
-                    .mesh_name = solution.exact ? "fitted" : "cosine",
-                    .alpha_L = alpha,
-                    .alpha_T = alpha,
-                    .point = point,
-                    .status = name(solution.status),
-                    .mesh = mesh,
-                    .traction = Eigen::VectorXd(scene.n()),
-                    .bound = pressure(mesh).matrix(),
-                    .slip = Eigen::VectorXd(scene.n())};
-    for (Eigen::Index k = 0; k < scene.n(); ++k) {
-        const double x = mesh.centres()[k];
-        if (solution.exact) profile.bound[k] = pressure(x);
-        profile.traction[k] = solution.traction(x);
-        profile.slip[k] = solution.slip(x);
-        profile.sticks.push_back(solution.exact ? x > solution.border : profile.slip[k] == 0);
+void solve_by_border(const Curve& curve, const study::Scene& scene, study::RowRange range, const See& see) {
+    try {
+        curve.line.system(scene, Line::Direction::longitudinal, false);
+    } catch (const std::invalid_argument&) {
+        return leave_out(scene, range, curve.line, see);
     }
-    return profile;
-}
-
-}  // namespace
-
-void border_rows(const CreepCurve& curve, const study::Scene& scene, std::size_t task, study::RowRange range,
-                 const study::Emit& emit) {
-    const bool finite = Surface{scene}.gradient(Direction::longitudinal).allFinite();
-    if (!finite) return rows_without(curve, scene, task, range, emit);
+    // tractions are those at the centres of the cosine mesh, which is also the one used where the border has no exact
+    // solution
+    const Pressure& pressure = curve.line.pressure;
+    const rollbem::Mesh<double> mesh = rollbem::cosine_mesh<double>(scene.n());
     for (std::size_t i = range.first; i < range.last; ++i) {
-        const CreepPoint& point = curve.points[i];
+        const double unit = creepage_unit(scene);
         const auto solve = [&] {
-            return rollbem::solve_stick_border(scene.contact, scene.kernel, 1.0, curve.pressure,
-                                               creepage(scene, point.longitudinal), scene.n());
+            return rollbem::solve_stick_border(scene.contact, scene.kernel, 1.0, pressure,
+                                               unit * curve.points[i].longitudinal, scene.n());
         };
-        const rollbem::StickBorderSolution<double> solution = solve();
-        Profile profile = profile_of(scene, point, solution, curve.pressure);
-        CreepResult result{.mesh_name = profile.mesh_name, .alpha_L = profile.alpha_L, .alpha_T = profile.alpha_T};
-        if (curve.timed()) result.time_us = study::median_time_us([&] { return solve().force_per_width; });
-        if (solution.status == rollbem::StepStatus::ok) result.force_ratio = -solution.force_per_width / mu_N;
-        result.stick_count = std::count(profile.sticks.begin(), profile.sticks.end(), true);
-        result.rounds = solution.evaluations;
-        result.pivots = 0;
-        result.complementarity_residual = solution.complementarity_residual;
-        result.tangent_ratio = -solution.tangent_per_width * creepage(scene, 1) / mu_N;
-        result.slip_work = solution.slip_work_per_width / mu_N;
-        result.status = profile.status;
-        emit(creep_row(curve, scene, point, result));
-        if (curve.profiles != nullptr) curve.profiles->keep(task, i, std::move(profile));
+        const rollbem::StickBorderSolution<double> found = solve();
+        const std::optional<double> alpha = found.exact ? std::nullopt : std::optional(0.5);
+        Solution solution{.mesh_name = found.exact ? "fitted" : "cosine",
+                          .alpha_L = alpha,
+                          .alpha_T = alpha,
+                          .x = mesh.centres(),
+                          .bound = pressure(mesh),
+                          .full = mu_N,
+                          .pivots = 0,
+                          .traction = Eigen::MatrixXd::Zero(scene.n(), 2),
+                          .slip = Eigen::MatrixXd::Zero(scene.n(), 2),
+                          .status = name(found.status)};
+        for (Eigen::Index k = 0; k < scene.n(); ++k) {
+            const double x = mesh.centres()[k];
+            if (found.exact) solution.bound[k] = pressure(x);
+            solution.traction(k, 0) = found.traction(x);
+            solution.slip(k, 0) = found.slip(x);
+            solution.sticks.push_back(found.exact ? x > found.border : solution.slip(k, 0) == 0);
+        }
+        if (curve.timed) solution.time_us = study::median_time_us([&] { return solve().force_per_width; });
+        rollbem::FrictionStep<2>& step = solution.step;
+        step.force.longitudinal = found.force_per_width;
+        step.tangent.by_longitudinal.longitudinal = found.tangent_per_width;
+        step.slip_work = found.slip_work_per_width;
+        step.stick_count = std::count(solution.sticks.begin(), solution.sticks.end(), true);
+        step.rounds = found.evaluations;
+        step.complementarity_residual = found.complementarity_residual;
+        see(i, solution);
     }
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "creep_curve.hpp"
+#include "steady.hpp"
 #include "support/options.hpp"
 #include "transient.hpp"
 

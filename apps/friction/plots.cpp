@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include <rollbem/closed_form/friction.hpp>
 
@@ -12,12 +11,13 @@ namespace friction {
 namespace {
 
 constexpr int line_points = 400;
+const std::vector<std::string> scheme_columns{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T"};
 
-/// Carter's creep curve over the ratios and 0.
-study::Series carter_curve(const std::vector<double>& ratios) {
+/// Carter's creep curve between two ratios, 0 included.
+study::Series carter_curve(double from, double to) {
     study::Series line{.label = "Carter", .markers = false, .reference = true};
-    const auto [low, high] = std::minmax_element(ratios.begin(), ratios.end());
-    const double from = std::min(*low, 0.0), to = std::max(*high, 0.0);
+    from = std::min(from, 0.0);
+    to = std::max(to, 0.0);
     for (int i = 0; i <= line_points; ++i) {
         const double ratio = from + (to - from) * i / line_points;
         line.points.emplace_back(ratio, rollbem::carter_force_ratio(ratio));
@@ -37,53 +37,58 @@ study::PlotRange force_range(const study::Plot& plot) {
     return {below ? -1.05 : 0, above || !below ? 1.05 : 0};
 }
 
-/// Of the last scene with a result, the profile nearest to half of full sliding; null if there is none.
-const Profile* most_telling(const Profiles& profiles) {
-    const auto distance = [](const Profile& profile) { return std::abs(std::abs(profile.point.longitudinal) - 0.5); };
-    const Profile* shown = nullptr;
-    for (const auto& [key, profile] : profiles.all()) {
-        if (profile.status != "ok") continue;
-        if (shown == nullptr || profile.scene != shown->scene || distance(profile) < distance(*shown)) shown = &profile;
-    }
-    return shown;
-}
-
 // What forces and tractions are drawn in units of.
 std::string coefficient(bool falling) { return falling ? "μ_0" : "μ"; }
-std::string creepage_label(bool falling, bool both = false) {
-    return std::string(both ? "creepage ratio δ_x = ξ_x" : "creepage ratio δ = ξ") + " G / (2 (1 - ν) " +
-           coefficient(falling) + " p_0)";
+std::string creepage_label(bool falling, const std::string& ratio) {
+    return "creepage ratio " + ratio + " G / (2 (1 - ν) " + coefficient(falling) + " p_0)";
 }
 std::string force_label(bool falling, const std::string& force = "-F", const std::string& load = "N") {
     return force + " / (" + coefficient(falling) + " " + load + ")";
 }
 
-study::Plot draw_tractions(const Profile& shown, bool carter, bool falling) {
-    const double ratio = shown.point.longitudinal;
-    study::Plot panel{
-        .title = "Traction, δ = " + study::Cell(ratio).text(6) + ", n = " + std::to_string(shown.mesh.size()),
-        .x_label = "x / a (leading edge at 1)",
-        .y_label = force_label(falling, "-p", "p_0"),
-        .x_range = study::PlotRange{-1, 1}};
-    const double sign = ratio < 0 ? -1 : 1;
+/// The tractions of the last scene with a result at the creepage nearest to half of full sliding; no panel if there are
+/// none.
+std::vector<study::Plot> draw_tractions(const Tractions& tractions, const Line& line) {
+    std::optional<double> shown;
+    const std::vector<study::Row>* of_task = nullptr;
+    for (const std::vector<study::Row>& rows : tractions.rows) {
+        for (const study::Row& row : rows) {
+            if (!tractions.number(row, "traction")) continue;
+            const double ratio = *tractions.number(row, "creepage_ratio");
+            const auto distance = [](double one) { return std::abs(std::abs(one) - 0.5); };
+            if (of_task != &rows || distance(ratio) < distance(*shown)) shown = ratio;
+            of_task = &rows;
+        }
+    }
+    if (!shown) return {};
+    const bool falling = line.falling.has_value();
+    const double sign = *shown < 0 ? -1 : 1;
     study::Series exact{.label = "Carter", .markers = false, .reference = true};
     study::Series bound{.label = "bound " + coefficient(falling) + " p_n", .markers = false, .reference = true};
     // other colours than those of the first creep curves
     study::Series slip{.label = "slip", .line = false, .style = 7};
     study::Series stick{.label = "stick", .line = false, .style = 6};
-    for (Eigen::Index i = 0; i < shown.mesh.size(); ++i) {
-        const double x = shown.mesh.centres()[i];
-        bound.points.emplace_back(x, sign * shown.bound[i]);
-        (shown.sticks[std::size_t(i)] ? stick : slip).points.emplace_back(x, -shown.traction[i]);
+    double highest = 0;
+    for (const study::Row& row : *of_task) {
+        if (tractions.number(row, "creepage_ratio") != shown) continue;
+        const double x = *tractions.number(row, "x_over_a"), most = *tractions.number(row, "bound");
+        highest = std::max(highest, 1.05 * most);
+        bound.points.emplace_back(x, sign * most);
+        auto& zone = *tractions.number(row, "stick") > 0 ? stick : slip;
+        zone.points.emplace_back(x, -*tractions.number(row, "traction"));
     }
-    for (int i = 0; i <= line_points && carter; ++i) {
+    for (int i = 0; i <= line_points && line.carter(); ++i) {
         const double x = -std::cos(std::numbers::pi * i / line_points);
-        exact.points.emplace_back(x, -rollbem::carter_friction_traction(x, ratio));
+        exact.points.emplace_back(x, -rollbem::carter_friction_traction(x, *shown));
     }
-    const double highest = 1.05 * shown.bound.maxCoeff();
-    panel.y_range = ratio < 0 ? study::PlotRange{-highest, 0} : study::PlotRange{0, highest};
+    study::Plot panel{
+        .title = "Traction, δ = " + study::Cell(*shown).text(6) + ", n = " + std::to_string(bound.points.size()),
+        .x_label = "x / a (leading edge at 1)",
+        .y_label = force_label(falling, "-p", "p_0"),
+        .x_range = study::PlotRange{-1, 1},
+        .y_range = study::PlotRange{std::min(0.0, sign * highest), std::max(0.0, sign * highest)}};
     panel.series = {std::move(exact), std::move(bound), std::move(slip), std::move(stick)};
-    return panel;
+    return {std::move(panel)};
 }
 
 }  // namespace
@@ -116,49 +121,45 @@ std::string scene_in_title(const study::Options& options) {
 }
 
 study::Plot creep_picture(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
-                          const CreepCurve& curve) {
-    const bool falling = curve.falling.has_value();
+                          const Curve& curve, const Tractions& tractions,
+                          const std::vector<std::vector<std::pair<double, double>>>& others) {
+    const bool falling = curve.line.falling.has_value();
     study::Plot plot{.title = "Creep curve" + scene_in_title(curve.options),
-                     .x_label = creepage_label(falling),
-                     .y_label = force_label(falling)};
-    study::add_series(plot, columns, rows,
-                      {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T"},
-                       .x = "creepage_ratio",
-                       .y = "force_ratio",
-                       .apart = study::setting_columns()});
+                     .x_label = creepage_label(falling, "δ = ξ"),
+                     .y_label = force_label(falling),
+                     .beside = draw_tractions(tractions, curve.line)};
+    study::add_series(
+        plot, columns, rows,
+        {.by = scheme_columns, .x = "creepage_ratio", .y = "force_ratio", .apart = study::setting_columns()});
     for (study::Series& series : plot.series) {
         series.line = false;
         series.open = true;
         if (plot.series.size() == 1) series.label = curve.sweep.empty() ? "computed" : "sweep " + curve.sweep;
     }
-    const bool carter = curve.carter();
     plot.y_range = force_range(plot);
-    if (curve.other != nullptr) {
-        for (const auto& [task, points] : curve.other->all()) {
-            plot.series.push_back(
-                {.label = curve.sweep == "up" ? "sweep down" : "sweep up", .points = points, .markers = false});
-        }
+    for (const auto& points : others) {
+        if (points.empty()) continue;
+        plot.series.push_back(
+            {.label = curve.sweep == "up" ? "sweep down" : "sweep up", .points = points, .markers = false});
     }
-    std::vector<double> ratios;
-    for (const CreepPoint& point : curve.points) ratios.push_back(point.longitudinal);
-    if (carter) plot.series.push_back(carter_curve(ratios));
-    if (const Profile* shown = most_telling(*curve.profiles))
-        plot.beside.push_back(draw_tractions(*shown, carter, falling));
+    const auto [least, most] = std::minmax_element(
+        curve.points.begin(), curve.points.end(),
+        [](const CreepPoint& one, const CreepPoint& other) { return one.longitudinal < other.longitudinal; });
+    if (curve.line.carter()) plot.series.push_back(carter_curve(least->longitudinal, most->longitudinal));
     return plot;
 }
 
 study::Plot combined_creep(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
-                           const CreepCurve& curve) {
-    const bool falling = curve.falling.has_value();
+                           const Curve& curve) {
+    const bool falling = curve.line.falling.has_value();
     const auto panel = [&](const std::string& title, const char* force, const char* y) {
         study::Plot plot{
-            .title = title, .x_label = creepage_label(falling, true), .y_label = force_label(falling, force)};
-        study::add_series(
-            plot, columns, rows,
-            {.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lateral_ratio", "spin_ratio"},
-             .x = "creepage_ratio",
-             .y = y,
-             .apart = study::setting_columns()});
+            .title = title, .x_label = creepage_label(falling, "δ_x = ξ_x"), .y_label = force_label(falling, force)};
+        study::add_series(plot, columns, rows,
+                          {.by = study::joined(scheme_columns, {"lateral_ratio", "spin_ratio"}),
+                           .x = "creepage_ratio",
+                           .y = y,
+                           .apart = study::setting_columns()});
         plot.y_range = force_range(plot);
         return plot;
     };
@@ -169,47 +170,41 @@ study::Plot combined_creep(const std::vector<std::string>& columns, const std::v
 
 study::Plot force_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
                           const TimePicture& shown) {
-    study::Selection selection{.by = {"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"},
-                               .x = "q_over_a",
-                               .y = "force_ratio",
-                               .apart = study::setting_columns()};
-    // further columns over the same axis; the prefix of the label says which
-    const auto add = [&](study::Plot& plot, const char* y, const std::string& prefix) {
-        const std::size_t first = plot.series.size();
+    study::Selection selection{
+        .by = study::joined(scheme_columns, {"lambda"}), .x = "", .y = "", .apart = study::setting_columns()};
+    // the column y over x; the prefix of the label says which
+    const auto add = [&](study::Plot& plot, const char* x, const char* y, const std::string& prefix) {
+        selection.x = x;
         selection.y = y;
         study::Plot more{.title = plot.title};
         study::add_series(more, columns, rows, selection);
+        if (plot.series.empty()) plot.title = more.title;
         for (study::Series& series : more.series) {
             if (series.points.empty()) continue;
             series.markers = false;
-            if (first > 0 || !prefix.empty()) {
-                series.label = series.label.empty() ? prefix : prefix + (prefix.empty() ? "" : ", ") + series.label;
-            }
+            if (!prefix.empty()) series.label = series.label.empty() ? prefix : prefix + ", " + series.label;
             plot.series.push_back(std::move(series));
         }
-        if (first == 0) plot.title = more.title;
         if (plot.series.size() == 1 && plot.series[0].label.empty()) plot.series[0].label = "computed";
     };
-    const bool lateral = std::any_of(rows.begin(), rows.end(), [&](const study::Row& row) {
-        return !row[study::index_of(columns, "lateral_ratio")].text().empty();
-    });
     study::Plot plot{.title = "Rolling with friction" + shown.scene,
                      .x_label = "distance rolled q/a",
                      .y_label = force_label(shown.falling, "-F", shown.load_changes ? "N_0" : "N"),
                      .x_range = study::PlotRange{0, shown.end}};
     if (rows.empty()) return plot;  // of a shard
-    add(plot, "force_ratio", lateral ? "longitudinal" : shown.load_changes ? "force" : "");
-    if (lateral) add(plot, "lateral_force_ratio", "lateral");
+    const bool lateral = !rows.front()[study::index_of(columns, "lateral_ratio")].text().empty();
+    add(plot, "q_over_a", "force_ratio", lateral ? "longitudinal" : shown.load_changes ? "force" : "");
+    if (lateral) add(plot, "q_over_a", "lateral_force_ratio", "lateral");
     if (shown.load_changes) {
         selection.y = "load_ratio";
         study::add_reference(plot, columns, rows, selection, "load N/N_0");
     }
     if (shown.creepage_changes) {
-        selection.x = "creepage_ratio";
-        study::Plot loop{.title = "Hysteresis", .x_label = "creepage ratio δ", .y_label = plot.y_label};
-        add(loop, "force_ratio", "");
+        study::Plot loop{.x_label = "creepage ratio δ", .y_label = plot.y_label};
+        add(loop, "creepage_ratio", "force_ratio", "");
         loop.title = "Hysteresis";
-        if (shown.carter) loop.series.push_back(carter_curve({-shown.ratio, shown.ratio}));
+        const double most = std::abs(shown.ratio);
+        if (shown.carter) loop.series.push_back(carter_curve(-most, most));
         if (!shown.load_changes) loop.y_range = force_range(loop);
         plot.beside.push_back(std::move(loop));
     } else if (shown.carter) {
@@ -218,13 +213,6 @@ study::Plot force_in_time(const std::vector<std::string>& columns, const std::ve
                                .points = {{0, force}, {shown.end, force}},
                                .markers = false,
                                .reference = true});
-        study::PlotRange range{std::min(1.05 * force, 0.0), std::max(1.05 * force, 0.0)};  // keeps curves off the frame
-        for (const study::Series& series : plot.series) {
-            for (const auto& [q, value] : series.points) {
-                range = {std::min(range.low, 1.05 * value), std::max(range.high, 1.05 * value)};
-            }
-        }
-        if (range.low < range.high) plot.y_range = range;
     }
     return plot;
 }

@@ -1,114 +1,103 @@
 #include "rolling.hpp"
 
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/friction/model.hpp>
+#include <rollbem/rolling/run.hpp>
 
-#include "support/errors.hpp"
 #include "support/non_steady.hpp"
-#include "surface.hpp"
 
 namespace friction {
 
 namespace {
 
-rollbem::Creepage<double> value(const Ratios& ratios, double unit) {
-    return {unit * ratios.longitudinal, unit * ratios.lateral.value_or(0), unit * ratios.spin};
+using rollbem::StepStatus;
+using Creepage = rollbem::Creepage<double>;
+
+/// -F.s of a relative motion s.
+double work(const rollbem::FrictionStep<2>& step, const Creepage& motion) {
+    const auto& [F_x, F_y, M_z] = step.force;
+    return 0 - F_x * motion.longitudinal - F_y * motion.lateral - (motion.spin == 0 ? 0 : M_z * motion.spin);
 }
 
-// On a mesh that breathes b/a falls as the load grows, for the system of one direction or that of both.
-template <class System>
-void require_plane_model(const study::Scene& scene, const study::LoadHistory& load, const System& system,
-                         const char* term) {
-    const double longest = largest_half_length(load);
-    if (longest < system.half_length_limit()) return;
-    const double least = scene.contact.aspect() * longest / system.half_length_limit();
-    throw study::BadInput("--aspect = " + study::Cell(scene.contact.aspect()).text(6) + " must be larger than " +
-                          study::Cell(least).text(4) + " with --breathing, as a grows to " +
-                          study::Cell(longest).text(4) + " a_0: Lambda = ln(4b/a) " + term +
-                          " must be positive, or the plane model itself is unstable in time");
+std::string word(const Rolling& rolling, const Moment& moment) {
+    if (!moment.computed) return study::after_failure;
+    if (moment.step.status != StepStatus::ok) return name(moment.step.status);
+    return !moment.valid ? study::unresolved : rolling.checked ? study::ok : study::unchecked;
 }
 
 }  // namespace
 
-Rolling::Rolling(const rollbem::FrictionContact& contact, const Units& units,
-                 const std::optional<rollbem::HertzLoad<double>>& hertz, double first_load_ratio)
-    : contact_(contact), units_(units), hertz_(hertz), run_(contact_) {
-    if (!hertz_) return;
-    load_ = hertz_->at(first_load_ratio * mu_N);
-    run_.now().normal_pressure = load_.normal_pressure.head(contact_.size());
-    run_.now().half_length = load_.half_length;
-}
+std::string roll(const Rolling& rolling, study::RowRange range, const std::function<void(const Moment&)>& emit) {
+    const rollbem::FrictionContact& contact = rolling.contact;
+    rollbem::Run run(contact);
+    Moment now;
+    now.step.force = {0, 0, 0};
+    now.step.status = StepStatus::ok;
+    std::string ended;
+    std::size_t row = 0;
 
-Moment Rolling::settle(const Ratios& creepage) { return read(run_.steady(value(creepage, units_.creepage), 1.0)); }
-
-Moment Rolling::shift(const Ratios& shift) { return read(run_.shift(value(shift, 1), units_.dq)); }
-
-Moment Rolling::advance(double dq, const Ratios& from, const Ratios& to, double load_ratio) {
-    const auto motion =
-        rollbem::FrictionContact::Motion::linear(value(from, units_.creepage), value(to, units_.creepage));
-    const rollbem::Travel<double> travel{dq, dq};
-    if (!hertz_) return read(run_.advance(travel, motion));
-    const rollbem::StepStatus status = hertz_->set(load_ratio * mu_N, load_);
-    if (status != rollbem::StepStatus::ok) return {.status = status};
-    return read(run_.advance(travel, motion, load_));
-}
-
-Moment Rolling::read(const rollbem::FrictionStep<2>& step) const {
-    Moment moment;
-    moment.status = step.status;
-    moment.complementarity_residual = step.complementarity_residual;
-    moment.rounds = step.rounds;
-    if (step.status != rollbem::StepStatus::ok) return moment;
-    moment.force_ratio = 0 - step.force.longitudinal / units_.force;  // 0 without load, not -0
-    if (contact_.directions() == 2) {
-        moment.lateral_force_ratio = 0 - step.force.lateral / units_.force;
-        moment.moment_ratio = 0 - step.force.moment / units_.force;
-    } else {
-        moment.pivots = step.pivots;
-    }
-    moment.slip_work = step.slip_work / units_.force;
-    moment.jump_work = step.jump_work / units_.force;
-    moment.elastic_energy = contact_.elastic_energy(run_.now()) / units_.force;
-    moment.stick_count = step.stick_count;
-    return moment;
-}
-
-StartRolling make_rolling(const study::Options& options, const study::Scene& scene, const Pressure& pressure,
-                          const std::optional<study::LoadHistory>& load, bool both_directions,
-                          const std::optional<FallingLaw>& falling, rollbem::Integrator integrator, double dq) {
-    const bool fixed = load && !load->breathing;
-    const Surface surface{scene, read_layer(options), fixed ? largest_half_length(*load) : 1};
-    const rollbem::ElementSystem<double> system = surface.system(Direction::longitudinal);
-    study::require_steppable(options, scene, system);
-    if (load && load->breathing && !system.log_strength()) {
-        throw study::BadInput(
-            "--breathing needs equations that hold at points and a kernel without a layer: --method collocation, nodes "
-            "or knothe-bc, lambda = 1, no --layer");
-    }
-    const bool breathes = load && load->breathing;
-    if (breathes && !both_directions) require_plane_model(scene, *load, system, "+ nu/(1-nu)");
-    std::optional<rollbem::HertzLoad<double>> hertz;
-    if (load) hertz = hertz_load(*load, *scene.mesh);
-    // the law is that of the largest load; what a run starts under is in its state
-    const double largest = surface.half_length * surface.half_length;
-    const Eigen::ArrayXd means = load ? hertz->at(largest * mu_N).normal_pressure : pressure(*scene.mesh);
-    const double first_load_ratio = load ? load->at(0) : 1;
-    const Rolling::Units units{.creepage = creepage(scene, 1), .force = mu_N * scene.contact.width(), .dq = dq};
-    const auto make_of = [&](const auto& of) -> StartRolling {
-        const auto model = [&](const auto& friction) {
-            return rollbem::FrictionModel(surface.contact(), of, rollbem::unchecked, friction, integrator);
-        };
-        const rollbem::FrictionContact contact = falling
-                                                     ? rollbem::FrictionContact(model(falling->under(means)))
-                                                     : rollbem::FrictionContact(model(rollbem::Friction<>{1, means}));
-        return [=] { return std::make_unique<Rolling>(contact, units, hertz, first_load_ratio); };
+    const auto emit_row = [&] {
+        if (row++ < range.first) return;
+        now.elastic_energy = contact.elastic_energy(run.now());
+        now.valid = now.step.status == StepStatus::ok && (!rolling.resolved || rolling.resolved(now.q));
+        now.status = word(rolling, now);
+        emit(now);
     };
-    if (!both_directions) return make_of(system);
-    const rollbem::ElementSystem<double> across = surface.system(Direction::lateral);
-    study::require_steppable(options, scene, across);
-    const rollbem::ElementSystem both(system, across);
-    if (breathes) require_plane_model(scene, *load, both, "- nu");
-    return make_of(both);
+    // the state before a failed step is not that of a later instant: the run is over
+    const auto keep = [&](const rollbem::FrictionStep<2>& step, double creep_work) {
+        now.step = step;
+        now.rounds += step.rounds;
+        if (step.status != StepStatus::ok) return;
+        now.slip_work += step.slip_work;
+        now.jump_work += step.jump_work;
+        now.creep_work += creep_work;
+    };
+    if (rolling.load_at) {
+        const rollbem::NormalLoad<double> first = rolling.load_at(0);
+        run.now().normal_pressure = first.normal_pressure.head(contact.size());
+        run.now().half_length = first.half_length;
+        if (first.half_width > 0) run.now().half_width = first.half_width;
+    }
+    if (rolling.shift) {
+        const auto step = run.shift(*rolling.shift, rolling.dq);
+        keep(step, work(step, *rolling.shift) / 2);  // the mean force, from none
+        now.shifted = true;
+        if (step.status != StepStatus::ok) ended = study::why_ended(0, step.status);
+        emit_row();
+        now.shifted = false;
+    }
+    if (rolling.from_steady) {
+        now.step = run.steady(rolling.creepage(0), 1.0);
+        if (now.step.status != StepStatus::ok) ended = study::why_ended(0, now.step.status);
+    }
+    rollbem::FrictionStep<2> failed;
+    const auto step = [&](double from, double to) {
+        const Creepage start = rolling.creepage(from), end = rolling.creepage(to);
+        const double distance = rolling.a_0 * (to - from), before = work(now.step, start);
+        const rollbem::Travel<double> travel{distance, distance};
+        const auto motion = rollbem::FrictionContact::Motion::linear(start, end);
+        const auto next =
+            rolling.load_at ? run.advance(travel, motion, rolling.load_at(to)) : run.advance(travel, motion);
+        if (next.status != StepStatus::ok) {
+            failed = next;
+            return next.status;
+        }
+        const double after = work(next, end);  // implicit Euler knows no other
+        keep(next, distance * (rolling.integrator == rollbem::Integrator::sdirk2 ? (before + after) / 2 : after));
+        return next.status;
+    };
+    for (std::size_t k = 0; row < range.last; ++k) {
+        now.q = double(k + 1) * rolling.dq;
+        now.computed = ended.empty();
+        now.rounds = 0;
+        if (now.computed) {
+            const auto failed_at = study::roll(double(k) * rolling.dq, now.q, rolling.load, step);
+            if (failed_at) {
+                keep(failed, 0);
+                ended = study::why_ended(*failed_at, failed.status);
+            }
+        }
+        emit_row();
+    }
+    return ended;
 }
 
 }  // namespace friction

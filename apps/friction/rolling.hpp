@@ -1,85 +1,87 @@
-// A contact that rolls in the time domain, in the units of the columns: one direction or both, a load that varies or not.
+// One driver in time for friction on lines and patches: steps divided where the load has a knot or where they have no
+// solution, works, and what each row has come to.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
-#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include <rollbem/adhesion/integrator.hpp>
 #include <rollbem/friction/friction_contact.hpp>
-#include <rollbem/normal/hertz_load.hpp>
-#include <rollbem/rolling/run.hpp>
-#include <rollbem/status.hpp>
 
-#include "falling.hpp"
-#include "load.hpp"
-#include "pressure.hpp"
-#include "support/options.hpp"
-#include "support/scenes.hpp"
+#include "support/load_history.hpp"
+#include "support/progress.hpp"
+#include "support/runs.hpp"
+#include "support/table.hpp"
 
 namespace friction {
 
-/// Creepage ratios, or shifts in mu p0 a_0/G.
-struct Ratios {
-    double longitudinal = 0;
-    std::optional<double> lateral{};  ///< nothing in one direction
-    double spin = 0;                  ///< times a_0; of a shift an angle
+/// A contact and what happens to it over the distance rolled q [a_0], at the rolling velocity 1.
+struct Rolling {
+    rollbem::FrictionContact contact;
+    rollbem::Integrator integrator;
+    double dq;                                                    ///< of a row [a_0]
+    std::function<rollbem::Creepage<double>(double q)> creepage;  ///< linear over a step
+    std::optional<rollbem::Creepage<double>> shift{};  ///< rigid, before rolling; it takes as long as a step of dq
+    bool from_steady = false;                          ///< starts from steady rolling
+    double a_0 = 1;
+    const study::LoadHistory* load = nullptr;                      ///< null where it is constant
+    std::function<rollbem::NormalLoad<double>(double)> load_at{};  ///< at q; where it is not constant
+    std::function<bool(double q)> resolved{};  ///< whether steps and elements are small enough there
+    bool checked = true;                       ///< whether the scheme is known to be stable
 };
 
-/// What a step has come to, in the units of the columns.
+/// What a row has come to, in the units of the contact.
 struct Moment {
-    double force_ratio = std::numeric_limits<double>::quiet_NaN();
-    std::optional<double> lateral_force_ratio{};  ///< nothing in one direction
-    std::optional<double> moment_ratio{};         ///< by mu N_0 a_0; nothing in one direction
-    double slip_work = 0, jump_work = 0;          ///< of the step
-    double elastic_energy = 0;                    ///< at its end
-    double complementarity_residual = std::numeric_limits<double>::quiet_NaN();
-    std::ptrdiff_t stick_count = 0;
-    int rounds = 0;
-    std::optional<int> pivots{};
-    rollbem::StepStatus status = rollbem::StepStatus::not_finite;
+    double q = 0;
+    bool shifted = false;                                 ///< the row of the shift
+    rollbem::FrictionStep<2> step{};                      ///< the last one, also if it failed
+    double slip_work = 0, jump_work = 0, creep_work = 0;  ///< cumulative
+    double elastic_energy = 0;
+    int rounds = 0;        ///< of all steps of the row
+    bool computed = true;  ///< false behind the end of the run
+    bool valid = true;     ///< whether there are results
+    std::string status{};
 };
 
-/// Starts at rest under the first load. What fails leaves it where it was. Lengths in a_0; load_ratio is N/N_0 at the
-/// end of a step and has no effect where the load does not vary. At the rolling velocity 1; a rigid shift takes as long as
-/// a step of `dq`.
-class Rolling {
-public:
-    struct Units {
-        double creepage, force;  ///< of full sliding
-        double dq;
+/// Rolls from the start, as the state requires, and emits the rows of `range`. Returns why the run ended before these rows
+/// did; nothing if it did not.
+std::string roll(const Rolling& rolling, study::RowRange range, const std::function<void(const Moment&)>& emit);
+
+/// A column's value in rows that have results, and in rows of a run that has not ended.
+template <class Value>
+auto if_valid(const Value& value) {
+    return [value](const auto& r) { return r.moment.valid ? study::Cell(value(r)) : study::Cell(); };
+}
+template <class Value>
+auto if_computed(const Value& value) {
+    return [value](const auto& r) { return r.moment.computed ? study::Cell(value(r)) : study::Cell(); };
+}
+
+/// Writes the table of a run of each case, `rows` long: prepare(case) makes its Rolling, row(case, rolling, moment) its
+/// rows, plot(rows) the picture. Throws what these and write_runs throw.
+template <class Case, class Prepare, class Row, class Draw>
+void write_rolling(const study::Options& options, const std::vector<std::string>& columns,
+                   const std::vector<Case>& cases, std::size_t rows, const Prepare& prepare, const Row& row,
+                   const Draw& plot) {
+    std::vector<Rolling> runs;
+    study::Progress checking(options.program(), cases.size(), study::shows_progress(options), "checked");
+    for (const Case& one : cases) {
+        checking.doing(one.label());
+        runs.push_back(prepare(one));
+        checking.update(runs.size());
+    }
+    checking.clear();
+    std::vector<std::string> ended(cases.size());
+    study::Table table = study::table_of(columns, cases, rows);
+    table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
+        ended[task] =
+            roll(runs[task], range, [&](const Moment& moment) { emit(row(cases[task], runs[task], moment)); });
     };
-
-    Rolling(const rollbem::FrictionContact& contact, const Units& units,
-            const std::optional<rollbem::HertzLoad<double>>& hertz, double first_load_ratio);
-    Rolling(const Rolling&) = delete;
-    Rolling& operator=(const Rolling&) = delete;
-
-    Moment settle(const Ratios& creepage);  ///< steady rolling under the present load
-    Moment shift(const Ratios& shift);      ///< a rigid shift
-    Moment advance(double dq, const Ratios& from, const Ratios& to, double load_ratio);
-
-private:
-    Moment read(const rollbem::FrictionStep<2>& step) const;
-
-    rollbem::FrictionContact contact_;
-    Units units_;
-    std::optional<rollbem::HertzLoad<double>> hertz_;  // where the load varies
-    rollbem::NormalLoad<double> load_;
-    rollbem::Run<rollbem::FrictionContact> run_;
-};
-
-/// Begins a run, of a model that all runs share.
-using StartRolling = std::function<std::unique_ptr<Rolling>()>;
-
-/// For steps of `dq` [a_0], whose time a rigid shift takes where friction falls with slip. Throws BadInput where the
-/// scene's scheme is not fit to be stepped, or to breathe.
-StartRolling make_rolling(const study::Options& options, const study::Scene& scene, const Pressure& pressure,
-                          const std::optional<study::LoadHistory>& load, bool both_directions,
-                          const std::optional<FallingLaw>& falling, rollbem::Integrator integrator, double dq);
+    table.plot = plot;
+    table.resumable = !options.given("plot");
+    study::write_runs(options, table, ended);
+}
 
 }  // namespace friction

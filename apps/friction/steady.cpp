@@ -1,24 +1,146 @@
 #include "steady.hpp"
 
-#include <optional>
-#include <vector>
+#include <cmath>
 
-#include "creep_curve.hpp"
+#include <rollbem/closed_form/friction.hpp>
+
 #include "plots.hpp"
-#include "support/scenes.hpp"
-#include "support/table.hpp"
-#include "surface.hpp"
 
 namespace friction {
 
 namespace {
 
+// --- rows ----------------------------------------------------------------------------------------------------------
+
+/// A row of either table, for that of the tractions with an element.
+struct CreepRow {
+    const Curve& curve;
+    const Line& line;
+    const study::Scene& scene;
+    const CreepPoint& point;
+    const Solution& of;
+    Eigen::Index i = 0;
+
+    bool ok() const { return of.status == "ok"; }
+    bool carter() const { return line.carter() && point.spin == 0; }
+    double force_ratio() const { return ok() ? 0 - of.step.force.longitudinal / of.full : std::nan(""); }
+    double lateral_force_ratio() const { return ok() ? 0 - of.step.force.lateral / of.full : std::nan(""); }
+    double tangent_ratio(double tangent) const { return -tangent * creepage_unit(scene) / of.full; }
+    study::Cell if_both(double value) const { return line.both ? study::Cell(value) : study::Cell(); }
+
+    /// Where there is a closed form: Carter's, along the creepage where nu = 0, and in either direction alone.
+    struct Exact {
+        std::optional<double> longitudinal{}, lateral{};
+    };
+    Exact exact() const {
+        using rollbem::carter_force_ratio;
+        if (!carter()) return {};
+        const double nu = scene.contact.poisson_ratio(), along = point.longitudinal, across = point.lateral.value_or(0);
+        if (!line.both) return {carter_force_ratio(along), std::nullopt};
+        if (across == 0) return {carter_force_ratio(along), 0.0};
+        // the ratio is in units of the longitudinal compliance 1 - nu; across it is 1
+        if (along == 0) return {0.0, carter_force_ratio((1 - nu) * across)};
+        if (nu != 0) return {};
+        const double size = std::hypot(along, across), force = carter_force_ratio(size);
+        return {force * along / size, force * across / size};
+    }
+};
+
+template <class Value>
+auto if_ok(const Value& value) {
+    return [value](const CreepRow& r) { return r.ok() ? study::Cell(value(r)) : study::Cell(); };
+}
+
+const study::Sheet<CreepRow>& creep_sheet() {
+    using R = CreepRow;
+    static const study::Sheet<CreepRow> columns{
+        "method, derivative",
+        study::joined<study::Column<R>>(
+            {{"mesh", "and what follows it: the scheme", [](const R& r) { return r.of.mesh_name; }},
+             {"n", "elements"},
+             {"alpha_L", "of the scheme; empty with --fit-border", [](const R& r) { return r.of.alpha_L; }},
+             {"alpha_T", "of the scheme; empty with --fit-border", [](const R& r) { return r.of.alpha_T; }},
+             {"creepage_ratio", "delta = xi G/(2 (1-nu) mu p0)", [](const R& r) { return r.point.longitudinal; }},
+             {"force_ratio", "-F_x/(mu N)", [](const R& r) { return r.force_ratio(); }},
+             {"exact", "Carter's, where it holds", [](const R& r) { return r.exact().longitudinal; }},
+             {"relative_error", "force_ratio/exact - 1",
+              [](const R& r) { return relative_error(r.force_ratio(), r.exact().longitudinal); }},
+             {"stick_count", "elements that stick", [](const R& r) { return r.of.step.stick_count; }},
+             {"rounds", "iterations of the active set", [](const R& r) { return r.of.step.rounds; }},
+             {"complementarity_residual",
+              "the largest violation of |p| <= mu p_n (over mu p0) and of the direction of slip (over |xi|)",
+              [](const R& r) { return r.of.step.complementarity_residual; }},
+             {"time_us", "[microseconds] of the solution, median of at least 5 runs",
+              [](const R& r) { return r.of.time_us; }},
+             {"lateral_ratio", "as creepage_ratio, across the rolling direction",
+              [](const R& r) { return r.point.lateral; }},
+             {"lateral_force_ratio", "-F_y/(mu N)", [](const R& r) { return r.if_both(r.lateral_force_ratio()); }},
+             {"assembly_us", "the same, of the assembly of G'", [](const R& r) { return r.of.assembly_us; }},
+             {"tangent_ratio", "d force_ratio/d creepage_ratio",
+              if_ok([](const R& r) { return r.tangent_ratio(r.of.step.tangent.by_longitudinal.longitudinal); })},
+             {"slip_work",
+              "for each distance a rolled, in mu N mu p0 a/G, summed over the elements (second order in 1/n)",
+              if_ok([](const R& r) { return r.of.step.slip_work / r.of.full; })},
+             {"pivots", "of the fallback, used where rounds did not settle", [](const R& r) { return r.of.pivots; }},
+             {"status",
+              "where it is not ok, force_ratio, tangent_ratio and slip_work are empty. It is assists_creepage where "
+              "some tractions of the same scheme in full adhesion assist the creepage, so that the scheme does not "
+              "converge there: alpha <= 0 (or close to 0 on coarse meshes), or alpha > 1. (With friction, alpha = 0 "
+              "converges, to first order, where several elements slip.)",
+              [](const R& r) { return r.of.status; }},
+             {"lateral_exact", "as exact", [](const R& r) { return r.exact().lateral; }},
+             {"lateral_relative_error", "as relative_error",
+              [](const R& r) { return relative_error(r.lateral_force_ratio(), r.exact().lateral); }},
+             {"lateral_tangent_ratio", "as tangent_ratio",
+              if_ok([](const R& r) { return r.if_both(r.tangent_ratio(r.of.step.tangent.by_lateral.lateral)); })},
+             {"spin_ratio", "phi a by the same 2 (1-nu) mu p0/G", [](const R& r) { return r.if_both(r.point.spin); }},
+             {"moment_ratio", "-M_z/(mu N a)",
+              if_ok([](const R& r) { return r.if_both(0 - r.of.step.force.moment / r.of.full); })},
+             {"sweep", "--sweep", [](const R& r) { return study::Cell(r.curve.sweep); }}},
+            law_columns<R>()),
+        study::settings};
+    return columns;
+}
+
+const study::Sheet<CreepRow>& traction_sheet() {
+    using R = CreepRow;
+    static const study::Sheet<CreepRow> columns{
+        "n",
+        {{"creepage_ratio", "", [](const R& r) { return r.point.longitudinal; }},
+         {"x_over_a", "", [](const R& r) { return r.of.x[r.i]; }},
+         {"traction", "in mu p0", if_ok([](const R& r) { return r.of.traction(r.i, 0); })},
+         {"bound", "in mu p0; that of mu_0", [](const R& r) { return r.of.bound[r.i]; }},
+         {"stick", "1 or 0", if_ok([](const R& r) { return int(r.of.sticks[std::size_t(r.i)]); })},
+         {"slip", "s/V in mu p0/G", if_ok([](const R& r) { return r.of.slip(r.i, 0); })},
+         {"exact", "Carter's traction, where it holds",
+          [](const R& r) {
+              const bool holds = r.carter() && r.point.lateral.value_or(0) == 0;
+              return holds ? study::Cell(rollbem::carter_friction_traction(r.of.x[r.i], r.point.longitudinal))
+                           : study::Cell();
+          }},
+         {"mesh", "", [](const R& r) { return r.of.mesh_name; }},
+         {"method, derivative", ""},
+         {"alpha_L", "", [](const R& r) { return r.of.alpha_L; }},
+         {"alpha_T", "", [](const R& r) { return r.of.alpha_T; }},
+         {"status", "", [](const R& r) { return r.of.status; }},
+         {"lateral_ratio", "", [](const R& r) { return r.point.lateral; }},
+         {"lateral_traction", "", if_ok([](const R& r) { return r.if_both(r.of.traction(r.i, 1)); })},
+         {"lateral_slip", "", if_ok([](const R& r) { return r.if_both(r.of.slip(r.i, 1)); })},
+         {"layer", "", [](const R& r) { return r.line.layer; }},
+         {"friction_ratio", "mu/mu_0",
+          if_ok([](const R& r) { return r.line.falling ? study::Cell(r.of.friction[r.i]) : study::Cell(); })}},
+        study::settings};
+    return columns;
+}
+
+// --- points --------------------------------------------------------------------------------------------------------
+
 /// The lateral ratio is a loop inside that of the longitudinal one, spin the innermost.
 std::vector<CreepPoint> read_points(const study::Options& options) {
     std::vector<std::optional<double>> across{std::nullopt};
     if (options.given("lateral-ratio")) {
-        across.clear();
-        for (const double ratio : options.numbers("lateral-ratio", study::finite())) across.emplace_back(ratio);
+        const std::vector<double> ratios = options.numbers("lateral-ratio", study::finite());
+        across.assign(ratios.begin(), ratios.end());
     }
     std::vector<double> spins{0};
     if (options.given("spin-ratio")) spins = options.numbers("spin-ratio", study::finite());
@@ -33,30 +155,33 @@ std::vector<CreepPoint> read_points(const study::Options& options) {
 
 }  // namespace
 
-void run_steady(const study::Options& options, const Pressure& pressure) {
-    const bool fits = options.flag("fit-border"), both = options.given("lateral-ratio");
-    CreepCurve curve{options, pressure, read_points(options), read_layer(options), read_falling(options)};
+std::string creep_help() { return creep_sheet().help(); }
+
+void run_steady(const study::Options& options) {
+    Curve curve{options, Line(options), read_points(options), "", study::has_times(options)};
     if (options.given("sweep")) curve.sweep = options.choice("sweep", {"up", "down"});
     const std::vector<study::Scene> scenes = study::make_scenes(options, study::Problem::steady);
+    const bool draws = options.given("plot"), branches = !curve.sweep.empty() && !curve.line.both && draws;
+    const auto solve = options.flag("fit-border") ? solve_by_border : solve_by_elements;
+    Tractions tractions(options, traction_sheet().names(), scenes.size(), draws);
+    std::vector<std::vector<std::pair<double, double>>> others(scenes.size());
 
-    std::optional<study::TableFile> tractions;
-    if (options.given("tractions"))
-        tractions.emplace(options, "tractions", study::has_header(options) ? profile_header() : "");
-    Profiles profiles;
-    if (tractions || options.given("plot")) curve.profiles = &profiles;
-
-    OtherBranch other;
-    if (!curve.sweep.empty() && !both && options.given("plot")) curve.other = &other;
-
-    study::Table table = study::table_of(creep_columns(), scenes, curve.points.size());
+    study::Table table = study::table_of(creep_sheet().names(), scenes, curve.points.size());
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        (fits ? border_rows : element_rows)(curve, scenes[task], task, range, emit);
+        const study::Scene& scene = scenes[task];
+        if (branches) others[task] = other_branch(curve, scene);
+        solve(curve, scene, range, [&](std::size_t k, const Solution& solution) {
+            CreepRow row{curve, curve.line, scene, curve.points[k], solution};
+            emit(creep_sheet().row(scene, row));
+            for (; tractions.wanted && row.i < solution.x.size(); ++row.i) {
+                tractions.rows[task].push_back(traction_sheet().row(scene, row));
+            }
+        });
     };
-    table.written = [&] {
-        if (tractions) write_profiles(profiles, curve, *tractions);
-    };
+    table.written = [&] { tractions.write(); };
     table.plot = [&](const std::vector<study::Row>& rows) {
-        return both ? combined_creep(table.columns, rows, curve) : creep_picture(table.columns, rows, curve);
+        return curve.line.both ? combined_creep(table.columns, rows, curve)
+                               : creep_picture(table.columns, rows, curve, tractions, others);
     };
     study::write_table(options, table);
 }

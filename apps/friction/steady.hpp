@@ -1,12 +1,58 @@
 // Steady rolling with friction: creep curves by elements or with the exact stick border.
 #pragma once
 
-#include "pressure.hpp"
-#include "support/options.hpp"
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "line.hpp"
+#include "tractions.hpp"
 
 namespace friction {
 
+struct Curve {
+    const study::Options& options;
+    Line line;
+    std::vector<CreepPoint> points;
+    std::string sweep;  ///< up or down: each point starts from its neighbour; empty: from scratch
+    bool timed;
+};
+
+/// What was found at a point.
+struct Solution {
+    std::string mesh_name;
+    std::optional<double> alpha_L, alpha_T;
+    Eigen::ArrayXd x;                 ///< centres of the elements
+    Eigen::ArrayXd bound;             ///< of every element [mu p0]
+    double full = 1;                  ///< force of full sliding, in the unit of the step's
+    rollbem::FrictionStep<2> step{};  ///< without numbers where there is no solution
+    std::optional<int> pivots{};
+    Eigen::MatrixXd traction{}, slip{};  ///< in both directions [mu p0, V mu p0/G]
+    std::vector<bool> sticks{};
+    Eigen::ArrayXd friction{};  ///< mu/mu_0; empty where it is constant
+    study::Cell time_us{}, assembly_us{};
+    std::string status{};
+};
+
+using See = std::function<void(std::size_t point, const Solution&)>;
+
+/// Solves the points of `range`, which do not depend on those before: each from scratch, or in a sweep after its
+/// neighbours.
+void solve_by_elements(const Curve& curve, const study::Scene& scene, study::RowRange range, const See& see);
+void solve_by_border(const Curve& curve, const study::Scene& scene, study::RowRange range, const See& see);
+
+/// The points without a solution, where G' is not finite, as for b/a or a layer near the limits of double.
+void leave_out(const study::Scene& scene, study::RowRange range, const Line& line, const See& see);
+
+/// Points of ratio and force of the sweep in the other direction, for the picture.
+std::vector<std::pair<double, double>> other_branch(const Curve& curve, const study::Scene& scene);
+
+std::string creep_help();  ///< the columns and their meanings
+
 /// Writes the table, and the tractions where they are asked for. Throws what write_table throws.
-void run_steady(const study::Options& options, const Pressure& pressure);
+void run_steady(const study::Options& options);
 
 }  // namespace friction

@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "pressure.hpp"
 #include "support/options.hpp"
 
 namespace friction {
@@ -12,6 +11,6 @@ namespace friction {
 std::string transient_help();
 
 /// Writes the table. Throws what write_table throws.
-void run_transient(const study::Options& options, const Pressure& pressure);
+void run_transient(const study::Options& options);
 
 }  // namespace friction

@@ -17,8 +17,7 @@
 
 #include <rollbem/normal/hertz_load.hpp>
 
-#include "friction/load.hpp"
-#include "friction/pressure.hpp"
+#include "friction/line.hpp"
 #include "support/columns_file.hpp"
 #include "support/csv.hpp"
 #include "support/non_steady.hpp"

@@ -1,0 +1,132 @@
+#include "line.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include <rollbem/elasticity/layered_kernel.hpp>
+#include <rollbem/normal/pressure_table.hpp>
+
+#include "support/columns_file.hpp"
+#include "support/errors.hpp"
+
+namespace friction {
+
+namespace {
+
+double read_layer(const study::Options& options) {
+    const double layer = options.number(
+        "layer", {[](double value) { return std::isfinite(value) && value >= 0; }, "be finite and not negative"});
+    if (layer == 0 || !options.given("derivative") || options.text("derivative") != "analytic") return layer;
+    if (options.text("method") == "galerkin" && options.text("quadrature") == "exact") return layer;
+    throw study::BadInput(options.said("derivative") +
+                          " must be fd with --layer: the layer's displacement jumps with the traction, and only "
+                          "differences of it exist");
+}
+
+std::optional<rollbem::Friction<rollbem::ExponentialFall<>>> read_falling(const study::Options& options) {
+    if (!options.given("falling")) return std::nullopt;
+    const auto law = options.pair("falling");
+    if (!law || law->first < 0 || !(law->second > 0)) {
+        throw study::BadInput(options.said("falling") + " must be K,VH with K >= 0 and VH > 0, both finite");
+    }
+    rollbem::Friction<rollbem::ExponentialFall<>> falling{
+        {.mu_0 = 1, .mu_k = law->first, .half_velocity = law->second}, {}, {}};
+    if (!options.given("memory")) return falling;
+    const auto memory = options.pair("memory");
+    if (!memory || !(memory->first > 0) || memory->second < 0) {
+        throw study::BadInput(options.said("memory") + " must be D,V0 with D > 0 and V0 >= 0, both finite");
+    }
+    falling.memory = {.distance = memory->first, .least_velocity = memory->second};
+    return falling;
+}
+
+/// Of a mesh of that half-length [a_0].
+rollbem::Contact<double> contact_of(const study::Scene& scene, double half_length) {
+    return rollbem::Contact<double>({.half_length = half_length,
+                                     .half_width = scene.contact.half_width(),
+                                     .shear_modulus = 1,
+                                     .poisson_ratio = scene.contact.poisson_ratio()});
+}
+
+}  // namespace
+
+Pressure make_pressure(const study::Options& options) {
+    if (!options.given("pressure")) {
+        const rollbem::HertzPressure<double> hertz;
+        return {hertz, hertz, true};
+    }
+    const study::Pairs points = study::read_pairs(options, "pressure", "x_over_a,pressure", study::between(-1, 1));
+    const auto column = [](const std::vector<double>& values) {
+        return Eigen::ArrayXd(Eigen::Map<const Eigen::ArrayXd>(values.data(), Eigen::Index(values.size())));
+    };
+    Eigen::ArrayXd pressures = column(points.values);
+    const double largest = pressures.maxCoeff();
+    if (largest > 0 && pressures.minCoeff() >= 0)
+        pressures /= largest;  // the unit does not matter, however small or large it makes the numbers
+    try {
+        const rollbem::PressureTable<double> table(column(points.places), pressures);
+        const double scale = mu_N / table.integral();
+        return {[=](double x_over_a) { return scale * table(x_over_a); },
+                [=](const rollbem::Mesh<double>& mesh) { return Eigen::ArrayXd(scale * table(mesh)); }, false};
+    } catch (const std::invalid_argument& error) {
+        throw study::BadInput(options.said("pressure") + ": " + error.what());
+    }
+}
+
+std::optional<study::LoadHistory> read_load(const study::Options& options, double until) {
+    std::optional<study::LoadHistory> history = study::read_load_history(options, until);
+    if (history && history->breathing && options.text("kernel") != "plane") {
+        throw study::BadInput("--kernel = " + options.text("kernel") +
+                              " must be plane with --breathing: only that kernel knows other half-lengths");
+    }
+    return history;
+}
+
+double largest_half_length(const study::LoadHistory& history) { return std::sqrt(history.largest()); }
+
+rollbem::HertzLoad<double> hertz_load(const study::LoadHistory& history, const rollbem::Mesh<double>& mesh) {
+    const auto line = rollbem::HertzLine<double>::dimensionless();
+    return history.breathing ? rollbem::HertzLoad<double>::breathing(line, mesh)
+                             : rollbem::HertzLoad<double>::fixed(line, mesh, largest_half_length(history));
+}
+
+Line::Line(const study::Options& options)
+    : both(options.given("lateral-ratio")),
+      pressure(make_pressure(options)),
+      layer(read_layer(options)),
+      falling(read_falling(options)) {}
+
+System Line::system(const study::Scene& scene, Direction direction, bool in_time, double half_length) const {
+    using Kernel = rollbem::AnyKernel<double>;
+    const auto make = [&](const auto& kernel) {
+        return in_time ? System(rollbem::rolling_system(*scene.mesh, scene.scheme, kernel))
+                       : rollbem::steady_system(*scene.mesh, scene.scheme, kernel);
+    };
+    const auto of = direction == Direction::longitudinal ? Kernel::longitudinal : Kernel::lateral;
+    const Kernel kernel = of(scene.kernel.model(), contact_of(scene, half_length));
+    return layer == 0 ? make(kernel) : make(rollbem::LayeredKernel(kernel, layer / half_length));
+}
+
+std::optional<System> Line::lateral_system(const study::Scene& scene, bool in_time, double half_length) const {
+    return both ? std::optional(system(scene, Direction::lateral, in_time, half_length)) : std::nullopt;
+}
+
+rollbem::FrictionContact Line::contact(const study::Scene& scene, const System& along,
+                                       const std::optional<System>& across, const Eigen::ArrayXd& means,
+                                       const rollbem::Checks& checks, rollbem::Integrator integrator,
+                                       double half_length) const {
+    const auto under = [&](const auto& law) -> rollbem::FrictionContact {
+        const rollbem::Contact<double> contact = contact_of(scene, half_length);
+        if (!across) return rollbem::FrictionModel(contact, along, checks, law, integrator);
+        return rollbem::FrictionModel(contact, rollbem::ElementSystem(along, *across), checks, law, integrator);
+    };
+    if (!falling) return under(rollbem::Friction<>{1, means});
+    return under(rollbem::Friction<rollbem::ExponentialFall<>>{falling->law, means, falling->memory});
+}
+
+study::Cell relative_error(double value, std::optional<double> exact) {
+    return exact && *exact != 0 ? study::Cell(value / *exact - 1) : study::Cell();
+}
+
+}  // namespace friction

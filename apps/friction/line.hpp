@@ -1,0 +1,109 @@
+// The line contact of friction_study: pressure, law, layer, load and matrices. With mu = p0 = a_0 = G = 1 all results are
+// in the units of the columns, except forces and works, which are in mu N; a_0 is the half-length under N_0.
+#pragma once
+
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/friction/friction_contact.hpp>
+#include <rollbem/normal/hertz_load.hpp>
+
+#include "support/load_history.hpp"
+#include "support/options.hpp"
+#include "support/scenes.hpp"
+#include "support/sheet.hpp"
+
+namespace friction {
+
+using System = rollbem::ElementSystem<double>;
+
+inline constexpr double mu_N = std::numbers::pi / 2;
+
+/// A pressure at every point and its mean on each element of a mesh, scaled to the load of Hertz's pressure with p0 = 1.
+struct Pressure {
+    std::function<double(double)> at;
+    std::function<Eigen::ArrayXd(const rollbem::Mesh<double>&)> mean;
+    bool hertz;  ///< the closed forms hold
+
+    double operator()(double x_over_a) const { return at(x_over_a); }
+    Eigen::ArrayXd operator()(const rollbem::Mesh<double>& mesh) const { return mean(mesh); }
+};
+
+/// Hertz's pressure, or that of --pressure. Throws BadInput.
+Pressure make_pressure(const study::Options& options);
+
+/// --load-sine or --load, and --breathing; nothing if the load is constant. The run is `until` long [a_0]. Throws
+/// BadInput.
+std::optional<study::LoadHistory> read_load(const study::Options& options, double until);
+
+/// Half-length of a mesh that covers the contact during the whole run [a_0].
+double largest_half_length(const study::LoadHistory& history);
+
+/// Hertz's contact with a_0 = 1 and p_0 = 1 under N_0, on the mesh that the history needs.
+rollbem::HertzLoad<double> hertz_load(const study::LoadHistory& history, const rollbem::Mesh<double>& mesh);
+
+/// Creepage ratios delta = xi G/(2 (1-nu) mu p0).
+struct CreepPoint {
+    double longitudinal;
+    std::optional<double> lateral{};  ///< nothing with creepage in one direction only
+    double spin = 0;                  ///< times a_0
+
+    rollbem::Creepage<double> times(double unit) const {
+        return {unit * longitudinal, unit * lateral.value_or(0), unit * spin};
+    }
+};
+
+/// Creepage xi [-] of the ratio 1.
+inline double creepage_unit(const study::Scene& scene) { return 2 * (1 - scene.contact.poisson_ratio()); }
+
+/// What all scenes share.
+struct Line {
+    explicit Line(const study::Options& options);  ///< throws BadInput
+
+    bool both;  ///< friction in both directions
+    Pressure pressure;
+    double layer;  ///< compliance [a_0/G]
+    /// mu/mu_0 of the slip velocity in V mu_0 p0/G with its memory, distance in a mu_0 p0/G and velocity as that of slip;
+    /// nothing where mu is constant.
+    std::optional<rollbem::Friction<rollbem::ExponentialFall<>>> falling;
+
+    /// Whether Carter's closed form holds along the rolling direction.
+    bool carter() const { return pressure.hertz && layer == 0 && !falling; }
+
+    /// Matrices of a direction, on a mesh that covers more than the contact where half_length > 1 [a_0]: G' alone for
+    /// steady rolling, G besides `in_time`. Throw std::invalid_argument where they are not finite.
+    enum class Direction { longitudinal, lateral };
+    System system(const study::Scene& scene, Direction direction, bool in_time, double half_length = 1) const;
+    std::optional<System> lateral_system(const study::Scene& scene, bool in_time, double half_length = 1) const;
+
+    /// The contact under mean pressures, of one direction or both.
+    rollbem::FrictionContact contact(const study::Scene& scene, const System& along,
+                                     const std::optional<System>& across, const Eigen::ArrayXd& means,
+                                     const rollbem::Checks& checks,
+                                     rollbem::Integrator integrator = rollbem::Integrator::sdirk2,
+                                     double half_length = 1) const;
+};
+
+/// layer, falling_ratio, half_velocity, memory_distance and least_velocity, of rows that know their `line`.
+template <class Row>
+std::vector<study::Column<Row>> law_columns() {
+    const auto of_law = [](auto value) {
+        return [value](const Row& r) { return r.line.falling ? study::Cell(value(*r.line.falling)) : study::Cell(); };
+    };
+    const char* given = "--falling and --memory";
+    return {{"layer", "--layer", [](const Row& r) { return r.line.layer; }},
+            {"falling_ratio", given, of_law([](const auto& of) { return of.law.mu_k; })},
+            {"half_velocity", given, of_law([](const auto& of) { return of.law.half_velocity; })},
+            {"memory_distance", given, of_law([](const auto& of) { return of.memory.distance; })},
+            {"least_velocity", given, of_law([](const auto& of) { return of.memory.least_velocity; })}};
+}
+
+/// value/exact - 1 where both are defined.
+study::Cell relative_error(double value, std::optional<double> exact);
+
+}  // namespace friction
