@@ -32,28 +32,6 @@ bad() {
     done
 }
 
-# bad_pairs COLUMNS PROGRAM ARG...: malformed files of pairs are refused; the last argument is the option for them.
-bad_pairs() {
-    columns=$1
-    shift
-    rm -f "$scratch/pairs"
-    bad 'must be a file that can be read' "$@" "$scratch/pairs"
-    printf 'x,y\n0,1\n' >"$scratch/pairs"
-    bad "line 1 = x,y must be $columns" "$@" "$scratch/pairs"
-    for pair in 0,one 0,nan 0; do
-        printf '%s\n%s\n' "$columns" $pair >"$scratch/pairs"
-        bad "line 2 = $pair must be two finite numbers" "$@" "$scratch/pairs"
-    done
-    printf '%s\n0.5,1\n0,1\n' "$columns" >"$scratch/pairs"
-    bad 'line 3 = 0,1 must not lie before' "$@" "$scratch/pairs"
-    printf '%s\n0,1\n0.5,1\n0.5,2\n0.5,1\n' "$columns" >"$scratch/pairs"
-    bad "line 5 = 0.5,1 must not be the third row at one ${columns%,*}" "$@" "$scratch/pairs"
-    printf '%s,%s\n0,1,2\n' "$columns" "${columns#*,}" >"$scratch/pairs"
-    bad "line 1 = $columns,${columns#*,} must have one column ${columns#*,} only" "$@" "$scratch/pairs"
-    printf '%s\n' "$columns" >"$scratch/pairs"
-    bad 'must have at least one row below its header' "$@" "$scratch/pairs"
-}
-
 # good LINES PROGRAM ARG...: exit 0, this number of lines in the file out, nothing on stderr.
 good() {
     lines=$1
