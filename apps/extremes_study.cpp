@@ -35,10 +35,7 @@ Outcome run(const Case& one) {
     try {
         return one.run();
     } catch (const std::exception& error) {
-        Outcome outcome;
-        outcome.told = error.what();
-        outcome.refused = true;
-        return outcome;
+        return {.told = error.what(), .refused = true};
     }
 }
 
@@ -58,13 +55,10 @@ std::string status(const Outcome& outcome) {
 
 extremes::Cases all_cases(bool large) {
     extremes::Cases cases;
-    extremes::steady_cases(cases, large);
-    extremes::harmonic_cases(cases);
-    extremes::time_cases(cases);
+    extremes::adhesion_cases(cases, large);
     extremes::chebyshev_cases(cases, large);
     extremes::friction_cases(cases);
     extremes::load_cases(cases);
-    extremes::direction_cases(cases);
     extremes::patch_cases(cases);
     // Newton's method alone does not solve these
     for (const std::uint64_t seed : {5405, 7148, 24326, 24949}) cases.push_back(extremes::patch_scene(seed));
@@ -80,7 +74,9 @@ int main(int argc, char** argv) {
     for (const char* group : {"Discretisation", "Contact"}) options.refuse_group(group, "each case has its own");
     options.refuse("plot", "cases have nothing to draw");
     options.not_with({"large"}, "patches");
-    options.add_flag("large", "also n = 1000 in long double, n = 4000 and 1500 states: ten seconds and 300 MB more");
+    options.add_flag(
+        "large",
+        "also strips of b/a = 0.01, n = 1000 in long double, n = 4000 and 1500 states: ten seconds and 300 MB more");
     options.add(
         "patches", "N",
         "instead of these cases: friction on the first N, 1 to 10000000, of a series of random contact patches, "

@@ -1,4 +1,4 @@
-// Extreme cases: what is computed, the reference, and what is promised. One list for each kind of problem.
+// Extreme cases as data: what is computed, the reference, and what is promised.
 #pragma once
 
 #include <cmath>
@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -13,7 +14,7 @@
 
 #include <rollbem/closed_form/estimated_c11.hpp>
 #include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/line_kernel.hpp>
+#include <rollbem/rolling/run.hpp>
 #include <rollbem/scene/contact.hpp>
 #include <rollbem/status.hpp>
 
@@ -22,19 +23,18 @@ namespace extremes {
 inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double rounding = std::numeric_limits<double>::epsilon();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double pi = std::numbers::pi;
 
 /// Defaults of the cases: Poisson's ratio and the schemes.
 inline constexpr double steel = 0.28;
 inline constexpr rollbem::Collocation equal{.alpha_L = 0.5, .alpha_T = 0.5};
 inline constexpr rollbem::NodeDifference chebyshev{rollbem::Nodes::chebyshev};
 
-inline rollbem::Contact<double> contact(double aspect) {
-    return rollbem::Contact<double>::dimensionless(aspect, steel);
-}
+inline constexpr double peak = 1e-3;                 ///< mu p0 / G, of cases with friction
+inline constexpr double full_force = peak * pi / 2;  ///< mu N under Hertz's pressure, or mu N_0 if the load varies
 
-/// Kernels of unit modulus and half-length.
-inline rollbem::PlaneKernel<double> plane(double aspect, double nu = steel) { return {aspect, 1 - nu, nu}; }
-inline rollbem::StripKernel<double> strip(double aspect, double nu = steel) { return {aspect, 1 - nu, nu}; }
+/// The creepage of a creepage ratio.
+inline double creepage(double ratio, double nu = steel) { return 2 * (1 - nu) * peak * ratio; }
 
 /// The result of a case. Cells without a meaning are not numbers.
 struct Outcome {
@@ -47,21 +47,13 @@ struct Outcome {
     bool refused = false;        ///< by an exception
 };
 
-/// One row. An exception counts as told. `says` must be part of the text that is told.
+/// One row. An exception counts as told. `says` must be part of the text that is told; if empty, the case must be right.
 struct Case {
     std::string name, quantity;
     std::function<Outcome()> run;
     std::string says{};
 };
-
-struct Cases : std::vector<Case> {  // a told one that says nothing must be right
-    void right(std::string name, std::string quantity, std::function<Outcome()> run) {
-        told(std::move(name), std::move(quantity), "", std::move(run));
-    }
-    void told(std::string name, std::string quantity, std::string says, std::function<Outcome()> run) {
-        push_back({std::move(name), std::move(quantity), std::move(run), std::move(says)});
-    }
-};
+using Cases = std::vector<Case>;
 
 /// The text of a Status or StepStatus, empty for ok.
 template <class AnyStatus>
@@ -72,31 +64,38 @@ std::string told_by(AnyStatus status) {
 /// 1e-06, 1000, inf: for the names of cases.
 std::string shown(double number);
 
-inline Outcome compare(Outcome computed, double reference, double bound) {
-    computed.reference = reference;
-    computed.error = computed.value / reference - 1;
-    computed.bound = bound;
-    return computed;
-}
-inline Outcome compare(double value, double reference, double bound, const std::string& told = {}) {
-    return compare(Outcome{.value = value, .told = told}, reference, bound);
-}
-inline Outcome compare(std::complex<double> value, std::complex<double> reference, double bound) {
-    return {.value = std::abs(value),
-            .reference = std::abs(reference),
-            .error = std::abs(value / reference - 1.0),
-            .bound = bound};
+template <class Value>
+Outcome compare(Value value, std::type_identity_t<Value> reference, double bound, std::string told = {}) {
+    Outcome outcome{.bound = bound, .told = std::move(told)};
+    if constexpr (std::is_same_v<Value, double>) {
+        outcome.value = value, outcome.reference = reference, outcome.error = value / reference - 1;
+    } else {
+        outcome.value = std::abs(value), outcome.reference = std::abs(reference);
+        outcome.error = std::abs(value / reference - 1.0);
+    }
+    return outcome;
 }
 
-/// The same with what else is known of the solution that the value is from.
+/// The same with what else is known of the solution that the value is from. A bound of 0 stands for `per_condition`
+/// times the condition and the rounding error.
 template <class Solution, class Value>
-Outcome compare(const Solution& solution, Value value, std::type_identity_t<Value> reference, double bound) {
-    Outcome outcome = compare(value, reference, bound);
+Outcome compare(const Solution& solution, Value value, std::type_identity_t<Value> reference, double bound,
+                double per_condition = 0) {
+    Outcome outcome = compare(value, reference, bound, told_by(solution.status));
     if constexpr (requires { solution.residual; }) outcome.residual = solution.residual;
     if constexpr (requires { solution.rcond; }) outcome.condition = static_cast<double>(1 / solution.rcond);
     if constexpr (requires { solution.complementarity_residual; }) outcome.residual = solution.complementarity_residual;
-    outcome.told = told_by(solution.status);
+    if (per_condition > 0) outcome.bound = per_condition * rounding * outcome.condition;
     return outcome;
+}
+
+/// Force per width of a model in full adhesion after `count` steps of dq [m] at unit creepage, from rest.
+template <class Model>
+Outcome rolled(const Model& model, double dq, int count, double reference, double bound) {
+    rollbem::Run run(model);
+    auto step = run.advance(dq, 1.0);
+    while (--count > 0 && step.status == rollbem::StepStatus::ok) step = run.advance(dq, 1.0);
+    return compare(step, step.force_per_width, reference, bound);
 }
 
 /// An outcome that is told if its reference has not converged.
@@ -105,13 +104,10 @@ inline Outcome against_estimate(Outcome outcome, const rollbem::EstimatedC11<dou
     return outcome;
 }
 
-void steady_cases(Cases& cases, bool large);
-void harmonic_cases(Cases& cases);
-void time_cases(Cases& cases);
+void adhesion_cases(Cases& cases, bool large);
 void chebyshev_cases(Cases& cases, bool large);
 void friction_cases(Cases& cases);
 void load_cases(Cases& cases);
-void direction_cases(Cases& cases);
 void patch_cases(Cases& cases);
 
 /// A random patch with friction, steady and in the time domain.

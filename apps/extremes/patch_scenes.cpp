@@ -15,7 +15,6 @@
 #include <rollbem/compiled/patch.hpp>
 
 #include "cases.hpp"
-#include "friction_scale.hpp"
 
 namespace extremes {
 
