@@ -8,7 +8,7 @@ include(GNUInstallDirs)
 set(package_dir "${CMAKE_INSTALL_DATADIR}/cmake/rollbem")
 set(pkgconfig_dir "${CMAKE_INSTALL_DATADIR}/pkgconfig")
 
-install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
 # The table of creep forces of steel.
 install(FILES apps/creep/steel.creep DESTINATION "${CMAKE_INSTALL_DATADIR}/rollbem")
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DATADIR}/licenses/rollbem")

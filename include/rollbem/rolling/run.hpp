@@ -50,7 +50,11 @@ public:
     /// The model's steady rolling at a creepage: then a speed if friction depends on slip, and a load if it varies.
     template <class... Rest>
     Step steady(const Value& creepage, const Rest&... rest) noexcept {
-        return commit(model_->steady(now_, creepage, rest..., next_, workspace_));
+        return commit(try_steady(creepage, rest...));
+    }
+    template <class... Rest>
+    Step try_steady(const Value& creepage, const Rest&... rest) noexcept {
+        return model_->steady(now_, creepage, rest..., next_, workspace_);
     }
 
     /// The model's rigid shift, in a duration if friction depends on slip.

@@ -1,0 +1,159 @@
+/* test_c TABLE: rollbem.h as a C program uses it. Prints what it gets, in full digits, and fails where identities do. */
+#include <math.h>
+#include <rollbem.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+static void expect(int true_, const char *what) {
+    if (true_) return;
+    fprintf(stderr, "failed: %s (%s)\n", what, rollbem_last_error());
+    exit(1);
+}
+
+/* The largest difference of the tangent by x from a central difference of forces under solve(x), over |f|. */
+static double tangent_error(void (*solve)(double x, double *force), double x, double h, const double *tangent) {
+    double up[3], down[3], error = 0, size = 0;
+    solve(x + h, up);
+    solve(x - h, down);
+    for (int i = 0; i < 3; ++i) {
+        error = fmax(error, fabs((up[i] - down[i]) / (2 * h) - tangent[i]));
+        size = fmax(size, fabs(tangent[i]));
+    }
+    return error / size;
+}
+
+static rollbem_table *table;
+static double contact[9] = {6e-3, 4e-3, 8.2e10, 0.28, 0.3, 8e4, 1e-3, 5e-4, 0.1};
+static int varied;
+
+static void look_up(double x, double *force) {
+    double other[9];
+    memcpy(other, contact, sizeof other);
+    other[varied] = x;
+    expect(rollbem_table_forces(table, 1, other, force, NULL) == ROLLBEM_OK, "look-up");
+}
+
+static void test_table(const char *path) {
+    expect(rollbem_table_open("no such file") == NULL, "a table that does not exist");
+    expect(strstr(rollbem_last_error(), "no such file") != NULL, "its name in the message");
+    table = rollbem_table_open(path);
+    expect(table != NULL, "table");
+    double contacts[8 * 9], forces[8 * 3], tangents[8 * 21];
+    for (int i = 0; i < 8; ++i) {
+        memcpy(contacts + 9 * i, contact, sizeof contact);
+        contacts[9 * i + 5] *= 1 + 0.1 * i;
+    }
+    expect(rollbem_table_forces(table, 8, contacts, forces, tangents) == ROLLBEM_OK, "8 look-ups");
+    printf("table %.17g %.17g %.17g\n", forces[0], forces[1], forces[2]);
+    /* columns of the contact behind the parts of the tangent */
+    static const int columns[7] = {6, 7, 8, 5, 4, 0, 1};
+    for (int k = 0; k < 7; ++k) {
+        varied = columns[k];
+        const double x = contact[varied];
+        expect(tangent_error(look_up, x, 1e-5 * x, tangents + 3 * k) < 1e-6, "a tangent of the table");
+    }
+    contacts[9 * 3 + 5] = NAN;
+    contacts[9 * 5] = -1;
+    expect(rollbem_table_forces(table, 8, contacts, forces, tangents) == ROLLBEM_FAILED, "a load that is no number");
+    expect(strstr(rollbem_last_error(), "(contact 3)") != NULL, "the first that failed");
+    expect(isnan(forces[9]) && isnan(forces[15]) && isnan(tangents[21 * 5]) && isfinite(forces[12]),
+           "results beside those that failed");
+    const clock_t start = clock();
+    enum { batches = 50000 };
+    contacts[9 * 3 + 5] = contact[5];
+    contacts[9 * 5] = contact[0];
+    for (int i = 0; i < batches; ++i) rollbem_table_forces(table, 8, contacts, forces, NULL);
+    fprintf(stderr, "%.3f us for a contact of 8\n", 1e6 * (double)(clock() - start) / CLOCKS_PER_SEC / batches / 8);
+    rollbem_table_close(table);
+}
+
+static void test_hertz(void) {
+    const double radii[4] = {0.46, 0.46, INFINITY, INFINITY}, bodies[4] = {2.1e11, 0.28, 2.1e11, 0.28};
+    double sphere[5];
+    expect(rollbem_hertz(1e5, radii, 0, bodies, sphere) == ROLLBEM_OK, "Hertz");
+    const double a = cbrt(3 * 1e5 * 0.46 * 2 * (1 - 0.28 * 0.28) / 2.1e11 / 4); /* a sphere on a plane */
+    expect(fabs(sphere[0] / a - 1) < 1e-14 && fabs(sphere[1] / a - 1) < 1e-14, "semi-axes of a sphere");
+    expect(fabs(sphere[2] / (a * a / 0.46) - 1) < 1e-13, "approach of a sphere");
+    expect(rollbem_hertz(-1, radii, 0, bodies, sphere) == ROLLBEM_INVALID, "a negative load");
+    expect(strstr(rollbem_last_error(), "load = -1") != NULL, "name and value in the message");
+    double c[5];
+    expect(rollbem_kalker(1, 0.25, 16, c) == ROLLBEM_OK, "Kalker's coefficients");
+    printf("kalker %.17g %.17g %.17g %.17g %.17g\n", c[0], c[1], c[2], c[3], c[4]);
+    expect(fabs(c[0] / 4.12 - 1) < 0.01 && fabs(c[1] / 3.67 - 1) < 0.01 && fabs(c[2] / 1.47 - 1) < 0.02,
+           "Kalker's table at a/b = 1"); /* Kalker 1990, Appendix E: two decimals */
+}
+
+static rollbem_patch *patch;
+
+static void step(double x, double *force) {
+    double creepage[3] = {1e-3, 5e-4, 0.1};
+    if (varied < 3) creepage[varied] = x;
+    expect(rollbem_patch_step(patch, 1e-3, creepage, varied == 3 ? x : 8.2e4, force, NULL, NULL) == ROLLBEM_OK, "step");
+}
+
+static void test_patch(void) {
+    expect(rollbem_patch_new(6e-3, 4e-3, 8.2e10, 0.7, 0.3, 8e4, 6, 6) == NULL, "a wrong Poisson's ratio");
+    patch = rollbem_patch_new(6e-3, 4e-3, 8.2e10, 0.28, 0.3, 8e4, 6, 6);
+    expect(patch != NULL, "patch");
+    const double creepage[3] = {1e-3, 5e-4, 0.1};
+    double force[3], again[3], settled[3], tangent[12], heat;
+    for (int i = 0; i < 10; ++i) {
+        expect(rollbem_patch_step(patch, 1e-3, creepage, 8e4, force, NULL, &heat) == ROLLBEM_OK && heat >= 0, "step");
+        rollbem_patch_accept(patch);
+    }
+    double *const state = malloc(rollbem_patch_state_size(patch) * sizeof(double));
+    if (state == NULL) abort();
+    rollbem_patch_get_state(patch, state);
+    expect(rollbem_patch_step(patch, 1e-3, creepage, 8.2e4, force, tangent, NULL) == ROLLBEM_OK, "step");
+    const double at[4] = {creepage[0], creepage[1], creepage[2], 8.2e4};
+    for (varied = 0; varied < 4; ++varied) {
+        expect(tangent_error(step, at[varied], 1e-5 * at[varied], tangent + 3 * varied) < 1e-5, "a tangent of a step");
+    }
+    rollbem_patch *const copy = rollbem_patch_new(6e-3, 4e-3, 8.2e10, 0.28, 0.3, 8e4, 6, 6);
+    expect(copy != NULL && rollbem_patch_set_state(copy, state) == ROLLBEM_OK, "a copy");
+    expect(rollbem_patch_step(copy, 1e-3, creepage, 8.2e4, again, NULL, NULL) == ROLLBEM_OK, "its step");
+    expect(memcmp(force, again, sizeof force) == 0, "a copy goes on with the same bits");
+    printf("patch %.17g %.17g %.17g\n", force[0], force[1], force[2]);
+    for (int i = 0; i < 40; ++i) {
+        expect(rollbem_patch_step(copy, 2e-3, creepage, 8e4, again, NULL, NULL) == ROLLBEM_OK, "step");
+        rollbem_patch_accept(copy);
+    }
+    expect(rollbem_patch_steady(copy, creepage, 8e4, settled, NULL, &heat) == ROLLBEM_OK, "steady rolling");
+    for (int i = 0; i < 3; ++i) {
+        expect(fabs(again[i] - settled[i]) < 1e-6 * fabs(settled[0]), "steps that settle at steady rolling");
+    }
+    expect(rollbem_patch_step(copy, 1e-3, creepage, -1, again, NULL, NULL) == ROLLBEM_FAILED && isnan(again[0]),
+           "a negative load");
+    free(state);
+    rollbem_patch_free(copy);
+    rollbem_patch_free(patch);
+}
+
+static void test_wheel(void) {
+    rollbem_wheel *const wheel = rollbem_wheel_new(NULL, 0, NULL, 0, NULL);
+    expect(wheel != NULL, "wheel");
+    double patches[2 * 12];
+    size_t count;
+    expect(rollbem_wheel_carry(wheel, 1e-3, 0, 0, 1e5, 2, patches, &count) == ROLLBEM_OK && count >= 1, "contact");
+    printf("wheel");
+    for (int i = 0; i < 12; ++i) printf(" %.10g", patches[i]);
+    printf("\n");
+    expect(fabs(patches[5] * cos(patches[3]) / 1e5 - 1) < 1e-5 || count > 1, "the vertical load is carried");
+    expect(rollbem_wheel_carry(wheel, 1, 0, 0, 1e5, 2, patches, &count) == ROLLBEM_FAILED && count == 0,
+           "a wheel beside the rail");
+    rollbem_wheel_free(wheel);
+    const double points[8] = {0, 0, 1, 0, 0, 0, 1, 1};
+    expect(rollbem_wheel_new(points, 4, NULL, 0, NULL) == NULL, "a profile that turns back");
+}
+
+int main(int count, char **arguments) {
+    if (count != 2) return 2;
+    test_table(arguments[1]);
+    test_hertz();
+    test_patch();
+    test_wheel();
+    printf("rollbem %s\n", rollbem_version());
+    return 0;
+}
