@@ -1,22 +1,25 @@
 #!/bin/sh
-# deps.sh [--ci] [--docs] [--fmu] [--simbody]: installs what building rollbem and its programs, tests and benchmarks
-# needs. Installs only what is missing and prints what; silent if nothing is. --ci adds the tools of continuous
-# integration, --simbody Simbody for simbody_wheel (Debian and Ubuntu), --docs Doxygen for the API reference; --fmu
-# installs FMPy, which brings the headers of FMI 2.0, and libcosimpy, which run the FMUs in tests, into build-fmu/venv.
+# deps.sh [--ci] [--docs] [--fmu] [--simbody] [--windows]: installs what building rollbem and its programs, tests and
+# benchmarks needs. Installs only what is missing and prints what; silent if nothing is. --ci adds the tools of
+# continuous integration, --simbody Simbody for simbody_wheel, --windows mingw-w64 and wine, to build for Windows and test
+# it (both Debian and Ubuntu), --docs Doxygen for the API reference; --fmu installs FMPy, which brings the headers of FMI
+# 2.0, and libcosimpy, which run the FMUs in tests, into build-fmu/venv.
 set -eu
 
 ci=no
 docs=no
 fmu=no
 simbody=no
+windows=no
 for option in "$@"; do
     case $option in
     --ci) ci=yes simbody=yes ;;
     --docs) docs=yes ;;
     --fmu) fmu=yes ;;
     --simbody) simbody=yes ;;
+    --windows) windows=yes ;;
     *)
-        echo "usage: sh cmake/deps.sh [--ci] [--docs] [--fmu] [--simbody]" >&2
+        echo "usage: sh cmake/deps.sh [--ci] [--docs] [--fmu] [--simbody] [--windows]" >&2
         exit 2
         ;;
     esac
@@ -76,9 +79,10 @@ if have apt-get; then
     need_command gnuplot-nox gnuplot
     need_packages installed libeigen3-dev libgsl-dev catch2 libbenchmark-dev libcli11-dev libtomlplusplus-dev
     if [ $ci = yes ]; then
-        need_packages installed clang-format-14 clang-14 clang-16
+        need_packages installed clang-format-14 clang-14 clang-16 gfortran
     fi
     [ $simbody = no ] || need_packages installed libsimbody-dev
+    [ $windows = no ] || need_packages installed g++-mingw-w64-x86-64-posix wine wine64
     [ $docs = no ] || need_command doxygen doxygen
     [ $fmu = no ] || have_venv || missing="$missing python3-venv"
     if [ -n "$missing" ]; then
@@ -131,5 +135,8 @@ fi
 
 if [ $simbody = yes ] && [ $ci = no ] && ! have apt-get; then
     echo "deps.sh: no package of Simbody is known here; please install Simbody 3.7 or later from source" >&2
+fi
+if [ $windows = yes ] && ! have apt-get; then
+    echo "deps.sh: please install mingw-w64 with POSIX threads, and wine" >&2
 fi
 [ $fmu = no ] || install_importers
