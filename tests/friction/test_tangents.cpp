@@ -81,6 +81,7 @@ Error error_of(const Body& body, const Friction<Law>& friction, std::optional<In
         const double unit = body.creepage * level / std::sqrt(x * x + y * y + z * z);
         return Creepage<double>{unit * x, unit * y, unit * z / body.c};
     };
+    const Elements<double>& places = body.system.elements();
     const double dq = a_0 * draw.decades(-1.5, 0);
     const auto loaded = [&] {
         const double a = a_0 + draw.uniform(-0.05, 0.05) * dq;
@@ -100,6 +101,10 @@ Error error_of(const Body& body, const Friction<Law>& friction, std::optional<In
     }
     const Creepage<double> creepage = drawn();
     const NormalLoad<double> load = loaded();
+    ElementVectors<double> rows(body.pressure.size(), 2);  // in half of the scenes
+    rows.col(0) = 0.2 * body.creepage * (places.x * places.y - places.x.square());
+    rows.col(1) = 0.3 * body.creepage * (places.x.square() + places.y);
+    const bool with_rows = draw.one_in(2);
     std::vector<Zone> zones;
     Error error;
     const auto at = [&](std::size_t parameter, double h) {
@@ -111,9 +116,10 @@ Error error_of(const Body& body, const Friction<Law>& friction, std::optional<In
         if (parameter == 3) under.normal_pressure += h * load.pressure_rate;
         if (parameter == 4) under.half_length += h * a_0;
         if (parameter == 5) under.half_width += h * body.half_width;
-        const auto motion = RigidMotion<Creepage<double>>::linear(before, changed);
+        auto motion = RigidMotion<Creepage<double>>::linear(before, changed);
+        if (with_rows) motion = motion.with_rows(rows);
         const auto step = integrator ? model.advance(now, travel, motion, under, next, workspace)
-                                     : model.steady(now, changed, V, under, next, workspace);
+                                     : model.steady(now, motion, V, under, next, workspace);
         if (zones.empty()) zones = next.zones;
         error.kink = error.kink || zones != next.zones || step.status != StepStatus::ok;
         return step;

@@ -92,13 +92,12 @@ public:
     Force force(const State& state) const { return model_->force(state); }
     double elastic_energy(const State& state) const { return model_->elastic_energy(state); }
 
-    Step steady(const State& from, const Value& creepage, double speed, State& to,
-                Workspace& workspace) const noexcept {
-        return model_->steady(from, creepage, speed, nullptr, to, workspace);
+    Step steady(const State& from, const Motion& motion, double speed, State& to, Workspace& workspace) const noexcept {
+        return model_->steady(from, motion, speed, nullptr, to, workspace);
     }
-    Step steady(const State& from, const Value& creepage, double speed, const Load& load, State& to,
+    Step steady(const State& from, const Motion& motion, double speed, const Load& load, State& to,
                 Workspace& workspace) const noexcept {
-        return model_->steady(from, creepage, speed, &load, to, workspace);
+        return model_->steady(from, motion, speed, &load, to, workspace);
     }
     Step advance(const State& from, const Travel& travel, const Motion& motion, State& to,
                  Workspace& workspace) const noexcept {
@@ -124,7 +123,7 @@ private:
         virtual Workspace workspace() const = 0;
         virtual Force force(const State& state) const = 0;
         virtual double elastic_energy(const State& state) const = 0;
-        virtual Step steady(const State& from, const Value& creepage, double speed, const Load* load, State& to,
+        virtual Step steady(const State& from, const Motion& motion, double speed, const Load* load, State& to,
                             Workspace& workspace) const noexcept = 0;
         virtual Step advance(const State& from, const Travel& travel, const Motion& motion, const Load* load, State& to,
                              Workspace& workspace) const noexcept = 0;
@@ -158,20 +157,17 @@ public:
     }
     Force force(const State& state) const override { return raise(model_.force(lower(state))); }
     double elastic_energy(const State& state) const override { return model_.elastic_energy(lower(state)); }
-    Step steady(const State& from, const Value& creepage, double speed, const Load* load, State& to,
+    Step steady(const State& from, const Motion& motion, double speed, const Load* load, State& to,
                 Workspace& workspace) const noexcept override {
+        const typename Own::Motion moved = lower(motion);
         return solve(from, to, workspace, [&](const auto& start, auto& end, auto& own) {
-            return load == nullptr ? model_.steady(start, lower(creepage), speed, end, own)
-                                   : model_.steady(start, lower(creepage), speed, *load, end, own);
+            return load == nullptr ? model_.steady(start, moved, speed, end, own)
+                                   : model_.steady(start, moved, speed, *load, end, own);
         });
     }
     Step advance(const State& from, const Travel& travel, const Motion& motion, const Load* load, State& to,
                  Workspace& workspace) const noexcept override {
-        using Moved = typename Own::Motion;
-        const auto begin = lower(motion.start()), last = lower(motion.end());
-        const Moved moved = motion.is_shift()    ? Moved::shift(last)
-                            : motion.is_linear() ? Moved::linear(begin, last)
-                                                 : Moved(last);
+        const typename Own::Motion moved = lower(motion);
         return solve(from, to, workspace, [&](const auto& start, auto& end, auto& own) {
             return load == nullptr ? model_.advance(start, travel, moved, end, own)
                                    : model_.advance(start, travel, moved, *load, end, own);
@@ -186,6 +182,22 @@ private:
             return value;
         } else {
             return direction_ == 0 ? value.longitudinal : value.lateral;
+        }
+    }
+    typename Own::Motion lower(const Motion& motion) const {
+        if constexpr (both) {
+            return motion;
+        } else {
+            using Moved = typename Own::Motion;
+            const double begin = lower(motion.start()), last = lower(motion.end());
+            const Moved moved = motion.is_shift()    ? Moved::shift(last)
+                                : motion.is_linear() ? Moved::linear(begin, last)
+                                                     : Moved(last);
+            if (!motion.has_rows()) return moved;
+            const auto own = [&](const Motion::RowsView& rows) {
+                return typename Moved::RowsView(rows.data() + direction_ * rows.rows(), rows.rows());
+            };
+            return moved.with_rows(own(motion.start_rows()), own(motion.end_rows()));
         }
     }
     OwnState lower(const State& state) const {

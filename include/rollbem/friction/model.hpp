@@ -187,6 +187,10 @@ public:
                 Workspace& workspace) const noexcept {
         return settle(from, creepage, speed, Core::load_of(from), to, workspace);
     }
+    /// At the end of a motion that is no shift: with a rigid slip of each element besides (RigidMotion::with_rows).
+    Step steady(const State& from, const Motion& motion, Scalar speed, State& to, Workspace& workspace) const noexcept {
+        return settle(from, motion, speed, Core::load_of(from), to, workspace);
+    }
     Step steady(const State& from, const Value& creepage, State& to, Workspace& workspace) const noexcept
         requires(!Core::slip_dependent) {
         return steady(from, creepage, 1, to, workspace);
@@ -194,9 +198,13 @@ public:
     /// Steady rolling under another load. If its semi-axes are not the contact's, the system must be able to breathe.
     Step steady(const State& from, const Value& creepage, Scalar speed, const NormalLoad<Scalar>& load, State& to,
                 Workspace& workspace) const noexcept {
+        return steady(from, Motion(creepage), speed, load, to, workspace);
+    }
+    Step steady(const State& from, const Motion& motion, Scalar speed, const NormalLoad<Scalar>& load, State& to,
+                Workspace& workspace) const noexcept {
         const StepStatus possible = check(from, load);
         if (possible != StepStatus::ok) return Core::failed(possible);
-        return settle(from, creepage, speed, core_.load_after(from, load), to, workspace);
+        return settle(from, motion, speed, core_.load_after(from, load), to, workspace);
     }
     Step steady(const State& from, const Value& creepage, const NormalLoad<Scalar>& load, State& to,
                 Workspace& workspace) const noexcept requires(!Core::slip_dependent) {
@@ -248,7 +256,7 @@ private:
         return possible == StepStatus::ok ? core_.check_width(from, load) : possible;
     }
 
-    Step settle(const State& from, const Value& creepage, Scalar speed, const Load& load, State& to,
+    Step settle(const State& from, const Motion& motion, Scalar speed, const Load& load, State& to,
                 Workspace& workspace) const noexcept {
         StepStatus possible = core_.check(from, to, workspace);
         const auto axes = core_.axes(load);
@@ -256,7 +264,7 @@ private:
         if (possible != StepStatus::ok) return Core::failed(possible);
         const System* const shapes = detail::changes_shape(system_) ? &system_ : nullptr;
         const Step step =
-            core_.solve_steady(detail::gradient(system_), shapes, from, creepage, speed, load, to, workspace);
+            core_.solve_steady(detail::gradient(system_), shapes, from, motion, speed, load, to, workspace);
         return converges_ ? step : Core::without_forces(step);
     }
 
@@ -266,7 +274,7 @@ private:
         const Scalar unit = core_.half_length();
         const StepStatus belongs = core_.check(from, to, workspace);
         if (belongs == StepStatus::wrong_state) return Core::failed(belongs);
-        StepStatus possible = motion.check(travel.dq / unit);
+        StepStatus possible = motion.check(travel.dq / unit, size());
         if (possible == StepStatus::ok) possible = belongs;
         if (possible == StepStatus::ok) {
             possible = detail::check_growth(system_, travel.dq / unit, core_.axes(from), core_.axes(load));

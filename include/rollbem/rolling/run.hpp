@@ -56,6 +56,11 @@ public:
     Step try_steady(const Value& creepage, const Rest&... rest) noexcept {
         return model_->steady(now_, creepage, rest..., next_, workspace_);
     }
+    /// The same with the model's motion, a speed, and a load if it varies.
+    template <class M = Model, class... Rest>
+    Step steady(const typename M::Motion& motion, const Rest&... rest) noexcept {
+        return commit(model_->steady(now_, motion, rest..., next_, workspace_));
+    }
 
     /// The model's rigid shift, in a duration if friction depends on slip.
     template <class... Duration>

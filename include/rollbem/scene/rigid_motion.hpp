@@ -1,6 +1,8 @@
 // How far the contact rolls in a step, and the relative rigid-body motion of the two bodies meanwhile.
 #pragma once
 
+#include <Eigen/Core>
+
 #include "../detail/finite.hpp"
 #include "../status.hpp"
 #include "creepage.hpp"
@@ -12,10 +14,12 @@ namespace detail {
 template <class Value>
 struct NumberOf {
     using type = Value;
+    static constexpr int directions = 1;
 };
 template <class Scalar>
 struct NumberOf<Creepage<Scalar>> {
     using type = Scalar;
+    static constexpr int directions = 2;
 };
 
 }  // namespace detail
@@ -40,12 +44,16 @@ struct UntimedTravel : rollbem::Travel<Scalar> {
 }  // namespace detail
 
 /// Motion during one step. Value_ is a number for creepage in one direction (the direction is that of the kernel), and
-/// Creepage<Scalar> for both.
+/// Creepage<Scalar> for both. With friction each element may have a rigid slip of its own besides: where surfaces are
+/// curved, rigid slip is not linear in x and y.
 template <class Value_>
 class RigidMotion {
 public:
     using Value = Value_;
     using Scalar = typename detail::NumberOf<Value>::type;
+    /// A row per unknown element, a column per direction.
+    using Rows = Eigen::Matrix<Scalar, Eigen::Dynamic, detail::NumberOf<Value>::directions>;
+    using RowsView = Eigen::Map<const Rows>;
 
     /// Constant creepage xi [-].
     RigidMotion(Value creepage) : start_(creepage), end_(creepage) {}  // NOLINT: implicit on purpose
@@ -57,15 +65,43 @@ public:
     /// may vanish, and dq = 0 is allowed.
     static RigidMotion shift(Value shift) { return {shift, shift, Kind::shift}; }
 
+    /// The same motion with a rigid slip [-], of a shift [m], of each element added to that of the creepage, at the point
+    /// of the element's equation (Elements::x, y): constant over the step, or linear from `start` to `end`. Refers to the
+    /// rows. Steps that have no rows, or have another number of elements, refuse it (StepStatus::invalid_step).
+    RigidMotion with_rows(const Rows& rows) const { return with_rows(rows, rows); }
+    RigidMotion with_rows(const Rows& start, const Rows& end) const {
+        return with_rows(RowsView(start.data(), start.rows(), start.cols()),
+                         RowsView(end.data(), end.rows(), end.cols()));
+    }
+    RigidMotion with_rows(const RowsView& start, const RowsView& end) const {
+        RigidMotion motion = *this;
+        motion.row_count_ = start.rows() == end.rows() ? start.rows() : invalid;
+        motion.start_rows_ = start.data();
+        motion.end_rows_ = end.data();
+        return motion;
+    }
+
     bool is_shift() const { return kind_ == Kind::shift; }
     bool is_linear() const { return kind_ == Kind::linear; }  ///< made by linear(), whatever the values
     Value start() const { return start_; }                    ///< creepage at the start [-], or the shift [m]
     Value end() const { return end_; }                        ///< creepage at the end [-], or the shift [m]
 
-    /// Whether it can be used with a distance rolled dq, in any unit: ok, invalid_step or not_finite.
-    StepStatus check(Scalar dq) const noexcept {
+    bool has_rows() const { return row_count_ != 0; }
+    RowsView start_rows() const { return {start_rows_, row_count_, Rows::ColsAtCompileTime}; }  ///< if it has rows
+    RowsView end_rows() const { return {end_rows_, row_count_, Rows::ColsAtCompileTime}; }
+
+    /// Whether it can be used with a distance rolled dq, in any unit, and, if it has rows, with this number of elements:
+    /// ok, invalid_step or not_finite.
+    StepStatus check(Scalar dq, Eigen::Index row_count = 0) const noexcept {
         if (!detail::is_finite(dq) || !(is_shift() ? dq >= 0 : dq > 0)) return StepStatus::invalid_step;
-        return detail::is_finite(start_) && detail::is_finite(end_) ? StepStatus::ok : StepStatus::not_finite;
+        return check_rows(row_count);
+    }
+    /// The same of steady rolling.
+    StepStatus check_rows(Eigen::Index row_count) const noexcept {
+        if (has_rows() && row_count_ != row_count) return StepStatus::invalid_step;
+        const bool finite = detail::is_finite(start_) && detail::is_finite(end_) &&
+                            (!has_rows() || (detail::all_finite(start_rows()) && detail::all_finite(end_rows())));
+        return finite ? StepStatus::ok : StepStatus::not_finite;
     }
 
 private:
@@ -73,8 +109,12 @@ private:
 
     RigidMotion(Value start, Value end, Kind kind) : start_(start), end_(end), kind_(kind) {}
 
+    static constexpr Eigen::Index invalid = -1;
+
     Value start_, end_;
     Kind kind_ = Kind::constant;
+    const Scalar *start_rows_ = nullptr, *end_rows_ = nullptr;
+    Eigen::Index row_count_ = 0;
 };
 
 }  // namespace rollbem

@@ -163,7 +163,7 @@ public:
 
     /// Steady rolling, s/V = creepage - G' p, sought from `from`, whose load and the given one have been checked. With
     /// `shapes`, a system of many a/b, G' is that of the load's semi-axes.
-    Step solve_steady(const Gradient& G_prime, const System* shapes, const State& from, const Value& creepage,
+    Step solve_steady(const Gradient& G_prime, const System* shapes, const State& from, const Motion& creepage,
                       Scalar speed, const Load& load, State& to, Workspace& workspace) const noexcept;
 
     /// A step under a load that varies linearly from that of `from` to `load`. Its arguments have been checked, except
@@ -297,32 +297,35 @@ private:
         }
     }
 
-    // c = factor motion - displacement
-    void impose(const Value& motion, Scalar factor, [[maybe_unused]] const Axes& axes, const Vectors& displacement,
-                Vectors& constant) const {
+    // c = factor motion - displacement, with the motion after `share` of the step
+    void impose(const Motion& motion, Scalar share, Scalar factor, [[maybe_unused]] const Axes& axes,
+                const Vectors& displacement, Vectors& constant) const {
+        const Value value = between(motion, share);
         if constexpr (directions == 1) {
-            constant.array() = factor * motion - displacement.array();
+            constant.array() = factor * value - displacement.array();
         } else {
             constant = -displacement;
-            constant.col(0).array() += factor * motion.longitudinal;
-            constant.col(1).array() += factor * motion.lateral;
-            if (motion.spin != 0) {
-                const Scalar angle = factor * spin_of(motion);
+            constant.col(0).array() += factor * value.longitudinal;
+            constant.col(1).array() += factor * value.lateral;
+            if (value.spin != 0) {
+                const Scalar angle = factor * spin_of(value);
                 constant.col(0) += angle * axes.half_width * spin_.col(0);
                 constant.col(1) += angle * axes.half_length * spin_.col(1);
             }
         }
+        if (!motion.has_rows()) return;
+        constant += factor * (1 - share) * motion.start_rows() + factor * share * motion.end_rows();
     }
 
-    // One stage, c = factor motion - displacement, at these semi-axes; its slip is weighted by `weight`. The next
-    // stage is sought from its tractions.
-    void solve_stage(Bounds& bounds, const Value& motion, Scalar factor, const std::vector<Zone>& zones, Scalar weight,
-                     const Axes& axes, Scratch& scratch, Progress& progress) const {
+    // One stage, c = factor motion - displacement, at these semi-axes, with the motion after `share` of the step; its
+    // slip is weighted by `weight`. The next stage is sought from its tractions.
+    void solve_stage(Bounds& bounds, const Motion& motion, Scalar share, Scalar factor, const std::vector<Zone>& zones,
+                     Scalar weight, const Axes& axes, Scratch& scratch, Progress& progress) const {
         auto& solver = scratch.solver;
-        impose(motion, factor, axes, scratch.displacement, solver.constant());
+        impose(motion, share, factor, axes, scratch.displacement, solver.constant());
         const bool has_plain = behind_.size() > 0 && scratch.stage.distance != steadily;
         if constexpr (directions == 2) {
-            if (has_plain) impose(motion, factor, axes, scratch.plain_displacement, solver.plain_constant());
+            if (has_plain) impose(motion, share, factor, axes, scratch.plain_displacement, solver.plain_constant());
         }
         const auto outcome =
             bounds.solve(solver, scratch.bound, {scratch.start, zones, has_plain ? &scratch.plain_start : nullptr});
@@ -623,11 +626,12 @@ auto FrictionCore<Law, directions, Scalar>::check(const State& from, const State
 
 template <class Law, int directions, class Scalar>
 auto FrictionCore<Law, directions, Scalar>::solve_steady(const Gradient& G_prime, const System* shapes,
-                                                         const State& from, const Value& creepage, Scalar speed,
+                                                         const State& from, const Motion& creepage, Scalar speed,
                                                          const Load& load, State& to,
                                                          Workspace& workspace) const noexcept -> Step {
-    if (!is_finite(creepage)) return failed(StepStatus::not_finite);
-    if (!can_impose(creepage)) return failed(StepStatus::needs_places);
+    const StepStatus possible = creepage.is_shift() ? StepStatus::invalid_step : creepage.check_rows(size());
+    if (possible != StepStatus::ok) return failed(possible);
+    if (!can_impose(creepage.end())) return failed(StepStatus::needs_places);
     if (slip_dependent && !is_positive(speed)) return failed(StepStatus::invalid_step);
     Scratch& scratch = workspace.scratch();
     const Axes present = axes(load);
@@ -649,7 +653,7 @@ auto FrictionCore<Law, directions, Scalar>::solve_steady(const Gradient& G_prime
     if constexpr (directions == 1) scratch.solver.begin(Effort::equations);
     set_bounds(load.pressure, scratch);
     Progress progress;
-    solve_stage(bounds, creepage, 1, from.zones, 1, present, scratch, progress);
+    solve_stage(bounds, creepage, 1, 1, from.zones, 1, present, scratch, progress);
     Step step = finish(bounds, from, progress, load, 1, to, scratch);
     if (wants_tangents(progress)) add_tangents(bounds, shapes, {1, 1}, 1, 0, 0, {}, load, scratch, step);
     return step;
@@ -697,8 +701,7 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
         } else {
             set_bounds(load.pressure, scratch);  // for both stages
         }
-        solve_stage(bounds, between(motion, gamma), imposed, from.zones, ratio, axes_of(scratch.stage), scratch,
-                    progress);
+        solve_stage(bounds, motion, gamma, imposed, from.zones, ratio, axes_of(scratch.stage), scratch, progress);
         carried = motion.is_linear() ? gamma * imposed : imposed;
         if constexpr (slip_dependent) scratch.jump_work.keep_first(scratch.start);
         if (wants_tangents(progress)) {
@@ -713,8 +716,8 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
     }
     enter(system, {part, 1}, Stage::of(part, Scalar(1), dq, start, end), bounds, scratch);
     if (load.pressure_rate != nullptr || !two_stages) set_bounds(load.pressure, scratch);
-    solve_stage(bounds, motion.end(), imposed, two_stages ? scratch.solver.zones() : from.zones, 1,
-                axes_of(scratch.stage), scratch, progress);
+    solve_stage(bounds, motion, 1, imposed, two_stages ? scratch.solver.zones() : from.zones, 1, axes_of(scratch.stage),
+                scratch, progress);
     Step step = finish(bounds, from, progress, load, half_length_, to, scratch);
     if (progress.finite) add_jump_work(system, from, two_stages, dq > 0, load, scratch, step);
     if (wants_tangents(progress)) {

@@ -1,0 +1,228 @@
+// rollbem/friction/model.hpp: a rigid slip of each element besides that of the creepage, RigidMotion::with_rows
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/patch.hpp>
+#include <rollbem/friction/friction_contact.hpp>
+
+#include "support/catch.hpp"
+
+namespace rigid_slip_tests {
+
+using namespace rollbem;
+using Vectors = ElementVectors<double>;
+using Motion = RigidMotion<Creepage<double>>;
+
+namespace {
+
+constexpr NodeDifference chebyshev{Nodes::chebyshev};
+constexpr double G = 8e10, a = 5e-3, mu = 0.3, V = 20;
+constexpr Travel<double> travel{0.2 * a, 0.2 * a / V};
+constexpr Creepage<double> some{6e-4, -4e-4, 0.2}, other{-2e-4, 8e-4, 0.3};
+
+/// A patch with a constant coefficient or one that falls with slip.
+template <class Law>
+FrictionModel<Law, 2> patch(const Law& law, Integrator integrator = Integrator::sdirk2) {
+    const PatchContact<double> contact(
+        {.half_length = a, .half_width = 4e-3, .shear_modulus = G, .poisson_ratio = 0.28});
+    const PatchMesh<double> mesh = patch_mesh(contact, 6, 5);
+    return {contact, rolling_system(mesh, chebyshev, HalfSpace<double>(0.28)), unchecked,
+            Friction<Law>{law, hertz_pressures(contact, mesh, 6e4)}, integrator};
+}
+
+/// The rigid slip of a creepage at the points of the equations.
+Vectors rows_of(const Elements<double>& elements, const Creepage<double>& creepage) {
+    Vectors rows(elements.size(), 2);
+    rows.col(0) = creepage.longitudinal - creepage.spin * a * elements.y;
+    rows.col(1) = creepage.lateral + creepage.spin * a * elements.x;
+    return rows;
+}
+
+double difference(const TangentialForce<double>& one, const TangentialForce<double>& two) {
+    return std::max({std::abs(one.longitudinal - two.longitudinal), std::abs(one.lateral - two.lateral),
+                     std::abs(one.moment - two.moment) / a});
+}
+
+TEMPLATE_TEST_CASE("Slip by rows is that of creepages", "[friction]", ConstantFriction<>, ExponentialFall<>) {
+    const auto law = [] {
+        if constexpr (std::is_same_v<TestType, ConstantFriction<>>) {
+            return ConstantFriction<>{mu};
+        } else {
+            return ExponentialFall<>{mu, 0.2, 0.05};
+        }
+    }();
+    const PatchContact<double> contact(
+        {.half_length = a, .half_width = 4e-3, .shear_modulus = G, .poisson_ratio = 0.28});
+    const auto elements = patch_mesh(contact, 6, 5);
+    const Elements<double> places = rolling_system(elements, chebyshev, HalfSpace<double>(0.28)).elements();
+    const Vectors first = rows_of(places, some), last = rows_of(places, other);
+    const Vectors shift = first * travel.dq;
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        const auto model = patch(law, integrator);
+        auto workspace = model.workspace(), by_rows = model.workspace();
+        auto now = model.at_rest(), next = now, following = now;
+        const auto same = [&](const FrictionStep<2>& expected, const FrictionStep<2>& step) {
+            REQUIRE(expected.status == StepStatus::ok);
+            CHECK(step.status == StepStatus::ok);
+            const double unit = std::abs(expected.force.lateral);
+            CAPTURE(rollbem::name(integrator), expected.force.longitudinal, expected.force.lateral);
+            CHECK(difference(step.force, expected.force) < 1e-10 * unit);
+            CHECK(difference(step.tangent.by_lateral, expected.tangent.by_lateral) < 1e-7 * unit / 1e-3);
+            CHECK(difference(step.tangent.by_spin, expected.tangent.by_spin) < 1e-7 * unit * a / 1e-3);
+            CHECK(step.slip_work == Approx(expected.slip_work).epsilon(1e-9));
+            CHECK((next.traction - following.traction).cwiseAbs().maxCoeff() < 1e-9 * G * 1e-3);
+            CHECK((workspace.slip() - by_rows.slip()).norm() <= 1e-9 * workspace.slip().norm());
+        };
+        same(model.steady(now, some, V, next, workspace),
+             model.steady(now, Motion({}).with_rows(first), V, following, by_rows));
+        now = next;
+        same(model.advance(now, travel, Motion::linear(some, other), next, workspace),
+             model.advance(now, travel, Motion({}).with_rows(first, last), following, by_rows));
+        now = next;
+        // half by creepages, half by rows
+        const Creepage<double> half{other.longitudinal / 2, other.lateral / 2, other.spin / 2};
+        same(model.advance(now, travel, other, next, workspace),
+             model.advance(now, travel, Motion(half).with_rows(last / 2), following, by_rows));
+        now = next;
+        const Creepage<double> moved{some.longitudinal * travel.dq, some.lateral * travel.dq, some.spin * travel.dq};
+        same(model.shift(now, moved, travel.duration, next, workspace),
+             model.advance(now, Travel<double>{0, travel.duration}, Motion::shift({}).with_rows(shift), following,
+                           by_rows));
+    }
+}
+
+/// Two directions that do not couple, from ready matrices: slip is not turned, and nothing but rows can vary it.
+struct Line {
+    Contact<double> contact = Contact<double>::dimensionless(100, 0.28);
+    Mesh<double> mesh = cosine_mesh<double>(24);
+    ElementSystem<double> along = system(PlaneKernel<double>::longitudinal(contact)),
+                          across = system(PlaneKernel<double>::lateral(contact));
+    ArrayX<double> pressure = mean_hertz_pressure(mesh), x = mesh.centres() + mesh.widths() / 2;
+    Vectors rows = [this] {
+        Vectors bent(24, 2);
+        bent.col(0) = 0.9 * (x.square() - 0.3 * x);
+        bent.col(1) = 0.6 * (x - 0.5 * x.square());
+        return bent;
+    }();
+
+    ElementSystem<double> system(const PlaneKernel<double>& kernel) const {
+        const ElementSystem<double> own = rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel);
+        return {own.G(), own.G_prime(), own.weights()};
+    }
+    template <int directions>
+    FrictionModel<ConstantFriction<>, directions> model() const {
+        const Friction<ConstantFriction<>> friction{1, pressure};
+        if constexpr (directions == 1) {
+            return {contact, along, unchecked, friction, Integrator::implicit_euler};
+        } else {
+            return {contact, {along, across}, unchecked, friction, Integrator::implicit_euler};
+        }
+    }
+};
+
+/// The law of friction of tractions p and slip s: |p| <= bound, and where p does not stick it has this length against s.
+template <class Rows>
+double violation(const Rows& p, const Rows& s, const ArrayX<double>& bound) {
+    double largest = 0;
+    for (Eigen::Index i = 0; i < p.rows(); ++i) {
+        const Rows target = [&] {
+            Rows moved = p.row(i) - s.row(i);
+            const double size = moved.norm();
+            if (size > bound[i]) moved *= bound[i] / size;
+            return moved;
+        }();
+        largest = std::max(largest, (p.row(i) - target.row(0)).norm());
+    }
+    return largest;
+}
+
+TEMPLATE_TEST_CASE_SIG("Slip by rows satisfies law and equations", "[friction]", ((int directions), directions), 1, 2) {
+    const Line line;
+    const auto model = line.model<directions>();
+    using Rows = ElementVectors<double, directions>;
+    const Rows rows = line.rows.leftCols(directions);
+    const auto moved = [&] {
+        if constexpr (directions == 1) {
+            return RigidMotion<double>(0.2).with_rows(rows);
+        } else {
+            return Motion({0.2, 0.1}).with_rows(rows);
+        }
+    }();
+    Rows rigid = rows;
+    rigid.col(0).array() += 0.2;
+    if (directions == 2) rigid.col(directions - 1).array() += 0.1;
+    const auto product = [&](bool slope, const Rows& p) {
+        Rows result(p.rows(), directions);
+        for (int d = 0; d < directions; ++d) {
+            const auto& system = d == 0 ? line.along : line.across;
+            result.col(d) = (slope ? system.G_prime() : system.G()) * p.col(d);
+        }
+        return result;
+    };
+    auto workspace = model.workspace();
+    auto now = model.at_rest(), next = now;
+    const auto contains = [&](Eigen::Index count) { return count > 2 && count < model.size() - 2; };
+    REQUIRE(contains(model.steady(now, moved, 1, next, workspace).stick_count));
+    CHECK(violation<Rows>(next.traction, rigid - product(true, next.traction), line.pressure) < 1e-12);
+    for (const double dq : {0.3, 0.1}) {
+        const Rows old = product(false, now.traction);
+        REQUIRE(contains(model.advance(now, dq, moved, next, workspace).stick_count));
+        const Rows p = next.traction;
+        CHECK(violation<Rows>(p, dq * rigid - dq * product(true, p) + product(false, p) - old, line.pressure) < 1e-12);
+        now = next;
+    }
+}
+
+TEST_CASE("Any contact with friction takes slip by rows", "[friction]") {
+    const Line line;
+    const Vectors rows = line.rows;
+    const auto own = [&](const auto& model, const auto& motion) {
+        auto workspace = model.workspace();
+        auto now = model.at_rest(), next = now;
+        REQUIRE(model.steady(now, motion, 1, next, workspace).status == StepStatus::ok);
+        return model.advance(next, Travel<double>{0.1, 1}, motion, now, workspace);
+    };
+    const Vectors crossed = rows.rowwise().reverse();
+    for (const Eigen::Index direction : {0, 1}) {
+        const FrictionContact contact(line.model<1>(), direction);
+        const auto motion = direction == 0 ? Motion({0.2, 0}).with_rows(rows) : Motion({0, 0.2}).with_rows(crossed);
+        const auto expected = own(line.model<1>(), RigidMotion<double>(0.2).with_rows(rows.col(0)));
+        const auto found = own(contact, motion);
+        CHECK((direction == 0 ? found.force.longitudinal : found.force.lateral) == expected.force);
+    }
+    const auto both = own(line.model<2>(), Motion({0.2, 0}).with_rows(rows));
+    CHECK(own(FrictionContact(line.model<2>()), Motion({0.2, 0}).with_rows(rows)).force.lateral == both.force.lateral);
+}
+
+TEST_CASE("Slip by rows of another number, or not finite, is refused", "[friction]") {
+    const Line line;
+    const auto model = line.model<2>();
+    auto workspace = model.workspace();
+    const auto now = model.at_rest();
+    auto next = now;
+    const auto refused = [&](const Motion& motion, StepStatus status) {
+        CHECK(model.steady(now, motion, 1, next, workspace).status == status);
+        CHECK(model.advance(now, 0.1, motion, next, workspace).status == status);
+        CHECK(next.traction == now.traction);
+    };
+    Vectors rows = line.rows;
+    refused(Motion({}).with_rows(rows.topRows(23)), StepStatus::invalid_step);
+    refused(Motion({}).with_rows(rows, rows.topRows(23)), StepStatus::invalid_step);
+    CHECK(model.steady(now, Motion::shift({}), 1, next, workspace).status == StepStatus::invalid_step);
+    rows(3, 1) = std::numeric_limits<double>::quiet_NaN();
+    refused(Motion({}).with_rows(rows), StepStatus::not_finite);
+    const AdhesionModel<> adhesion(line.contact, line.along, unchecked);
+    auto traction = adhesion.at_rest(), to = traction;
+    auto factors = adhesion.workspace();
+    const Eigen::VectorXd slip = line.rows.col(0);
+    CHECK(adhesion.advance(traction, 0.1, RigidMotion<double>(1e-3).with_rows(slip), to, factors).status ==
+          StepStatus::invalid_step);
+}
+
+}  // namespace
+
+}  // namespace rigid_slip_tests
