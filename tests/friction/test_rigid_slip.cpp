@@ -81,7 +81,7 @@ TEMPLATE_TEST_CASE("Slip by rows is that of creepages", "[friction]", ConstantFr
              model.steady(now, Motion({}).with_rows(first), V, following, by_rows));
         now = next;
         same(model.advance(now, travel, Motion::linear(some, other), next, workspace),
-             model.advance(now, travel, Motion({}).with_rows(first, last), following, by_rows));
+             model.advance(now, travel, Motion::linear({}, {}).with_rows(first, last), following, by_rows));
         now = next;
         // half by creepages, half by rows
         const Creepage<double> half{other.longitudinal / 2, other.lateral / 2, other.spin / 2};
