@@ -34,7 +34,7 @@ void check_rows(const Mesh<double>& mesh, const Mesh<Real>& exact, const brute_f
     MatrixX<double> matrix(count, n);
     brute_force::with_library_kernel<double>(kernel, [&](const auto& k) {
         detail::LineIntegrals<typename std::decay_t<decltype(k)>::Scalar>(
-            k, slope ? Quantity::slope : Quantity::displacement, averages, rows, columns, mesh.is_uniform())
+            k, slope ? Quantity::slope : Quantity::displacement, averages, rows, columns)
             .fill(matrix);
     });
     const brute_force::Rows scheme{.alpha_L = alpha, .alpha_T = alpha, .averages = averages, .guard = false};
@@ -89,7 +89,7 @@ TEST_CASE("The slope of one element is accurate at any distance", "[line_integra
         const auto one = [](double value) { return ArrayX<double>::Constant(1, value); };
         MatrixX<double> entry(1, 1);
         detail::LineIntegrals<double>(kernel, Quantity::slope, 0, {one(d), one(-d), one(0), one(half)},
-                                      {one(0), one(0), one(half)}, false)
+                                      {one(0), one(0), one(half)})
             .fill(entry);
         CAPTURE(ratio, entry(0, 0));
         CHECK(std::abs(entry(0, 0) / (-2 * strength * std::atanh(half / d)) - 1) < 2e-15);
@@ -104,11 +104,11 @@ TEST_CASE("Columns may be fewer than rows and may lie anywhere", "[line_integral
                                          mesh.widths() / 2};
     const detail::ColumnElements<double> all{mesh.from_trailing(), mesh.from_leading(), mesh.widths() / 2};
     MatrixX<double> whole(13, 13), part(13, 1);
-    detail::LineIntegrals<double>(kernel, Quantity::slope, 1, rows, all, false).fill(whole);
+    detail::LineIntegrals<double>(kernel, Quantity::slope, 1, rows, all).fill(whole);
     for (Eigen::Index m = 0; m < 13; ++m) {
         const detail::ColumnElements<double> single{all.from_trailing.segment(m, 1), all.from_leading.segment(m, 1),
                                                     all.half.segment(m, 1)};
-        detail::LineIntegrals<double>(kernel, Quantity::slope, 1, rows, single, false).fill(part);
+        detail::LineIntegrals<double>(kernel, Quantity::slope, 1, rows, single).fill(part);
         CAPTURE(m);
         CHECK((part.col(0) - whole.col(m)).cwiseAbs().maxCoeff() < 1e-12 * whole.cwiseAbs().maxCoeff());
     }

@@ -8,17 +8,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <limits>
 
 #include <Eigen/Core>
 
 namespace rollbem::detail {
-
-// With vector instructions, which std::log lacks.
-template <class Scalar>
-void log_in_place(Eigen::Array<Scalar, Eigen::Dynamic, 1>& x) {
-    x = x.log();
-}
 
 /// Sum of a_i b_i, i < size.
 template <class Scalar>
@@ -65,14 +58,13 @@ bool same_bits(const Values& x, const Values& y) {
     return std::memcmp(x.data(), y.data(), static_cast<std::size_t>(x.size()) * sizeof(*x.data())) == 0;
 }
 
-/// ln|x|, with ln 0 replaced by a finite number so that x ln|x| is 0 at x = 0.
+/// The logarithm of |x|, or of `least` where that is larger; with vector instructions, which std::log lacks.
 template <class Scalar>
-Eigen::Array<Scalar, Eigen::Dynamic, 1> finite_log(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& x) {
+Eigen::Array<Scalar, Eigen::Dynamic, 1> log_of_magnitude(const Eigen::Array<Scalar, Eigen::Dynamic, 1>& x,
+                                                         Scalar least) {
     Eigen::Array<Scalar, Eigen::Dynamic, 1> result(x.size());
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-        result[i] = (std::max)(std::abs(x[i]), (std::numeric_limits<Scalar>::min)());
-    }
-    log_in_place(result);
+    for (Eigen::Index i = 0; i < x.size(); ++i) result[i] = (std::max)(std::abs(x[i]), least);
+    result = result.log();
     return result;
 }
 

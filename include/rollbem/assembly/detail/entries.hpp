@@ -48,16 +48,15 @@ struct Entries {
 
     Quantity quantity;
     int averages;
-    bool equal_widths;               ///< all h and delta are equal, and neighbours are 2h apart
+    bool equal_widths;               ///< all h and delta are equal, and so neighbours are 2h apart
     RowPoints<Scalar> rows;          ///< padded to whole chunks by repeating the last
     ColumnElements<Scalar> columns;  ///< n
     Eigen::Index count;              ///< number of rows to be computed
 
-    Entries(Quantity which, int average_count, const RowPoints<Scalar>& points, const ColumnElements<Scalar>& elements,
-            bool widths_are_equal)
+    Entries(Quantity which, int average_count, const RowPoints<Scalar>& points, const ColumnElements<Scalar>& elements)
         : quantity(which),
           averages(average_count),
-          equal_widths(widths_are_equal),
+          equal_widths((elements.half == points.half[0]).all() && (points.half == points.half[0]).all()),
           rows(padded(points)),
           columns(elements),
           count(points.half.size()) {}

@@ -37,7 +37,7 @@ void fill_toeplitz(const KernelView<Scalar>& kernel, Quantity quantity, int aver
     column.from_trailing[0] = column.from_leading[0] = 0;
     column.half[0] = width / 2;
     MatrixX<Scalar> entries(count, 1);
-    LineIntegrals<Scalar>(kernel, quantity, averages, rows, column, true).fill(entries);
+    LineIntegrals<Scalar>(kernel, quantity, averages, rows, column).fill(entries);
     for (Eigen::Index m = 0; m < columns; ++m) {
         std::copy_n(entries.data() + columns - 1 - m, equations, out.data() + m * out.rows());
     }
@@ -71,8 +71,7 @@ void influence_rows(const Mesh<Scalar>& mesh, const SchemeRows<Scalar>& scheme, 
         const auto asked = [&](const ArrayX<Scalar>& values) { return segment(values, first + done, count - done); };
         const RowPoints<Scalar> others{asked(rows.from_trailing), asked(rows.from_leading), asked(rows.offset),
                                        asked(rows.half), rows.unloaded_ahead};
-        const LineIntegrals<Scalar> integrals(kernel, quantity, scheme.averages, others, columns,
-                                              regular == mesh.size());
+        const LineIntegrals<Scalar> integrals(kernel, quantity, scheme.averages, others, columns);
         if (done == 0) {
             integrals.fill(result);
             return;

@@ -18,11 +18,10 @@ namespace rollbem::detail {
 template <class Scalar>
 class LineIntegrals {
 public:
-    /// `equal_widths`: all h and delta are equal, and neighbours are 2h apart. Keeps a reference to the kernel. Throws
-    /// std::invalid_argument for the slope at points if the kernel has a delta.
+    /// Keeps a reference to the kernel. Throws std::invalid_argument for the slope at points if the kernel has a delta.
     LineIntegrals(KernelView<Scalar> kernel, Quantity quantity, int averages, const RowPoints<Scalar>& rows,
-                  const ColumnElements<Scalar>& columns, bool equal_widths)
-        : kernel_(kernel), entries_(quantity, averages, rows, columns, equal_widths) {
+                  const ColumnElements<Scalar>& columns)
+        : kernel_(kernel), entries_(quantity, averages, rows, columns) {
         require(kernel_.compliance == 0 || averages > 0 || !entries_.slope(), "LayeredKernel", "compliance",
                 kernel_.compliance,
                 "be 0 where the derivative is analytic: the layer's displacement jumps at the edges of elements; take "

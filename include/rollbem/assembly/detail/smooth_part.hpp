@@ -43,8 +43,9 @@ public:
             columns(entries_.columns.from_trailing, entries_.columns.half, 1 + entries_.averages - of_rows);
         const Scalar row_terms = terms(rows.reach), column_terms = terms(columns.reach);
         const Scalar size = static_cast<Scalar>(result.size()), width = static_cast<Scalar>(result.cols());
-        const Scalar products = row_terms * column_terms * (row_terms + column_terms + width) + row_terms * size;
-        if (products <= 200 * size) {  // an integral takes as long as some 200 products
+        const Scalar products =
+            row_terms * column_terms * (20 + row_terms + column_terms + width) + row_terms * size / 4;
+        if (products <= 220 * size) {  // an integral takes as long as some 220 products, and a sample as 20
             interpolate(rows, static_cast<Eigen::Index>(row_terms), columns, static_cast<Eigen::Index>(column_terms),
                         result);
         } else {
@@ -56,9 +57,6 @@ public:
     static Scalar least_width() { return std::pow(std::numeric_limits<Scalar>::epsilon(), Scalar(0.625)); }
 
 private:
-    using Chunk = typename Entries<Scalar>::Chunk;
-    static constexpr Eigen::Index chunk = Entries<Scalar>::chunk;
-
     // Points, the halves of the intervals about them over which a mean is taken `averages` times, and the interval that
     // these cover: reach to both sides of the middle.
     struct Points {
@@ -84,29 +82,29 @@ private:
         return (std::max)(Scalar(2), std::ceil(digits / std::asinh(b_ / reach)));
     }
 
-    // T_k at the nodes of order `count`: row k, node by column.
-    static MatrixX<Scalar> polynomials(Eigen::Index count) {
-        MatrixX<Scalar> values(count, count);
-        const Scalar step = std::numbers::pi_v<Scalar> / static_cast<Scalar>(2 * count);
-        for (Eigen::Index i = 0; i < count; ++i) {
-            const Scalar t = std::cos(static_cast<Scalar>(2 * i + 1) * step);
-            values(0, i) = 1;
-            values(1, i) = t;
-            for (Eigen::Index k = 2; k < count; ++k) values(k, i) = 2 * t * values(k - 1, i) - values(k - 2, i);
+    // T_k, k < count: row by place.
+    static MatrixX<Scalar> polynomials(const ArrayX<Scalar>& x, Eigen::Index count) {
+        MatrixX<Scalar> values(x.size(), count);
+        values.col(0).setOnes();
+        values.col(1) = x;
+        for (Eigen::Index k = 2; k < count; ++k) {
+            values.col(k).array() = 2 * x * values.col(k - 1).array() - values.col(k - 2).array();
         }
         return values;
     }
 
-    // The means of T_k over the intervals of the points: row by point, column k.
-    MatrixX<Scalar> means(const Points& points, Eigen::Index count) const {
+    // Chebyshev nodes, measured from the middle, T_k at them, row by node, and the means of T_k over the intervals, row by
+    // interval.
+    struct Interpolation {
+        ArrayX<Scalar> nodes;
+        MatrixX<Scalar> at_nodes, means;
+    };
+    Interpolation interpolation(const Points& points, Eigen::Index count) const {
         const Eigen::Index order = points.averages > 0 ? static_cast<Eigen::Index>(terms(points.longest) + 1) / 2 : 1;
         const QuadratureRule<Scalar> rule = gauss_legendre<Scalar>(order);
-        const Eigen::Index size = points.places.size();
         Eigen::Index sample_count = 1;
         for (int a = 0; a < points.averages; ++a) sample_count *= order;
-        MatrixX<Scalar> result(size, count), work(size, 3);
-        std::fill_n(result.data(), result.size(), Scalar(0));
-        Scalar *const t = work.data(), *const value = t + size, *const before = value + size;
+        MatrixX<Scalar> means = MatrixX<Scalar>::Zero(points.places.size(), count);
         for (Eigen::Index sample = 0; sample < sample_count; ++sample) {
             Scalar shift = 0, weight = 1;
             Eigen::Index digits = sample;  // to the base of the order
@@ -114,82 +112,33 @@ private:
                 shift += rule.nodes[digits % order];
                 weight *= rule.weights[digits % order] / 2;
             }
-            for (Eigen::Index i = 0; i < size; ++i) {
-                t[i] = (points.places[i] - points.middle + shift * points.half[i]) / points.reach;
-                before[i] = t[i];  // T_-1
-                value[i] = 1;
-            }
-            for (Eigen::Index k = 0; k < count; ++k) {
-                Scalar* const mean = result.data() + k * size;
-                for (Eigen::Index i = 0; i < size; ++i) {
-                    mean[i] += weight * value[i];
-                    const Scalar next = 2 * t[i] * value[i] - before[i];
-                    before[i] = value[i];
-                    value[i] = next;
-                }
-            }
+            const ArrayX<Scalar> x = (points.places - points.middle + shift * points.half) / points.reach;
+            means += weight * polynomials(x, count);
         }
-        return result;
+        const Scalar step = std::numbers::pi_v<Scalar> / static_cast<Scalar>(2 * count);
+        ArrayX<Scalar> nodes(count);
+        for (Eigen::Index j = 0; j < count; ++j) nodes[j] = std::cos(static_cast<Scalar>(2 * j + 1) * step);
+        return {points.reach * nodes, polynomials(nodes, count), std::move(means)};
     }
 
     // e^{(q)}(x - y) = sum c_jk T_j(x) T_k(y), with x within the rows and y within the columns
     void interpolate(const Points& rows, Eigen::Index row_terms, const Points& columns, Eigen::Index column_terms,
                      MatrixX<Scalar>& result) const {
-        const MatrixX<Scalar> along = polynomials(row_terms), across = polynomials(column_terms);
+        const Interpolation along = interpolation(rows, row_terms), across = interpolation(columns, column_terms);
         ArrayX<Scalar> samples(row_terms * column_terms);
-        for (Eigen::Index j = 0; j < column_terms; ++j) {
-            for (Eigen::Index i = 0; i < row_terms; ++i) {
-                samples[j * row_terms + i] =
-                    rows.middle - columns.middle + (rows.reach * along(1, i) - columns.reach * across(1, j));
-            }
+        for (Eigen::Index k = 0; k < column_terms; ++k) {
+            samples.segment(k * row_terms, row_terms) = rows.middle - columns.middle + (along.nodes - across.nodes[k]);
         }
         kernel_.evaluate(entries_.slope(), samples);
-        const Scalar scale = Scalar(4) / static_cast<Scalar>(row_terms * column_terms);
-        MatrixX<Scalar> values(row_terms, column_terms);
-        for (Eigen::Index i = 0; i < samples.size(); ++i) values.data()[i] = scale * samples[i];
-        MatrixX<Scalar> half = product(values, transposed(across)), coefficients = product(along, half);
-        for (Eigen::Index k = 0; k < column_terms; ++k) coefficients(0, k) /= 2;
-        for (Eigen::Index j = 0; j < row_terms; ++j) coefficients(j, 0) /= 2;
-        MatrixX<Scalar> integrals = transposed(means(columns, column_terms));
-        for (Eigen::Index m = 0; m < integrals.cols(); ++m) {
-            for (Eigen::Index k = 0; k < column_terms; ++k) integrals(k, m) *= 2 * columns.half[m];
-        }
-        add_product(means(rows, row_terms), product(coefficients, integrals), result);
-    }
-
-    // Adds a b to the result, which may have fewer rows. Far less to compile than Eigen's product, and as fast for few
-    // terms.
-    static void add_product(const MatrixX<Scalar>& a, const MatrixX<Scalar>& b, MatrixX<Scalar>& result) {
-        const Eigen::Index height = a.rows(), terms = a.cols(), rows = result.rows();
-        for (Eigen::Index m = 0; m < result.cols(); ++m) {
-            const Scalar* const factor = b.data() + m * terms;
-            Scalar* const out = result.data() + m * rows;
-            Eigen::Index l = 0;
-            for (; l + chunk <= rows; l += chunk) {
-                Eigen::Map<Chunk> target(out + l);
-                Chunk sum = target;
-                for (Eigen::Index k = 0; k < terms; ++k) {
-                    sum += factor[k] * Eigen::Map<const Chunk>(a.data() + k * height + l);
-                }
-                target = sum;
-            }
-            for (Eigen::Index k = 0; k < terms; ++k) {
-                for (Eigen::Index i = l; i < rows; ++i) out[i] += factor[k] * a.data()[k * height + i];
-            }
-        }
-    }
-    static MatrixX<Scalar> product(const MatrixX<Scalar>& a, const MatrixX<Scalar>& b) {
-        MatrixX<Scalar> result(a.rows(), b.cols());
-        std::fill_n(result.data(), result.size(), Scalar(0));
-        add_product(a, b, result);
-        return result;
-    }
-    static MatrixX<Scalar> transposed(const MatrixX<Scalar>& a) {
-        MatrixX<Scalar> result(a.cols(), a.rows());
-        for (Eigen::Index j = 0; j < a.cols(); ++j) {
-            for (Eigen::Index i = 0; i < a.rows(); ++i) result(j, i) = a(i, j);
-        }
-        return result;
+        samples *= Scalar(4) / static_cast<Scalar>(row_terms * column_terms);
+        const Eigen::Map<const MatrixX<Scalar>> values(samples.data(), row_terms, column_terms);
+        const MatrixX<Scalar> half = values * across.at_nodes;
+        MatrixX<Scalar> coefficients = along.at_nodes.transpose() * half;
+        coefficients.row(0) /= 2;
+        coefficients.col(0) /= 2;
+        MatrixX<Scalar> integrals = coefficients * across.means.transpose();
+        for (Eigen::Index m = 0; m < result.cols(); ++m) integrals.col(m) *= 2 * columns.half[m];
+        result.noalias() += along.means.topRows(result.rows()) * integrals;
     }
 
     void integrate(MatrixX<Scalar>& result) const {
