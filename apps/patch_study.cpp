@@ -10,17 +10,12 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/stability.hpp>
-#include <rollbem/adhesion/state_space.hpp>
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
@@ -32,124 +27,134 @@
 #include "patch/transient.hpp"
 #include "support/options.hpp"
 #include "support/program.hpp"
+#include "support/sheet.hpp"
 #include "support/state_space_files.hpp"
-#include "support/table.hpp"
 #include "support/timing.hpp"
 
 namespace {
 
 using patch::Patch;
-using study::joined;
-using Kernel = rollbem::HalfSpace<double>;
+using Complex = std::complex<double>;
 
-Kernel kernel_of(const Patch& patch) { return Kernel(patch.contact.poisson_ratio()); }
+// --- coefficients --------------------------------------------------------------------------------------------------
 
-/// Kalker's 3 x 3 coefficients of forces over G a^2, moments over G a^3 and spin times a.
-template <class Matrix>
-Matrix to_kalker(const Patch& patch, Matrix coefficients) {
+/// Kalker's 3 x 3 coefficients of a patch, steady or at a frequency.
+struct Found {
+    Eigen::Matrix3cd c;       ///< of forces over G a^2, moments over G a^3 and spin times a
+    Eigen::MatrixXd changes;  ///< on other meshes, of a long patch
+    rollbem::Status status;
+    double omega = 0, residual = 0;
+    std::optional<double> assembly_us{}, solve_us{};
+    std::optional<rollbem::StabilityVerdict> verdict{};
+
+    std::string word() const { return name(status == rollbem::Status::ok && verdict ? verdict->status : status); }
+    /// c_ij; nothing where it cannot be trusted: of a long patch where other meshes do not confirm it.
+    std::optional<Complex> at(Eigen::Index i, Eigen::Index j) const {
+        const bool mirrored = (i == 0) == (j == 0);  // of a patch that is its own mirror image
+        const bool known = status == rollbem::Status::ok || (mirrored && status == rollbem::Status::not_converged);
+        const bool confirmed = !mirrored || changes.size() == 0 || changes(i, j) <= rollbem::largest_mesh_change;
+        return known && confirmed ? std::optional(c(i, j)) : std::nullopt;
+    }
+};
+
+Found found(const Patch& patch, Eigen::Matrix3cd c, const Eigen::MatrixXd& changes, rollbem::Status status) {
     const double force = patch.contact.a_over_b(), length = std::sqrt(force);
-    coefficients *= force;
-    coefficients.col(2) *= length;
-    coefficients.row(2) *= length;
-    return coefficients;
+    c *= force;
+    c.col(2) *= length;
+    c.row(2) *= length;
+    return {.c = c, .changes = changes, .status = status};
 }
 
-/// c11, c22, c23, c32, c33, those left out which cannot be trusted: of a long patch those that other meshes do not
-/// confirm.
-template <class Matrix>
-std::vector<typename Matrix::Scalar> trusted(rollbem::Status status, const Eigen::MatrixXd& changes,
-                                             const Matrix& given) {
-    const bool known = status == rollbem::Status::ok || status == rollbem::Status::not_converged;
-    std::vector<typename Matrix::Scalar> values;
-    for (const auto& [i, j] : {std::pair{0, 0}, {1, 1}, {1, 2}, {2, 1}, {2, 2}}) {
-        const bool confirmed = changes.size() == 0 || changes(i, j) <= rollbem::largest_mesh_change;
-        values.push_back(known && confirmed ? given(i, j) : std::numeric_limits<double>::quiet_NaN() * given(i, j));
+using Columns = std::vector<study::Column<Found>>;
+using Sheet = study::Sheet<Found, Patch>;
+
+/// Columns c11 and so on for each pair of digits, real or with real and imaginary part.
+Columns coefficients(const std::vector<std::string>& digits, bool complex, const std::string& meaning) {
+    Columns columns;
+    for (const std::string& ij : digits) {
+        const Eigen::Index i = ij[0] - '1', j = ij[1] - '1';
+        const auto part = [=](double (*of)(const Complex&)) {
+            return [=](const Found& f) { return f.at(i, j) ? study::Cell(of(*f.at(i, j))) : study::Cell(); };
+        };
+        columns.push_back({"c" + ij + (complex ? "_re" : ""), meaning, part(std::real)});
+        if (complex) columns.push_back({"c" + ij + "_im", meaning, part(std::imag)});
     }
-    return values;
+    return columns;
 }
 
-double if_ok(rollbem::Status status, double value) {
-    return status == rollbem::Status::ok ? value : std::numeric_limits<double>::quiet_NaN();
+Sheet make_sheet(const Columns& before, bool harmonic, const Columns& behind) {
+    const Columns status{
+        {"status",
+         "ok; not_converged of a patch more than ten times longer than wide some of whose coefficients change by more "
+         "than 7 % with half as many strips, each with half as many elements: these are empty",
+         [](const Found& f) { return f.word(); }}};
+    const Columns columns = study::joined(
+        study::joined(before,
+                      coefficients({"11", "22", "23", "32", "33"}, harmonic, "Kalker's; empty if status is not ok")),
+        study::joined(study::joined(behind, status),
+                      coefficients({"12", "13", "21", "31"}, harmonic, "0 if y -> -y leaves the patch unchanged")));
+    return {patch::identity, columns, "nodes"};
 }
 
-/// Of a patch that is not its own mirror image.
-const std::vector<std::pair<Eigen::Index, Eigen::Index>> unmirrored{{0, 1}, {0, 2}, {1, 0}, {2, 0}};
-
-// --- steady rolling ------------------------------------------------------------------------------------------------
-
-std::vector<std::string> steady_columns(const study::Options& options) {
-    std::vector<std::string> names =
-        joined(patch::columns(), {"c11", "c22", "c23", "c32", "c33", "residual", "assembly_us", "solve_us"});
-    if (options.flag("stability")) {
-        names = joined(names, {"unstable_count", "uncertain_count", "spectral_abscissa"});
-    }
-    return joined(names, {"status", "nodes", "c12", "c13", "c21", "c31"});
+/// A number of the verdict.
+template <class Value>
+auto judged(const Value& value) {
+    return [value](const Found& f) {
+        const bool known = f.verdict && f.verdict->status == rollbem::Status::ok;
+        return known ? study::Cell(value(*f.verdict)) : study::Cell();
+    };
 }
 
-study::Row steady_row(const study::Options& options, const Patch& patch) {
+Sheet steady_sheet(bool stability) {
+    Columns columns{
+        {"residual", "what the tractions p leave of their equations, max|G' p - slip| / (|G'| max|p| + max|slip|)",
+         [](const Found& f) { return f.residual; }},
+        {"assembly_us", "[microseconds] time of G', median of at least 5 runs",
+         [](const Found& f) { return f.assembly_us; }},
+        {"solve_us", "[microseconds] time of the rest", [](const Found& f) { return f.solve_us; }}};
+    const Columns modes{
+        {"unstable_count", "with --stability: modes e^{nu V t} with Re(nu) > 0",
+         judged([](auto& v) { return v.unstable_count; })},
+        {"uncertain_count", "those whose sign rounding could change one by one (that all decay may yet be proved)",
+         judged([](auto& v) { return v.uncertain_count; })},
+        {"spectral_abscissa", "the largest Re(nu) a", judged([](auto& v) { return v.spectral_abscissa; })}};
+    return make_sheet({}, false, stability ? study::joined(columns, modes) : columns);
+}
+
+Sheet response_sheet() {
+    return make_sheet({{"omega", "omega a/V, as given", [](const Found& f) { return f.omega; }}}, true, {});
+}
+
+Found steady(const study::Options& options, const Patch& patch) {
     // 3. G' by halves where the patch is symmetric, and one right-hand side for each creepage and spin.
-    const Kernel kernel = kernel_of(patch);
-    const auto solve = [&] { return rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, kernel); };
-    const rollbem::Response<double> steady = solve();
-    std::string status = name(steady.status);
-    std::optional<double> assembly_us, solve_us;
+    const auto solve = [&] { return rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, patch.kernel()); };
+    const rollbem::Response<double> response = solve();
+    Found result = found(patch, response.coefficients.cast<Complex>(), response.error_estimates, response.status);
+    result.residual = response.residual;
     if (study::has_times(options)) {
-        assembly_us = study::median_time_us(
-            [&] { return rollbem::assemble_G_prime(patch.mesh, patch.scheme, kernel)[0][0](0, 0); });
-        solve_us = std::max(0.0, study::median_time_us([&] { return solve().c11(); }) - *assembly_us);
+        result.assembly_us = study::median_time_us(
+            [&] { return rollbem::assemble_G_prime(patch.mesh, patch.scheme, patch.kernel())[0][0](0, 0); });
+        result.solve_us = std::max(0.0, study::median_time_us([&] { return solve().c11(); }) - *result.assembly_us);
     }
-    study::Row row = patch::cells(patch);
-    const Eigen::MatrixXd c = to_kalker(patch, steady.coefficients);
-    for (const double value : trusted(steady.status, steady.error_estimates, c)) row.emplace_back(value);
-    row.insert(row.end(), {steady.residual, assembly_us, solve_us});
-
     // 4. All eigenvalues of G' p = nu G p.
     if (options.flag("stability")) {
-        const rollbem::StabilityVerdict verdict =
-            rollbem::judge_stability(rollbem::patch_parts(patch.mesh, patch.scheme, kernel));
-        if (verdict.status == rollbem::Status::ok) {
-            row.insert(row.end(), {verdict.unstable_count, verdict.uncertain_count, verdict.spectral_abscissa});
-        } else {
-            row.insert(row.end(), {study::Cell(), study::Cell(), study::Cell()});
-            if (steady.status == rollbem::Status::ok) status = name(verdict.status);
-        }
+        result.verdict = rollbem::judge_stability(rollbem::patch_parts(patch.mesh, patch.scheme, patch.kernel()));
     }
-    row.insert(row.end(), {status, nodes_name(patch)});
-    for (const auto& [i, j] : unmirrored) row.emplace_back(if_ok(steady.status, c(i, j)));
-    return row;
+    return result;
 }
 
-// --- frequency response --------------------------------------------------------------------------------------------
-
-const std::vector<std::string>& response_columns() {
-    static const std::vector<std::string> names =
-        joined(patch::columns(), {"omega",  "c11_re", "c11_im", "c22_re", "c22_im", "c23_re", "c23_im",
-                                  "c32_re", "c32_im", "c33_re", "c33_im", "status", "nodes",  "c12_re",
-                                  "c12_im", "c13_re", "c13_im", "c21_re", "c21_im", "c31_re", "c31_im"});
-    return names;
-}
-
-void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::RowRange range, const study::Emit& emit) {
+void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::RowRange range,
+                const study::Results<Found>& emit) {
     // 5. One reduction to Hessenberg form for each half, then little work for each frequency.
-    const rollbem::FrequencySweep<double> sweep(rollbem::patch_parts(patch.mesh, patch.scheme, kernel_of(patch)));
+    const rollbem::FrequencySweep<double> sweep(rollbem::patch_parts(patch.mesh, patch.scheme, patch.kernel()));
     const rollbem::Response<double> steady =
-        rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, kernel_of(patch));
+        rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, patch.kernel());
     for (std::size_t i = range.first; i < range.last; ++i) {
-        const rollbem::Response<std::complex<double>> point = sweep(omegas[i]);
+        const rollbem::Response<Complex> point = sweep(omegas[i]);
         const rollbem::Status status = point.status == rollbem::Status::ok ? steady.status : point.status;
-        study::Row row = patch::cells(patch);
-        row.emplace_back(omegas[i]);
-        const Eigen::MatrixXcd c = to_kalker(patch, point.coefficients);
-        for (const std::complex<double>& value : trusted(status, steady.error_estimates, c)) {
-            row.emplace_back(value.real());
-            row.emplace_back(value.imag());
-        }
-        row.insert(row.end(), {name(status), nodes_name(patch)});
-        for (const auto& [k, j] : unmirrored) {
-            row.emplace_back(if_ok(status, c(k, j).real()));
-            row.emplace_back(if_ok(status, c(k, j).imag()));
-        }
-        emit(std::move(row));
+        Found row = found(patch, point.coefficients, steady.error_estimates, status);
+        row.omega = omegas[i];
+        emit(row);
     }
 }
 
@@ -166,7 +171,7 @@ std::unique_ptr<study::StateSpaceFiles> state_space_files(const study::Options& 
     const Patch& patch = patches.front();
     rollbem::StateSpace<double> space;
     try {
-        space = rollbem::state_space(rollbem::rolling_system(patch.mesh, patch.scheme, kernel_of(patch)).whole());
+        space = rollbem::state_space(rollbem::rolling_system(patch.mesh, patch.scheme, patch.kernel()).whole());
     } catch (const std::invalid_argument& singular) {
         throw study::BadInput(said + " must go with a patch that has one: " + singular.what());
     }
@@ -202,7 +207,7 @@ int main(int argc, char** argv) {
     for (const std::string& creepage : friction) options.not_with({"stability", "omega", "state-space"}, creepage);
     options.only_with({"pressure", "tractions", "transient"}, friction);
     options.not_with({"tractions"}, "transient");
-    options.footer(patch::help, patch::topics);
+    options.footer(patch::help + steady_sheet(true).help(), patch::topics());
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row for each patch, or for each patch and frequency.
@@ -225,18 +230,17 @@ int main(int argc, char** argv) {
         std::unique_ptr<study::StateSpaceFiles> state_space;
         if (given.given("state-space")) state_space = state_space_files(given, patches);
 
-        study::Table table = study::table_of(harmonic ? response_columns() : steady_columns(given), patches,
-                                             harmonic ? omegas.size() : 1);
-        table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-            if (harmonic) return emit_sweep(patches[task], omegas, range, emit);
-            emit(steady_row(given, patches[task]));
-        };
+        const Sheet sheet = harmonic ? response_sheet() : steady_sheet(given.flag("stability"));
+        study::Table table = sheet.table(
+            patches, [&](const Patch&) { return harmonic ? omegas.size() : 1; },
+            [&](const Patch& patch, study::RowRange range, const study::Results<Found>& emit) {
+                harmonic ? emit_sweep(patch, omegas, range, emit) : emit(steady(given, patch));
+            });
         table.written = [&] {
             if (state_space) state_space->commit();
         };
         table.plot = [&](const std::vector<study::Row>& rows) {
-            return harmonic ? patch::draw_responses(response_columns(), rows)
-                            : patch::draw_coefficients(steady_columns(given), rows);
+            return (harmonic ? patch::draw_responses : patch::draw_coefficients)(table.columns, rows);
         };
         study::write_table(given, table);
         return study::exit_ok;

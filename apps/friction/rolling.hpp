@@ -59,7 +59,7 @@ auto if_computed(const Value& value) {
     return [value](const auto& r) { return r.moment.computed ? study::Cell(value(r)) : study::Cell(); };
 }
 
-/// Writes the table of a run of each case, `rows` long: prepare(case) makes its Rolling, row(case, rolling, moment) its
+/// Writes the table of a run of each case, `rows` long: prepare(case) makes its Rolling, row(case, moment) its
 /// rows, plot(rows) the picture. Throws what these and write_runs throw.
 template <class Case, class Prepare, class Row, class Draw>
 void write_rolling(const study::Options& options, const std::vector<std::string>& columns,
@@ -76,8 +76,7 @@ void write_rolling(const study::Options& options, const std::vector<std::string>
     std::vector<std::string> ended(cases.size());
     study::Table table = study::table_of(columns, cases, rows);
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        ended[task] =
-            roll(runs[task], range, [&](const Moment& moment) { emit(row(cases[task], runs[task], moment)); });
+        ended[task] = roll(runs[task], range, [&](const Moment& moment) { emit(row(cases[task], moment)); });
     };
     table.plot = plot;
     table.resumable = !options.given("plot");

@@ -212,7 +212,7 @@ void run_transient(const study::Options& options) {
                                   study::Cell(history.line.layer).text() + " must be such that G and G' are finite");
         }
     };
-    const auto row = [&](const study::Scene& scene, const Rolling&, const Moment& moment) {
+    const auto row = [&](const study::Scene& scene, const Moment& moment) {
         return time_sheet().row(scene, {history, history.line, scene, moment, mu_N * scene.contact.width()});
     };
     write_rolling(options, time_sheet().names(), scenes, history.steps.count + (history.shift ? 1 : 0), prepare, row,

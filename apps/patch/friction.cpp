@@ -8,88 +8,97 @@
 
 #include <Eigen/Cholesky>
 
-#include <rollbem/adhesion/creep_coefficients.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
+#include <rollbem/rolling/run.hpp>
 
+#include "friction/tractions.hpp"
 #include "plots.hpp"
-#include "pressure.hpp"
-#include "support/table.hpp"
+#include "support/errors.hpp"
 #include "support/timing.hpp"
 
 namespace patch {
 
 namespace {
 
-// G = 1 and mu N = G a b: a creepage is the given number
-constexpr double mu = 1;
 constexpr double peak = 3 / (2 * std::numbers::pi);  // mu p_0
 
-std::vector<study::Row> traction_rows(const Patch& patch, const CreepPoint& point,
-                                      const rollbem::Creepage<double>& creepage, const rollbem::FrictionState<2>& state,
-                                      const rollbem::ElementVectors<double>& slip, const std::string& status) {
-    const rollbem::Elements<double> elements = rollbem::patch_elements(patch.mesh, patch.scheme);
-    const double b_over_a = 1 / patch.contact.a_over_b(), spin = creepage.spin * patch.contact.half_length();
-    double largest = 0;
-    for (Eigen::Index i = 0; i < elements.size(); ++i) {
-        largest = std::max(
-            largest, std::hypot(creepage.longitudinal - spin * elements.y[i], creepage.lateral + spin * elements.x[i]));
-    }
-    if (largest == 0) largest = 1;  // then nothing slips
-    std::vector<study::Row> rows;
-    for (Eigen::Index i = 0; i < elements.size(); ++i) {
-        const double strip = patch.mesh.widths()[i / patch.mesh.elements_per_strip()];
-        study::Row row = cells(patch);
-        row.insert(row.end(), {point.longitudinal, point.lateral, point.spin, elements.centre_x[i],
-                               elements.centre_y[i] / b_over_a, elements.areas[i] / strip, strip / b_over_a,
-                               mu * state.normal_pressure[i] / peak});
-        if (status == "ok") {
-            row.insert(row.end(), {state.traction(i, 0) / peak, state.traction(i, 1) / peak, slip(i, 0) / largest,
-                                   slip(i, 1) / largest, int(state.zones[std::size_t(i)] == rollbem::Zone::stick)});
-        } else {
-            row.insert(row.end(), 5, study::Cell());
-        }
-        row.emplace_back(status);
-        rows.push_back(std::move(row));
-    }
-    return rows;
+/// A row of either table, for that of the tractions with an element.
+struct FrictionRow {
+    const Patch& patch;
+    const CreepPoint& point;
+    const rollbem::FrictionStep<2>& step;
+    const rollbem::FrictionState<2>& state;
+    const rollbem::ElementVectors<double>& slip;
+    const rollbem::Elements<double>& elements;
+    double largest_slip;  ///< rigid
+    study::Cell time_us;
+    Eigen::Index i = 0;
+
+    bool ok() const { return step.status == rollbem::StepStatus::ok; }
+    double strip_width() const { return patch.mesh.widths()[i / patch.mesh.elements_per_strip()]; }
+};
+
+template <class Value>
+auto if_ok(const Value& value) {
+    return [value](const FrictionRow& r) { return r.ok() ? study::Cell(value(r)) : study::Cell(); };
 }
 
-/// The rows of a patch, each solved from rest; `tractions` may be null.
-void friction_rows(const study::Options& options, const Patch& patch, const std::vector<CreepPoint>& points,
-                   const Pressure& pressure, std::size_t task, study::RowRange range, const study::Emit& emit,
-                   Tractions* tractions) {
-    const double mu_N = patch.contact.half_length() * patch.contact.half_width(), c = patch.contact.c();
-    const rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2> model(
-        patch.contact,
-        steady_system(patch.mesh, patch.scheme, rollbem::HalfSpace<double>(patch.contact.poisson_ratio())),
-        {mu, pressure.on(patch)});
-    auto workspace = model.workspace();
-    const auto rest = model.at_rest();
-    auto state = rest;
-    for (std::size_t i = range.first; i < range.last; ++i) {
-        const CreepPoint& point = points[i];
-        const rollbem::Creepage<double> creepage{point.longitudinal, point.lateral, point.spin / c};
-        std::optional<double> time_us;
-        if (study::has_times(options)) {
-            time_us = study::median_time_us(
-                [&] { return model.steady(rest, creepage, state, workspace).force.longitudinal; });
-        }
-        const rollbem::FrictionStep<2> step = model.steady(rest, creepage, state, workspace);
-        const std::string status = name(step.status);
-        study::Row row = cells(patch);
-        row.insert(row.end(), {point.longitudinal, point.lateral, point.spin});
-        const auto& force = step.force;
-        for (const double value : {force.longitudinal, force.lateral, force.moment / c}) {
-            row.emplace_back(step.status == rollbem::StepStatus::ok ? study::Cell(0 - value / mu_N) : study::Cell());
-        }
-        row.insert(row.end(),
-                   {step.stick_count, step.rounds, step.complementarity_residual, time_us, status, nodes_name(patch)});
-        emit(std::move(row));
-        if (tractions) {
-            tractions->add(task, i, traction_rows(patch, point, creepage, state, workspace.slip(), status));
-        }
-    }
+const study::Sheet<FrictionRow, Patch>& friction_sheet() {
+    using R = FrictionRow;
+    static const study::Sheet<R, Patch> columns{
+        identity,
+        study::joined(
+            creepage_columns<R>(),
+            {{"longitudinal_force", "-F_x/(mu N); like the other forces empty if status is not ok",
+              if_ok([](const R& r) { return 0 - r.step.force.longitudinal / mu_N(r.patch); })},
+             {"lateral_force", "-F_y/(mu N)",
+              if_ok([](const R& r) { return 0 - r.step.force.lateral / mu_N(r.patch); })},
+             {"spin_moment", "-M_z/(mu N c)",
+              if_ok([](const R& r) { return 0 - r.step.force.moment / r.patch.contact.c() / mu_N(r.patch); })},
+             {"stick_count", "elements that stick", [](const R& r) { return r.step.stick_count; }},
+             {"rounds", "Newton steps", [](const R& r) { return r.step.rounds; }},
+             {"complementarity_residual", "how far the law is violated",
+              [](const R& r) { return r.step.complementarity_residual; }},
+             {"time_us", "[microseconds] of the solution, matrices ready", [](const R& r) { return r.time_us; }},
+             {"status", "ok, or why there are no forces", [](const R& r) { return name(r.step.status); }}}),
+        "nodes"};
+    return columns;
+}
+
+const study::Sheet<FrictionRow, Patch>& traction_sheet() {
+    using R = FrictionRow;
+    static const study::Sheet<R, Patch> columns{
+        identity,
+        study::joined(
+            creepage_columns<R>(),
+            {{"x", "centre, in a (outlines: c)", [](const R& r) { return r.elements.centre_x[r.i]; }},
+             {"y", "in b (outlines: c)",
+              [](const R& r) { return r.elements.centre_y[r.i] * r.patch.contact.a_over_b(); }},
+             {"width", "in a (outlines: c)", [](const R& r) { return r.elements.areas[r.i] / r.strip_width(); }},
+             {"strip_width", "in b (outlines: c)",
+              [](const R& r) { return r.strip_width() * r.patch.contact.a_over_b(); }},
+             {"pressure_bound", "mu p_n in mu p_0 = 3 mu N/(2 pi a b)",
+              [](const R& r) { return r.state.normal_pressure[r.i] / peak; }},
+             {"traction_x", "in mu p_0", if_ok([](const R& r) { return r.state.traction(r.i, 0) / peak; })},
+             {"traction_y", "in mu p_0", if_ok([](const R& r) { return r.state.traction(r.i, 1) / peak; })},
+             {"slip_x", "in the largest rigid slip", if_ok([](const R& r) { return r.slip(r.i, 0) / r.largest_slip; })},
+             {"slip_y", "in the largest rigid slip", if_ok([](const R& r) { return r.slip(r.i, 1) / r.largest_slip; })},
+             {"stick", "1 or 0",
+              if_ok([](const R& r) { return int(r.state.zones[std::size_t(r.i)] == rollbem::Zone::stick); })},
+             {"status", "as above", [](const R& r) { return name(r.step.status); }}}),
+        ""};
+    return columns;
+}
+
+double largest_slip(const Patch& patch, const CreepPoint& point, const rollbem::Elements<double>& elements) {
+    const rollbem::Creepage<double> motion = creepage(patch, point);
+    const double spin = motion.spin * patch.contact.half_length();
+    const double largest =
+        ((motion.longitudinal - spin * elements.y).square() + (motion.lateral + spin * elements.x).square())
+            .sqrt()
+            .maxCoeff();
+    return largest > 0 ? largest : 1;  // then nothing slips
 }
 
 }  // namespace
@@ -124,8 +133,7 @@ std::vector<CreepPoint> read_points(const study::Options& options, const std::ve
     for (const Patch& patch : patches) {
         // moments are those of tractions at the middles of elements, slip is taken elsewhere in them: creep work
         // without slip, a quadratic form, may become negative where elements are few
-        const auto steady = rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme,
-                                                  rollbem::HalfSpace<double>(patch.contact.poisson_ratio()));
+        const auto steady = rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, patch.kernel());
         const Eigen::Matrix3d C = steady.coefficients;
         if (steady.status != rollbem::Status::ok ||
             Eigen::LLT<Eigen::Matrix3d>(C + C.transpose()).info() == Eigen::Success)
@@ -136,54 +144,45 @@ std::vector<CreepPoint> read_points(const study::Options& options, const std::ve
     return points;
 }
 
-void Tractions::add(std::size_t task, std::size_t point, std::vector<study::Row> rows) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    rows_[{task, point}] = std::move(rows);
-}
-
-void Tractions::write(study::TableFile& file) const {
-    for (const auto& [place, rows] : rows_) {
-        for (const study::Row& row : rows) file.rows().write(study::csv_line(row));
-    }
-    file.commit();
-}
-
-const std::vector<std::string>& friction_columns() {
-    static const std::vector<std::string> names = study::joined(
-        columns(), {"longitudinal", "lateral", "spin", "longitudinal_force", "lateral_force", "spin_moment",
-                    "stick_count", "rounds", "complementarity_residual", "time_us", "status", "nodes"});
-    return names;
-}
-
-const std::vector<std::string>& traction_columns() {
-    static const std::vector<std::string> names =
-        study::joined(columns(), {"longitudinal", "lateral", "spin", "x", "y", "width", "strip_width", "pressure_bound",
-                                  "traction_x", "traction_y", "slip_x", "slip_y", "stick", "status"});
-    return names;
+std::string friction_help() {
+    return friction_sheet().help() + "--tractions: a row per element\n" + traction_sheet().help();
 }
 
 void run_friction(const study::Options& options, const std::vector<Patch>& patches) {
     const std::vector<CreepPoint> points = read_points(options, patches);
-    const Pressure pressure(options);
-    for (const Patch& patch : patches) pressure.on(patch);  // before anything is written
-    std::optional<study::TableFile> tractions_file;
-    if (options.given("tractions")) {
-        tractions_file.emplace(options, "tractions",
-                               study::has_header(options) ? study::join(traction_columns(), ",") + "\n" : "");
-    }
+    const Pressure pressure = read_pressure(options);
+    for (const Patch& patch : patches) pressure(patch);  // before anything is written
     const bool from_above = points.size() == 1 && patches.size() <= 3 && options.given("plot");
-    Tractions tractions;
+    friction::Tractions tractions(options, traction_sheet().names(), patches.size(), from_above);
 
-    study::Table table = study::table_of(friction_columns(), patches, points.size());
+    study::Table table = study::table_of(friction_sheet().names(), patches, points.size());
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        friction_rows(options, patches[task], points, pressure, task, range, emit,
-                      tractions_file || from_above ? &tractions : nullptr);
+        const Patch& patch = patches[task];
+        const rollbem::Elements<double> elements = rollbem::patch_elements(patch.mesh, patch.scheme);
+        const rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2> model(
+            patch.contact, steady_system(patch.mesh, patch.scheme, patch.kernel()), {1.0, pressure(patch)});
+        const auto rest = model.at_rest();
+        auto state = rest;
+        auto workspace = model.workspace();
+        for (std::size_t k = range.first; k < range.last; ++k) {
+            const auto solve = [&] { return model.steady(rest, creepage(patch, points[k]), state, workspace); };
+            study::Cell time_us;
+            if (study::has_times(options)) {
+                time_us = study::median_time_us([&] { return solve().force.longitudinal; });
+            }
+            const rollbem::FrictionStep<2> step = solve();
+            FrictionRow row{
+                patch,  points[k], step, state, workspace.slip(), elements, largest_slip(patch, points[k], elements),
+                time_us};
+            emit(friction_sheet().row(patch, row));
+            for (; tractions.wanted && row.i < elements.size(); ++row.i) {
+                tractions.rows[task].push_back(traction_sheet().row(patch, row));
+            }
+        }
     };
-    table.written = [&] {
-        if (tractions_file) tractions.write(*tractions_file);
-    };
+    table.written = [&] { tractions.write(); };
     table.plot = [&](const std::vector<study::Row>& rows) {
-        return from_above ? draw_from_above(patches, points.front(), tractions) : draw_friction(rows);
+        return from_above ? draw_from_above(patches, points.front(), tractions) : draw_friction(table.columns, rows);
     };
     study::write_table(options, table);
 }

@@ -4,34 +4,30 @@
 #include <string>
 #include <vector>
 
+#include "friction.hpp"
 #include "support/options.hpp"
+#include "transient.hpp"
 
 namespace patch {
 
-inline constexpr const char* help = R"(Example: Kalker's creep coefficients over a/b, beside the values of his table
+inline const std::string help = R"(Example: Kalker's creep coefficients over a/b, beside the values of his table
   patch_study --a-over-b 0.1,0.2,0.5,1,2,5,10 --poisson 0,0.25,0.5 --n 16 --output c.csv --plot c.svg
 
 x is the rolling direction, y lies across it, z points into body 2 (the rail). Creepages xi, eta along x and y,
 spin phi about z: F_x = -G a b (c11 xi + c12 eta + c13 c phi), F_y = -G a b (c21 xi + c22 eta + c23 c phi),
-M_z = -G a b c (c31 xi + c32 eta + c33 c phi), c = sqrt(a b), about the origin of the outline; c12, c13, c21 and c31,
-the last columns, are 0 if y -> -y leaves the patch unchanged, and c32 = -c23 in the limit of small elements if
-x -> -x does. Bodies are equal half-spaces.
+M_z = -G a b c (c31 xi + c32 eta + c33 c phi), c = sqrt(a b), about the origin of the outline; c32 = -c23 in the limit
+of small elements if x -> -x leaves the patch unchanged. Bodies are equal half-spaces.
 The patch is cut into strips along x, each with --n elements (rectangles) on a cosine mesh that ends on the
 outline. With n = strips = 12 and a/b from 0.1 to 10 c11 and c22 are 0.5 % off, c23 1.4 %, c33 0.8 % (2.5 % at
-nu = 0.5 or a/b >= 5). A patch more than ten times longer than wide is solved with half as many strips and with half
-as many elements in each, too: coefficients that change by more than 7 % are empty, the status is not_converged.
-Four times as many elements as strips suit such patches, --n 48 --strips 12; c33 at nu = 0.5 takes more.
-assembly_us is the time of G', solve_us of the rest [microseconds], medians of at least 5 runs. residual: what
-the tractions p leave of their equations, max|G' p - slip| / (|G'| max|p| + max|slip|). With any other status but ok
-the coefficients are empty. --stability: modes e^{nu V t} with Re(nu) > 0, those whose sign rounding could change
-one by one (that all decay may yet be proved), and the largest Re(nu) a.
+nu = 0.5 or a/b >= 5). Four times as many elements as strips suit patches more than ten times longer than wide,
+--n 48 --strips 12; c33 at nu = 0.5 takes more.
 --longitudinal, --lateral, --spin: friction, steady or in time (--help friction, --help transient).
 --state-space: d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D (xi, eta, phi c).
 )";
 
-inline const std::vector<study::Topic> topics{
-    {"outline", "--outline: a patch of any shape",
-     R"(a triangle, pointed in front
+inline std::vector<study::Topic> topics() {
+    return {{"outline", "--outline: a patch of any shape",
+             R"(a triangle, pointed in front
     printf 'y,x_trailing,x_leading\n-1,-1,-1\n0,-1,2\n1,-1,-1\n' > triangle.csv
     patch_study --n 12 --outline triangle.csv --strips 12
 
@@ -41,8 +37,8 @@ are found by their names, others are ignored; empty lines and those that begin w
 a, b and c are sqrt(area/pi), and creepages, spin and moment refer to the origin of x and y: put it where the bodies'
 motion is known. --strip-edges FILE puts edges of strips on corners of the outline, one y a line.
 )"},
-    {"pressure", "--pressure: the normal pressure on the patch",
-     R"(friction on an outline under a pressure from elsewhere
+            {"pressure", "--pressure: the normal pressure on the patch",
+             R"(friction on an outline under a pressure from elsewhere
     patch_study --n 12 --outline patch.csv --pressure pressure.csv --longitudinal 0.1 --tractions t.csv
 
 Hertz's pressure belongs to an ellipse; an outline takes a table, --pressure, and so may an ellipse. It is a grid of
@@ -51,49 +47,43 @@ is bilinear, outside the grid zero. The grid must cover nine tenths of the patch
 scaled so that all of them carry N: neither the unit of the pressure matters nor a part of it that lies outside the
 patch, up to half.
 )"},
-    {"stability", "--stability: whether a patch can be stepped in time",
-     R"(whether all modes of some patches decay
+            {"stability", "--stability: whether a patch can be stepped in time",
+             R"(whether all modes of some patches decay
     patch_study --a-over-b 0.2,1,5 --n 8,12 --stability
 
 Rolling in full adhesion has modes e^{nu V t}, the eigenvalues of G' p = nu G p. unstable_count: those with Re(nu) > 0;
 uncertain_count: those whose sign rounding could change; spectral_abscissa: the largest Re(nu) a. --transient refuses a
 patch that is not certainly stable.
 )"},
-    {"friction", "--longitudinal, --lateral, --spin: friction in steady rolling",
-     R"(creep curves with and without spin, and one patch from above
+            {"friction", "--longitudinal, --lateral, --spin: friction in steady rolling",
+             R"(creep curves with and without spin, and one patch from above
     patch_study --n 12 --longitudinal 0,0.1,0.2,0.3,0.4,0.5 --spin 0,0.3 --plot curves.svg
     patch_study --n 12 --a-over-b 2 --lateral 0.1 --spin 0.3 --tractions t.csv --plot patch.svg
 
-A row for every combination of the creepages, each solved from rest: -F_x, -F_y over mu N, -M_z over mu N c, the
-number of elements that stick, Newton steps (rounds), how far the law is violated, and the time of the solution,
-matrices ready [microseconds]. Errors of 12 x 12 elements: 1e-3 of mu N without spin, 6e-3 with spin in the mean and
-2e-2 under large spin. If status is not ok, forces are empty.
+A row for every combination of the creepages, each solved from rest:
+)" + friction_help() +
+                 R"(
+Errors of 12 x 12 elements: 1e-3 of mu N without spin, 6e-3 with spin in the mean and 2e-2 under large spin.
 An outline needs --pressure (--help pressure), an ellipse has Hertz's without it.
-In --tractions lengths are in a along x and b along y (outlines: c), tractions in mu p_0, p_0 = 3 N/(2 pi a b),
-slip in the largest rigid slip. --plot draws up to three patches at one creepage from above, with y down: z
+--plot draws up to three patches at one creepage from above, with y down: z
 points away from who looks. The pole of spin is where the rigid slip vanishes.
 )"},
-    {"transient", "--transient: rolling in time, under a load that may vary",
-     R"(a step of creepage and spin from rest, and a load that varies by half
+            {"transient", "--transient: rolling in time, under a load that may vary",
+             R"(a step of creepage and spin from rest, and a load that varies by half
     patch_study --n 12 --longitudinal 0.1 --spin 0.2 --transient --dq 0.1 --until 8 --plot step.svg
     patch_study --n 12 --longitudinal 0.1 --spin 0.2 --transient --load-sine 0.5,8 --breathing --until 24
 
-One row for each step, the first at q = dq; creepages are constant and have one value each. Forces are over mu N_0, the
-moment over mu N_0 c_0, q and --dq over a_0, creepages as above with N_0, a_0 and b_0: those of load_ratio 1. a_ratio
-and b_ratio are a/a_0 and b/b_0, by Hertz the cube root of load_ratio, or the columns of --load;
-p_0 = 3 N/(2 pi a b) always. slip_work, creep_work and elastic_energy are in mu N_0 mu N_0/(G c_0), the first two
-cumulative; creep_work is -int (F_x xi + F_y eta + M_z phi) dq, from the forces at both ends of a step (at its end
-with implicit-euler). creep_work = slip_work + change of elastic_energy, to the order of the mesh and of dq, whatever
-the load does.
+Creepages are constant, have one value each, and are as above with N_0, a_0 and b_0: those of load_ratio 1. p_0 is
+3 N/(2 pi a b) always. One row for each step:
+)" + transient_help() +
+                 R"(
 With --breathing, the default where --load has a_ratio,b_ratio and never vanishes, the mesh follows the ellipse, also
 where a/b changes (second order in 1/n); where a changes by as much as the step rolls, status is needs_fixed_mesh and
-the run ends. Otherwise the mesh covers the largest ellipse of the run: first order, and the load may vanish. Where the
-ellipse is narrower than three of its strips or elements, status is unresolved and results are empty; works count such
-steps all the same. With fewer than six steps in a period of --load-sine (2 pi --dq > LENGTH) all rows are unresolved.
+the run ends. Otherwise the mesh covers the largest ellipse of the run: first order, and the load may vanish.
 Steps are divided where --load has a row. An interrupt leaves rows in FILE.part (--output FILE, without --plot);
 the same command goes on from there. A step without a solution is divided in halves, up to six times. If a step fails,
-the run has no more results: status says why in its row and is after_failure in the rows behind it, and the exit code
-is 1. A patch whose modes grow in time is refused (--stability shows them).
+the run has no more results, and the exit code is 1. A patch whose modes grow in time is refused (--stability shows them).
 )"}};
+}
 
 }  // namespace patch

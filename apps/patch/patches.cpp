@@ -147,18 +147,12 @@ std::vector<Patch> make_patches(const study::Options& options) {
     return patches;
 }
 
-const std::vector<std::string>& columns() {
-    static const std::vector<std::string> names{"a_over_b", "poisson", "n", "strips"};
-    return names;
-}
-
-study::Row cells(const Patch& patch) {
-    return {patch.contact.outline() ? study::Cell() : study::Cell(patch.contact.a_over_b()),
-            patch.contact.poisson_ratio(), patch.mesh.elements_per_strip(), patch.mesh.strip_count()};
-}
-
-const char* nodes_name(const Patch& patch) {
-    return patch.scheme.nodes == rollbem::Nodes::chebyshev ? "chebyshev" : "centres";
+study::Cell scene_cell(const Patch& patch, const std::string& column) {
+    if (column == "poisson") return patch.contact.poisson_ratio();
+    if (column == "n") return patch.mesh.elements_per_strip();
+    if (column == "strips") return patch.mesh.strip_count();
+    if (column == "nodes") return patch.scheme.nodes == rollbem::Nodes::chebyshev ? "chebyshev" : "centres";
+    return patch.contact.outline() ? study::Cell() : study::Cell(patch.contact.a_over_b());
 }
 
 }  // namespace patch

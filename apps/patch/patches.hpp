@@ -7,6 +7,7 @@
 
 #include <rollbem/discretisation/patch_mesh.hpp>
 #include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/rectangle_kernel.hpp>
 #include <rollbem/scene/patch_contact.hpp>
 
 #include "support/csv.hpp"
@@ -22,6 +23,7 @@ struct Patch {
     rollbem::NodeDifference scheme;
 
     std::string label() const;  ///< for the progress line
+    rollbem::HalfSpace<double> kernel() const { return rollbem::HalfSpace<double>(contact.poisson_ratio()); }
 };
 
 /// Declares --a-over-b, --outline, --strips, --strip-edges and --strip-grading, and says what the common options mean
@@ -31,11 +33,10 @@ void add_options(study::Options& options);
 /// All patches: n is the outermost loop, then the number of strips, a/b and Poisson's ratio. Throws BadInput.
 std::vector<Patch> make_patches(const study::Options& options);
 
-/// a_over_b, poisson, n, strips: the first columns of every table, and those that follow the listed ones.
-const std::vector<std::string>& columns();
-study::Row cells(const Patch& patch);
+/// The first columns of every table; nodes stands behind them.
+inline constexpr const char* identity = "a_over_b, poisson, n, strips";
 
-/// The cell of the column nodes.
-const char* nodes_name(const Patch& patch);
+/// The cell of one of them, or of nodes.
+study::Cell scene_cell(const Patch& patch, const std::string& column);
 
 }  // namespace patch

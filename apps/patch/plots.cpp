@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -14,29 +15,56 @@ namespace patch {
 
 namespace {
 
+using Columns = std::vector<std::string>;
+using Rows = std::vector<study::Row>;
+
+const Columns patch_columns{"a_over_b", "poisson", "n", "strips"};
+
 /// The numbers of a column, each once.
-std::set<double> values(const std::vector<study::Row>& rows, std::size_t column) {
+std::set<double> values(const Columns& columns, const Rows& rows, const std::string& column) {
     std::set<double> found;
     for (const study::Row& row : rows) {
-        if (const auto number = row[column].number()) found.insert(*number);
+        if (const auto number = row[study::index_of(columns, column)].number()) found.insert(*number);
     }
     return found;
 }
 
+/// A panel like `frame` for each column with its label, side by side; its title is the first one's.
+std::vector<study::Plot> panels_of(const study::Plot& frame, const Columns& columns, const Rows& rows,
+                                   study::Selection selection,
+                                   const std::vector<std::pair<std::string, std::string>>& labels) {
+    std::vector<study::Plot> panels;
+    for (const auto& [column, label] : labels) {
+        study::Plot panel = frame;
+        panel.y_label = label;
+        selection.y = column;
+        study::add_series(panel, columns, rows, selection);
+        if (!panels.empty()) panel.title.clear();
+        panels.push_back(std::move(panel));
+    }
+    return panels;
+}
+
+/// Forces and moment, and how their axes call them.
+std::vector<std::pair<std::string, std::string>> forces_over(const std::string& force, const std::string& c) {
+    return {{"longitudinal_force", "-F_x / (" + force + ")"},
+            {"lateral_force", "-F_y / (" + force + ")"},
+            {"spin_moment", "-M_z / (" + force + " " + c + ")"}};
+}
+
 /// Kalker's points at the Poisson's ratios of the rows, within their range of a/b.
-void add_table(study::Plot& plot, std::size_t coefficient, const std::vector<study::Row>& rows) {
-    const std::set<double> ratios = values(rows, 0), poisson = values(rows, 1);
+void add_table(study::Plot& plot, std::array<double, 3> rollbem::KalkerRow::*coefficient,
+               const std::set<double>& ratios, const std::set<double>& poisson) {
     const std::array<double, 3> tabulated{0, 0.25, 0.5};
     for (std::size_t k = 0; k < 3; ++k) {
-        if (!poisson.contains(tabulated[k]) || coefficient > 2) continue;
+        if (!poisson.contains(tabulated[k])) continue;
         study::Series points{.label = "Kalker, ν = " + study::Cell(tabulated[k]).text(6),
                              .line = false,
                              .open = true,
                              .reference = true};
         for (const rollbem::KalkerRow& row : rollbem::kalker_table) {
             if (row.a_over_b < *ratios.begin() || row.a_over_b > *ratios.rbegin()) continue;
-            const std::array<double, 3> all{row.c11[k], row.c22[k], row.c23[k]};
-            points.points.emplace_back(row.a_over_b, all[coefficient]);
+            points.points.emplace_back(row.a_over_b, (row.*coefficient)[k]);
         }
         plot.series.push_back(std::move(points));
     }
@@ -60,19 +88,10 @@ std::vector<std::pair<double, double>> edge_of(const rollbem::PatchContact<doubl
     return points;
 }
 
-/// Whether the patch covers a place, in c.
-bool covers(const rollbem::PatchContact<double>& contact, double x, double y) {
-    const double c = contact.c();
-    if (const auto* outline = contact.outline()) {
-        return y * c >= outline->low() && y * c <= outline->high() && x * c >= outline->trailing(y * c) &&
-               x * c <= outline->leading(y * c);
-    }
-    return std::hypot(x * c / contact.half_length(), y * c / contact.half_width()) <= 1;
-}
-
 /// What sticks, what slips, tractions on body 1 and the pole of the rigid slip. y points down: z points away from who
 /// looks.
-study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const std::vector<study::Row>& rows) {
+study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const friction::Tractions& tractions,
+                            const Rows& rows) {
     const rollbem::PatchContact<double>& contact = patch.contact;
     const auto shown = [](double value) { return study::Cell(value).text(6); };
     study::Plot plot{
@@ -84,9 +103,9 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const s
     study::Series stick{.label = "stick", .style = 5, .shape = study::Shape::rectangles};
     study::Series slip{.label = "slip", .style = 4, .shape = study::Shape::rectangles};
     study::Series arrows{.reference = true, .shape = study::Shape::arrows};
-    const auto number = [&](const study::Row& row, const char* name) {
-        return row[study::index_of(traction_columns(), name)].number();
-    };
+    const auto number = [&](const study::Row& row, const char* name) { return tractions.number(row, name); };
+    const double pole_x = -point.lateral / point.spin, pole_y = point.longitudinal / point.spin;
+    bool shows_pole = false;
     const double a = contact.half_length() / contact.c(), b = contact.half_width() / contact.c();
     double longest = 0, area = 0;
     for (const study::Row& row : rows) {
@@ -98,6 +117,7 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const s
         auto& zone = (*number(row, "stick") > 0 ? stick : slip).points;
         zone.emplace_back(x - dx, y - dy);
         zone.emplace_back(x + dx, y + dy);
+        shows_pole = shows_pole || (std::abs(pole_x - x) <= dx && std::abs(pole_y - y) <= dy);
         arrows.points.emplace_back(x, y);
         arrows.points.emplace_back(*traction_x, *traction_y);
         longest = std::max(longest, std::hypot(*traction_x, *traction_y));
@@ -126,8 +146,7 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const s
     plot.x_range = along;
     plot.y_range = across;
     plot.series = {std::move(stick), std::move(slip), std::move(edge), std::move(arrows)};
-    const double pole_x = -point.lateral / point.spin, pole_y = point.longitudinal / point.spin;
-    if (point.spin != 0 && covers(contact, pole_x, pole_y)) {
+    if (shows_pole) {
         plot.series.push_back({.label = "pole of spin", .points = {{pole_x, pole_y}}, .line = false, .style = 6});
     }
     return plot;
@@ -135,135 +154,117 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const s
 
 }  // namespace
 
-study::Plot draw_coefficients(const std::vector<std::string>& columns, const std::vector<study::Row>& rows) {
-    const bool over_ratio = values(rows, 0).size() > 1;
-    std::vector<study::Plot> panels;
-    const std::array<const char*, 4> names{"c11", "c22", "c23", "c33"};
-    for (std::size_t k = 0; k < 4; ++k) {
-        const std::string name = names[k];
-        study::Plot panel{.title = k == 0 ? "Contact patch" : "",
-                          .x_label = over_ratio ? "a/b" : "elements of a strip n",
-                          .y_label = "c_{" + name.substr(1) + "}",
-                          .log_x = true,
-                          .log_y = over_ratio};
-        std::vector<std::string> by{"poisson", "strips"};
-        if (over_ratio) by = {"poisson", "n", "strips"};
-        if (!over_ratio && values(rows, 3).size() == values(rows, 2).size()) by = {"poisson"};
-        study::add_series(panel, columns, rows, {.by = by, .x = over_ratio ? "a_over_b" : "n", .y = name});
-        if (over_ratio) {
-            for (study::Series& series : panel.series) series.markers = false;
-            add_table(panel, k, rows);
+study::Plot draw_coefficients(const Columns& columns, const Rows& rows) {
+    const std::set<double> ratios = values(columns, rows, "a_over_b"), poisson = values(columns, rows, "poisson");
+    const bool over_ratio = ratios.size() > 1;
+    const bool all_strips = values(columns, rows, "strips").size() == values(columns, rows, "n").size();
+    const Columns by = over_ratio   ? Columns{"poisson", "n", "strips"}
+                       : all_strips ? Columns{"poisson"}
+                                    : Columns{"poisson", "strips"};
+    const study::Plot frame{.title = "Contact patch",
+                            .x_label = over_ratio ? "a/b" : "elements of a strip n",
+                            .log_x = true,
+                            .log_y = over_ratio};
+    std::vector<study::Plot> panels =
+        panels_of(frame, columns, rows, {.by = by, .x = over_ratio ? "a_over_b" : "n", .y = ""},
+                  {{"c11", "c_{11}"}, {"c22", "c_{22}"}, {"c23", "c_{23}"}, {"c33", "c_{33}"}});
+    for (std::size_t k = 0; over_ratio && k < panels.size(); ++k) {
+        for (study::Series& series : panels[k].series) series.markers = false;
+    }
+    if (over_ratio) {
+        add_table(panels[0], &rollbem::KalkerRow::c11, ratios, poisson);
+        add_table(panels[1], &rollbem::KalkerRow::c22, ratios, poisson);
+        add_table(panels[2], &rollbem::KalkerRow::c23, ratios, poisson);
+    }
+    panels.erase(std::remove_if(panels.begin() + 1, panels.end(), [](const auto& one) { return !can_be_drawn(one); }),
+                 panels.end());
+    return study::side_by_side(std::move(panels));
+}
+
+study::Plot draw_responses(const Columns& columns, const Rows& rows) {
+    const std::set<double> omegas = values(columns, rows, "omega");
+    const study::Plot frame{.title = "Contact patch",
+                            .x_label = "ω a / V",
+                            .log_x = !omegas.empty() && *omegas.begin() > 0 && *omegas.rbegin() > 20 * *omegas.begin()};
+    const auto parts = [&](const std::string& part) {
+        std::vector<std::pair<std::string, std::string>> labels;
+        for (const std::string ij : {"11", "22", "23", "33"}) {
+            labels.emplace_back("c" + ij + part, "Re c_{" + ij + "}, Im c_{" + ij + "}");
         }
-        if (k > 0) panel.title.clear();
-        if (k == 0 || can_be_drawn(panel)) panels.push_back(std::move(panel));
+        return panels_of(frame, columns, rows, {.by = patch_columns, .x = "omega", .y = ""}, labels);
+    };
+    std::vector<study::Plot> panels = parts("_re"), imaginary = parts("_im");
+    for (std::size_t k = 0; k < panels.size(); ++k) {
+        std::vector<study::Series>& series = panels[k].series;
+        const std::size_t count = series.size();
+        std::move(imaginary[k].series.begin(), imaginary[k].series.end(), std::back_inserter(series));
+        for (std::size_t i = 0; i < series.size(); ++i) {
+            const bool real = i < count;
+            series[i].label = (real ? "Re" : "Im") + (series[i].label.empty() ? "" : ", " + series[i].label);
+            series[i].style = 2 * (i % count) + (real ? 0 : 1);
+            series[i].markers = series[i].points.size() <= 30;
+        }
     }
     return study::side_by_side(std::move(panels));
 }
 
-study::Plot draw_responses(const std::vector<std::string>& columns, const std::vector<study::Row>& rows) {
-    std::vector<study::Plot> panels;
-    for (const std::string name : {"c11", "c22", "c23", "c33"}) {
-        study::Plot panel{.x_label = "ω a / V",
-                          .y_label = "Re c_{" + name.substr(1) + "}, Im c_{" + name.substr(1) + "}"};
-        const std::set<double> omegas = values(rows, 4);
-        panel.log_x = !omegas.empty() && *omegas.begin() > 0 && *omegas.rbegin() > 20 * *omegas.begin();
-        for (const bool real : {true, false}) {
-            study::Plot part{.title = "Contact patch"};
-            study::add_series(
-                part, columns, rows,
-                {.by = {"a_over_b", "poisson", "n", "strips"}, .x = "omega", .y = name + (real ? "_re" : "_im")});
-            for (std::size_t k = 0; k < part.series.size(); ++k) {
-                study::Series& series = part.series[k];
-                series.label = (real ? "Re" : "Im") + (series.label.empty() ? "" : ", " + series.label);
-                series.style = 2 * k + (real ? 0 : 1);
-                series.markers = series.points.size() <= 30;
-                panel.series.push_back(std::move(series));
-            }
-            if (panels.empty()) panel.title = part.title;
-        }
-        panels.push_back(std::move(panel));
-    }
-    return study::side_by_side(std::move(panels));
-}
-
-study::Plot draw_friction(const std::vector<study::Row>& rows) {
-    const std::vector<std::string> given{"longitudinal", "lateral", "spin", "a_over_b", "n", "strips", "poisson"};
-    const std::array<const char*, 7> labels{"ξ G a b / (μ N)",       "η G a b / (μ N)",    "φ G a b c / (μ N)", "a/b",
-                                            "elements of a strip n", "number of strips m", "Poisson's ratio ν"};
-    std::vector<std::size_t> counts;
-    for (const std::string& name : given) {
-        counts.push_back(values(rows, study::index_of(friction_columns(), name)).size());
-    }
+study::Plot draw_friction(const Columns& columns, const Rows& rows) {
+    const std::vector<std::pair<std::string, std::string>> axes{
+        {"longitudinal", "ξ G a b / (μ N)"}, {"lateral", "η G a b / (μ N)"},
+        {"spin", "φ G a b c / (μ N)"},       {"a_over_b", "a/b"},
+        {"n", "elements of a strip n"},      {"strips", "number of strips m"},
+        {"poisson", "Poisson's ratio ν"}};
     // a creepage if any varies
-    const auto creepages = counts.begin() + 3;
-    auto varied = std::max_element(counts.begin(), creepages);
-    if (*varied <= 1) varied = std::find_if(creepages, counts.end() - 1, [](std::size_t count) { return count > 1; });
-    const auto most = std::size_t(varied - counts.begin());
-    const bool as_many_strips =
-        std::all_of(rows.begin(), rows.end(), [](const study::Row& row) { return row[2].number() == row[3].number(); });
-    std::vector<std::string> by;
-    for (std::size_t k = 0; k < given.size(); ++k) {
-        if (k != most && !(given[most] == "n" && given[k] == "strips" && as_many_strips)) by.emplace_back(given[k]);
+    const auto count = [&](const auto& axis) { return values(columns, rows, axis.first).size(); };
+    auto most = std::max_element(axes.begin(), axes.begin() + 3,
+                                 [&](const auto& one, const auto& other) { return count(one) < count(other); });
+    if (count(*most) <= 1) {
+        most = std::find_if(axes.begin() + 3, axes.end() - 1, [&](const auto& axis) { return count(axis) > 1; });
     }
-    std::vector<study::Plot> panels;
-    const std::array<const char*, 3> forces{"longitudinal_force", "lateral_force", "spin_moment"};
-    const std::array<const char*, 3> axes{"- F_x / (μ N)", "- F_y / (μ N)", "- M_z / (μ N c)"};
-    for (std::size_t k = 0; k < 3; ++k) {
-        study::Plot panel{.title = k == 0 ? "Contact patch with friction" : "",
-                          .x_label = labels[most],
-                          .y_label = axes[k],
-                          .log_x = most == 3};
-        study::add_series(panel, friction_columns(), rows, {.by = by, .x = given[most], .y = forces[k]});
+    const bool as_many_strips = std::all_of(rows.begin(), rows.end(), [](const study::Row& row) {
+        return row[2].number() == row[3].number();  // n and strips
+    });
+    Columns by;
+    for (const auto& [name, label] : axes) {
+        if (name != most->first && !(most->first == "n" && name == "strips" && as_many_strips)) by.push_back(name);
+    }
+    const study::Plot frame{
+        .title = "Contact patch with friction", .x_label = most->second, .log_x = most->first == "a_over_b"};
+    std::vector<study::Plot> panels =
+        panels_of(frame, columns, rows, {.by = by, .x = most->first, .y = ""}, forces_over("μ N", "c"));
+    for (study::Plot& panel : panels) {
         const bool rounding = std::all_of(panel.series.begin(), panel.series.end(), [](const study::Series& series) {
             return std::all_of(series.points.begin(), series.points.end(),
                                [](const auto& point) { return std::abs(point.second) < 1e-13; });
         });
         if (rounding) panel.y_range = study::PlotRange{-1, 1};
-        if (k > 0) panel.title.clear();
-        panels.push_back(std::move(panel));
     }
     return study::side_by_side(std::move(panels));
 }
 
-study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint& point, const Tractions& tractions) {
+study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint& point,
+                            const friction::Tractions& tractions) {
     std::vector<study::Plot> panels;
-    for (const auto& [place, rows] : tractions.all()) {
-        if (study::Plot panel = seen_from_above(patches[place.first], point, rows); can_be_drawn(panel)) {
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        if (study::Plot panel = seen_from_above(patches[i], point, tractions, tractions.rows[i]); can_be_drawn(panel)) {
             panels.push_back(std::move(panel));
         }
     }
     return study::side_by_side(std::move(panels));
 }
 
-study::Plot draw_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
-                         bool load_varies) {
-    const std::vector<std::string> by{"a_over_b", "poisson", "n", "strips", "nodes", "longitudinal", "lateral", "spin"};
-    const std::string load = load_varies ? "μ N_0" : "μ N";
-    const std::array<const char*, 3> forces{"longitudinal_force", "lateral_force", "spin_moment"};
-    const std::array<std::string, 3> labels{"-F_x / (" + load + ")", "-F_y / (" + load + ")",
-                                            "-M_z / (" + load + (load_varies ? " c_0)" : " c)")};
-    std::vector<study::Plot> panels;
-    for (std::size_t k = 0; k < 3; ++k) {
-        study::Plot panel{.title = "Patch in time", .x_label = "distance rolled q/a", .y_label = labels[k]};
-        study::add_series(panel, columns, rows, {.by = by, .x = "q_over_a", .y = forces[k]});
+study::Plot draw_in_time(const Columns& columns, const Rows& rows, bool load_varies) {
+    const std::string force = load_varies ? "μ N_0" : "μ N", c = load_varies ? "c_0" : "c";
+    const study::Selection selection{.by = study::joined(patch_columns, {"nodes", "longitudinal", "lateral", "spin"}),
+                                     .x = "q_over_a",
+                                     .y = "load_ratio"};
+    const study::Plot frame{.title = "Patch in time", .x_label = "distance rolled q/a"};
+    std::vector<study::Plot> panels = panels_of(frame, columns, rows, selection, forces_over(force, c));
+    for (study::Plot& panel : panels) {
         for (study::Series& series : panel.series) series.markers = false;
-        panels.push_back(std::move(panel));
     }
-    study::Plot& first = panels.front();
-    const bool one_patch = first.series.size() <= 1;
-    for (std::size_t k = 1; k < 3; ++k) {
-        if (one_patch) {
-            for (study::Series& series : panels[k].series) first.series.push_back(std::move(series));
-        } else {
-            panels[k].title.clear();
-            first.beside.push_back(std::move(panels[k]));
-        }
-    }
-    if (one_patch) first.y_label = "force over " + load + ", moment over " + load + (load_varies ? " c_0" : " c");
-    if (load_varies && !rows.empty()) {
-        study::add_reference(first, columns, rows, {.by = by, .x = "q_over_a", .y = "load_ratio"}, "load N/N_0");
-    }
-    return std::move(first);
+    if (load_varies && !rows.empty()) study::add_reference(panels[0], columns, rows, selection, "load N/N_0");
+    return study::side_by_side(std::move(panels));
 }
 
 }  // namespace patch

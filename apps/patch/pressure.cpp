@@ -1,5 +1,3 @@
-#include "pressure.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <map>
@@ -10,6 +8,7 @@
 
 #include <rollbem/normal/patch_pressure.hpp>
 
+#include "friction.hpp"
 #include "support/columns_file.hpp"
 #include "support/csv.hpp"
 #include "support/errors.hpp"
@@ -55,27 +54,15 @@ rollbem::PressureGrid<double> read_grid(const study::Options& options) {
     }
 }
 
-}  // namespace
-
-Pressure::Pressure(const study::Options& options) : said_(options.said("pressure")) {
-    if (options.given("pressure")) {
-        grid_ = read_grid(options);
-    } else if (options.given("outline")) {
-        throw study::BadInput(options.said("outline") +
-                              " must go with --pressure for friction: Hertz's contact is an ellipse");
-    }
-}
-
-Eigen::ArrayXd Pressure::on(const Patch& patch) const {
+/// Of a grid that the options `said`, which measures an ellipse in a and b, an outline in its own unit.
+Eigen::ArrayXd means_of(const rollbem::PressureGrid<double>& grid, const std::string& said, const Patch& patch) {
     const double a = patch.contact.half_length(), b = patch.contact.half_width();
-    if (!grid_) return rollbem::hertz_pressures(patch.contact, patch.mesh, a * b);
-    // the table measures an ellipse in a and b, an outline in its own unit
     const bool outline = patch.contact.outline() != nullptr;
     std::vector<rollbem::Rectangle<double>> elements = rollbem::rectangles(patch.mesh, a);
     for (rollbem::Rectangle<double>& element : elements) {
         if (!outline) element = {element.x_1 / a, element.x_2 / a, element.y_1 / b, element.y_2 / b};
     }
-    const Eigen::ArrayXd means = (*grid_)(elements);
+    const Eigen::ArrayXd means = grid(elements);
     double load = 0, area = 0, covered = 0;
     for (std::size_t i = 0; i < elements.size(); ++i) {
         const auto& [x_1, x_2, y_1, y_2] = elements[i];
@@ -84,17 +71,31 @@ Eigen::ArrayXd Pressure::on(const Patch& patch) const {
         };
         load += means[Eigen::Index(i)] * (x_2 - x_1) * (y_2 - y_1);
         area += (x_2 - x_1) * (y_2 - y_1);
-        covered += overlap(x_1, x_2, grid_->x()) * overlap(y_1, y_2, grid_->y());
+        covered += overlap(x_1, x_2, grid.x()) * overlap(y_1, y_2, grid.y());
     }
     const auto require = [&](const std::string& what, double share, double least) {
         if (share >= least) return;
-        throw study::BadInput(said_ + ": the share of " + what + " = " + study::Cell(share).text(3) +
+        throw study::BadInput(said + ": the share of " + what + " = " + study::Cell(share).text(3) +
                               " must be at least " + study::Cell(least).text() + "; x and y are " +
                               (outline ? "in the unit of the outline" : "in a and b, from -1 to 1"));
     };
-    require("its load on the patch", load / grid_->integral(), 0.5);
+    require("its load on the patch", load / grid.integral(), 0.5);
     require("the patch that it covers", covered / area, 0.9);
     return means * (outline ? a * b : 1) / load;
+}
+
+}  // namespace
+
+Pressure read_pressure(const study::Options& options) {
+    const std::string said = options.said("pressure");
+    if (options.given("pressure")) {
+        return [said, grid = read_grid(options)](const Patch& patch) { return means_of(grid, said, patch); };
+    }
+    if (options.given("outline")) {
+        throw study::BadInput(options.said("outline") +
+                              " must go with --pressure for friction: Hertz's contact is an ellipse");
+    }
+    return [](const Patch& patch) { return rollbem::hertz_pressures(patch.contact, patch.mesh, mu_N(patch)); };
 }
 
 }  // namespace patch

@@ -22,6 +22,14 @@ struct Column {
     std::function<Cell(const Result&)> value{};  ///< without, it is the scene's column of that name
 };
 
+/// The cells of a case, found by its namespace.
+template <class Case>
+Row cells_of_case(const Case& one, const std::vector<std::string>& names) {
+    Row row;
+    for (const std::string& name : names) row.push_back(scene_cell(one, name));
+    return row;
+}
+
 /// What takes the results of a scene, one by one.
 template <class Result>
 using Results = std::function<void(const Result&)>;
@@ -29,7 +37,8 @@ using Results = std::function<void(const Result&)>;
 /// "name  meaning" as a line of --help, wrapped.
 std::string help_line(const std::string& name, const std::string& meaning);
 
-template <class Result>
+/// Case has label() and scene_cell(case, name).
+template <class Result, class Case = Scene>
 class Sheet {
 public:
     /// `before` and `behind` are names of columns of the scene, separated by commas; so is the name of an own column
@@ -58,21 +67,21 @@ public:
         return text;
     }
 
-    Row row(const Scene& scene, const Result& result) const {
-        Row row = scene_cells(scene, before_);
+    Row row(const Case& scene, const Result& result) const {
+        Row row = cells_of_case(scene, before_);
         for (const Column<Result>& column : own_) {
             row.push_back(column.value ? column.value(result) : scene_cell(scene, column.name));
         }
-        return joined(std::move(row), scene_cells(scene, behind_));
+        return joined(std::move(row), cells_of_case(scene, behind_));
     }
 
     /// A table with as many rows for each scene as rows(scene) says; compute(scene, range, emit) emits their results.
     template <class Count, class Compute>
-    Table table(const std::vector<Scene>& scenes, const Count& rows, const Compute& compute) const {
+    Table table(const std::vector<Case>& scenes, const Count& rows, const Compute& compute) const {
         Table table = table_of(names(), scenes);
         for (std::size_t i = 0; i < scenes.size(); ++i) table.rows_of_task[i] = std::size_t(rows(scenes[i]));
         table.compute = [=, this, &scenes](std::size_t task, RowRange range, const Emit& emit) {
-            const Scene& scene = scenes[task];
+            const Case& scene = scenes[task];
             compute(scene, range, Results<Result>([&](const Result& result) { emit(row(scene, result)); }));
         };
         return table;
@@ -80,10 +89,10 @@ public:
 
     /// A table with one row for each scene, of compute(scene).
     template <class Compute>
-    Table table(const std::vector<Scene>& scenes, const Compute& compute) const {
+    Table table(const std::vector<Case>& scenes, const Compute& compute) const {
         return table(
-            scenes, [](const Scene&) { return 1; },
-            [=](const Scene& scene, RowRange, const Results<Result>& emit) { emit(compute(scene)); });
+            scenes, [](const Case&) { return 1; },
+            [=](const Case& scene, RowRange, const Results<Result>& emit) { emit(compute(scene)); });
     }
 
     /// Adds the column `y` over the column `x`, a curve for each combination of the scene's columns but `x` and those of

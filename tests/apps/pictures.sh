@@ -120,11 +120,11 @@ draws "$@" --longitudinal 2 --spin 0.2 --a-over-b 0.3,3
 says slip && says_not stick && says_not 'pole of spin'
 curves 6
 draws "$@" --longitudinal 0.1,0.2 --spin 0.2
-says_not above && says 'ξ G a b / (μ N)' && says '- Mz / (μ N c)'
+says_not above && says 'ξ G a b / (μ N)' && says '-Mz / (μ N c)'
 draws "$@" --longitudinal 0.1,0.2 # rounding is not drawn as a force
 says_not ×10
 draws "$@" --longitudinal 0.1 --a-over-b 0.5,1,2,4
-says a/b && says '- Fx / (μ N)'
+says a/b && says '-Fx / (μ N)'
 draws "$@" --longitudinal 0.1 --transient --dq 0.5 --until 2 --load-sine 0.5,8
 says '-Fx / (μ N0)' && says '-Mz / (μ N0 c0)' && says 'load N/N0' && says 'distance rolled q/a'
 curves 4
