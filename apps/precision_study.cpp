@@ -5,45 +5,30 @@
 //     ./precision_study --schemes cosine,richardson-cosine --quantity c11 --n 7,14,28
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <functional>
-#include <limits>
+#include <ctime>
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "precision/front.hpp"
-#include "precision/help.hpp"
-#include "precision/patches.hpp"
-#include "precision/plots.hpp"
-#include "precision/recommend.hpp"
-#include "precision/references.hpp"
-#include "precision/schemes.hpp"
-#include "precision/tables.hpp"
-#include "precision/timing.hpp"
+#include "precision/comparison.hpp"
 #include "support/errors.hpp"
-#include "support/non_steady.hpp"
 #include "support/options.hpp"
 #include "support/program.hpp"
-#include "support/scenes.hpp"
 #include "support/table.hpp"
+
+namespace precision {
 
 namespace {
 
-using precision::Case;
-using precision::Point;
-using precision::Problem;
-using precision::Quantity;
-using precision::Task;
-
-// --- the command line
+std::vector<std::string> names_of(const std::vector<Quantity>& quantities) {
+    std::vector<std::string> names;
+    for (const Quantity& quantity : quantities) names.push_back(quantity.name);
+    return names;
+}
 
 const std::string elements_by_default = "4,6,8,10,14,20,28,40,56,80,112,160,224,320,448,640";
-const std::vector<std::ptrdiff_t> states_by_default{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 20, 24, 32, 48};
-
 void add_options(study::Options& options) {
     const std::string fixed = "each scheme of this study has its own mesh and equations; see --schemes";
     options.refuse_group("Discretisation", fixed, {"n", "size-ratio", "epsilon"});
@@ -59,13 +44,13 @@ void add_options(study::Options& options) {
     options.set_help("aspect", "b/a, one value above 0; inf for quantities of steady rolling (dimensionless)");
     options.set_help("poisson", "Poisson's ratio, one value, 0 to 0.5 (dimensionless)");
     options.add("schemes", "LIST",
-                "all, or some of " + study::join(precision::scheme_names(), ", ") +
-                    "; or, for quantities of patches, of " + study::join(precision::patch_scheme_names(), ", "),
+                "all, or some of " + study::join(line_schemes(), ", ") + "; or, for quantities of patches, of " +
+                    study::join(patch_schemes(), ", "),
                 "all");
     options.add("quantity", "LIST",
                 "all, or some of c11,traction,c11_z0.1,c11_z1,c11_z5 (z = omega a/V),step_force,friction_force,"
                 "combined_force,load_force; or some of " +
-                    study::join(precision::patch_quantity_names(), ",") +
+                    study::join(names_of(patch_quantities()), ",") +
                     ", creep coefficients of a contact patch and its forces with friction",
                 "all");
     options.add("a-over-b", "RATIO",
@@ -84,176 +69,178 @@ void add_options(study::Options& options) {
     options.add("recommend", "TOLERANCE",
                 "compute nothing: print command lines whose relative error stays below TOLERANCE, above 0 and below 1 "
                 "(dimensionless)");
+    options.not_with({"n", "schemes", "kernel", "aspect", "poisson", "size-ratio", "epsilon", "shard", "jobs"},
+                     "front");
+    options.footer(R"(Example: everything, with the cheapest schemes and a picture
+  precision_study --output precision.csv --cheapest cheapest.csv --plot precision.svg
+
+One row for each scheme, n and quantity. n counts elements, those of the finer mesh where two (n/2 and n) are
+extrapolated; for chebyshev-states it is the number of states (1 to 48 without --n), for polynomial, the paper's
+approach, the order; the closed form has none. relative_error is measured against the closed forms of the plane
+model. traction: the norm of the differences from Carter's mean traction of each element over the norm of those
+mean tractions, both with the weight sqrt(1 - x^2/a^2). Without the weight, Carter's traction, singular at the
+trailing edge, has no such norm; with it, the norm bounds the error of the force.
+step_force: the largest relative error at q/a = 1, 2, ... 10 after a step of creepage, exact in time.
+friction_force: creepage ratio 0.5. closed-form: the difference of two closed forms where there are two.
+combined_force: creepage ratio 0.5 at 45 degrees to the rolling direction; the error of the force as a vector,
+|F - reference| over |reference|. load_force: creepage ratio 0.5 from steady rolling over a period of a load
+N = N_0 (1 + 0.5 sin(2 pi q/(8 a_0))), in 160 steps of sdirk2; the largest error of F/(mu N_0). Collocation
+and node differences on graded meshes breathe with the half-length where the kernel is plane; all other meshes
+cover the largest contact. Neither force has a closed form: references are extrapolated from cosine meshes of 320
+and 640 elements (160 and 320 that breathe, in 640 steps), to about 1e-6 and 4e-6.
+time_us: from the mesh to the result, the median of at least 5 runs; all schemes take turns. stable: no
+eigenvalue grows, as computed. on_front: no other scheme is both as fast and as precise; a scheme's error counts
+as the largest at this and every larger n, so that a change of sign does not pass for precision. on_front is
+empty for polynomial and closed-form, and with --shard or --jobs above 1, where times are missing: concatenate
+the shards and use --front. model_error is the error that the strip kernel alone makes.
+--plot draws up to three quantities; of more, those of c11, c11_z5 and friction_force that are there.
+status: ok, or why relative_error is empty, by the library's names; in the file of --cheapest none where no
+scheme reaches the tolerance. size_ratio and epsilon are empty except for geometric and knothe.
+patch_c11 ... patch_c33: Kalker's creep coefficients of an ellipse between half-spaces, by n elements in each of as
+many strips (--strips: others) along the rolling direction, with nodes-chebyshev or richardson-nodes (n/2 and
+strips/2 as well); two more columns, a_over_b and strips. They have no closed form: the reference is extrapolated
+from 24 x 24 and 48 x 48 elements; from 32 x 32 and 64 x 64 it differs by 2e-4 (a/b = 0.5, 1) and 6e-4 (a/b = 5, 20).
+uniform-strips: strips of equal width, without --strips as many as recommended_patch gives (a/b from 0.1 to 25).
+patch_force: -F_x and -F_y under Hertz's pressure for three creepages, xi with eta, spin alone, all three. Alone, each
+would make 0.7, 2.5 and 0.6 mu N without slip (by Kalker's c11, c22, c23). relative_error is the largest
+difference over mu N from strips of equal width, at most 500 elements, extrapolated from a third of them in each
+direction; that reference is good to about 1e-3. time_us is that of all three from the mesh to the forces.
+stable is empty above 256 elements. Without --n, n is 4 to 24, with patch_force to 16.
+Without --n, c11_z* stop at n = 320, step_force and the forces with friction at 160: two to three minutes in all.
+)");
 }
 
-std::vector<Quantity> chosen_quantities(const study::Options& options) {
-    std::vector<std::string> known;
-    for (const Quantity& quantity : precision::quantities()) known.push_back(quantity.name);
-    const std::vector<std::string> chosen = options.choices("quantity", known);
-    std::vector<Quantity> result;
-    for (const Quantity& quantity : precision::quantities()) {
-        if (std::find(chosen.begin(), chosen.end(), quantity.name) != chosen.end()) result.push_back(quantity);
+// --- times
+
+/// One computation, repeated. Its time is that of the processor, which other programs disturb less than that of the
+/// clock on the wall.
+struct Timer {
+    const Task* task;
+    Quantity quantity;
+    std::size_t calls = 1;  ///< in a run, which then lasts some hundred times the overhead of the clock
+    std::vector<double> runs{};
+    double total = 0;
+
+    double run(std::size_t count) const {
+        [[maybe_unused]] volatile double kept = 0;  // keeps the optimiser from dropping the computation
+        const std::clock_t start = std::clock();
+        for (std::size_t i = 0; i < count; ++i) kept = task->run(quantity);
+        return 1e6 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     }
-    return result;
-}
+    void calibrate() {
+        if (run(1) > 10000) return;  // a first call is slow
+        while (calls < 4096 && run(calls) < 100) calls *= 2;
+    }
+    bool done() const { return runs.size() >= 5 && (total > 8000 || runs.size() >= 51); }
+    void run_again() {
+        if (calls > 1) run(1);  // refills the caches after the previous computation
+        runs.push_back(run(calls));
+        total += runs.back();
+    }
+    double median() {
+        const auto middle = runs.begin() + std::ptrdiff_t(runs.size() / 2);
+        std::nth_element(runs.begin(), middle, runs.end());
+        return *middle / static_cast<double>(calls);
+    }
+};
 
-/// Without --n, costly problems stop at smaller n.
-long affordable_n(Problem problem) {
-    return problem == Problem::steady ? 640 : problem == Problem::harmonic ? 320 : 160;
-}
-
-/// Whether a scheme is computed with n: always if --n gives it; of the defaults, Chebyshev states have their own.
-bool wanted(const study::Options& options, const std::string& scheme, std::ptrdiff_t n) {
-    if (options.given("n")) return true;
-    const std::vector<std::ptrdiff_t>& states = states_by_default;
-    if (scheme == "chebyshev-states") return std::find(states.begin(), states.end(), n) != states.end();
-    const std::vector<std::ptrdiff_t> elements = options.integers("n", 1, precision::largest_n);
-    return std::find(elements.begin(), elements.end(), n) != elements.end();
+/// Median times [us] of the `wanted` tasks for each of their problems. All take turns, one run each, so that changes in
+/// the machine's speed affect all of them. Reports the progress, 0 ... 1, by done(part).
+std::vector<std::map<Problem, double>> measure(const std::vector<Task>& tasks, const std::vector<std::size_t>& wanted,
+                                               const std::function<void(double part)>& done) {
+    std::vector<std::pair<std::pair<std::size_t, Problem>, Timer>> timers;
+    for (const std::size_t i : wanted) {
+        for (const Quantity& quantity : tasks[i].quantities) {
+            const std::pair key(i, quantity.problem);
+            if (timers.empty() || timers.back().first != key) timers.push_back({key, Timer{&tasks[i], quantity}});
+        }
+    }
+    for (auto& [key, timer] : timers) timer.calibrate();
+    bool again = true;
+    for (int round = 0; again; ++round) {
+        again = false;
+        done(std::min(round, 5) / 5.0);
+        for (auto& [key, timer] : timers) {
+            if (timer.done()) continue;
+            timer.run_again();
+            again = true;
+        }
+    }
+    std::vector<std::map<Problem, double>> times(tasks.size());
+    for (auto& [key, timer] : timers) times[key.first][key.second] = timer.median();
+    return times;
 }
 
 // --- rows
 
-std::vector<Task> make_tasks(const study::Options& options, const precision::Scene& scene,
-                             const std::vector<std::string>& schemes, const std::vector<Quantity>& quantities) {
-    std::vector<Task> tasks;
-    const auto add = [&](const std::string& scheme, long n) {
-        if (!Case::exists(scheme, n)) return;
-        Task task{Case(scene, scheme, n), {}};
-        for (const Quantity& quantity : quantities) {
-            const bool affordable = options.given("n") || n <= affordable_n(quantity.problem);
-            if (affordable && Case::has(scheme, quantity)) task.quantities.push_back(quantity);
-        }
-        if (!task.quantities.empty()) tasks.push_back(std::move(task));
-    };
-    std::vector<std::ptrdiff_t> sizes = options.integers("n", 1, precision::largest_n);
-    if (!options.given("n")) {
-        sizes.insert(sizes.end(), states_by_default.begin(), states_by_default.end());
-        std::sort(sizes.begin(), sizes.end());
-        sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
-    }
-    for (const std::ptrdiff_t n : sizes) {
-        for (const std::string& scheme : schemes) {
-            if (wanted(options, scheme, n)) add(scheme, n);
-        }
-    }
-    for (const std::string& scheme : schemes) add(scheme, 0);
-    if (tasks.empty())
-        throw study::BadInput(options.said("n") + " must fit at least one of the schemes and quantities");
-    return tasks;
-}
-
-/// Times and the front are those of one contact and one mesh of each kind.
-void refuse_lists(const study::Options& options) {
-    for (const char* name : {"kernel", "aspect", "poisson", "size-ratio", "epsilon"}) {
-        if (options.said(name).find(',') == std::string::npos) continue;
-        throw study::BadInput(options.said(name) +
-                              " must be a single value: schemes are compared for one contact, each with one mesh of a "
-                              "kind; run the study once for each value");
-    }
-}
-
-precision::Scene make_scene(const study::Options& options, const std::vector<std::string>& schemes,
-                            const std::vector<Quantity>& quantities) {
-    refuse_lists(options);
-    const auto used = [&](const char* name) {
-        return std::find(schemes.begin(), schemes.end(), name) != schemes.end();
-    };
-    if (!used("geometric")) options.ignored("size-ratio", "without the scheme geometric");
-    if (!used("knothe")) options.ignored("epsilon", "without the scheme knothe");
-    const bool steady = std::none_of(quantities.begin(), quantities.end(), [](const Quantity& quantity) {
-        return quantity.problem == Problem::harmonic || quantity.problem == Problem::step ||
-               quantity.problem == Problem::varying_load;
-    });
-    const rollbem::Contact<double> contact =
-        study::make_contact(options, steady ? study::Problem::steady : study::Problem::non_steady);
-    if (!steady) study::require_plane_model(contact);
-    // the strip of infinite width is the plane
-    const bool plane = options.choice("kernel", {"strip", "plane"}) == "plane" || !std::isfinite(contact.aspect());
-    if (!plane && used("chebyshev-states") && contact.aspect() < 0.001) {
-        throw study::BadInput(options.said("aspect") + " must be at least 0.001 for the scheme chebyshev-states");
-    }
-    return {contact, plane, options.number("size-ratio", study::between(1e-12, 1e12)),
-            options.number("epsilon", study::between(1e-12, 1e12))};
-}
-
-/// The rows of one task, without on_front.
-std::vector<Point> points_of(const Task& task, const std::map<std::string, double>& model_errors,
-                             const std::map<Problem, double>& times) {
-    std::vector<Point> points;
-    const std::optional<bool> stable = task.scheme.stable();
-    for (const Quantity& quantity : task.quantities) {
-        Point point{.scheme = task.scheme.scheme(),
-                    .n = task.scheme.n() > 0 ? std::optional(task.scheme.n()) : std::nullopt,
-                    .quantity = quantity.name,
-                    .relative_error = task.scheme.relative_error(quantity),
-                    .time_us = std::nullopt,
-                    .stable = stable};
-        const auto time = times.find(quantity.problem);
-        if (time != times.end()) point.time_us = time->second;
-        const auto model = model_errors.find(quantity.name);
-        if (model != model_errors.end()) point.model_error = model->second;
-        if (!point.relative_error) point.status = task.scheme.status(quantity);
-        point.setting = task.scheme.setting();
-        points.push_back(std::move(point));
-    }
-    return points;
-}
-
-/// The schemes to compute, and their rows. References, times, and errors for on_front are found before the first row is
-/// written.
+/// The rows of a comparison. References, times, and errors for on_front are found before the first row is written.
 class Computation {
 public:
-    Computation(const study::Options& options, const std::vector<Quantity>& quantities)
-        : Computation(options, quantities, options.choices("schemes", precision::scheme_names())) {}
+    Computation(const study::Options& options, Comparison comparison)
+        : comparison_(std::move(comparison)),
+          with_times_(study::has_times(options)),
+          partial_(options.given("shard") || !with_times_) {}
 
-    std::vector<std::size_t> rows_of_task() const {
-        std::vector<std::size_t> rows;
-        for (const Task& task : tasks_) rows.push_back(task.quantities.size());
-        return rows;
-    }
-
-    /// Computes the references, measures the times of all rows, and computes their errors if on_front is wanted.
-    void prepare(const std::vector<std::size_t>& wanted, const std::function<void(double part)>& done) {
-        for (const Quantity& quantity : quantities_) {
-            (*scene_.references)[quantity.name] = precision::reference(scene_.contact, quantity);
-            if (!scene_.plane) model_errors_[quantity.name] = precision::model_error(scene_, quantity);
-        }
-        if (with_times_) times_ = precision::measure(tasks_, wanted, [&](double part) { done(part / 2); });
-        if (partial_) return;
-        for (std::size_t i = 0; i < tasks_.size(); ++i) {
-            first_.push_back(points_.size());
-            for (Point& point : points_of(tasks_[i], model_errors_, times_[i])) points_.push_back(std::move(point));
-            done((1 + static_cast<double>(i + 1) / static_cast<double>(tasks_.size())) / 2);
-        }
-        precision::mark_front(points_);
-    }
-
-    void emit_rows(std::size_t task, study::RowRange range, const study::Emit& emit) const {
-        const std::vector<Point> own =
-            partial_ ? points_of(tasks_[task], model_errors_, with_times_ ? times_[task] : std::map<Problem, double>{})
-                     : std::vector<Point>{};
-        for (std::size_t k = range.first; k < range.last; ++k) {
-            emit(precision::row(partial_ ? own[k] : points_[first_[task] + k]));
-        }
+    void fill(study::Table& table) {
+        table.columns = comparison_.columns;
+        for (const Task& task : comparison_.tasks) table.rows_of_task.push_back(task.quantities.size());
+        table.prepare = [&](const auto& wanted, const auto& done) { prepare(wanted, done); };
+        table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
+            const std::vector<Point> own = partial_ ? points_of(task) : std::vector<Point>{};
+            for (std::size_t k = range.first; k < range.last; ++k) {
+                emit(row(partial_ ? own[k] : points_[first_[task] + k]));
+            }
+        };
     }
 
     /// All rows; none where on_front is not known.
     const std::vector<Point>& points() const { return points_; }
 
 private:
-    Computation(const study::Options& options, const std::vector<Quantity>& quantities,
-                const std::vector<std::string>& schemes)
-        : quantities_(quantities),
-          scene_(make_scene(options, schemes, quantities)),
-          tasks_(make_tasks(options, scene_, schemes, quantities)),
-          with_times_(study::has_times(options)),
-          partial_(options.given("shard") || !with_times_) {}
+    /// Measures the times of all rows, and computes their errors if on_front is wanted.
+    void prepare(const std::vector<std::size_t>& wanted, const std::function<void(double part)>& done) {
+        comparison_.prepare();
+        if (comparison_.model_error) {
+            for (const Quantity& each : comparison_.quantities) {
+                model_errors_[each.name] = comparison_.model_error(each);
+            }
+        }
+        const auto& tasks = comparison_.tasks;
+        times_.resize(tasks.size());
+        if (with_times_) times_ = measure(tasks, wanted, [&](double part) { done(part / 2); });
+        if (partial_) return;
+        for (std::size_t i = 0; i < tasks.size(); ++i) {
+            first_.push_back(points_.size());
+            for (Point& point : points_of(i)) points_.push_back(std::move(point));
+            done((1 + static_cast<double>(i + 1) / static_cast<double>(tasks.size())) / 2);
+        }
+        mark_front(points_);
+    }
 
-    std::vector<Quantity> quantities_;
-    precision::Scene scene_;
-    std::vector<Task> tasks_;
+    std::vector<Point> points_of(std::size_t index) const {
+        const Task& task = comparison_.tasks[index];
+        std::vector<Point> points;
+        const std::optional<bool> stable = task.stable();
+        for (const Quantity& quantity : task.quantities) {
+            Point point{task.scheme, task.n, quantity.name, task.error(quantity), std::nullopt, stable};
+            if (!std::isfinite(*point.relative_error)) {
+                point.relative_error.reset();
+                point.status = task.status(quantity);
+            }
+            const auto time = times_[index].find(quantity.problem);
+            if (time != times_[index].end()) point.time_us = time->second;
+            const auto model = model_errors_.find(quantity.name);
+            if (model != model_errors_.end()) point.model_error = model->second;
+            point.setting = task.setting;
+            point.series = task.series;
+            points.push_back(std::move(point));
+        }
+        return points;
+    }
+
+    Comparison comparison_;
     bool with_times_, partial_;
-    std::map<std::string, double> model_errors_;
+    std::map<std::string, std::optional<double>> model_errors_;
     std::vector<std::map<Problem, double>> times_;
     std::vector<Point> points_;
     std::vector<std::size_t> first_;  // of each task in points_
@@ -261,69 +248,61 @@ private:
 
 }  // namespace
 
+std::vector<Quantity> chosen(const study::Options& options, const std::vector<Quantity>& all) {
+    const std::vector<std::string> asked = options.choices("quantity", names_of(all));
+    std::vector<Quantity> result;
+    for (const Quantity& quantity : all) {
+        if (std::find(asked.begin(), asked.end(), quantity.name) != asked.end()) result.push_back(quantity);
+    }
+    return result;
+}
+
+}  // namespace precision
+
 int main(int argc, char** argv) {
     // 1. The command line.
     study::Options options("precision_study",
                            "Error against run time: which scheme gives a required precision at the least cost?");
-    add_options(options);
-    options.not_with({"n", "schemes", "kernel", "aspect", "poisson", "size-ratio", "epsilon", "shard", "jobs"},
-                     "front");
-    options.footer(precision::help);
-
+    precision::add_options(options);
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         if (given.given("recommend")) {
             precision::print_recommendations(given);
             return study::exit_ok;
         }
-        const std::vector<Quantity> of_patches = precision::chosen_patch_quantities(given);
-        const std::vector<Quantity> quantities = of_patches.empty() ? chosen_quantities(given) : of_patches;
-        if (of_patches.empty()) {
-            for (const char* name : {"a-over-b", "strips"}) given.ignored(name, "without quantities of patches");
+        const bool patches = given.text("quantity").find("patch_") != std::string::npos;
+        const std::vector<precision::Quantity> quantities =
+            chosen(given, patches ? precision::patch_quantities() : precision::line_quantities());
+        for (const char* name : {"a-over-b", "strips"}) {
+            if (!patches) given.ignored(name, "without quantities of patches");
         }
         if (given.given("shard") || !study::has_times(given)) {
             given.ignored("cheapest", "with --shard or --jobs or --no-timing, where times lack; use --front");
         }
         study::Table table;
-        table.columns = precision::columns();
-        std::vector<Point> read;
-        std::optional<Computation> computed;
-        std::optional<precision::PatchComputation> patches;
-        const auto compute = [&](auto& computation) {
-            table.rows_of_task = computation->rows_of_task();
-            table.prepare = [&](const auto& wanted, const auto& done) { computation->prepare(wanted, done); };
-            table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-                computation->emit_rows(task, range, emit);
-            };
-        };
-        if (!of_patches.empty()) {
-            patches.emplace(given, of_patches);
-            table.columns = precision::patch_columns();
-            compute(patches);
-        } else if (given.given("front")) {
+        std::vector<precision::Point> read;
+        std::optional<precision::Computation> computed;
+        if (given.given("front") && !patches) {
             // 2. Rows from a file.
             read = precision::read_points(given, quantities);
             precision::mark_front(read);
+            table.columns = precision::columns();
             table.rows_of_task.assign(read.size(), 1);
             table.compute = [&](std::size_t i, study::RowRange, const study::Emit& emit) {
                 emit(precision::row(read[i]));
             };
         } else {
             // 3. Or schemes to compute.
-            computed.emplace(given, quantities);
-            compute(computed);
+            computed.emplace(given, patches ? precision::compare_on_patch(given) : precision::compare_on_line(given));
+            computed->fill(table);
         }
-        const auto points = [&]() -> const std::vector<Point>& {
-            return patches ? patches->points() : computed ? computed->points() : read;
-        };
-        table.plot = [&](const std::vector<study::Row>& rows) {
-            return precision::pictures(quantities, rows, points());
-        };
+        const std::vector<precision::Point>& points = computed ? computed->points() : read;
+        table.plot = [&](const std::vector<study::Row>& rows) { return precision::pictures(quantities, rows, points); };
 
         // 4. The rows, and the cheapest scheme for each tolerance.
         std::optional<study::OutputFile> cheapest;
         if (given.given("cheapest")) cheapest.emplace(given.text("cheapest"), "--cheapest");
         study::write_table(given, table);
-        if (cheapest) precision::write_cheapest(*cheapest, points(), quantities);
+        if (cheapest) precision::write_cheapest(*cheapest, points, quantities);
         return study::exit_ok;
     });
 }

@@ -27,6 +27,7 @@ struct Point {
     std::optional<double> model_error{};
     std::string status = "ok";           ///< why there is no error
     std::vector<std::string> setting{};  ///< kernel, aspect, poisson, size_ratio, epsilon
+    std::string series{};                ///< tells apart several series in n of one scheme
 };
 
 /// Elements and Chebyshev states solve problems in steady rolling, frequency and time with any kernel; the others only
@@ -48,7 +49,7 @@ inline std::vector<double> sustained_errors(const std::vector<Point>& points) {
     std::map<std::pair<std::string, std::string>, double> largest;
     std::vector<double> sustained(points.size());
     for (const std::size_t i : order) {
-        double& worst = largest[{points[i].scheme, points[i].quantity}];
+        double& worst = largest[{points[i].scheme + points[i].series, points[i].quantity}];
         const auto& error = points[i].relative_error;
         worst = std::max(worst, error ? std::abs(*error) : std::numeric_limits<double>::infinity());
         sustained[i] = worst;

@@ -1,5 +1,4 @@
-#include "plots.hpp"
-
+// The pictures of precision_study.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -8,8 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "patches.hpp"
-#include "schemes.hpp"
+#include "comparison.hpp"
 
 namespace precision {
 
@@ -18,8 +16,8 @@ namespace {
 constexpr double floor = 1e-14;  // smaller errors are round-off, or 0, which a logarithmic axis cannot show
 
 std::vector<std::string> all_schemes() {
-    std::vector<std::string> names = scheme_names();
-    for (const std::string& name : patch_scheme_names()) {
+    std::vector<std::string> names = line_schemes();
+    for (const std::string& name : patch_schemes()) {
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
     return names;

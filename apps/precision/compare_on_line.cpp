@@ -1,0 +1,235 @@
+// A line contact as precision_study compares its schemes: references, errors, and what is computed.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include <rollbem/closed_form/carter.hpp>
+#include <rollbem/closed_form/friction.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/reference/bessel.hpp>
+#include <rollbem/reference/step_response.hpp>
+
+#include "lines.hpp"
+#include "support/errors.hpp"
+#include "support/non_steady.hpp"
+#include "support/scenes.hpp"
+
+namespace precision {
+
+namespace {
+
+using rollbem::Contact;
+using rollbem::LineModel;
+
+/// The relative error; of a complex number its absolute value, of tractions and of a force as a vector |difference| over
+/// |exact|, of a response to a step the largest; of forces over mu N_0 under a load that varies the largest difference.
+double error_of(const Quantity& quantity, const Values& found, const Values& exact) {
+    const auto largest = [&](const auto& difference) {
+        double result = 0;
+        for (std::size_t k = 0; k < exact.size(); ++k) {
+            const double own = std::abs(difference(found[k].real(), exact[k].real()));
+            if (std::isnan(own)) return own;
+            result = std::max(result, own);
+        }
+        return result;
+    };
+    if (quantity.problem == Problem::harmonic) return std::abs(found[0] / exact[0] - 1.0);
+    if (quantity.problem == Problem::step) return largest([](double own, double other) { return own / other - 1; });
+    if (quantity.problem == Problem::varying_load) return largest([](double own, double other) { return own - other; });
+    if (quantity.name == "traction" || quantity.problem == Problem::combined_friction) {
+        double error = 0, size = 0;
+        for (std::size_t k = 0; k < exact.size(); ++k) {
+            error += std::norm(found[k] - exact[k]);
+            size += std::norm(exact[k]);
+        }
+        return std::sqrt(error / size);
+    }
+    return found[0].real() / exact[0].real() - 1;
+}
+
+/// What a quantity consists of in the plane model, by closed forms where there are any, none of which depends on an
+/// infinite aspect. The force in both directions is extrapolated from cosine meshes of 320 and 640 elements; from 640
+/// and 1280 it differs by 7e-6 of itself. Those under a load that varies are extrapolated from cosine meshes of 160 and
+/// 320 elements that breathe, in steps of a quarter of those of the schemes; from 320 and 640 in steps half as long they
+/// differ by at most 4e-6.
+Values reference(const Contact<double>& contact, const Quantity& quantity) {
+    const double nu = contact.poisson_ratio();
+    switch (quantity.problem) {
+        case Problem::harmonic: return {rollbem::reference::plane_c11({0, quantity.frequency}, nu, contact.aspect())};
+        case Problem::step: {
+            const rollbem::reference::StepResponse response(nu, contact.aspect());
+            Values forces;
+            for (int k = 1; k <= steps; ++k) forces.emplace_back(response.step(k));
+            return forces;
+        }
+        case Problem::friction: return {rollbem::carter_force_ratio(creepage_ratio)};
+        case Problem::combined_friction:
+        case Problem::varying_load: {
+            const long n = quantity.problem == Problem::varying_load ? 320 : 640;
+            return evaluate({.contact = contact, .load_parts = 4}, scheme_of("richardson-cosine"), n, quantity, {})
+                .values;
+        }
+        default: break;
+    }
+    return {rollbem::steady_c11(nu)};
+}
+
+/// The relative difference that the kernel of the scene makes to the plane limit: the model's error, on one mesh.
+double model_error(const Scene& scene, const Quantity& quantity) {
+    const auto on = [&](LineModel model) {
+        Scene own = scene;
+        own.model = model;
+        Discrete discrete = discretise(own, scheme_of("cosine"), 60)[0];
+        discrete.breathes = false;
+        return quantity.name == "traction" ? tractions({discrete}, 0).values : values(discrete, quantity);
+    };
+    return error_of(quantity, on(scene.model), on(LineModel::plane));
+}
+
+std::string status_of(const Scene& scene, const Scheme& scheme, long n) {
+    rollbem::Status status = rollbem::Status::not_finite;
+    if (scheme.discrete()) {
+        for (const Discrete& discrete : discretise(scene, scheme, n)) {
+            const rollbem::Status own = discrete.steady().status;
+            if (own != rollbem::Status::ok) status = own;
+        }
+    }
+    return name(status);
+}
+
+std::optional<bool> stable(const Scene& scene, const Scheme& scheme, long n) {
+    if (!std::isfinite(scene.contact.aspect())) return std::nullopt;
+    const bool plane_decays = study::plane_model_decays(scene.contact);
+    if (!scheme.discrete()) return plane_decays;  // of the model itself
+    if (scene.plane() && !plane_decays) return std::nullopt;
+    for (const Discrete& discrete : discretise(scene, scheme, n)) {
+        const auto count = rollbem::count_unstable<double>(discrete.system());
+        if (count.status != rollbem::Status::ok) return std::nullopt;
+        if (count.unstable_count > 0) return false;
+    }
+    return true;
+}
+
+// --- the command line
+
+/// Times and the front are those of one contact and one mesh of each kind.
+Scene make_scene(const study::Options& options, const std::vector<std::string>& used,
+                 const std::vector<Quantity>& quantities) {
+    for (const char* name : {"kernel", "aspect", "poisson", "size-ratio", "epsilon"}) {
+        if (options.said(name).find(',') == std::string::npos) continue;
+        throw study::BadInput(options.said(name) +
+                              " must be a single value: schemes are compared for one contact, each with one mesh of a "
+                              "kind; run the study once for each value");
+    }
+    const auto is_used = [&](const char* name) { return std::find(used.begin(), used.end(), name) != used.end(); };
+    if (!is_used("geometric")) options.ignored("size-ratio", "without the scheme geometric");
+    if (!is_used("knothe")) options.ignored("epsilon", "without the scheme knothe");
+    const bool steady = std::none_of(quantities.begin(), quantities.end(), [](const Quantity& quantity) {
+        return quantity.problem == Problem::harmonic || quantity.problem == Problem::step ||
+               quantity.problem == Problem::varying_load;
+    });
+    const Contact<double> contact =
+        study::make_contact(options, steady ? study::Problem::steady : study::Problem::non_steady);
+    if (!steady) study::require_plane_model(contact);
+    // the strip of infinite width is the plane
+    const bool plane = options.choice("kernel", {"strip", "plane"}) == "plane" || !std::isfinite(contact.aspect());
+    if (!plane && is_used("chebyshev-states") && contact.aspect() < 0.001) {
+        throw study::BadInput(options.said("aspect") + " must be at least 0.001 for the scheme chebyshev-states");
+    }
+    return {contact, plane ? LineModel::plane : LineModel::strip,
+            options.number("size-ratio", study::between(1e-12, 1e12)),
+            options.number("epsilon", study::between(1e-12, 1e12))};
+}
+
+/// Without --n, costly problems stop at smaller n.
+bool affordable(Problem problem, long n) {
+    return n <= (problem == Problem::steady ? 640 : problem == Problem::harmonic ? 320 : 160);
+}
+
+/// Numbers of elements, states, or the order of the polynomial; 0 for the closed form, which has none.
+std::vector<std::ptrdiff_t> sizes_of(const study::Options& options, const Scheme& scheme) {
+    if (scheme.kind == Scheme::Kind::closed_form) return {0};
+    if (scheme.kind == Scheme::Kind::states && !options.given("n")) {
+        return {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 20, 24, 32, 48};
+    }
+    return options.integers("n", 1, largest_n);
+}
+
+/// kernel, aspect, poisson, and size_ratio and epsilon if the scheme's mesh has them.
+std::vector<std::string> setting(const Scene& scene, const Scheme& scheme) {
+    const auto grading = [&](rollbem::Grading kind, double value) {
+        return scheme.graded_by(kind) ? study::Cell(value).text() : "";
+    };
+    return {scene.plane() || !scheme.discrete() ? "plane" : "strip", study::aspect_cell(scene.contact).text(),
+            study::Cell(scene.nu()).text(), grading(rollbem::Grading::size_ratio, scene.size_ratio),
+            grading(rollbem::Grading::epsilon, scene.epsilon)};
+}
+
+}  // namespace
+
+const std::vector<Quantity>& line_quantities() {
+    static const std::vector<Quantity> all{{"c11", Problem::steady},
+                                           {"traction", Problem::steady},
+                                           {"c11_z0.1", Problem::harmonic, 0.1},
+                                           {"c11_z1", Problem::harmonic, 1},
+                                           {"c11_z5", Problem::harmonic, 5},
+                                           {"step_force", Problem::step},
+                                           {"friction_force", Problem::friction},
+                                           {"combined_force", Problem::combined_friction},
+                                           {"load_force", Problem::varying_load}};
+    return all;
+}
+
+Comparison compare_on_line(const study::Options& options) {
+    const std::vector<std::string> names = options.choices("schemes", line_schemes());
+    const std::vector<Quantity> quantities = chosen(options, line_quantities());
+    const auto scene = std::make_shared<Scene>(make_scene(options, names, quantities));
+    const auto references = std::make_shared<std::map<std::string, Values>>();
+    Comparison result{columns(), quantities, {}, {}, {}};
+    for (const std::string& name : names) {
+        const Scheme& scheme = scheme_of(name);
+        for (const long n : sizes_of(options, scheme)) {
+            if (!scheme.exists(n)) continue;
+            Task task{scheme.name, n > 0 ? std::optional(n) : std::nullopt, {}, setting(*scene, scheme)};
+            for (const Quantity& quantity : quantities) {
+                const bool wanted = options.given("n") || affordable(quantity.problem, n);
+                if (wanted && scheme.has(quantity.problem)) task.quantities.push_back(quantity);
+            }
+            if (task.quantities.empty()) continue;
+            task.error = [=, &scheme](const Quantity& quantity) {
+                const Values& exact = references->at(quantity.name);
+                const Found found = evaluate(*scene, scheme, n, quantity, exact);
+                return error_of(quantity, found.values, found.exact.empty() ? exact : found.exact);
+            };
+            task.status = [=, &scheme](const Quantity&) { return status_of(*scene, scheme, n); };
+            task.run = [=, &scheme](const Quantity& quantity) {
+                return evaluate(*scene, scheme, n, quantity, references->at(quantity.name)).values[0].real();
+            };
+            task.stable = [=, &scheme] { return stable(*scene, scheme, n); };
+            result.tasks.push_back(std::move(task));
+        }
+    }
+    if (result.tasks.empty()) {
+        throw study::BadInput(options.said("n") + " must fit at least one of the schemes and quantities");
+    }
+    // by n, as given or increasing, and within it in the order of the schemes; what has no n comes last
+    const std::vector<std::ptrdiff_t> given = options.integers("n", 1, largest_n);
+    const auto place = [&](const Task& task) {
+        if (!task.n) return std::numeric_limits<std::ptrdiff_t>::max();
+        return options.given("n") ? std::find(given.begin(), given.end(), *task.n) - given.begin() : *task.n;
+    };
+    std::stable_sort(result.tasks.begin(), result.tasks.end(),
+                     [&](const Task& one, const Task& other) { return place(one) < place(other); });
+    result.prepare = [=] {
+        for (const Quantity& quantity : quantities) (*references)[quantity.name] = reference(scene->contact, quantity);
+    };
+    result.model_error = [=](const Quantity& quantity) {
+        return scene->plane() ? std::nullopt : std::optional(model_error(*scene, quantity));
+    };
+    return result;
+}
+
+}  // namespace precision

@@ -1,0 +1,94 @@
+// What precision_study compares: schemes at several n, by quantities of a line or of patches.
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "front.hpp"
+#include "support/csv.hpp"
+#include "support/options.hpp"
+#include "support/plot.hpp"
+#include "support/table.hpp"
+
+namespace precision {
+
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// A problem is computed, and timed, as a whole.
+enum class Problem { steady, harmonic, step, friction, combined_friction, varying_load, patch, patch_friction };
+
+struct Quantity {
+    std::string name;
+    Problem problem;
+    double frequency = 0;  ///< omega a/V, harmonic problems
+};
+
+/// Numbers that a quantity consists of; all but c11 under harmonic creepage are real.
+using Values = std::vector<std::complex<double>>;
+
+/// One scheme at one n (elements, on the finer mesh where two are extrapolated; Chebyshev states; order of the
+/// polynomial; none for the closed form) and the quantities it is measured for.
+struct Task {
+    std::string scheme;
+    std::optional<long> n;
+    std::vector<Quantity> quantities;
+    std::vector<std::string> setting;  ///< cells of the columns behind `status`
+    std::string series{};              ///< see Point
+    /// relative_error as the study defines it; NaN if there is no trustworthy result.
+    std::function<double(const Quantity&)> error{};
+    /// Why there is none, by the library's names.
+    std::function<std::string(const Quantity&)> status{};
+    /// Computes everything from the mesh to the result, which the value depends on.
+    std::function<double(const Quantity&)> run{};
+    /// Whether no mode grows, as computed; empty if that was not found out.
+    std::function<std::optional<bool>()> stable{};
+};
+
+/// What is compared. `prepare` finds the references, before anything else is computed.
+struct Comparison {
+    std::vector<std::string> columns;
+    std::vector<Quantity> quantities;
+    std::vector<Task> tasks;
+    std::function<void()> prepare;
+    std::function<std::optional<double>(const Quantity&)> model_error;
+};
+
+/// All quantities of a line, in the order of the rows, and the names of its schemes.
+const std::vector<Quantity>& line_quantities();
+std::vector<std::string> line_schemes();
+/// The same of patches.
+const std::vector<Quantity>& patch_quantities();
+const std::vector<std::string>& patch_schemes();
+
+/// Those of `all` that --quantity gives.
+std::vector<Quantity> chosen(const study::Options& options, const std::vector<Quantity>& all);
+
+/// Throw BadInput.
+Comparison compare_on_line(const study::Options& options);
+Comparison compare_on_patch(const study::Options& options);
+
+inline constexpr std::ptrdiff_t largest_n = 100000;
+const std::vector<std::string>& columns();
+study::Row row(const Point& point);
+
+/// The rows of this program's earlier output for the chosen quantities. Throws BadInput if they are malformed or do not
+/// have one kernel, aspect, poisson, size_ratio and epsilon.
+std::vector<Point> read_points(const study::Options& options, const std::vector<Quantity>& quantities);
+
+/// The fastest scheme for every quantity and tolerance. Throws WriteError.
+void write_cheapest(study::OutputFile& file, const std::vector<Point>& points, const std::vector<Quantity>& quantities);
+
+/// The recommended command line for each purpose, for the plane kernel or a strip with b/a >= 10.
+void print_recommendations(const study::Options& options);
+
+/// Panels for up to three quantities; of more, those of c11, c11_z5 and friction_force that are there. Each shows the
+/// error of every scheme over its time, and the front of `points`.
+study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<study::Row>& rows,
+                     const std::vector<Point>& points);
+
+}  // namespace precision
