@@ -24,7 +24,6 @@ namespace {
 
 using namespace rollbem;
 
-constexpr auto fd = Derivative::finite_difference;
 constexpr auto analytic = Derivative::analytic;
 
 // c11 over its exact value, minus 1, for a wide strip
@@ -40,15 +39,6 @@ double plane_error(const Mesh<double>& mesh, const AnyScheme& scheme) {
 bool rounds_to(double value, double printed, int digits) {
     const double unit = std::pow(10.0, std::floor(std::log10(std::abs(printed))) - digits + 1);
     return std::abs(value - printed) <= 0.5000001 * unit;
-}
-
-template <class Function>
-double minimiser(Function f, double lower, double upper) {
-    for (int i = 0; i < 60; ++i) {
-        const double left = lower + (upper - lower) / 3, right = upper - (upper - lower) / 3;
-        (f(left) < f(right) ? upper : lower) = f(left) < f(right) ? right : left;
-    }
-    return (lower + upper) / 2;
 }
 
 template <class Function>
@@ -89,58 +79,6 @@ TEST_CASE("The paper's schemes have the documented errors", "[steady]") {
     const auto exact_slope = [](double alpha) { return error(uniform_mesh(40), Collocation{0, alpha, analytic}); };
     CHECK(std::abs(zero(exact_slope, 0.45, 0.498) - 0.49) < 0.005);
     CHECK(std::abs(zero(exact_slope, 0.55, 0.65) - 0.60) < 0.005);
-}
-
-TEST_CASE("Grading does not help 0/0.63, and helps equal alphas on two of three meshes", "[steady]") {
-    const Collocation best{0, 0.63}, equal{0.5, 0.5};
-    const auto on_grid = [](const std::vector<double>& grid, const auto& f) {
-        double least = 1e300, at = 0;
-        for (const double value : grid) {
-            if (std::abs(f(value)) < least) least = std::abs(f(value)), at = value;
-        }
-        return at;
-    };
-    const auto geometric = [](const Collocation& s) {
-        return [s](double r) { return std::abs(error(geometric_mesh(40, r), s)); };
-    };
-    const auto knothe = [](const Collocation& s) {
-        return [s](double e) { return std::abs(error(knothe_mesh(40, e), s)); };
-    };
-    const auto modified = [](const Collocation& s) {
-        return [s](double e) { return std::abs(error(modified_knothe_mesh(40, e), s)); };
-    };
-    const std::vector<double> ratios{1, 2, 3, 4, 5, 6, 7, 8, 9, 10},
-        epsilons{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1};
-    CHECK(on_grid(ratios, geometric(best)) == 1);
-    CHECK(on_grid(ratios, geometric(equal)) == 2);
-    CHECK(std::abs(minimiser(geometric(equal), 1.2, 3) - 1.89) < 0.01);
-    CHECK(on_grid(epsilons, knothe(best)) == 1);
-    CHECK(on_grid(epsilons, knothe(equal)) == 0.4);
-    CHECK(std::abs(minimiser(knothe(equal), 0.2, 0.6) - 0.37) < 0.01);
-    CHECK(on_grid(epsilons, modified(best)) == 1);
-    CHECK(on_grid(epsilons, modified(equal)) == 1);
-}
-
-TEST_CASE("Equal alphas are best near 0.515, Galerkin's alpha_T is best at 1", "[steady]") {
-    const auto galerkin = [](double alpha_T) {
-        return std::abs(error(uniform_mesh(40), Galerkin{0, alpha_T, fd, 1, 7}));
-    };
-    for (double alpha = 0.1; alpha < 0.99; alpha += 0.1) {
-        CAPTURE(alpha);
-        CHECK(galerkin(1) < galerkin(alpha));
-    }
-    const auto equal = [](double alpha) { return error(uniform_mesh(40), Collocation{alpha, alpha}); };
-    const double optimum = minimiser(equal, 0.4, 0.6);
-    CAPTURE(optimum, equal(optimum) / equal(0.5));
-    CHECK(std::abs(optimum - 0.515) < 0.003);
-    CHECK(std::abs(1 - equal(optimum) / equal(0.5) - 0.001) < 0.0005);
-    // finite differences are better than the analytic derivative at 0.5, but not everywhere
-    const auto exact_slope = [](double alpha) {
-        return std::abs(error(uniform_mesh(40), Collocation{alpha, alpha, analytic}));
-    };
-    CHECK(equal(0.5) < exact_slope(0.5));
-    CHECK(equal(0.33) > exact_slope(0.33));
-    CHECK(equal(0.66) > exact_slope(0.66));
 }
 
 TEST_CASE("The c11 converges at order one on uniform and two on cosine meshes", "[steady][convergence]") {

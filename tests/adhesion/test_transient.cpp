@@ -362,29 +362,6 @@ TEMPLATE_TEST_CASE("Steps follow the exact response in every scalar type", "[tra
     }
 }
 
-#ifdef ROLLBEM_SLOW_CHECKS
-TEST_CASE("Steps in double agree with steps in long double", "[transient]") {
-    const auto force = []<class Scalar>(Scalar) {
-        const Contact<Scalar> contact = Contact<Scalar>::dimensionless(100, Scalar(0.25));
-        const AdhesionModel<1, Scalar> model(
-            contact,
-            rolling_system(uniform_mesh<Scalar>(60), Collocation{0, 0.63}, StripKernel<Scalar>::longitudinal(contact)),
-            unchecked, Integrator::matrix_exponential);
-        AdhesionWorkspace<1, Scalar> workspace = model.workspace();
-        AdhesionState<Scalar> state = model.at_rest(), next = state;
-        Scalar last = 0;
-        for (int k = 0; k < 40; ++k) {
-            last = model.advance(state, Scalar(0.125), Scalar(1), next, workspace).force;
-            std::swap(state, next);
-        }
-        return static_cast<double>(last);
-    };
-    const double rough = force(1.0), fine = force(1.0L);
-    CAPTURE(rough / fine - 1);
-    CHECK(std::abs(rough / fine - 1) < 1e-11);
-}
-#endif
-
 TEST_CASE("Invalid input to a step gives a status and leaves the target state unchanged", "[transient]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
@@ -482,81 +459,8 @@ TEST_CASE("The constructor rejects invalid input and names the quantity", "[tran
     CHECK_THROWS_AS(model.steady(std::numeric_limits<double>::infinity()), std::invalid_argument);
 }
 
-TEST_CASE("Threads may share a transient model", "[transient]") {
-    const Model model = plane_model(40, Integrator::sdirk2);
-    std::array<double, 4> forces{};
-    std::vector<std::thread> threads;
-    for (double& force : forces) {
-        threads.emplace_back([&] {
-            Model::State state = model.at_rest(), next = state;
-            Model::Workspace workspace = model.workspace();
-            for (int k = 0; k < 50; ++k) {
-                model.advance(state, 0.05, 1.0, next, workspace);
-                force = model.advance(next, k % 2 == 0 ? 0.05 : 0.07, 0.5, state, workspace).force;
-            }
-        });
-    }
-    for (std::thread& thread : threads) thread.join();
-    for (const double force : forces) CHECK(force == forces[0]);
-}
-
 TEST_CASE("A default-constructed step is not ok", "[transient]") {
     CHECK(AdhesionStep<>{}.status == StepStatus::not_finite);
-}
-
-TEST_CASE("The constructor names the matrix entry that is not finite", "[transient]") {
-    const Contact<double> contact = plane_contact();
-    const Mesh<double> mesh = uniform_mesh<double>(8);
-    InfluenceMatrices<double> matrices = assemble(mesh, halves, StripKernel<double>::longitudinal(contact));
-    matrices.G_prime(2, 5) = -std::numeric_limits<double>::infinity();
-    CHECK_THROWS_WITH(Model(contact, ElementSystem<double>(matrices.G, matrices.G_prime, mesh.widths()), unchecked),
-                      "RollingSystem: G_prime(2, 5) = -inf must be finite (row and column counted from 0)");
-    matrices.G(7, 0) = std::numeric_limits<double>::quiet_NaN();
-    CHECK_THROWS_WITH(Model(contact, ElementSystem<double>(matrices.G, matrices.G_prime, mesh.widths()), unchecked),
-                      "RollingSystem: G(7, 0) = nan must be finite (row and column counted from 0)");
-}
-
-TEST_CASE("A nearly singular G' has a mode that decays slowly even in long steps", "[transient]") {
-    // alphas far outside the range that converges: rcond 3e-12, c11 = 2228 and an eigenvalue of 1.7e-8; by chance the
-    // tractions do not show it
-    const auto solve = []<class Scalar>(Scalar) {
-        const Scalar b = Scalar(2.2168610060715257), nu = Scalar(0.044823330173270809);
-        const Mesh<Scalar> mesh = knothe_mesh<Scalar>(5, Scalar(0.075454283025000526));
-        const Collocation scheme{-1.5365581400890833, 1.5378493630839927, Derivative::analytic, 0.21406187546799224};
-        const InfluenceMatrices<Scalar> matrices = assemble(mesh, scheme, StripKernel<Scalar>(b, 1 - nu, nu));
-        const Response<Scalar> steady = solve_steady<Scalar>(matrices.G_prime, mesh.widths());
-        const AdhesionModel<1, Scalar> model(Contact<Scalar>::dimensionless(b, nu),
-                                             ElementSystem<Scalar>(matrices.G, matrices.G_prime, mesh.widths()),
-                                             unchecked);
-        const auto ratio = [&](Scalar dq) {
-            AdhesionWorkspace<1, Scalar> workspace = model.workspace();
-            AdhesionState<Scalar> now = model.at_rest(), next = now;
-            AdhesionStep<1, Scalar> last;
-            for (int k = 0; k < 4; ++k) {
-                last = model.advance(now, dq, Scalar(1), next, workspace);
-                std::swap(now, next);
-            }
-            return static_cast<double>(-last.force_per_width / steady.c11());
-        };
-        return std::make_tuple(static_cast<double>(steady.c11()), steady.status, static_cast<double>(steady.rcond),
-                               ratio(Scalar(1e9)), ratio(Scalar(1e13)));
-    };
-    const auto [c11, status, rcond, slow, late] = solve(1.0);
-    CAPTURE(c11, rcond, slow, late);
-    // a result with status ok is accurate to eps/rcond
-    const double rounding = std::numeric_limits<double>::epsilon() / rcond;
-    CHECK(status == Status::ok);
-    // 1e9 is 17 times the length of the mode, which leaves 8 % after four steps: an effect of the scheme, not round-off
-    CHECK(std::abs(slow - 0.9218) < 1e-4);
-    CHECK(std::abs(late - 1) < rounding);
-#ifdef ROLLBEM_SLOW_CHECKS
-    const auto [fine_c11, fine_status, fine_rcond, fine_slow, fine_late] = solve(1.0L);
-    CAPTURE(fine_c11, fine_slow, fine_late);
-    CHECK(std::abs(rcond / fine_rcond - 1) < 1e-4);
-    CHECK(std::abs(c11 / fine_c11 - 1) < rounding);
-    CHECK(std::abs(slow / fine_slow - 1) < rounding);
-    CHECK(std::abs(fine_late - 1) < 1e-8);
-#endif
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include <rollbem/compiled/transient.hpp>
 #include <rollbem/normal/hertz_patch_load.hpp>
 
+#include "friction/any_model.hpp"
 #include "support/catch.hpp"
 #include "support/draw.hpp"
 #include "vehicle/creep_force_scene.hpp"
@@ -153,110 +154,47 @@ TEST_CASE("A step to another half-length does not allocate", "[transient]") {
     }
 }
 
-FrictionModel<> make_friction_model(Eigen::Index n, double alpha_L, double alpha_T, Integrator integrator) {
-    const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
-    const Mesh<double> mesh = cosine_mesh<double>(n);
-    const Collocation scheme{.alpha_L = alpha_L, .alpha_T = alpha_T};
-    return {contact,
-            rolling_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact)),
-            unchecked,
-            {0.3, mean_hertz_pressure(mesh)},
-            integrator};
-}
-
-TEST_CASE("A step with friction does not allocate, whatever the size", "[friction]") {
-    struct Case {
-        Eigen::Index n;
-        double alpha_L, alpha_T;
-        int steps;
-    };
-    int fallbacks = 0;
-    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        for (const Case& c : {Case{1, 0.5, 0.5, 200}, Case{40, 0.5, 0.5, 200}, Case{40, 0, 0.5, 200},
-                              Case{100, 0.5, 0.5, 200}, Case{40, 0, 0.63, 200}, Case{200, 0.5, 0.5, 20}}) {
-            const FrictionModel<> model = make_friction_model(c.n, c.alpha_L, c.alpha_T, integrator);
-            FrictionState<> now = model.at_rest(), next = now;
-            FrictionWorkspace<> workspace = model.workspace();
-            bool ok = true;
-            int changes = 0, cheap = 0;
-            const long before = allocations;
-            // zones and dq change from the first step; at the end there are enough unchanged steps for cheap ones
-            for (int k = 0; k < c.steps; ++k) {
-                const FrictionStep<> step =
-                    k >= 130 && k < 198 ? model.advance(now, 0.4, 0.2, next, workspace)
-                    : k % 50 == 49      ? model.shift(now, 0.2, next, workspace)
-                    : c.alpha_L == 0 && k % 50 == 30
-                        ? model.steady(now, 1.5 * 0.3 * 0.95, next, workspace)
-                        : model.advance(now, k % 20 < 15 ? 0.1 : 0.3, (k % 13 - 6) * 0.15, next, workspace);
-                ok = ok && step.status == StepStatus::ok;
-                changes += step.rounds > 2 ? 1 : 0;
-                fallbacks += step.pivots > 0 ? 1 : 0;
-                cheap += now.solver.unchanged_steps > 1 + c.n / 2 ? 1 : 0;
-                std::swap(now, next);
-            }
-            const long after = allocations;
-            CAPTURE(c.n, c.alpha_L, c.alpha_T, name(integrator), changes, cheap);
-            CHECK(ok);
-            CHECK((changes >= (c.steps == 200 ? 15 : 3) || c.n == 1));
-            CHECK((cheap > 5 || c.n > 40 || c.alpha_L == 0));
-            CHECK(after == before);
-        }
-        // rejections and copies do not allocate either
-        const FrictionModel<> model = make_friction_model(300, 0.5, 0.5, integrator);
-        const FrictionState<> now = model.at_rest();
-        FrictionState<> next = now;
-        FrictionWorkspace<> workspace = model.workspace(),
-                            other = make_friction_model(2, 0.5, 0.5, integrator).workspace();
-        const long before = allocations;
-        const bool refused = model.advance(now, 0.1, 1e-9, next, other).status == StepStatus::wrong_state &&
-                             model.advance(now, -0.1, 1e-9, next, workspace).status == StepStatus::invalid_step;
-        next = now;
-        const long after = allocations;
-        CHECK(refused);
-        CHECK(after == before);
+// Heap requests made by `ride` in `steps` of every kind, steady solutions and refusals: a mesh that breathes or a contact
+// that lifts off, creepages that turn, and, in the end, steps in which nothing changes any more.
+long count(any_model::Ride& ride, int steps) {
+    using namespace any_model;
+    const Setup& setup = ride.setup;
+    const double turn = setup.directions == 1 ? 0 : 7;
+    Load load{setup.pressure(), a, setup.pressure()};
+    bool ok = true;
+    const long before = allocations;
+    for (int k = 0; k < steps; ++k) {
+        const Creepage<double> value = creepage(0.15 * (k % 13 - 6), turn * k);
+        load.half_length = setup.strip ? a : a * (1 + 0.01 * std::sin(0.1 * k));
+        if (setup.strip) load.normal_pressure = std::max(0.0, 0.6 + std::sin(0.3 * k)) * load.pressure_rate;
+        const Step step = k % 10 == 9   ? ride.step(0, Motion::shift({a * value.longitudinal, a * value.lateral}))
+                          : k % 10 == 5 ? ride.steady(creepage(1.5 * 0.95), &load)
+                          : k % 3 == 0  ? ride.step(k % 20 < 15 ? 0.1 : 0.3, value, &load)
+                                        : ride.step(0.1, Motion::linear(creepage(0.1), value));
+        ok = ok && step.status == StepStatus::ok;
     }
-    CAPTURE(fallbacks);
-    CHECK(fallbacks >= 4);
+    load.normal_pressure = load.pressure_rate;
+    for (int k = 0; k < steps; ++k) ok = ok && ride.step(0.4, creepage(0.3), &load).status == StepStatus::ok;
+    load.half_length = 3 * a;
+    ok = ok && ride.try_step(0.1, creepage(0.3), &load).status == StepStatus::needs_fixed_mesh;
+    load.normal_pressure[0] = -1;
+    ok = ok && ride.try_step(0.1, creepage(0.3), &load).status == StepStatus::invalid_load;
+    ok = ok && ride.try_step(-0.1, creepage(0.3)).status == StepStatus::invalid_step;
+    return ok ? allocations - before : -1;
 }
 
-TEST_CASE("A step under a varying load does not allocate", "[friction]") {
-    const HertzLine<double> line(
-        {.load_per_width = 1, .combined_radius = 1, .body_1 = {1e3, 0.25}, .body_2 = {1e3, 0.25}});
-    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        for (const bool breathing : {true, false}) {
-            for (const Eigen::Index n : {1, 40, 100}) {
-                const double a = line.half_length() * (breathing ? 1 : 1.5);
-                const Contact<double> contact(
-                    {.half_length = a, .half_width = 100, .shear_modulus = 400, .poisson_ratio = 0.25});
-                const Mesh<double> mesh = cosine_mesh<double>(n);
-                const HertzLoad<double> hertz =
-                    breathing ? HertzLoad<double>::breathing(line, mesh) : HertzLoad<double>::fixed(line, mesh, a);
-                NormalLoad<double> load = hertz.at(1);
-                const FrictionModel<> model(contact,
-                                            rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5},
-                                                           PlaneKernel<double>::longitudinal(contact)),
-                                            unchecked, {0.3, load.normal_pressure}, integrator);
-                FrictionState<> now = model.at_rest(), next = now;
-                FrictionWorkspace<> workspace = model.workspace();
-                bool ok = true;
-                const long before = allocations;
-                for (int k = 0; k < 100; ++k) {
-                    const double P = breathing ? 1 + 0.5 * std::sin(0.3 * k) : std::max(0.0, 0.8 + std::sin(0.3 * k));
-                    ok = hertz.set(P, load) == StepStatus::ok && ok;
-                    const double dq = a * (k % 20 < 15 ? 0.3 : 0.4);
-                    const FrictionStep<> step = model.advance(now, dq, (k % 13 - 6) * 1e-3, load, next, workspace);
-                    ok = ok && step.status == StepStatus::ok;
-                    std::swap(now, next);
-                }
-                ok = ok && model.steady(now, 1e-3, load, next, workspace).status == StepStatus::ok;
-                load.half_length *= 3;
-                ok = ok && model.advance(now, a, 1e-3, load, next, workspace).status == StepStatus::needs_fixed_mesh;
-                load.normal_pressure[0] = -1;
-                ok = ok && model.advance(now, a, 1e-3, load, next, workspace).status == StepStatus::invalid_load;
-                const long after = allocations;
-                CAPTURE(n, breathing, name(integrator));
-                CHECK(ok);
-                CHECK(after == before);
+TEST_CASE("A step with friction does not allocate, whatever the model, the load and the size", "[friction]") {
+    for (any_model::Setup setup : any_model::every_setup_in_time(2e-6)) {
+        for (const Eigen::Index n : {1, 24, 60}) {
+            for (const bool strip : {false, true}) {
+                setup.mesh = cosine_mesh<double>(n);
+                setup.strip = strip;
+                // where the search falls back on longer ways
+                setup.scheme.alpha_L = !setup.falls && n == 24 && strip ? 0 : 0.5;
+                INFO(any_model::words(setup));
+                CAPTURE(n, strip, setup.scheme.alpha_L);
+                any_model::Ride ride(setup);
+                CHECK(count(ride, n == 60 ? 12 : 40) == 0);
             }
         }
     }
@@ -310,121 +248,6 @@ TEST_CASE("A step of a patch of varying size and shape does not allocate", "[fri
     }
 }
 
-TEST_CASE("A step with friction that falls with slip does not allocate, however long the search", "[friction]") {
-    using Law = ExponentialFall<double>;
-    for (const double distance : {0.0, 2e-6}) {
-        for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-            for (const Eigen::Index n : {1, 40, 80}) {
-                const Contact<double> contact(
-                    {.half_length = 4e-3, .half_width = 4, .shear_modulus = 82e9, .poisson_ratio = 0.28});
-                const Mesh<double> mesh = cosine_mesh<double>(n);
-                const PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(contact);
-                const FrictionModel<Law> model(
-                    contact, rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel), unchecked,
-                    {{0.3, 0.18, 0.1}, 495e6 * mean_hertz_pressure(mesh), {distance, 1e-3}}, integrator);
-                FrictionState<> now = model.at_rest(), next = now;
-                FrictionWorkspace<> workspace = model.workspace();
-                NormalLoad<double> load{now.normal_pressure, now.half_length, now.normal_pressure};
-                bool ok = true;
-                int most_rounds = 0;
-                const long before = allocations;
-                for (int k = 0; k < 120; ++k) {
-                    load.half_length = 4e-3 * (1 + 0.01 * std::sin(0.1 * k));
-                    const double dq = k % 40 == 39 ? 0 : 4e-4, duration = 4e-4 / 45, creepage = k < 60 ? 2e-3 : 5e-3;
-                    const auto motion = dq == 0 ? RigidMotion<double>::shift(1e-6) : RigidMotion<double>(creepage);
-                    const FrictionStep<> step = k % 30 == 20 ? model.steady(now, creepage, 45, next, workspace)
-                                                : k % 3 == 0 && dq > 0
-                                                    ? model.advance(now, {dq, duration}, motion, load, next, workspace)
-                                                    : model.advance(now, {dq, duration}, motion, next, workspace);
-                    ok = ok && step.status == StepStatus::ok;
-                    most_rounds = std::max(most_rounds, step.rounds);
-                    std::swap(now, next);
-                }
-                int cheap = 0;  // steps in which nothing changes any more
-                for (int k = 0; k < 120 && distance > 0; ++k) {
-                    const double dq = 0.4 * 4e-3;
-                    const FrictionStep<> step = model.advance(now, {dq, dq / 45}, 1e-3, load, next, workspace);
-                    ok = ok && step.status == StepStatus::ok;
-                    cheap += now.solver.unchanged_steps > 1 + n / 2 ? 1 : 0;
-                    std::swap(now, next);
-                }
-                const long after = allocations;
-                CAPTURE(distance, name(integrator), n, most_rounds, cheap);
-                CHECK(ok);
-                CHECK((cheap > 20 || n > 40 || distance == 0));
-                CHECK((most_rounds > 20 || n == 1));
-                CHECK(after == before);
-            }
-        }
-    }
-}
-
-TEST_CASE("A steady solution with friction does not allocate, even in its fallback", "[friction]") {
-    const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
-    for (const Eigen::Index n : {20, 200}) {
-        const Mesh<double> mesh = cosine_mesh<double>(n);
-        const FrictionModel<> model(
-            contact,
-            steady_system(mesh, Collocation{.alpha_L = 0, .alpha_T = 0.5}, PlaneKernel<double>::longitudinal(contact)),
-            unchecked, {1, mean_hertz_pressure(mesh)});
-        const FrictionState<> rest = model.at_rest();
-        FrictionState<> state = rest;
-        FrictionWorkspace<> workspace = model.workspace();
-        const long before = allocations;
-        const FrictionStep<> point = model.steady(rest, 1.5 * 0.95, state, workspace);
-        const long after = allocations;
-        CAPTURE(n);
-        CHECK(point.status == StepStatus::ok);
-        CHECK((point.pivots > 0 || n != 20));
-        CHECK(after == before);
-    }
-}
-
-TEST_CASE("A step with friction in two directions does not allocate, even in its fallbacks", "[friction]") {
-    struct Case {
-        Eigen::Index n;
-        double alpha_L, alpha_T;
-    };
-    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        int hard = 0;
-        for (const Case& c : {Case{1, 0.5, 0.5}, Case{40, 0.5, 0.5}, Case{40, 0, 0.5}, Case{200, 0.5, 0.5}}) {
-            const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
-            const Mesh<double> mesh = cosine_mesh<double>(c.n);
-            const Collocation scheme{.alpha_L = c.alpha_L, .alpha_T = c.alpha_T};
-            const FrictionModel<ConstantFriction<>, 2> model(
-                contact,
-                {rolling_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact)),
-                 rolling_system(mesh, scheme, PlaneKernel<double>::lateral(contact))},
-                unchecked, {0.3, mean_hertz_pressure(mesh)}, integrator);
-            FrictionState<2> now = model.at_rest(), next = now;
-            const FrictionWorkspace<2> made = model.workspace();
-            FrictionWorkspace<2> workspace = made;  // a copy serves as well
-            NormalLoad<double> load{now.normal_pressure, 1, now.normal_pressure};
-            bool ok = true;
-            const long before = allocations;
-            for (int k = 0; k < (c.n == 200 ? 12 : 80); ++k) {
-                const Creepage<double> creepage{(k % 13 - 6) * 0.08, (k % 7 - 3) * 0.15};
-                const double a = k % 8 < 4 ? 1 + 0.01 * (k % 4) : 1.04 - 0.01 * (k % 4);
-                load.normal_pressure = a * (load.pressure_rate);
-                load.half_length = a;
-                FrictionStep<2> step;
-                if (k % 5 == 4) step = model.steady(now, creepage, load, next, workspace);
-                if (k % 5 == 3) step = model.advance(now, 0.1, creepage, next, workspace);
-                if (k % 5 < 3) step = model.advance(now, 0.1 + 0.1 * (k % 2), creepage, load, next, workspace);
-                ok = ok && step.status == StepStatus::ok;
-                hard += step.rounds > 16 ? 1 : 0;
-                std::swap(now, next);
-            }
-            const long after = allocations;
-            CAPTURE(c.n, c.alpha_L, name(integrator));
-            CHECK(ok);
-            CHECK(after == before);
-        }
-        CAPTURE(name(integrator), hard);
-        CHECK(hard > 0);
-    }
-}
-
 TEST_CASE("The combined solver does not allocate, whether it follows a path or fails", "[friction]") {
     constexpr Eigen::Index n = 6;
     detail::CombinedSolver<double> uncoupled(n), coupled(n, true);
@@ -457,55 +280,6 @@ TEST_CASE("The combined solver does not allocate, whether it follows a path or f
     }
     CHECK(several > 50);
     CHECK(unsolved > 0);
-}
-
-TEST_CASE("Friction that falls with slip in two directions does not allocate, wherever its search leads",
-          "[friction]") {
-    using Law = ExponentialFall<double>;
-    using Motion = RigidMotion<Creepage<double>>;
-    for (const double distance : {0.0, 2e-6}) {
-        for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-            for (const Eigen::Index n : {1, 40, 80}) {
-                const Contact<double> contact(
-                    {.half_length = 4e-3, .half_width = 4, .shear_modulus = 82e9, .poisson_ratio = 0.28});
-                const Mesh<double> mesh = cosine_mesh<double>(n);
-                const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
-                const FrictionModel<Law, 2> model(
-                    contact,
-                    {rolling_system(mesh, scheme, PlaneKernel<double>::longitudinal(contact)),
-                     rolling_system(mesh, scheme, PlaneKernel<double>::lateral(contact))},
-                    unchecked, {{0.3, 0.18, 0.1}, 495e6 * mean_hertz_pressure(mesh), {distance, 1e-3}}, integrator);
-                FrictionState<2> now = model.at_rest(), next = now;
-                FrictionWorkspace<2> workspace = model.workspace();
-                NormalLoad<double> load{now.normal_pressure, now.half_length, now.normal_pressure};
-                bool ok = true;
-                int most_rounds = 0;
-                const long before = allocations;
-                for (int k = 0; k < (n == 80 ? 24 : 60); ++k) {
-                    load.half_length = 4e-3 * (1 + 0.01 * std::sin(0.1 * k));
-                    const double dq = k % 20 == 19 ? 0 : 4e-4, duration = 4e-4 / 45, size = k < 15 ? 2e-3 : 5e-3;
-                    const Creepage<double> creepage{0.8 * size, 0.6 * size};
-                    const Motion motion = dq == 0 ? Motion::shift({1e-6, 1e-6}) : Motion(creepage);
-                    FrictionStep<2> step;
-                    if (k % 15 == 10) {
-                        step = model.steady(now, creepage, 45, next, workspace);
-                    } else if (k % 3 == 0 && dq > 0) {
-                        step = model.advance(now, {dq, duration}, motion, load, next, workspace);
-                    } else {
-                        step = model.advance(now, {dq, duration}, motion, next, workspace);
-                    }
-                    ok = ok && step.status == StepStatus::ok;
-                    most_rounds = std::max(most_rounds, step.rounds);
-                    std::swap(now, next);
-                }
-                const long after = allocations;
-                CAPTURE(distance, name(integrator), n, most_rounds);
-                CHECK(ok);
-                CHECK((most_rounds > 30 || n == 1));
-                CHECK(after == before);
-            }
-        }
-    }
 }
 
 TEST_CASE("A look-up in a table of creep forces does not allocate") {

@@ -544,31 +544,6 @@ TEST_CASE("An impossible half-length gives a status and leaves the target state 
     rigid(Model(contact, system, unchecked, Integrator::matrix_exponential));
 }
 
-TEST_CASE("A breathing state written as text and read again continues bit for bit", "[breathing]") {
-    const Sine a{0.4, 5};
-    const Model model(unit_contact(100), states(9, 100), unchecked);
-    const auto roll = [&](Model::State now, int first, int last) {
-        Model::Workspace workspace = model.workspace();
-        Model::State next = now;
-        for (int k = first; k < last; ++k) {
-            REQUIRE(model.advance(now, 0.05, 1.0, a((k + 1) * 0.05), next, workspace).status == StepStatus::ok);
-            std::swap(now, next);
-        }
-        return now;
-    };
-    const Model::State half = roll(model.at_rest(), 0, 50), whole = roll(half, 50, 100);
-    std::stringstream file;
-    file.precision(std::numeric_limits<double>::max_digits10);
-    for (const double u : half.traction) file << u << '\n';
-    file << half.half_length << ' ' << half.system;
-    Model::State read{VectorXd(9)};
-    for (double& u : read.traction) file >> u;
-    file >> read.half_length >> read.system;
-    const Model::State on = roll(read, 50, 100);
-    CHECK(on.traction == whole.traction);
-    CHECK(on.half_length == whole.half_length);
-}
-
 #ifdef ROLLBEM_SLOW_CHECKS
 TEMPLATE_TEST_CASE("A contact breathes in every scalar type", "[breathing]", SCALARS) {
     using Scalar = TestType;

@@ -46,6 +46,8 @@ struct Setup {
     bool strip = false;   // else the plane kernel
     bool turned = false;  // slip
     bool with_tangents = true;
+    double stiffer = 1;  // G of the system over its own
+    Checks checks = unchecked;
     Law falling = law;
     double constant = law.mu_0;
     double least = least_velocity;
@@ -66,6 +68,7 @@ struct Setup {
     ElementSystem<double> system(bool lateral, bool steady = false) const {
         const auto own =
             steady ? steady_system(mesh, scheme, kernel(lateral)) : rolling_system(mesh, scheme, kernel(lateral));
+        if (stiffer != 1) return {stiffer * own.G(), own.G_prime(), own.weights()};
         return turned ? own : support::unturned(own);
     }
 };
@@ -75,7 +78,7 @@ inline FrictionContact make(const Setup& setup, bool steady = false) {
     const auto of = [&]<class Own>(const Own& own) -> FrictionContact {
         const Friction<Own> friction{own, setup.pressure(), {setup.distance, setup.least}, setup.with_tangents};
         const auto model = [&](const auto& systems) {
-            return FrictionModel(setup.contact(), systems, unchecked, friction, setup.integrator);
+            return FrictionModel(setup.contact(), systems, setup.checks, friction, setup.integrator);
         };
         if (setup.directions == 1) return {model(setup.system(setup.across, steady)), setup.across ? 1 : 0};
         return model(ElementSystem(setup.system(false, steady), setup.system(true, steady)));

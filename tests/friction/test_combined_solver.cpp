@@ -2,17 +2,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <vector>
 
 #include <Eigen/Geometry>
 
-#include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/compiled/friction.hpp>
-#include <rollbem/normal/hertz_ellipse.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
@@ -149,43 +145,6 @@ TEST_CASE("Definite problems are solved, nearly all others too, or their residua
     CHECK(tangents > 900);
 }
 
-TEST_CASE("Problems with a positive definite symmetric part are solved, however skew", "[friction]") {
-    support::Draw draw(2);
-    int several = 0;
-    for (int trial = 0; trial < 2000; ++trial) {
-        const Eigen::Index n = 1 + trial % 24;
-        Problem problem = random_problem(draw, n, Kind::any, trial % 2 == 1);
-        const double skew = draw.decades(0, 1), shift = draw.decades(-3, 0);
-        const auto define = [&](const MatrixX<double>& any) {
-            MatrixX<double> result = shift / 10 * dense::product(any, any.transpose());
-            result += skew * (any - any.transpose());
-            result.diagonal().array() += shift;
-            return result;
-        };
-        if (problem.coupled()) {
-            MatrixX<double> whole(2 * n, 2 * n);
-            whole << problem.x, problem.x_by_y, problem.y_by_x, problem.y;
-            whole = define(whole);
-            problem.x = whole.topLeftCorner(n, n);
-            problem.y = whole.bottomRightCorner(n, n);
-            problem.x_by_y = whole.topRightCorner(n, n);
-            problem.y_by_x = whole.bottomLeftCorner(n, n);
-        } else {
-            problem.x = define(problem.x);
-            problem.y = define(problem.y);
-        }
-        Solver solver(n, problem.coupled());
-        problem.put_into(solver);
-        const auto outcome = problem.solve_from_rest(solver);
-        CAPTURE(trial, n, skew, shift, outcome.rounds, outcome.residual);
-        REQUIRE(outcome.status == StepStatus::ok);
-        REQUIRE(problem.violation(solver.traction()) < 1e-9 * (1 + skew));
-        several += outcome.rounds > 60 ? 1 : 0;
-    }
-    CAPTURE(several);
-    CHECK(several > 100);
-}
-
 TEST_CASE("The solution of a definite problem is that of a plain projected iteration", "[friction]") {
     support::Draw draw(5);
     for (int trial = 0; trial < 200; ++trial) {
@@ -215,40 +174,6 @@ TEST_CASE("The solution of a definite problem is that of a plain projected itera
         CAPTURE(trial, n, change);
         REQUIRE((p - solver.traction()).cwiseAbs().maxCoeff() < 1e-8);
     }
-}
-
-TEST_CASE("A used combined solver gives the same results as a new one", "[friction]") {
-    support::Draw draw(1);
-    const auto integer = [&](int count) { return static_cast<double>(draw.integer(count)); };
-    int singular = 0;
-    for (int trial = 0; trial < 5000; ++trial) {
-        const Eigen::Index n = 2 + trial % 4;
-        const auto entries = [&] {
-            return MatrixX<double>(MatrixX<double>::NullaryExpr(n, n, [&] { return integer(3) - 1; }));
-        };
-        Problem problem{entries(), entries(), ElementVectors<double>(n, 2),
-                        VectorX<double>::NullaryExpr(n, [&] { return integer(3); })};
-        Solver fresh(n), used(n);
-        problem.put_into(fresh);
-        problem.put_into(used);
-        for (const double other : {1e6, 0.3}) {
-            used.constant().setConstant(other);
-            problem.solve_from_rest(used);
-        }
-        problem.constant = ElementVectors<double>::NullaryExpr(n, 2, [&] { return (integer(5) - 2) / 2; });
-        fresh.constant() = used.constant() = problem.constant;
-        const auto first = problem.solve_from_rest(fresh), again = problem.solve_from_rest(used);
-        CAPTURE(trial, n, first.rounds, again.rounds);
-        REQUIRE(first.residual == again.residual);
-        REQUIRE(first.status == again.status);
-        REQUIRE(first.rounds == again.rounds);
-        REQUIRE(fresh.traction() == used.traction());
-        REQUIRE(fresh.slip() == used.slip());
-        REQUIRE(fresh.zones() == used.zones());
-        REQUIRE(first.tangent_exists == again.tangent_exists);
-        if (!first.tangent_exists) ++singular;
-    }
-    CHECK(singular > 10);
 }
 
 TEST_CASE("A leading element without influence on its own slip is solved", "[friction]") {
@@ -346,24 +271,6 @@ TEST_CASE("Turned slip opposes the traction, at the angles of the solution with 
     CHECK(changed > 300);
 }
 
-TEST_CASE("Slip along one line is not turned", "[friction]") {
-    support::Draw draw(4);
-    for (const Eigen::Index n : {Eigen::Index(1), Eigen::Index(9)}) {
-        Problem problem = random_problem(draw, n, Kind::definite);
-        if (n > 1) problem.constant.col(1).setZero();
-        Solver plain(n), solver(n);
-        problem.put_into(plain);
-        problem.put_into(solver);
-        std::vector<Eigen::Index> behind(static_cast<std::size_t>(n));
-        std::iota(behind.begin(), behind.end(), -1);
-        solver.turn_slip(behind);
-        const int rounds = problem.solve_from_rest(plain).rounds;
-        CHECK(problem.solve_from_rest(solver).rounds == rounds);
-        CHECK(solver.traction() == plain.traction());
-        CHECK(solver.slip() == plain.slip());
-    }
-}
-
 TEST_CASE("A Newton step satisfies its equations, however many elements slip", "[friction]") {
     support::Draw draw(6);
     for (int trial = 0; trial < 800; ++trial) {
@@ -442,87 +349,6 @@ TEST_CASE("A Newton step satisfies its equations, however many elements slip", "
                 REQUIRE(std::abs(coupling(i, k) - expected) < 1e-8 * (1 + grown.norm()));
             }
         }
-    }
-}
-
-// An ellipse, G = a = 1, under Hertz's pressure with mu N = 1.
-struct Patch {
-    Patch(double a_over_b, double nu, Eigen::Index n, Eigen::Index m)
-        : mesh(ellipse_mesh<double>(a_over_b, cosine_mesh(n), cosine_mesh(m))),
-          system(rolling_system(mesh, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(nu))),
-          bound(system.elements().areas.size()) {
-        for (Eigen::Index i = 0; i < size(); ++i) {
-            const Eigen::Index j = i / n, k = i % n;
-            const auto x = [&](Eigen::Index edge) { return mesh.half_lengths()[j] * mesh.along().edges()[edge]; };
-            const auto y = [&](Eigen::Index edge) { return mesh.edges()[edge] * a_over_b; };
-            const Rectangle<double> element{x(k), x(k + 1), y(j), y(j + 1)};
-            bound[i] = detail::integrate_hemisphere(element)[0] / system.elements().areas[i];
-        }
-        bound /= bound.dot(system.elements().areas.matrix());
-    }
-    Eigen::Index size() const { return bound.size(); }
-
-    PatchMesh<double> mesh;
-    ElementSystem<double, 2> system;
-    VectorX<double> bound;
-};
-
-// Steady rolling from rest.
-Solver::Outcome roll(const Patch& patch, Solver& solver, double creepage, double lateral, double spin) {
-    for (const std::size_t d : {0, 1}) {
-        solver.new_matrix(d) = -patch.system.G_prime(d, d);
-        if (!solver.coupled()) continue;
-        solver.new_matrix(d, 1 - d).setZero(patch.size(), patch.size());
-        if (patch.system.coupled()) solver.new_matrix(d, 1 - d) = -patch.system.G_prime(d, 1 - d);
-    }
-    solver.constant().col(0) = creepage - spin * patch.system.elements().y;
-    solver.constant().col(1) = lateral + spin * patch.system.elements().x;
-    return solver.solve(patch.bound, {ElementVectors<double>::Zero(patch.size(), 2), all_stick(patch.size())});
-}
-
-TEST_CASE("Directions that are coupled by zeros give what uncoupled ones give", "[friction]") {
-    const Patch patch(1.5, 0, 6, 5);
-    for (const bool turned : {false, true}) {
-        for (const double level : {0.1, 0.3, 1.0}) {
-            Solver coupled(30, true), uncoupled(30);
-            for (Solver* solver : {&coupled, &uncoupled}) {
-                if (turned) solver->turn_slip(patch.system.elements().behind);
-                const auto outcome = roll(patch, *solver, 0.2 * level, -0.3 * level, 0.4 * level);
-                CAPTURE(turned, level, outcome.rounds, outcome.residual);
-                REQUIRE(outcome.status == StepStatus::ok);
-            }
-            CHECK(coupled.stick_count() > 0);
-            CHECK(coupled.zones() == uncoupled.zones());
-            CHECK((coupled.traction() - uncoupled.traction()).cwiseAbs().maxCoeff() < 1e-9);
-            CHECK((coupled.slip() - uncoupled.slip()).cwiseAbs().maxCoeff() < 1e-9);
-        }
-    }
-}
-
-// Limits of -F_x, -F_y over mu N of a circle at nu = 0.28, extrapolated from 16 x 16 and 32 x 32 elements and confirmed
-// by CONTACT on finer and finer grids.
-TEST_CASE("Forces of a patch converge to those of CONTACT", "[friction]") {
-    struct Case {
-        bool creeps, drifts, spins;
-        double level, x, y, tolerance;
-    };
-    const Patch patch(1, 0.28, 8, 8);
-    const VectorX<double> areas = patch.system.elements().areas;
-    Solver solver(64, true);
-    solver.turn_slip(patch.system.elements().behind);
-    for (const Case& c :
-         {Case{true, false, false, 0.4, 0.35294, 0, 9e-3}, Case{true, false, false, 1, 0.72065, 0, 9e-3},
-          Case{false, true, false, 1, 0, 0.71638, 9e-3}, Case{true, true, false, 2.5, 0.68261, 0.72987, 3e-3},
-          Case{true, true, true, 0.4, 0.18327, 0.41848, 9e-3}, Case{true, true, true, 1, 0.30871, 0.78900, 9e-3},
-          Case{false, false, true, 0.4, 0, 0.37446, 1e-2}, Case{false, false, true, 2.5, 0, 0.38034, 4.7e-2}}) {
-        const double share = c.level / std::sqrt(c.creeps + c.drifts + c.spins);
-        const auto outcome = roll(patch, solver, c.creeps ? share / 4.2262 : 0, c.drifts ? share / 3.7049 : 0,
-                                  c.spins ? share / 1.4881 : 0);
-        CAPTURE(c.creeps, c.drifts, c.spins, c.level, outcome.rounds, outcome.residual);
-        REQUIRE(outcome.status == StepStatus::ok);
-        CHECK(std::abs(-areas.dot(solver.traction().col(0)) - c.x) < c.tolerance);
-        CHECK(std::abs(-areas.dot(solver.traction().col(1)) - c.y) < c.tolerance);
-        CHECK(outcome.rounds <= 15);
     }
 }
 

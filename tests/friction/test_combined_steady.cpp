@@ -64,43 +64,6 @@ TEST_CASE("Steady forces under both creepages agree with two other programs", "[
     }
 }
 
-TEST_CASE("c22 is the lateral force of friction far below its bound", "[friction]") {
-    const Contact<double> contact = Contact<double>::dimensionless(2, 0.28);
-    const Mesh<double> mesh = cosine_mesh(20);
-    const Friction<> grip{1e6, ArrayX<double>::Ones(20)};
-    const Model model(contact,
-                      {steady_system(mesh, Collocation{}, StripKernel<double>::longitudinal(contact)),
-                       steady_system(mesh, Collocation{}, StripKernel<double>::lateral(contact))},
-                      grip);
-    auto workspace = model.workspace();
-    auto now = model.at_rest(), next = model.at_rest();
-    const auto step = model.steady(now, {.longitudinal = 1e-3, .lateral = 2e-3}, next, workspace);
-    REQUIRE(step.status == StepStatus::ok);
-    const auto across = solve_steady(mesh, Collocation{}, StripKernel<double>::lateral(contact));
-    CHECK(std::abs(step.force.lateral / creep_force(contact, across, 2e-3) - 1) < 1e-12);
-    const auto along = solve_steady(mesh, Collocation{}, StripKernel<double>::longitudinal(contact));
-    CHECK(std::abs(step.force.longitudinal / creep_force(contact, along, 1e-3) - 1) < 1e-12);
-    CHECK(across.c11() < 0.99 * along.c11());
-}
-
-TEST_CASE("Exchanging kernels and creepages exchanges the forces", "[friction]") {
-    const Scene scene(cosine_mesh<double>(24));
-    const Model model = scene.steady();
-    const Model swapped = scene.steady(scene.lateral, scene.longitudinal, scene.friction);
-    for (const double ratio : {0.2, 0.6, 0.95, 1.05, 4.0}) {
-        for (const double degrees : {10.0, 45.0, 77.0, 120.0}) {
-            const Creepage<double> creepage = scene.creepage(ratio, degrees);
-            const Step one = from_scratch(model, creepage);
-            const Step other = from_scratch(swapped, {creepage.lateral, creepage.longitudinal});
-            CAPTURE(ratio, degrees);
-            CHECK(std::abs(one.force.longitudinal - other.force.lateral) < 1e-12 * full_force * scene.contact.width());
-            CHECK(std::abs(one.force.lateral - other.force.longitudinal) < 1e-12 * full_force * scene.contact.width());
-            CHECK(std::abs(one.tangent.by_lateral.longitudinal - other.tangent.by_longitudinal.lateral) <
-                  1e-9 * scene.contact.width());
-        }
-    }
-}
-
 TEST_CASE("Schemes for which the search is difficult are solved", "[friction]") {
     // With alpha = 0 at the leading edge that element has no influence on its own slip, and near full sliding plain
     // Newton steps cycle.
@@ -126,21 +89,6 @@ TEST_CASE("Schemes for which the search is difficult are solved", "[friction]") 
     CHECK(hard > 5);
 }
 
-TEST_CASE("Slip work equals the power lost by the rigid bodies to second order", "[friction]") {
-    std::vector<double> counts, errors;
-    for (const Eigen::Index n : {20, 40, 80}) {
-        const Scene scene(cosine_mesh<double>(n));
-        const Creepage<double> creepage = scene.creepage(0.5, 40);
-        const Step step = from_scratch(scene.steady(), creepage);
-        const double lost = -step.force.longitudinal * creepage.longitudinal - step.force.lateral * creepage.lateral;
-        counts.push_back(static_cast<double>(n));
-        errors.push_back(step.slip_work / lost - 1);
-    }
-    CAPTURE(errors);
-    CHECK(std::abs(errors[0]) < 1.1e-2);
-    CHECK(std::abs(support::observed_order(counts, errors) - 2) < 0.15);
-}
-
 TEST_CASE("No friction, and elements without pressure, are solved", "[friction]") {
     const Scene scene(cosine_mesh<double>(12));
     const Model smooth = scene.steady(scene.longitudinal, scene.lateral, {0, scene.friction.normal_pressure});
@@ -159,39 +107,6 @@ TEST_CASE("No friction, and elements without pressure, are solved", "[friction]"
     CHECK(step.status == StepStatus::ok);
     CHECK(state.traction.middleRows(4, 3).isZero(0));
     CHECK(step.stick_count > 0);
-}
-
-TEST_CASE("Invalid matrices of two directions are rejected", "[friction]") {
-    const Scene scene(cosine_mesh<double>(8));
-    const Model model = scene.steady();
-    const MatrixX<double> G_prime = assemble_G_prime(scene.mesh, scene.scheme, scene.longitudinal);
-    const ArrayX<double> widths = scene.mesh.widths();
-    const auto build = [&](const MatrixX<double>& x, const MatrixX<double>& y, const ArrayX<double>& w) {
-        return refusal([&] {
-            FrictionModel<ConstantFriction<>, 2>(scene.contact, {{{}, x, w}, {{}, y, w}}, scene.friction);
-        });
-    };
-    CHECK(build(G_prime, G_prime, widths) == "");
-    CHECK(build(G_prime, G_prime.topRows(7), widths) ==
-          "RollingSystem: number of rows of G_prime = 7 must equal the number of weights");
-    CHECK(build(G_prime.leftCols(7), G_prime, widths) ==
-          "RollingSystem: number of columns of G_prime = 7 must equal the number of weights");
-    MatrixX<double> broken = G_prime;
-    broken(2, 3) = std::numeric_limits<double>::quiet_NaN();
-    CHECK(build(G_prime, broken, widths) ==
-          "RollingSystem: G_prime(2, 3) = nan must be finite (row and column counted from 0)");
-    CHECK(build(G_prime, G_prime, -widths) != "");
-    CHECK(refusal([&] {
-              scene.steady(scene.longitudinal, scene.lateral, {-1, scene.friction.normal_pressure});
-          }) == "FrictionModel: friction_coefficient = -1 must be finite and not negative");
-    CHECK(refusal([&] { scene.steady(scene.longitudinal, PlaneKernel<double>(10, 1, -0.28), scene.friction); }) != "");
-
-    State next = model.at_rest();
-    Workspace workspace = model.workspace();
-    const Step huge = model.steady(model.at_rest(), {1e300, -1e300}, next, workspace);
-    CHECK(huge.status == StepStatus::ok);
-    CHECK(ratios(huge, scene.contact).longitudinal == Approx(std::sqrt(0.5)));
-    CHECK(ratios(huge, scene.contact).lateral == Approx(-std::sqrt(0.5)));
 }
 
 TEST_CASE("Directions that do not belong together, or one of which grows, are refused", "[friction]") {

@@ -99,6 +99,42 @@ TEST_CASE("Results depend on state and arguments alone, to the last bit", "[fric
     }
 }
 
+TEST_CASE("Long runs in which nothing changes do not depend on the workspace, and are cheap", "[friction]") {
+    for (Setup setup : every_setup_in_time(10e-6)) {
+        if (setup.falls && setup.distance == 0 && setup.integrator == Integrator::sdirk2) continue;  // does not settle
+        INFO(words(setup));
+        setup.mesh = cosine_mesh<double>(16);
+        Ride ride(setup);
+        for (int k = 0; k < 1000; ++k) ride.step(0.2, creepage(0.4, 20));
+        State alone = ride.now;
+        Draw draw(4);
+        int settled = 0, cut_short = 0;
+        for (int k = 0; k < 300; ++k) {
+            // interrupted by another creepage, distance or shift, and by trials that are thrown away
+            const double ratio = k == 150 ? 0.15 : 0.4, dq = k % 100 < 80 ? 0.2 : 0.1;
+            const Motion motion = k == 220 ? shift(0.3, 20) : Motion(creepage(ratio, 20));
+            const Travel<double> travel = Ride::travel(k == 220 ? 0 : dq);
+            if (draw.one_in(6)) Task::any(draw, setup, a).run(ride.model, ride.now, ride.next, ride.own);
+            Workspace fresh = ride.model.workspace();
+            const Step found = ride.model.advance(ride.now, travel, motion, ride.next, ride.own);
+            const Step expected = ride.model.advance(ride.now, travel, motion, alone, fresh);
+            CAPTURE(k, found.rounds);
+            REQUIRE(found.status == StepStatus::ok);
+            REQUIRE(same(found, expected));
+            REQUIRE(same(ride.next, alone));
+            REQUIRE(same(ride.own.slip(), fresh.slip()));
+            REQUIRE(same(ride.own.slip_work(), fresh.slip_work()));
+            const int stages = setup.integrator == Integrator::sdirk2 ? 2 : 1;
+            settled += found.rounds <= stages ? 1 : 0;
+            cut_short += ride.next.zones != ride.now.zones ? 1 : 0;
+            ride.accept();
+        }
+        CAPTURE(settled, cut_short);
+        CHECK((settled >= 80 || setup.directions == 2));
+        CHECK((cut_short > 0 || setup.directions == 2));
+    }
+}
+
 TEST_CASE("A constant load gives bit for bit the same steps as no load", "[friction]") {
     for (Setup setup : every_setup_in_time()) {
         for (const bool strip : {false, true}) {

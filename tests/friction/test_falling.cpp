@@ -229,32 +229,6 @@ TEST_CASE("A memory needs the points of the equations", "[friction]") {
     CHECK_NOTHROW(both());
 }
 
-TEST_CASE("A law that is no number in between is not overlooked", "[friction]") {
-    const AnyLaw gap = [](double v) { return v > 0.02 && v < 0.04 ? std::numeric_limits<double>::quiet_NaN() : 0.3; };
-    const Scene scene(cosine_mesh<double>(40));
-    const FrictionModel<AnyLaw> model(scene.contact, scene.system(), unchecked, {gap, scene.pressure()},
-                                      Integrator::implicit_euler);
-    auto workspace = model.workspace();
-    State now = model.at_rest(), next = now;
-    const double dq = 0.05 * a, duration = dq / speed;
-    int solved = 0, failed = 0;
-    for (int point = 1; point <= 10; ++point) {
-        now = model.at_rest();
-        for (int k = 0; k < 15; ++k) {
-            if (model.advance(now, {dq, duration}, 5e-3 * point, next, workspace).status != StepStatus::ok) {
-                ++failed;
-                break;
-            }
-            const ArrayX<double> velocity = workspace.slip().array().abs() / duration;
-            CHECK_FALSE((velocity > 0.02 && velocity < 0.04).any());
-            ++solved;
-            std::swap(now, next);
-        }
-    }
-    CHECK(solved > 0);
-    CHECK(failed > 0);
-}
-
 TEST_CASE("A law may rise from nothing", "[friction]") {
     const AnyLaw rising = [](double v) { return std::min(0.3, v); };
     const Scene scene(cosine_mesh<double>(40));

@@ -112,32 +112,6 @@ TEST_CASE("A solution is found if all elements are alike", "[friction]") {
     CHECK(unsolved <= 2);
 }
 
-TEST_CASE("Results of a solver do not depend on earlier problems, singular matrices included", "[friction]") {
-    support::Draw draw(1);
-    const auto integer = [&](int count) { return static_cast<double>(draw.integer(count)); };
-    int singular = 0;
-    for (int trial = 0; trial < 20000; ++trial) {
-        const Eigen::Index n = 3 + trial % 3;
-        const MatrixX<double> matrix = MatrixX<double>::NullaryExpr(n, n, [&] { return integer(3) - 1; });
-        const VectorX<double> bound = VectorX<double>::NullaryExpr(n, [&] { return integer(3); });
-        const VectorX<double> constant = VectorX<double>::NullaryExpr(n, [&] { return (integer(5) - 2) / 2; });
-        if (bound.isZero(0)) continue;
-        const std::vector<Zone> stick(static_cast<std::size_t>(n), Zone::stick);
-        detail::ActiveSet<double> fresh(n), used(n);
-        fresh.new_matrix() = used.new_matrix() = matrix;
-        used.constant().setConstant(1e6);
-        used.solve(bound, stick);
-        fresh.constant() = used.constant() = constant;
-        const auto first = fresh.solve(bound, stick), again = used.solve(bound, stick);
-        CAPTURE(trial, n, first.pivots);
-        REQUIRE(first.residual == again.residual);
-        REQUIRE(first.status == again.status);
-        REQUIRE(fresh.traction() == used.traction());
-        if (!first.tangent_exists) ++singular;
-    }
-    CHECK(singular > 10);
-}
-
 TEST_CASE("The transform satisfies the equations or is replaced by them", "[friction]") {
     // diagonals for which elimination without pivoting is accurate, fair and poor
     support::Draw draw(3);

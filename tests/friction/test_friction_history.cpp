@@ -12,7 +12,6 @@
 #include "friction/same_bits.hpp"
 #include "scene.hpp"
 #include "support/catch.hpp"
-#include "support/draw.hpp"
 
 namespace friction_tests {
 namespace {
@@ -20,110 +19,8 @@ namespace {
 using State = FrictionState<>;
 using Step = FrictionStep<>;
 using Workspace = FrictionWorkspace<>;
-using Motion = RigidMotion<double>;
 using Catch::Matchers::ContainsSubstring;
 using same_bits::same;
-using support::Draw;
-
-// A step or a steady solution.
-struct Task {
-    int kind;  // 0 to 2: a step, 3: a rigid shift, 4: a steady solution
-    double dq, start, end;
-
-    static Task any(Draw& random) {
-        constexpr double lengths[] = {0.05, 0.1, 0.1, 0.1 * (1 + 1e-9), 0.4, 1, 1e-9, 1e6};
-        const double size = random.integer(10) == 0 ? 1e-4 : 1.6;
-        return {random.integer(5), lengths[random.integer(8)], creepage(random.uniform(-size, size)),
-                creepage(random.uniform(-size, size))};
-    }
-    Step run(const FrictionModel<>& model, const State& from, State& to, Workspace& workspace) const {
-        if (kind == 4) return model.steady(from, end, to, workspace);
-        if (kind == 3) return model.shift(from, end, to, workspace);
-        return model.advance(from, dq,
-                             kind == 0   ? Motion(end)
-                             : kind == 1 ? Motion::linear(start, end)
-                                         : Motion::shift(dq < 1e3 ? dq * end : end),
-                             to, workspace);
-    }
-};
-
-constexpr Collocation schemes[] = {half, {.alpha_L = 0, .alpha_T = 0.5}, {.alpha_L = 0, .alpha_T = 0.63}};
-
-TEST_CASE("Rejected steps, checkpoints and contacts in turn do not change results", "[friction]") {
-    for (const Collocation& scheme : schemes) {
-        for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-            const FrictionModel<> model = Scene(cosine_mesh<double>(18), scheme, 1, 10).transient(integrator);
-            const auto ride = [&](bool disturbed) {
-                Draw random(2), noise(3);
-                std::vector<State> now(3, model.at_rest()), next = now;
-                std::vector<Workspace> workspaces(3, model.workspace());
-                for (int k = 0; k < 240; ++k) {
-                    const std::size_t who = static_cast<std::size_t>(k % 3);
-                    const Task task = Task::any(random);
-                    if (disturbed) {
-                        // discarded trials of other lengths, a rejected step, and a state restored from its copy
-                        for (int trial = noise.integer(4); trial > 0; --trial) {
-                            Task::any(noise).run(model, now[who], next[who], workspaces[who]);
-                        }
-                        model.advance(now[who], -1.0, 0.0, next[who], workspaces[who]);
-                        const State checkpoint = now[who];
-                        now[who] = model.at_rest();
-                        now[who] = checkpoint;
-                    }
-                    // contact 0 alone, or all three, each with its own workspace
-                    if (disturbed || who == 0) task.run(model, now[who], next[who], workspaces[who]);
-                    if (disturbed || who == 0) std::swap(now[who], next[who]);
-                }
-                return now[0];
-            };
-            CAPTURE(scheme.alpha_L, scheme.alpha_T, name(integrator));
-            const State undisturbed = ride(false);
-            CHECK(undisturbed.traction.cwiseAbs().maxCoeff() > 0);
-            CHECK(same(ride(true), undisturbed));
-        }
-    }
-}
-
-TEST_CASE("Long runs without a change of zones do not depend on the workspace", "[friction]") {
-    constexpr Eigen::Index n = 18;
-    const Scene scene(cosine_mesh<double>(n), half, 1, 10);
-    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        const FrictionModel<> model = scene.transient(integrator);
-        Draw random(4);
-        State now = model.at_rest(), next = now, alone = now, thrown_away = now;
-        Workspace used = model.workspace();
-        int cheap = 0, cut_short = 0, checked = 0;
-        for (int k = 0; k < 1500; ++k) {
-            // long runs at one creepage, interrupted by other creepages, other distances and shifts
-            const double xi = creepage(k % 300 < 150 ? 0.6 : -0.3 + 1e-4 * std::sin(k));
-            const double dq = k % 300 < 80 ? 0.1 : 0.2;
-            const auto step = [&](State& to, Workspace& workspace) {
-                return k % 290 == 200 ? model.shift(now, 0.1 * peak, to, workspace)
-                                      : model.advance(now, dq, xi, to, workspace);
-            };
-            if (random.integer(6) == 0) Task::any(random).run(model, now, thrown_away, used);
-            Workspace fresh = model.workspace();
-            const Step found = step(next, used), expected = step(alone, fresh);
-            CAPTURE(name(integrator), k, now.solver.unchanged_steps);
-            REQUIRE(found.status == StepStatus::ok);
-            REQUIRE(same(found, expected));
-            REQUIRE(same(next, alone));
-            REQUIRE(same(used.slip(), fresh.slip()));
-            REQUIRE(same(used.slip_work(), fresh.slip_work()));
-            const bool is_cheap = now.solver.unchanged_steps > n / 2;
-            cheap += is_cheap ? 1 : 0;
-            cut_short +=
-                is_cheap && next.solver.unchanged_steps < now.solver.unchanged_steps && next.zones != now.zones ? 1 : 0;
-            checked +=
-                is_cheap && next.solver.unchanged_steps < now.solver.unchanged_steps && next.zones == now.zones ? 1 : 0;
-            std::swap(now, next);
-        }
-        CAPTURE(name(integrator), cheap, cut_short, checked);
-        CHECK(cheap > 700);
-        CHECK(cut_short > 5);
-        CHECK(checked > 5);
-    }
-}
 
 TEST_CASE("Invalid counts in a state do not change the solution", "[friction]") {
     const Scene scene(cosine_mesh<double>(20), half, 1, 10);

@@ -81,24 +81,6 @@ TEST_CASE("The half-length that a mesh is made for does not change the physics",
     }
 }
 
-TEST_CASE("Ready matrices and Galerkin's method know a single half-length", "[friction][load]") {
-    const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(12));
-    const ElementSystem<double> system = scene.system();
-    for (const ElementSystem<double>& single :
-         {ElementSystem<double>(system.G(), system.G_prime(), system.weights()),
-          rolling_system(scene.mesh, Galerkin{.alpha_L = 0.5, .alpha_T = 0.5}, scene.kernel)}) {
-        const FrictionModel<> model(scene.contact, single, unchecked, scene.law());
-        Workspace workspace = model.workspace();
-        State next = model.at_rest();
-        Load load = scene.hertz.at(full_force);
-        CHECK(model.advance(model.at_rest(), 0.1, 1e-4, load, next, workspace).status == StepStatus::ok);
-        load.half_length = 1.01;
-        const Step step = model.advance(model.at_rest(), 0.1, 1e-4, load, next, workspace);
-        CHECK(step.status == StepStatus::needs_fixed_mesh);
-        CHECK(next.half_length == 1);
-    }
-}
-
 TEST_CASE("A contact does not grow to where the plane kernel is unstable", "[friction][load]") {
     const double b = 0.4, along = 4 * b * std::exp(load_nu / (1 - load_nu)), across = 4 * b * std::exp(-load_nu);
     const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(12), b);
@@ -122,31 +104,6 @@ TEST_CASE("A contact does not grow to where the plane kernel is unstable", "[fri
     check(FrictionModel<>(scene.contact, scene.system(), unchecked, scene.law()), along, 1e-4);
     check(FrictionModel(scene.contact, ElementSystem<double, 2>(scene.system(), lateral), unchecked, scene.law()),
           across, Creepage<double>{1e-4, 1e-4});
-}
-
-TEST_CASE("A state belongs to the model with the pressure of its first load", "[friction][load]") {
-    // a model of another pressure would continue under that of the state: the status reports it
-    LoadScene scene = LoadScene::breathing(cosine_mesh<double>(10));
-    const FrictionModel<> model = scene.model();
-    Friction<> law = scene.law();
-    law.normal_pressure *= 1.1;
-    const FrictionModel<> pressed(scene.contact, scene.system(), unchecked, law);
-    State next = model.at_rest();
-    Workspace workspace = model.workspace();
-    CHECK(pressed.advance(model.at_rest(), 0.1, 1e-4, next, workspace).status == StepStatus::wrong_state);
-    CHECK(pressed.shift(model.at_rest(), 1e-4, next, workspace).status == StepStatus::wrong_state);
-    // likewise a model of the contact under a larger load
-    const LoadScene larger = LoadScene::breathing(scene.mesh, 1100, 1.1);
-    CHECK(larger.model().advance(model.at_rest(), 0.1, 1e-4, next, workspace).status == StepStatus::wrong_state);
-    CHECK(larger.model().steady(model.at_rest(), 1e-4, next, workspace).status == StepStatus::wrong_state);
-    // the force of a state refers to its own half-length
-    REQUIRE(model.steady(model.at_rest(), 1e-4, scene.hertz.at(1.21 * full_force), next, workspace).status ==
-            StepStatus::ok);
-    CHECK(next.half_length == Approx(1.1).epsilon(1e-14));
-    CHECK(model.force(next) == Approx(2000 * 1.1 * scene.mesh.widths().matrix().dot(next.traction)).epsilon(1e-14));
-    // the coefficient of friction may change
-    scene.mu = 0.5;
-    CHECK(scene.model().advance(model.at_rest(), 0.1, 1e-4, next, workspace).status == StepStatus::ok);
 }
 
 }  // namespace

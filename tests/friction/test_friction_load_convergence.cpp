@@ -87,36 +87,6 @@ TEST_CASE("Forces on a fixed mesh converge to the same limit at first order", "[
     CHECK(order < 1.1);
 }
 
-TEST_CASE("Steps under a varying load converge in dq at the order of their integrator", "[friction][load]") {
-    // steps of 0.2 / 2^k, from the smallest contact, where the half-length is momentarily constant
-    struct Case {
-        double mu;
-        Integrator integrator;
-        double first, last;  // largest errors over one period
-        double low, high;    // band of the order
-    };
-    const SineLoad sine{.phase = 3 * std::numbers::pi / 2};
-    for (const Case& expected : {Case{1e6, Integrator::implicit_euler, 3.7e-3, 2.4e-4, 0.95, 1.05},
-                                 Case{1e6, Integrator::sdirk2, 9e-5, 3.6e-7, 1.95, 2.05},
-                                 Case{1, Integrator::implicit_euler, 4.4e-3, 2.9e-4, 0.9, 1.1},
-                                 Case{1, Integrator::sdirk2, 6.5e-4, 2.7e-6, 1.8, 2.6}}) {
-        LoadScene scene = LoadScene::breathing(cosine_mesh<double>(20));
-        scene.mu = expected.mu;
-        const std::vector<double> fine = roll(scene, sine, 8, 40 * 256, Integrator::sdirk2);
-        std::vector<double> counts, errors;
-        for (int k = 0; k < 5; ++k) {
-            counts.push_back(40 << k);
-            errors.push_back(largest_difference(roll(scene, sine, 8, 40 << k, expected.integrator), fine, 256u >> k));
-        }
-        const double order = support::observed_order(counts, errors);
-        CAPTURE(expected.mu, name(expected.integrator), errors[0], errors[2], errors[4], order);
-        CHECK(errors[0] < expected.first);
-        CHECK(errors[4] < expected.last);
-        CHECK(order > expected.low);
-        CHECK(order < expected.high);
-    }
-}
-
 TEST_CASE("Under a slowly varying load, the force follows Carter's solution", "[friction][load]") {
     std::vector<double> lengths, differences;
     for (const double L : {8.0, 40.0, 200.0, 1000.0}) {

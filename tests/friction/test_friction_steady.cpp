@@ -151,32 +151,5 @@ TEST_CASE("Results are totals over the width, or per metre where it is infinite"
     }
 }
 
-TEST_CASE("A creep curve is concave, has the right tangents and does not depend on warm starts", "[friction]") {
-    const Scene scene(cosine_mesh<double>(40));
-    const FrictionModel<> model = scene.steady();
-    FrictionState<> now = model.at_rest(), next = now;
-    FrictionWorkspace<> workspace = model.workspace();
-    double force_before = 0, slope_before = std::numeric_limits<double>::infinity();
-    for (int k = 1; k <= 120; ++k) {
-        const double xi = creepage(0.01 * k);
-        const FrictionStep<> point = model.steady(now, xi, next, workspace);
-        std::swap(now, next);
-        CAPTURE(k);
-        CHECK(point.force == Approx(from_scratch(model, xi).force).epsilon(1e-12));
-        const double slope = (point.force - force_before) / creepage(0.01);
-        CHECK(slope <= 1e-9);  // the force opposes the creepage and grows ever more slowly
-        CHECK(-slope <= slope_before + 1e-9);
-        force_before = point.force;
-        slope_before = -slope;
-        // the curve of a mesh is piecewise straight: a difference quotient that crosses no kink is exact
-        const double delta = 1e-7 * peak;
-        const FrictionStep<> above = from_scratch(model, xi + delta), below = from_scratch(model, xi - delta);
-        if (above.stick_count == below.stick_count) {
-            const double quotient = (above.force - below.force) / (2 * delta);
-            CHECK(point.tangent == Approx(quotient).epsilon(1e-6).margin(1e-7));
-        }
-    }
-}
-
 }  // namespace
 }  // namespace friction_tests

@@ -218,55 +218,6 @@ TEST_CASE("patch_load: without slip friction is full adhesion, while size and sh
     }
 }
 
-TEST_CASE("patch_load: tangents of friction by creepages, load and semi-axes") {
-    const Scene scene(1, 6);
-    for (const bool single : {true, false}) {
-        for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-            CAPTURE(single, name(integrator));
-            const Model model = scene.model(single ? scene.breathing() : shapes().system(1), integrator);
-            auto workspace = model.workspace();
-            auto from = model.at_rest(), to = from;
-            NormalLoad<double> load{1.1 * from.normal_pressure, 1.04 * a_0, 0.7 * from.normal_pressure, 1.04 * a_0};
-            REQUIRE(model.advance(from, 0.3 * a_0, scene.creepage, load, to, workspace).status == StepStatus::ok);
-            std::swap(from, to);
-            load.half_length = 1.1 * a_0;
-            load.half_width = single ? 1.1 * a_0 : 0.98 * a_0;
-            const auto at = [&](double by_spin, double by_load, double by_a, double by_b) {
-                Creepage<double> creepage = scene.creepage;
-                creepage.spin += by_spin;
-                NormalLoad<double> changed = load;
-                changed.normal_pressure += by_load * load.pressure_rate;
-                changed.half_length += by_a;
-                changed.half_width += by_b;
-                return model.advance(from, 0.3 * a_0, creepage, changed, to, workspace);
-            };
-            const auto step = at(0, 0, 0, 0);
-            REQUIRE(step.status == StepStatus::ok);
-            REQUIRE(step.stick_count > 5);
-            REQUIRE(step.stick_count < 31);
-            const auto check = [&](const TangentialForce<double>& tangent, const auto& plus, const auto& minus,
-                                   double h) {
-                const auto scale = std::abs(tangent.longitudinal) + std::abs(tangent.lateral);
-                const auto one = plus.force, two = minus.force;
-                CHECK(tangent.longitudinal ==
-                      Approx((one.longitudinal - two.longitudinal) / (2 * h)).margin(2e-5 * scale));
-                CHECK(tangent.lateral == Approx((one.lateral - two.lateral) / (2 * h)).margin(2e-5 * scale));
-                CHECK(tangent.moment == Approx((one.moment - two.moment) / (2 * h)).margin(2e-5 * scale * a_0));
-            };
-            const double h = 1e-5, d = h * a_0;
-            check(step.tangent.by_spin, at(h, 0, 0, 0), at(-h, 0, 0, 0), h);
-            check(step.tangent_by_load, at(0, h, 0, 0), at(0, -h, 0, 0), h);
-            if (single) {
-                check(step.tangent_by_half_length, at(0, 0, d, d), at(0, 0, -d, -d), d);
-                CHECK(step.tangent_by_half_width.longitudinal == 0);
-            } else {
-                check(step.tangent_by_half_length, at(0, 0, d, 0), at(0, 0, -d, 0), d);
-                check(step.tangent_by_half_width, at(0, 0, 0, d), at(0, 0, 0, -d), d);
-            }
-        }
-    }
-}
-
 TEST_CASE("patch_load: work becomes heat or elastic energy while size and shape vary") {
     for (const Eigen::Index n : {6, 9}) {
         const Scene scene(1, n);

@@ -81,41 +81,6 @@ TEST_CASE("The slip is taken as it is without points, with a single one, or wher
     }
 }
 
-TEST_CASE("The slip work of steady rolling converges at second order", "[friction]") {
-    struct Expected {
-        double ratio;
-        std::vector<double> errors;  // against -F xi of the same mesh, n = 20, 40, 80, 160
-    };
-    for (const Expected& expected :
-         {Expected{0.2, {2.3e-2, 6.1e-3, 1.5e-3, 3.8e-4}}, Expected{0.5, {6.2e-3, 1.5e-3, 3.8e-4, 9.6e-5}},
-          Expected{0.8, {2.1e-3, 5.0e-4, 1.2e-4, 3.1e-5}}}) {
-        std::vector<double> sizes, against_carter;
-        for (std::size_t k = 0; k < 4; ++k) {
-            const Scene scene(cosine_mesh<double>(20 << k));
-            const FrictionModel<> model = scene.steady();
-            const FrictionState<> rest = model.at_rest();
-            FrictionState<> state = rest;
-            FrictionWorkspace<> workspace = model.workspace();
-            const double xi = creepage(expected.ratio);
-            const FrictionStep<> point = model.steady(rest, xi, state, workspace);
-            CAPTURE(expected.ratio, scene.mesh.size());
-            CHECK(std::abs(point.slip_work / (-point.force * xi) - 1 - expected.errors[k]) < 0.05 * expected.errors[k]);
-            CHECK(workspace.slip_work().minCoeff() >= 0);
-            CHECK(std::abs(workspace.slip_work().sum() / point.slip_work - 1) < 1e-14);
-            // no heat in the stick zone, except in the element that contains the border
-            for (Eigen::Index i = 1; i < scene.mesh.size(); ++i) {
-                const bool sticks = workspace.slip()[i - 1] == 0 && workspace.slip()[i] == 0;
-                CHECK((workspace.slip_work()[i] == 0) == sticks);
-            }
-            sizes.push_back(static_cast<double>(scene.mesh.size()));
-            against_carter.push_back(
-                point.slip_work / (carter_force_ratio(expected.ratio) * full_force * scene.contact.width() * xi) - 1);
-        }
-        CAPTURE(against_carter);
-        CHECK(std::abs(support::observed_order(sizes, against_carter) - 2) < 0.25);
-    }
-}
-
 TEST_CASE("The slip work of full sliding is exact on any mesh", "[friction]") {
     // creepage beyond that of full sliding adds (xi - xi_full) mu N, whatever the mesh
     for (const Eigen::Index n : {3, 10, 40}) {

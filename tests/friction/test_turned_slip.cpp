@@ -152,49 +152,6 @@ TEST_CASE("Lengths enter spin and moment as they should", "[friction]") {
     CHECK(step.tangent.by_spin.moment == Approx(unit * 5e-3 * 5e-3 * small.tangent.by_spin.moment).epsilon(1e-8));
 }
 
-TEST_CASE("The tangents of steps with spin are derivatives", "[friction]") {
-    for (const Integrator integrator : integrators) {
-        const Nodal scene(20);
-        const Model model = scene.transient(integrator);
-        Workspace workspace = model.workspace();
-        State now = model.at_rest(), next = now, unused = now;
-        int mixed = 0;
-        for (int k = 0; k < 24; ++k) {
-            const double a = std::sqrt(1 + 0.3 * std::sin(0.3 * k)), e = 1e-7;
-            const bool shifts = k % 4 == 3;
-            if (shifts) continue;
-            const Creepage<double> start = scene.creepage(0.4, 6.0 * k, 0.5 * std::cos(0.7 * k));
-            const Creepage<double> end = scene.creepage(0.4, 6.0 * k + 6, 0.5 * std::cos(0.7 * k + 0.7));
-            const auto run = [&](double longitudinal, double lateral, double spin, double longer) {
-                const Creepage<double> last{end.longitudinal + longitudinal * peak, end.lateral + lateral * peak,
-                                            end.spin + spin * peak};
-                const Motion motion = k % 4 == 0 ? Motion(last) : Motion::linear(start, last);
-                const NormalLoad<double> load{a * scene.friction.normal_pressure, a + longer, {}};
-                return model.advance(now, 0.3, motion, load, unused, workspace).force;
-            };
-            const auto check = [&](const TangentialForce<double>& own, const TangentialForce<double>& ahead,
-                                   const TangentialForce<double>& behind, double step, double margin) {
-                CHECK((ahead.longitudinal - behind.longitudinal) / step == Approx(own.longitudinal).margin(margin));
-                CHECK((ahead.lateral - behind.lateral) / step == Approx(own.lateral).margin(margin));
-                CHECK((ahead.moment - behind.moment) / step == Approx(own.moment).margin(margin));
-            };
-            const NormalLoad<double> load{a * scene.friction.normal_pressure, a, {}};
-            const Motion motion = k % 4 == 0 ? Motion(end) : Motion::linear(start, end);
-            const Step step = model.advance(now, 0.3, motion, load, next, workspace);
-            REQUIRE(step.status == StepStatus::ok);
-            mixed += step.stick_count > 0 && step.stick_count < 20 ? 1 : 0;
-            CAPTURE(k, name(integrator));
-            const double margin = 1e-5 * scene.contact.width();
-            check(step.tangent.by_longitudinal, run(e, 0, 0, 0), run(-e, 0, 0, 0), 2 * e * peak, margin);
-            check(step.tangent.by_lateral, run(0, e, 0, 0), run(0, -e, 0, 0), 2 * e * peak, margin);
-            check(step.tangent.by_spin, run(0, 0, e, 0), run(0, 0, -e, 0), 2 * e * peak, margin);
-            check(step.tangent_by_half_length, run(0, 0, 0, e), run(0, 0, 0, -e), 2 * e, margin * peak);
-            std::swap(now, next);
-        }
-        CHECK(mixed > 10);
-    }
-}
-
 TEST_CASE("Rolling with turned slip and spin tends to the solution of steady rolling", "[friction]") {
     for (const Integrator integrator : integrators) {
         for (const Eigen::Index n : {10, 40}) {
