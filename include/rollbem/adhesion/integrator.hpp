@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,31 @@ constexpr const char* name(Integrator integrator) {
     }
     return "matrix_exponential";
 }
+
+namespace detail {
+
+/// The stages of a step, each of which takes `part` of it. The last one ends with the step; the one before it, if there
+/// are two, leads to U_1, and the last one starts from U + ratio (U_1 - U). A step's slip is `ratio` times that of the
+/// first plus that of the second. implicit_euler and sdirk2 solve the stages one by one; of matrix_exponential this is
+/// the pole of its rational function and its degree (see RationalExponential).
+template <class Scalar>
+struct StageTable {
+    int count;
+    Scalar part;
+
+    Scalar ratio() const { return (1 - part) / part; }
+};
+template <class Scalar>
+StageTable<Scalar> stage_table(Integrator integrator) {
+    switch (integrator) {
+        case Integrator::implicit_euler: return {1, 1};
+        case Integrator::sdirk2: return {2, 1 - std::numbers::sqrt2_v<Scalar> / 2};
+        case Integrator::matrix_exponential: break;
+    }
+    return {8, 1 / static_cast<Scalar>(4.266700170287658793649421826900639634482L)};
+}
+
+}  // namespace detail
 
 /// Tag in place of checks: builds a model whatever its eigenvalues, and whether or not the scheme converges.
 struct Unchecked {};

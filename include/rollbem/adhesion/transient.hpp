@@ -18,7 +18,7 @@
 #include "../detail/finite.hpp"
 #include "../detail/in_place_lu.hpp"
 #include "../detail/require.hpp"
-#include "../rolling/stage.hpp"
+#include "../rolling/stage_equations.hpp"
 #include "../scene/contact.hpp"
 #include "../scene/contact_units.hpp"
 #include "../scene/rigid_motion.hpp"
@@ -111,9 +111,7 @@ public:
 
     /// Whether the half-length may change: for systems with points() and log_strength() (elements and Chebyshev states
     /// of the plane kernel), and for patches of breathing_system and PatchShapes; by implicit_euler and sdirk2.
-    bool can_breathe() const {
-        return (shapes_ || (inputs == 1 && system_.log_strength() && system_.points())) && !is_exponential();
-    }
+    bool can_breathe() const { return (shapes_ || (inputs == 1 && detail::can_breathe(system_))) && !is_exponential(); }
 
     /// No traction anywhere, at the contact's semi-axes.
     State at_rest() const { return {VectorX<Scalar>::Zero(size()), fingerprint_, units_.length, 0, units_.half_width}; }
@@ -126,7 +124,8 @@ public:
     /// steady rolling. `from` only gives the half-length and is not changed; for the status see advance().
     Step steady(const State& from, const Value& creepage, State& to, Workspace& workspace) const noexcept {
         const SemiAxes<Scalar> semi_axes{from.half_length, from.half_width};
-        const StepStatus status = check(from, semi_axes, to, workspace);
+        StepStatus status = check(from, semi_axes, to, workspace);
+        if (status == StepStatus::ok) status = check_growth(Scalar(0), axes(from), axes(from));
         if (status != StepStatus::ok) return failed(status);
         if (!detail::is_finite(creepage)) return failed(StepStatus::not_finite);
         const Inputs value = Values::vector(creepage);
@@ -134,16 +133,10 @@ public:
         to.traction.setZero();
         if constexpr (inputs == 3) {
             if (shapes_ && at != contact_axes) {
-                constexpr Scalar steadily = -2;  // stands for the distance rolled
+                detail::RollingStage<Scalar> stage = detail::RollingStage<Scalar>::resting(at);
+                stage.distance = -2;  // stands for steady rolling
                 auto& stages = workspace.stages();
-                stages.solve_steady(
-                    ~preparation_,
-                    {*shapes_,
-                     a_over_b_,
-                     inputs_in_si_,
-                     at,
-                     {.distance = steadily, .half_length = at.half_length, .half_width = at.half_width}},
-                    workspace.factors());
+                stages.solve_steady(~preparation_, {*shapes_, a_over_b_, stage}, inputs_in_si_, workspace.factors());
                 for (Eigen::Index j = 0; j < inputs; ++j) {
                     to.traction += units_.length * value[j] * stages.per_end().col(j);
                 }
@@ -217,27 +210,19 @@ private:
                           to.traction.size() == size() && workspace.size() == size() &&
                           are_lengths({from.half_length, from.half_width});
         if (!fits) return StepStatus::wrong_state;
-        if (!are_lengths(semi_axes)) return StepStatus::invalid_load;
-        const Axes start = axes(from), end = axes(semi_axes);
-        if (start == contact_axes && end == contact_axes) return StepStatus::ok;
-        const bool follows = can_breathe() && end.half_length < system_.half_length_limit() &&
-                             (!shapes_ || (covers(start) && covers(end)));
-        return follows ? StepStatus::ok : StepStatus::needs_fixed_mesh;
+        return are_lengths(semi_axes) ? StepStatus::ok : StepStatus::invalid_load;
     }
-    bool covers(const Axes& axes) const noexcept {
-        return shapes_->covers(a_over_b_ * axes.half_length / axes.half_width);
+    StepStatus check_growth(Scalar distance, const Axes& start, const Axes& end) const noexcept {
+        return detail::check_growth(can_breathe(), system_.half_length_limit(), shapes_.get(), a_over_b_, distance,
+                                    start, end);
     }
 
     bool are_lengths(const SemiAxes<Scalar>& axes) const noexcept {
         return detail::are_positive<Scalar>({axes.half_length, units_.line ? Scalar(1) : axes.half_width});
     }
-    // Semi-axes in those of the contact; on a line the half-width is 1. A division counts in a step of a few states.
     template <class Placed>
     Axes axes(const Placed& placed) const {
-        if (placed.half_length == units_.length && (units_.line || placed.half_width == units_.half_width)) {
-            return contact_axes;
-        }
-        return {placed.half_length / units_.length, units_.line ? Scalar(1) : placed.half_width / units_.half_width};
+        return units_.axes(placed);
     }
 
     static Step failed(StepStatus status) noexcept {
@@ -368,9 +353,9 @@ auto AdhesionModel<inputs_, Scalar_>::roll(const State& from, Scalar dq, const M
     const StepStatus possible = motion.check(dq);
     if (possible != StepStatus::ok) return failed(possible);
     if (belongs != StepStatus::ok) return failed(belongs);
-    const Scalar half_length = semi_axes.half_length;
     const Axes start = axes(from), end = axes(semi_axes);
-    if (start != end && !(std::abs(half_length - from.half_length) < dq)) return failed(StepStatus::needs_fixed_mesh);
+    const StepStatus grows = check_growth(dq / units_.length, start, end);
+    if (grows != StepStatus::ok) return failed(grows);
 
     const detail::ImposedMotion<inputs, Scalar> imposed(motion, dq);
     const bool reshapes = shapes_ && (by_length || start != contact_axes || end != contact_axes);
@@ -392,22 +377,22 @@ auto AdhesionModel<inputs_, Scalar_>::roll(const State& from, Scalar dq, const M
     if (reshapes) {
         if constexpr (inputs == 3) {
             const auto equations = [&](Scalar part, Scalar progress) {
-                return detail::ShapeEquations<Scalar>(*shapes_, a_over_b_, inputs_in_si_, start, stage(part, progress));
+                return detail::ShapeEquations<Scalar>(*shapes_, a_over_b_, stage(part, progress));
             };
             // its matrices differ by rounding from those of a fixed mesh
-            stages.solve(~preparation_, equations, rational_, start != end, from.traction, imposed,
+            stages.solve(~preparation_, equations, inputs_in_si_, rational_, start, start != end, from.traction,
+                         imposed,
                          !by_length ? 0
                          : single   ? 1
                                     : 2,
                          workspace.factors());
         }
     } else {
-        const detail::Influence<Scalar> influence = detail::influence(system_);
         const auto equations = [&](Scalar part, Scalar progress) {
-            return detail::LineEquations<Scalar>{influence, inputs_in_si_, start.half_length, stage(part, progress)};
+            return detail::LineEquations<RollingSystem<Scalar>>(system_, stage(part, progress));
         };
-        stages.solve(preparation_, equations, rational_, start != end, from.traction, imposed, by_length ? 1 : 0,
-                     workspace.factors());
+        stages.solve(preparation_, equations, inputs_in_si_, rational_, start, start != end, from.traction, imposed,
+                     by_length ? 1 : 0, workspace.factors());
     }
     to.traction = from.traction + stages.change();
     Step step = finish(from, semi_axes, dq, forces_of(stages.per_end(), end), to);

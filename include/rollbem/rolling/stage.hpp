@@ -12,6 +12,16 @@
 
 namespace rollbem::detail {
 
+/// A semi-axis at the end of a step, by which derivatives are taken.
+enum class Axis { half_length, half_width };
+
+/// Position of a stage in its step, for quantities that vary linearly during the step.
+template <class Scalar>
+struct StagePlace {
+    Scalar part;      ///< share of the step that the stage takes
+    Scalar progress;  ///< share of the step that is done at the end of the stage
+};
+
 /// Motion and growth of the contact in a stage. Lengths in a_0, the half-length for which the system was assembled.
 template <class Scalar>
 struct RollingStage {
@@ -30,6 +40,12 @@ struct RollingStage {
         return {part * dq, at(from.half_length, to.half_length), part * (to.half_length - from.half_length),
                 at(from.half_width, to.half_width), part * (to.half_width - from.half_width)};
     }
+
+    /// No step, at these semi-axes.
+    static RollingStage resting(const SemiAxes<Scalar>& axes) {
+        return {.distance = 0, .half_length = axes.half_length, .half_width = axes.half_width};
+    }
+    SemiAxes<Scalar> axes() const { return {half_length, half_width}; }
 
     bool varies() const { return half_length != 1 || growth != 0; }
     friend bool operator==(const RollingStage&, const RollingStage&) = default;
@@ -63,7 +79,8 @@ struct Influence {
     Scalar log_strength{};  // S, see RollingSystem; 0 if the length cannot vary
 
     /// M(a) - (distance + growth zeta) G', row by row, with zeta the points.
-    void fill_stage_matrix(const RollingStage<Scalar>& stage, MatrixX<Scalar>& M) const {
+    template <class Block>
+    void fill_stage_matrix(const RollingStage<Scalar>& stage, Block&& M) const {
         if (!stage.varies()) {
             M = G - stage.distance * G_prime;
             return;

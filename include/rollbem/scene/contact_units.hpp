@@ -5,6 +5,7 @@
 
 #include "../detail/fingerprint.hpp"
 #include "contact.hpp"
+#include "semi_axes.hpp"
 
 namespace rollbem {
 
@@ -25,6 +26,13 @@ struct ContactUnits {
     Scalar shear_modulus;  ///< G [Pa]
     std::uint64_t fingerprint;
     bool line;  ///< not a patch
+
+    /// Semi-axes in those of the contact; on a line the half-width is 1. A division counts in a step of a few states.
+    template <class Placed>
+    SemiAxes<Scalar> axes(const Placed& placed) const {
+        if (placed.half_length == length && (line || placed.half_width == half_width)) return {1, 1};
+        return {placed.half_length / length, line ? Scalar(1) : placed.half_width / half_width};
+    }
 
     ContactUnits(const Contact<Scalar>& contact)  // NOLINT: implicit on purpose
         : ContactUnits(contact, contact.width(), true) {}

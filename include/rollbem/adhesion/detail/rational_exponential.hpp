@@ -17,12 +17,10 @@ namespace rollbem::detail {
 template <class Scalar>
 struct RationalExponential {
     explicit RationalExponential(Integrator integrator) {
-        const Scalar inverse_gamma = integrator == Integrator::implicit_euler ? Scalar(1)
-                                     : integrator == Integrator::sdirk2
-                                         ? 2 + std::sqrt(Scalar(2))
-                                         : static_cast<Scalar>(4.266700170287658793649421826900639634482L);
-        stages = integrator == Integrator::implicit_euler ? 1 : integrator == Integrator::sdirk2 ? 2 : 8;
-        gamma = 1 / inverse_gamma;
+        const StageTable<Scalar> table = stage_table<Scalar>(integrator);
+        stages = table.count;
+        gamma = table.part;
+        const Scalar inverse_gamma = 1 / gamma;
         Scalar before = 1;
         b_[1] = inverse_gamma;
         for (int j = 1; j < stages; ++j) {

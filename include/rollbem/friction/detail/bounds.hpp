@@ -8,13 +8,13 @@
 #include <Eigen/Core>
 
 #include "../../detail/finite.hpp"
+#include "../../rolling/stage.hpp"
 #include "../../scene/rigid_motion.hpp"
 #include "../../types.hpp"
 #include "../law.hpp"
 #include "../state.hpp"
 #include "directions.hpp"
 #include "falling_set.hpp"
-#include "rolling_stage.hpp"
 #include "scratch.hpp"
 
 namespace rollbem::detail {
@@ -168,7 +168,7 @@ public:
         AlongContact<Scalar> rise(*points_, scratch_.rise.data(), Scalar(0));
         for (Index i = 0; i < size(); ++i) {
             // extrapolation may overshoot if much is forgotten in a step
-            const Scalar before = start(origin(i)) + sdirk2_ratio<Scalar> * rise(between(i));
+            const Scalar before = start(origin(i)) + ratio() * rise(between(i));
             scratch_.before[i] = (std::max)(before, Scalar(0));
         }
     }
@@ -227,6 +227,8 @@ private:
     using Index = Eigen::Index;
 
     Index size() const { return start_.size(); }
+    // of StageTable
+    Scalar ratio() const { return (1 - place_.part) / place_.part; }
 
     AlongContact<Scalar> at_start() const { return {*points_, start_.data(), static_cast<Scalar>(law_(Scalar(0)))}; }
     // Position x/a of the particle that arrives at point i, at the start of the step.
@@ -242,7 +244,7 @@ private:
     void add_carried(std::size_t parameter) {
         AlongContact<Scalar> change(*points_, scratch_.carried_change[parameter].data(), Scalar(0));
         for (Index i = 0; i < size(); ++i) {
-            const Scalar added = sdirk2_ratio<Scalar> * change(between(i));
+            const Scalar added = ratio() * change(between(i));
             if (scratch_.before[i] > 0) scratch_.before_change[i] += added;
         }
     }
@@ -258,7 +260,7 @@ private:
         for (Index i = 0; i < size(); ++i) {
             const Scalar x = between(i),
                          moved = (place_.progress * (*points_)[i] - place_.part * x) / first_half_length_;
-            scratch_.path_change[i] += sdirk2_ratio<Scalar> * rise.slope(x) * moved;
+            scratch_.path_change[i] += ratio() * rise.slope(x) * moved;
             if (!(scratch_.before[i] > 0)) scratch_.path_change[i] = 0;
         }
     }

@@ -16,6 +16,7 @@
 #include "../../detail/fingerprint.hpp"
 #include "../../detail/finite.hpp"
 #include "../../normal/load.hpp"
+#include "../../rolling/stage_equations.hpp"
 #include "../../scene/contact_units.hpp"
 #include "../../scene/rigid_motion.hpp"
 #include "../../status.hpp"
@@ -25,7 +26,6 @@
 #include "../workspace.hpp"
 #include "bounds.hpp"
 #include "directions.hpp"
-#include "rolling_stage.hpp"
 #include "scratch.hpp"
 #include "slip_work.hpp"
 #include "stage_tangent.hpp"
@@ -79,14 +79,11 @@ public:
                  std::optional<std::uint64_t> system = std::nullopt);
 
     Eigen::Index size() const { return areas_.size(); }
-    Scalar half_length() const { return half_length_; }
-    /// The semi-axes of a state or load in those of the contact; on a line the half-width is 1.
+    Scalar half_length() const { return units_.length; }
+    /// The semi-axes of a state or load in those of the contact.
     template <class Loaded>
     Axes axes(const Loaded& loaded) const {
-        if (loaded.half_length == half_length_ && (line_ || loaded.half_width == half_width_)) {
-            return contact_axes<Scalar>;
-        }
-        return {loaded.half_length / half_length_, line_ ? Scalar(1) : loaded.half_width / half_width_};
+        return units_.axes(loaded);
     }
     static Load load_of(const State& state) { return {state.normal_pressure, state.half_length, state.half_width}; }
     /// A given load, which has been checked, at the end of a step from `from`: its half-width is that of the state where
@@ -99,9 +96,9 @@ public:
     /// needs_fixed_mesh.
     StepStatus check_width(const State& from, const NormalLoad<Scalar>& load) const noexcept {
         if (load.half_width == 0) {
-            return line_ || load.half_length == from.half_length ? StepStatus::ok : StepStatus::invalid_load;
+            return units_.line || load.half_length == from.half_length ? StepStatus::ok : StepStatus::invalid_load;
         }
-        return line_ && load.half_width != half_width_ ? StepStatus::needs_fixed_mesh : StepStatus::ok;
+        return units_.line && load.half_width != units_.half_width ? StepStatus::needs_fixed_mesh : StepStatus::ok;
     }
     std::uint64_t fingerprint() const { return fingerprint_; }
     Workspace workspace() const { return Workspace(size(), slip_dependent, coupled_); }
@@ -110,8 +107,8 @@ public:
         State state{ElementVectors<Scalar, directions>::Zero(size(), directions),
                     std::vector<Zone>(static_cast<std::size_t>(size()), Zone::stick),
                     friction_.normal_pressure,
-                    half_length_,
-                    half_width_,
+                    units_.length,
+                    units_.half_width,
                     fingerprint_,
                     {},
                     {},
@@ -126,7 +123,8 @@ public:
 
     Force force(const State& state) const {
         const Axes present = axes(state);
-        return total(state.traction, width_ * state.half_length * present.half_width, arms(state.half_length, present));
+        return total(state.traction, units_.width * state.half_length * present.half_width,
+                     arms(state.half_length, present));
     }
 
     /// NaN if the system cannot represent the half-length.
@@ -176,14 +174,12 @@ private:
     using Vectors = ElementVectors<Scalar, directions>;
     using Stage = RollingStage<Scalar>;
     using Place = StagePlace<Scalar>;
-    using Shape = ShapeInfluence<Scalar>;
+    using Shape = ShapeEquations<Scalar>;
     using Slip = typename Directions<directions, Scalar>::Slip;
     using Bounds = std::conditional_t<slip_dependent, FallingBounds<Law, Slip>, ConstantBounds<directions, Scalar>>;
     using By = TangentBy<directions>;
     using Tangent = StageTangent<directions, Scalar, Bounds>;
 
-    static constexpr Scalar gamma = sdirk2_part<Scalar>;
-    static constexpr Scalar ratio = sdirk2_ratio<Scalar>;
     static constexpr Scalar steadily = -1;  // stands for the distance rolled, which is 0 for a rigid shift
     // with one direction and given bounds, tangents depend on M and the sticking elements alone and are kept
     static constexpr bool keeps_tangents = directions == 1 && !slip_dependent;
@@ -209,9 +205,9 @@ private:
 
     Scalar bound_per_pressure() const {
         if constexpr (slip_dependent) {
-            return 1 / shear_modulus_;
+            return 1 / units_.shear_modulus;
         } else {
-            return friction_.law.coefficient / shear_modulus_;
+            return friction_.law.coefficient / units_.shear_modulus;
         }
     }
     void set_bounds(const ArrayX<Scalar>& pressure, Scratch& scratch) const {
@@ -219,6 +215,7 @@ private:
     }
     // after the share `progress` of the way from one load to the other
     void set_bounds(const ArrayX<Scalar>& from, const ArrayX<Scalar>& to, Scalar progress, Scratch& scratch) const {
+        if (progress == 1) return set_bounds(to, scratch);
         scratch.bound = bound_per_pressure() * (from + progress * (to.head(size()) - from)).matrix();
     }
 
@@ -226,9 +223,9 @@ private:
     void begin(const State& from, Scratch& scratch) const {
         scratch.slip.setZero();
         scratch.work.setZero();
-        scratch.start = from.traction / shear_modulus_;
+        scratch.start = from.traction / units_.shear_modulus;
         scratch.plain_start = scratch.start;
-        if (from.plain_traction.rows() > 0) scratch.plain_start = from.plain_traction / shear_modulus_;
+        if (from.plain_traction.rows() > 0) scratch.plain_start = from.plain_traction / units_.shear_modulus;
         if constexpr (directions == 2) scratch.solver.turn_slip(behind_, friction_.with_tangents);
     }
 
@@ -250,30 +247,28 @@ private:
     static void fill_steady(const Gradient& G_prime, [[maybe_unused]] const System* shapes, Scratch& scratch) {
         if constexpr (directions == 1) {
             scratch.solver.new_matrix() = -G_prime;
-        } else if (shapes != nullptr) {
-            const Shape shape = shape_of(*shapes, scratch.stage);
-            for_blocks(scratch, [&](std::size_t d, std::size_t e) {
-                shape.fill_slope(-1, d, e, scratch.solver.new_matrix(d, e));
-            });
         } else {
-            for_blocks(scratch,
-                       [&](std::size_t d, std::size_t e) { scratch.solver.new_matrix(d, e) = -G_prime[d][e]; });
+            for_blocks(scratch, [&](std::size_t d, std::size_t e) {
+                auto& M = scratch.solver.new_matrix(d, e);
+                if (shapes == nullptr) {
+                    M = -G_prime[d][e];
+                } else {
+                    Shape(*shapes->shapes(), shapes->a_over_b(), scratch.stage).fill_slope(-1, d, e, M);
+                }
+            });
         }
     }
     void enter(const System& system, const Place& place, const Stage& stage, Bounds& bounds, Scratch& scratch) const {
         if (needs_matrix(stage, scratch)) {
-            if constexpr (directions == 1) {
-                influence(system).fill_stage_matrix(stage, scratch.solver.new_matrix());
-            } else if (system.shapes()) {
-                const Shape shape = shape_of(system, stage);
-                for_blocks(scratch, [&](std::size_t d, std::size_t e) {
-                    shape.fill_stage_matrix(stage, d, e, scratch.solver.new_matrix(d, e));
-                });
-            } else {
-                for_blocks(scratch, [&](std::size_t d, std::size_t e) {
-                    influence(system, d, e).fill_stage_matrix(stage, scratch.solver.new_matrix(d, e));
-                });
-            }
+            with_equations(system, stage, [&](const auto& equations) {
+                if constexpr (directions == 1) {
+                    equations.fill(0, 0, scratch.solver.new_matrix());
+                } else {
+                    for_blocks(scratch, [&](std::size_t d, std::size_t e) {
+                        equations.fill(d, e, scratch.solver.new_matrix(d, e));
+                    });
+                }
+            });
         }
         bounds.enter(place, stage);
     }
@@ -293,7 +288,7 @@ private:
         if constexpr (directions == 1) {
             return 0;
         } else {
-            return motion.spin * half_length_;
+            return motion.spin * units_.length;
         }
     }
 
@@ -355,12 +350,13 @@ private:
     // progress.tangent_exists if the result is not finite.
     Step finish(const Bounds& bounds, const State& from, Progress& progress, const Load& load, Scalar slip_unit,
                 State& to, Scratch& scratch) const {
-        slip_work_.end(scratch.work, width_ * half_length_ * shear_modulus_ * slip_unit);
+        slip_work_.end(scratch.work, units_.width * units_.length * units_.shear_modulus * slip_unit);
         scratch.slip *= slip_unit;
         to.system = fingerprint_;
         const Axes present = axes(load);
-        const Force force = total(scratch.start, width_ * load.half_length * present.half_width * shear_modulus_,
-                                  arms(load.half_length, present));
+        const Force force =
+            total(scratch.start, units_.width * load.half_length * present.half_width * units_.shear_modulus,
+                  arms(load.half_length, present));
         const Scalar work = scratch.work.sum();
         progress.finite = progress.finite && is_finite(force) && is_finite(work);
         if (!progress.finite) {
@@ -370,8 +366,8 @@ private:
             to = from;  // of equal sizes
             return failed(StepStatus::not_finite);
         }
-        to.traction = shear_modulus_ * scratch.start;
-        if (behind_.size() > 0) to.plain_traction = shear_modulus_ * scratch.plain_start;
+        to.traction = units_.shear_modulus * scratch.start;
+        if (behind_.size() > 0) to.plain_traction = units_.shear_modulus * scratch.plain_start;
         to.zones = scratch.solver.zones();
         to.normal_pressure = load.pressure.head(size());
         to.half_length = load.half_length;
@@ -395,18 +391,18 @@ private:
     }
 
     // After the last stage; with constant friction only a shift has jumps.
-    void add_jump_work(const System& system, const State& from, bool two_stages, bool rolls, const Load& load,
+    void add_jump_work(const System& system, const State& from, Scalar ratio, bool rolls, const Load& load,
                        Scratch& scratch, Step& step) const {
         const Axes present = axes(load);
-        const auto start = 1 / shear_modulus_ * from.traction;
+        const auto start = 1 / units_.shear_modulus * from.traction;
         Scalar work = 0;
         if (!rolls) {
-            scratch.change = 1 / half_length_ * scratch.slip;
+            scratch.change = 1 / units_.length * scratch.slip;
             work = scratch.jump_work.shifted(slip_work_, present, start, scratch.start, scratch.change);
         } else if constexpr (slip_dependent) {
-            work = scratch.jump_work.rolled(system, slip_work_, present, two_stages, start, scratch.start);
+            work = scratch.jump_work.rolled(system, slip_work_, present, ratio, start, scratch.start);
         }
-        step.jump_work = width_ * shear_modulus_ * half_length_ * half_length_ * work;
+        step.jump_work = units_.width * units_.shear_modulus * units_.length * units_.length * work;
     }
 
     std::size_t creepage_count() const { return directions == 2 && spin_.rows() == 0 ? 2 : By::creepages; }
@@ -423,7 +419,7 @@ private:
             if (creepage < directions) {
                 by.by_creepage(imposed);
             } else {
-                by.by_spin(imposed * half_length_, axes, spin_);
+                by.by_spin(imposed * units_.length, axes, spin_);
             }
             found(by, creepage);
         }
@@ -434,31 +430,31 @@ private:
         }
         if (asked.by_half_length) {
             Tangent by = tangent(By::half_length);
-            by.by_half_length(*system, place, place.progress * spin, spin_);
+            by.by_axis(*system, Axis::half_length, place, place.progress * spin, spin_);
             found(by, By::half_length);
         }
         if constexpr (directions == 2) {
             if (!asked.by_half_width) return;
             Tangent by = tangent(By::half_width);
-            by.by_half_width(*system, place, place.progress * spin, spin_);
+            by.by_axis(*system, Axis::half_width, place, place.progress * spin, spin_);
             found(by, By::half_width);
         }
     }
 
     // For the second stage, what dp of the first adds to its constants.
-    void carry_tangents(Bounds& bounds, const System& system, Scalar imposed, Scalar spin, const Asked& asked,
-                        Scratch& scratch) const {
+    void carry_tangents(Bounds& bounds, const System& system, const Place& place, Scalar imposed, Scalar spin,
+                        const Asked& asked, Scratch& scratch) const {
         if constexpr (keeps_tangents) {
             if (scratch.carried_revision != scratch.solver.revision()) {
                 Tangent tangent(bounds, scratch, 0, false);
                 tangent.by_creepage(1);
-                tangent.carry(system, ratio, gamma);
+                tangent.carry(system, place);
                 scratch.carried_revision = scratch.solver.revision();
                 scratch.tangent_revision = Scratch::never;
             }
         }
-        for_tangents(bounds, &system, {gamma, gamma}, imposed, spin, false, asked, axes_of(scratch.stage), scratch,
-                     [&](Tangent& tangent, std::size_t) { tangent.carry(system, ratio, gamma); });
+        for_tangents(bounds, &system, place, imposed, spin, false, asked, scratch.stage.axes(), scratch,
+                     [&](Tangent& tangent, std::size_t) { tangent.carry(system, place); });
     }
 
     // By the parameters at the end of the last or only stage; `imposed` and `carried` are the derivatives of the motion
@@ -467,7 +463,7 @@ private:
                       Scalar spin, const Asked& asked, const Load& load, Scratch& scratch, Step& step) const {
         const Axes present = axes(load);
         const Scalar a = load.half_length, b = present.half_width;
-        const Scalar unit = width_ * a * b * shear_modulus_;
+        const Scalar unit = units_.width * a * b * units_.shear_modulus;
         const Arms arm = arms(a, present);
         if constexpr (keeps_tangents) {
             if (scratch.tangent_revision != scratch.solver.revision()) {
@@ -495,15 +491,15 @@ private:
             } else if (parameter == By::half_length) {
                 const bool follows = keeps_shape(*system);  // the half-width follows
                 const Scalar power = follows ? 2 : 1, share = follows ? Scalar(1.5) : Scalar(1);
-                step.tangent_by_half_length = total(scratch.start, power * width_ * b * shear_modulus_,
+                step.tangent_by_half_length = total(scratch.start, power * units_.width * b * units_.shear_modulus,
                                                     {(follows ? share : 2) * arm.x, share * arm.y}) +
-                                              1 / half_length_ * caused;
+                                              1 / units_.length * caused;
                 if constexpr (directions == 2) {
                     if (follows) step.tangent_by_half_width = {0, 0, 0};
                 }
             } else if constexpr (directions == 2) {
-                const Force direct = total(scratch.start, width_ * a * shear_modulus_, {arm.x, 2 * arm.y});
-                step.tangent_by_half_width = 1 / half_width_ * (direct + caused);
+                const Force direct = total(scratch.start, units_.width * a * units_.shear_modulus, {arm.x, 2 * arm.y});
+                step.tangent_by_half_width = 1 / units_.half_width * (direct + caused);
             }
         };
         for_tangents(bounds, system, place, imposed, spin, carried != 0, asked, present, scratch, found);
@@ -514,12 +510,7 @@ private:
         Scalar x, y;
     };
     Arms arms(Scalar half_length, const Axes& present) const {
-        return {half_length, line_ ? half_length : present.half_width * half_length_};
-    }
-    static Axes axes_of(const Stage& stage) { return {stage.half_length, stage.half_width}; }
-    template <class Shaped>
-    static Shape shape_of(const Shaped& system, const Stage& stage) {
-        return Shape(*system.shapes(), system.a_over_b(), stage);
+        return {half_length, units_.line ? half_length : present.half_width * units_.length};
     }
     // `factor` times the sum of area times vector; the moment also times `arm`.
     Force total(const Vectors& vectors, Scalar factor, const Arms& arm) const {
@@ -528,7 +519,7 @@ private:
         } else {
             Force force{factor * areas_.dot(vectors.col(0)), factor * areas_.dot(vectors.col(1))};
             if (moments_.rows() == 0) return force;
-            if (line_) {
+            if (units_.line) {
                 force.moment = factor * arm.x * moments_.cwiseProduct(vectors).sum();
             } else {
                 force.moment = factor * (arm.y * moments_.col(0).dot(vectors.col(0)) +
@@ -538,8 +529,7 @@ private:
         }
     }
 
-    Scalar half_length_, half_width_, width_, shear_modulus_;  // a_0, b_0, that of ContactUnits [m], G [Pa]
-    bool line_;
+    ContactUnits<Scalar> units_;
     VectorX<Scalar> areas_, intervals_;
     ArrayX<Scalar> points_;
     // With two directions, and empty where places are not known: rigid slip of unit spin, and moments of unit tractions.
@@ -558,16 +548,12 @@ FrictionCore<Law, directions, Scalar>::FrictionCore(const char* who, const Conta
                                                     const Elements<Scalar>& elements, Eigen::Index element_count,
                                                     const Friction<Law, Scalar>& friction, const Gradient& G_prime,
                                                     std::optional<std::uint64_t> system)
-    : half_length_(units.length),
-      half_width_(units.half_width),
-      width_(units.width),
-      shear_modulus_(units.shear_modulus),
-      line_(units.line),
+    : units_(units),
       areas_(elements.areas.matrix()),
       intervals_(elements.intervals.size() > 0 ? elements.intervals.matrix() : elements.areas.matrix()),
       points_(elements.x),
       slip_work_(elements, turns(elements)),
-      unchanged_steps_(elements.size(), half_length_),
+      unchanged_steps_(elements.size(), units_.length),
       ones_(VectorX<Scalar>::Ones(elements.size())),
       friction_(friction),
       coupled_(is_coupled(G_prime)),
@@ -598,8 +584,8 @@ auto FrictionCore<Law, directions, Scalar>::elastic_energy(const State& state, c
     if (check_growth(system, Scalar(0), present, present) != StepStatus::ok) return unknown<Scalar>;
     ElementVectors<Scalar, directions> displacement = state.traction;
     find_displacements(system, present, state.traction, displacement);
-    return width_ * half_length_ * state.half_length * present.half_width *
-           slip_work_.product(state.traction, displacement) / (2 * shear_modulus_);
+    return units_.width * units_.length * state.half_length * present.half_width *
+           slip_work_.product(state.traction, displacement) / (2 * units_.shear_modulus);
 }
 
 template <class Law, int directions, class Scalar>
@@ -619,7 +605,7 @@ auto FrictionCore<Law, directions, Scalar>::check(const State& from, const State
         return StepStatus::wrong_state;
     }
     const bool valid = is_finite(from.half_length) && from.half_length > 0 &&
-                       (line_ || (is_finite(from.half_width) && from.half_width > 0)) &&
+                       (units_.line || (is_finite(from.half_width) && from.half_width > 0)) &&
                        all_pressures(from.normal_pressure);
     return valid ? StepStatus::ok : StepStatus::invalid_load;
 }
@@ -667,12 +653,13 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
     if (slip_dependent && !is_positive(travel.duration)) return failed(StepStatus::invalid_step);
     if (!can_impose(motion.start()) || !can_impose(motion.end())) return failed(StepStatus::needs_places);
     Scratch& scratch = workspace.scratch();
-    const Scalar dq = travel.dq / half_length_;
+    const Scalar dq = travel.dq / units_.length;
     const Axes start = axes(from), end = axes(load);
     // A stage takes `part` of the step: (s/V) part dq = xi part dq + M p - U.
-    const bool two_stages = integrator == Integrator::sdirk2 && dq > 0;
-    const Scalar part = two_stages ? gamma : Scalar(1);
-    const Scalar imposed = motion.is_shift() ? part / half_length_ : part * dq;  // by creepage or shift
+    const StageTable<Scalar> table = stage_table<Scalar>(dq > 0 ? integrator : Integrator::implicit_euler);
+    const Scalar ratio = table.ratio();
+    const Scalar part = table.part;
+    const Scalar imposed = motion.is_shift() ? part / units_.length : part * dq;  // by creepage or shift
     const Asked asked{.by_load = load.pressure_rate != nullptr && load.pressure_rate->size() > 0,
                       .by_half_length = load.pressure_rate != nullptr && dq > 0 && can_breathe(system),
                       .by_half_width = load.pressure_rate != nullptr && dq > 0 && changes_shape(system)};
@@ -681,7 +668,7 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
     }
     Bounds bounds = [&] {
         if constexpr (slip_dependent) {
-            return Bounds(friction_, points_, from, half_length_, travel, scratch.falling);
+            return Bounds(friction_, points_, from, units_.length, travel, scratch.falling);
         } else {
             return Bounds();
         }
@@ -693,33 +680,30 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
     find_displacements(system, start, scratch.start, scratch.displacement);
     if (behind_.size() > 0) find_displacements(system, start, scratch.plain_start, scratch.plain_displacement);
     Progress progress;
-    Scalar carried = 0;  // d(imposed motion of the first stage)/d creepage
-    if (two_stages) {
-        enter(system, {part, part}, Stage::of(part, part, dq, start, end), bounds, scratch);
-        if (load.pressure_rate != nullptr) {
-            set_bounds(from.normal_pressure, load.pressure, part, scratch);
-        } else {
-            set_bounds(load.pressure, scratch);  // for both stages
-        }
-        solve_stage(bounds, motion, gamma, imposed, from.zones, ratio, axes_of(scratch.stage), scratch, progress);
-        carried = motion.is_linear() ? gamma * imposed : imposed;
+    Scalar carried = 0;                  // d(imposed motion of an earlier stage)/d creepage
+    set_bounds(load.pressure, scratch);  // for all stages, unless the load varies
+    for (int index = 1; index <= table.count; ++index) {
+        const bool first = index == 1, last = index == table.count;
+        const Place place{part, last ? Scalar(1) : part};
+        enter(system, place, Stage::of(part, place.progress, dq, start, end), bounds, scratch);
+        if (load.pressure_rate != nullptr) set_bounds(from.normal_pressure, load.pressure, place.progress, scratch);
+        solve_stage(bounds, motion, place.progress, imposed, first ? from.zones : scratch.solver.zones(),
+                    last ? 1 : ratio, scratch.stage.axes(), scratch, progress);
+        if (last) break;
+        carried = motion.is_linear() ? part * imposed : imposed;
         if constexpr (slip_dependent) scratch.jump_work.keep_first(scratch.start);
         if (wants_tangents(progress)) {
-            carry_tangents(bounds, system, carried, imposed * spin_of(between(motion, gamma)), asked, scratch);
+            carry_tangents(bounds, system, place, carried, imposed * spin_of(between(motion, part)), asked, scratch);
         }
-        find_displacements(system, axes_of(scratch.stage), scratch.start, scratch.change);
-        scratch.displacement += ratio * (scratch.change - scratch.displacement);
-        if (behind_.size() > 0) {
-            find_displacements(system, axes_of(scratch.stage), scratch.plain_start, scratch.change);
-            scratch.plain_displacement += ratio * (scratch.change - scratch.plain_displacement);
-        }
+        const auto carry = [&](const Vectors& traction, Vectors& displacement) {
+            find_displacements(system, scratch.stage.axes(), traction, scratch.change);
+            displacement += ratio * (scratch.change - displacement);
+        };
+        carry(scratch.start, scratch.displacement);
+        if (behind_.size() > 0) carry(scratch.plain_start, scratch.plain_displacement);
     }
-    enter(system, {part, 1}, Stage::of(part, Scalar(1), dq, start, end), bounds, scratch);
-    if (load.pressure_rate != nullptr || !two_stages) set_bounds(load.pressure, scratch);
-    solve_stage(bounds, motion, 1, imposed, two_stages ? scratch.solver.zones() : from.zones, 1, axes_of(scratch.stage),
-                scratch, progress);
-    Step step = finish(bounds, from, progress, load, half_length_, to, scratch);
-    if (progress.finite) add_jump_work(system, from, two_stages, dq > 0, load, scratch, step);
+    Step step = finish(bounds, from, progress, load, units_.length, to, scratch);
+    if (progress.finite) add_jump_work(system, from, ratio, dq > 0, load, scratch, step);
     if (wants_tangents(progress)) {
         add_tangents(bounds, &system, {part, 1}, imposed, carried, imposed * spin_of(motion.end()), asked, load,
                      scratch, step);

@@ -8,11 +8,11 @@
 
 #include <Eigen/Core>
 
+#include "../../rolling/stage.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "directions.hpp"
 #include "falling_set.hpp"
-#include "rolling_stage.hpp"
 #include "slip_work.hpp"
 
 namespace rollbem::detail {

@@ -9,10 +9,10 @@
 
 #include <Eigen/Core>
 
+#include "../../rolling/stage_equations.hpp"
 #include "../../system/elements.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
-#include "rolling_stage.hpp"
 
 namespace rollbem::detail {
 
@@ -171,7 +171,7 @@ private:
 ///
 ///     work of the rigid bodies = slip work + E(p_2) - E(p_0) + J
 ///     J = (b, b)/2,                       b = p_2 - p_0, for one stage (implicit Euler)
-///     J = (b, b)/2 - r (a, b - a),        a = p_1 - p_0, r = sdirk2_ratio, for two stages (sdirk2)
+///     J = (b, b)/2 - r (a, b - a),        a = p_1 - p_0, r = StageTable::ratio(), for two stages (sdirk2)
 ///
 /// because the kernel is even: the integral of p u' vanishes. While the tractions vary smoothly J is of second order in
 /// dq for one stage, of third for two, where b = a/part. If they jump within a step, b stays finite however short the
@@ -192,11 +192,13 @@ public:
     /// The tractions after the first of two stages.
     void keep_first(const Vectors& traction) { first_ = traction; }
 
-    /// J of a step that rolls, per unit of G a_0^2, with the semi-axes `axes` at its end; `two_stages` after keep_first().
+    /// J of a step that rolls, per unit of G a_0^2, with the semi-axes `axes` at its end; `ratio`: see
+    /// StageTable; 0 for one stage, else after keep_first().
     template <class System, class Start>
-    Scalar rolled(const System& system, const SlipWork<Scalar>& work, const SemiAxes<Scalar>& axes, bool two_stages,
+    Scalar rolled(const System& system, const SlipWork<Scalar>& work, const SemiAxes<Scalar>& axes, Scalar ratio,
                   const Eigen::MatrixBase<Start>& start, const Vectors& end) {
         change_ = end - start;
+        const bool two_stages = ratio != 0;
         if (two_stages) part_ = first_ - start;
         // settled: J is below the rounding of the energies
         const Scalar least = std::numeric_limits<Scalar>::epsilon() * end.squaredNorm();
@@ -206,7 +208,7 @@ public:
         if (two_stages) {
             change_ = end - first_;
             find_displacements(system, axes, change_, displacement_);
-            sum -= sdirk2_ratio<Scalar> * work.product(part_, displacement_);
+            sum -= ratio * work.product(part_, displacement_);
         }
         return axes.half_length * axes.half_width * sum;
     }

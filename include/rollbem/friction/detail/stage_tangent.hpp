@@ -6,10 +6,10 @@
 
 #include <Eigen/Core>
 
+#include "../../rolling/stage_equations.hpp"
 #include "../../types.hpp"
 #include "bounds.hpp"
 #include "directions.hpp"
-#include "rolling_stage.hpp"
 #include "scratch.hpp"
 
 namespace rollbem::detail {
@@ -65,45 +65,33 @@ public:
         bounds_.respond(scratch_.solver, scratch_.right, scratch_.response, parameter_, &scratch_.bound_rate, progress);
     }
 
-    /// By the half-length at the end of the step, in a_0: dM p = progress dU/da - part zeta G' p. The rigid slip of
-    /// spin follows the points: it changes by `rate` times `columns`.
+    /// By a semi-axis at the end of the step, in that of the contact. The rigid slip of spin follows the points: it
+    /// changes by `rate` times `columns` in the directions that the axis stretches.
     template <class Columns>
-    void by_half_length(const System& system, const StagePlace<Scalar>& stage, Scalar rate, const Columns& columns) {
-        if constexpr (directions == 2) {
-            if (system.shapes()) {
-                const bool single = system.shapes()->is_single();
-                by_axis(system, Shape::Axis::half_length, stage, single ? rate : Scalar(0), rate, columns);
-                bounds_.respond_to_half_length(scratch_.solver, scratch_.right, scratch_.response, parameter_);
-                return;
-            }
-        }
+    void by_axis(const System& system, Axis axis, const StagePlace<Scalar>& stage, Scalar rate,
+                 const Columns& columns) {
+        const bool by_length = axis == Axis::half_length;
+        const Scalar across = by_length && changes_shape(system) ? Scalar(0) : rate;
         add([&](const Vectors& p, Vectors& right) {
-            if (rate != 0) right += rate * columns;
-            add_displacement_rates(system, scratch_.stage.half_length, stage.progress, p, scratch_.change, right);
-            for (Eigen::Index d = 0; d < directions; ++d) {
-                const auto direction = static_cast<std::size_t>(d);
-                const Influence<Scalar> own = influence(system, direction, direction);
-                scratch_.rate.noalias() = own.G_prime * p.col(d);
-                right.col(d).array() -= stage.part * own.points * scratch_.rate.array();
-            }
+            if constexpr (directions == 2) add_turned(across, by_length ? rate : Scalar(0), columns, right);
+            with_equations(system, scratch_.stage, [&](const auto& equations) {
+                equations.add_rates(axis, stage.part, stage.progress, p, scratch_.change, right);
+            });
         });
-        bounds_.respond_to_half_length(scratch_.solver, scratch_.right, scratch_.response, parameter_);
+        if (by_length) {
+            bounds_.respond_to_half_length(scratch_.solver, scratch_.right, scratch_.response, parameter_);
+        } else {
+            bounds_.respond(scratch_.solver, scratch_.right, scratch_.response, parameter_);
+        }
     }
 
-    /// By the half-width of a patch at the end of the step, in that of the contact.
-    template <class Columns>
-    void by_half_width(const System& system, const StagePlace<Scalar>& stage, Scalar rate, const Columns& columns) {
-        by_axis(system, Shape::Axis::half_width, stage, rate, Scalar(0), columns);
-        bounds_.respond(scratch_.solver, scratch_.right, scratch_.response, parameter_);
-    }
-
-    /// For the second stage, which starts from U + ratio (U_1 - U): what dp of the first adds to its constants, with
-    /// the direct effect of the half-length by `progress` if that is the parameter.
-    void carry(const System& system, Scalar ratio, Scalar progress) {
-        carry(system, ratio, progress, scratch_.solver.traction(), scratch_.response, scratch_.carried[parameter_]);
+    /// For the next stage, which starts from U + ratio (U_1 - U): what dp of this one adds to its constants, with the
+    /// direct effect of a semi-axis if that is the parameter.
+    void carry(const System& system, const StagePlace<Scalar>& stage) {
+        carry(system, stage, scratch_.solver.traction(), scratch_.response, scratch_.carried[parameter_]);
         if constexpr (directions == 2) {
             if (scratch_.solver.keeps_plain()) {
-                carry(system, ratio, progress, scratch_.solver.plain_traction(), scratch_.solver.plain_response(),
+                carry(system, stage, scratch_.solver.plain_traction(), scratch_.solver.plain_response(),
                       scratch_.plain_carried[parameter_]);
             }
         }
@@ -111,37 +99,17 @@ public:
     }
 
 private:
-    using Shape = ShapeInfluence<Scalar>;
+    using By = TangentBy<directions>;
 
-    void carry(const System& system, Scalar ratio, Scalar progress, const Vectors& traction, const Vectors& response,
+    void carry(const System& system, const StagePlace<Scalar>& stage, const Vectors& traction, const Vectors& response,
                Vectors& carried) {
-        find_displacements(system, axes(), response, carried);
-        const bool by_length = parameter_ == TangentBy<directions>::half_length;
-        bool is_patch = false;
-        if constexpr (directions == 2) {
-            is_patch = system.shapes() != nullptr;
-            if (is_patch && (by_length || parameter_ == TangentBy<directions>::half_width)) {
-                shape(system).add_displacement_rates(by_length ? Shape::Axis::half_length : Shape::Axis::half_width,
-                                                     progress, traction, carried);
-            }
-        }
-        if (by_length && !is_patch) {
-            add_displacement_rates(system, scratch_.stage.half_length, progress, traction, scratch_.change, carried);
-        }
-        carried *= -ratio;
-    }
-
-    SemiAxes<Scalar> axes() const { return {scratch_.stage.half_length, scratch_.stage.half_width}; }
-    Shape shape(const System& system) const { return Shape(*system.shapes(), system.a_over_b(), scratch_.stage); }
-
-    // The rigid slip of spin changes by both rates times its `columns`.
-    template <class Columns>
-    void by_axis(const System& system, typename Shape::Axis axis, const StagePlace<Scalar>& stage, Scalar first_rate,
-                 Scalar second_rate, const Columns& columns) {
-        add([&](const Vectors& p, Vectors& right) {
-            add_turned(first_rate, second_rate, columns, right);
-            shape(system).add_rates(scratch_.stage, axis, stage.part, stage.progress, p, scratch_.change, right);
+        with_equations(system, scratch_.stage, [&](const auto& equations) {
+            equations.find_displacements(response, carried);
+            if (parameter_ != By::half_length && parameter_ != By::half_width) return;
+            const Axis axis = parameter_ == By::half_length ? Axis::half_length : Axis::half_width;
+            equations.add_displacement_rates(axis, stage.progress, traction, scratch_.change, carried);
         });
+        carried *= -(1 - stage.part) / stage.part;
     }
 
     // Calls with the stage's tractions and dc; also with those for slip that is not turned, if angles follow them.

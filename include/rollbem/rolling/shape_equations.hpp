@@ -23,24 +23,26 @@ namespace rollbem::detail {
 /// which a/b is `a_over_b`, all lengths in the half-length of that contact. Tractions and displacements have a column
 /// for each direction. Refers to the set.
 template <class Scalar>
-class ShapeInfluence {
+class ShapeEquations {
 public:
     using Stage = RollingStage<Scalar>;
-    using Axes = SemiAxes<Scalar>;
-    enum class Axis { half_length, half_width };
+    static constexpr int columns = 2;
 
-    ShapeInfluence(const ShapeSet<Scalar>& set, Scalar a_over_b, const Axes& axes)
-        : set_(set),
-          axes_(axes),
+    ShapeEquations(const ShapeSet<Scalar>& set, Scalar a_over_b, const Stage& present)
+        : stage(present),
+          set_(set),
+          a_over_b_(a_over_b),
           per_width_(1 / a_over_b),
-          c_(std::sqrt(axes.half_length * axes.half_width / a_over_b)),
-          weights_(set.weights(a_over_b * axes.half_length / axes.half_width)) {}
+          c_(std::sqrt(stage.half_length * stage.half_width / a_over_b)),
+          weights_(set.weights(a_over_b * stage.half_length / stage.half_width)) {}
 
-    ShapeInfluence(const ShapeSet<Scalar>& set, Scalar a_over_b, const Stage& stage)
-        : ShapeInfluence(set, a_over_b, Axes{stage.half_length, stage.half_width}) {}
+    const Stage stage;
+
+    bool coupled() const { return set_.coupled; }
+    bool is_single() const { return set_.is_single(); }
 
     /// c G - (distance + growth zeta) G' - widening upsilon G_y, of tractions along e and slip along d.
-    void fill_stage_matrix(const Stage& stage, std::size_t d, std::size_t e, Eigen::Ref<MatrixX<Scalar>> M) const {
+    void fill(std::size_t d, std::size_t e, Eigen::Ref<MatrixX<Scalar>> M) const {
         const Scalar widening = stage.widening * per_width_;
         for (Eigen::Index j = 0; j < M.cols(); ++j) {
             M.col(j).setZero();
@@ -72,15 +74,26 @@ public:
         add(&ShapeNode<Scalar>::G, weights_.values, c_, p, U);
     }
 
+    /// Those at the start of the step, and their change since then at constant unknowns.
+    template <class Tractions, class Result>
+    void find_start(const SemiAxes<Scalar>& from, const Tractions& old, Result&& start) const {
+        ShapeEquations(set_, a_over_b_, Stage::resting(from)).find_displacements(old, start);
+    }
+    template <class Tractions, class Start, class Result>
+    void find_growth(const SemiAxes<Scalar>&, const Tractions& old, const Start& start, Result&& growth) const {
+        find_displacements(old, growth);
+        growth -= start;
+    }
+
     /// Adds ((distance + growth zeta) G' + widening upsilon G_y) p; `scratch` is as large.
     template <class Tractions, class Scratch, class Result>
-    void add_travel(const Stage& stage, const Tractions& p, Scratch&& scratch, Result&& sum) const {
+    void add_travel(const Tractions& p, Scratch&& scratch, Result&& sum) const {
         add_travel(stage.distance, stage.growth, stage.widening, weights_.values, p, scratch, sum);
     }
 
     /// Adds `factor` times dU/d axis at constant tractions. In a set of one a/b the half-width follows the half-length.
-    template <class Tractions, class Result>
-    void add_displacement_rates(Axis axis, Scalar factor, const Tractions& p, Result&& sum) const {
+    template <class Tractions, class Scratch, class Result>
+    void add_displacement_rates(Axis axis, Scalar factor, const Tractions& p, Scratch&&, Result&& sum) const {
         const Scalar log_rate = rate_of_log(axis);
         std::array<Scalar, 4> coefficients;
         for (std::size_t k = 0; k < 4; ++k) {
@@ -92,11 +105,10 @@ public:
     /// Adds the derivative with respect to a semi-axis at the end of a step of the matrix of a stage times p. The stage takes `part`
     /// of the step, `progress` of which is done at its end.
     template <class Tractions, class Scratch, class Result>
-    void add_rates(const Stage& stage, Axis axis, Scalar part, Scalar progress, const Tractions& p, Scratch&& scratch,
-                   Result&& sum) const {
-        add_displacement_rates(axis, progress, p, sum);
+    void add_rates(Axis axis, Scalar part, Scalar progress, const Tractions& p, Scratch&& scratch, Result&& sum) const {
+        add_displacement_rates(axis, progress, p, scratch, sum);
         const bool by_length = axis == Axis::half_length;
-        const Scalar ratio = axes_.half_width / axes_.half_length;
+        const Scalar ratio = stage.half_width / stage.half_length;
         add_travel(0, by_length ? -part : Scalar(0), by_length ? (set_.is_single() ? -part * ratio : Scalar(0)) : -part,
                    weights_.values, p, scratch, sum);
         if (set_.is_single()) return;
@@ -112,12 +124,12 @@ private:
     const ShapeNode<Scalar>& node(std::size_t k) const { return set_.nodes[weights_.first + k]; }
 
     Scalar rate_of_c(Axis axis) const {
-        if (axis == Axis::half_width) return set_.is_single() ? 0 : c_ / (2 * axes_.half_width);
-        return c_ / axes_.half_length / (set_.is_single() ? 1 : 2);
+        if (axis == Axis::half_width) return set_.is_single() ? 0 : c_ / (2 * stage.half_width);
+        return c_ / stage.half_length / (set_.is_single() ? 1 : 2);
     }
     // Of ln(a/b).
     Scalar rate_of_log(Axis axis) const {
-        return axis == Axis::half_length ? 1 / axes_.half_length : -1 / axes_.half_width;
+        return axis == Axis::half_length ? 1 / stage.half_length : -1 / stage.half_width;
     }
 
     template <class Tractions, class Result>
@@ -152,8 +164,7 @@ private:
     }
 
     const ShapeSet<Scalar>& set_;
-    Axes axes_;
-    Scalar per_width_, c_;  // half-width of the contact and present c
+    Scalar a_over_b_, per_width_, c_;  // half-width of the contact and present c
     ShapeWeights<Scalar> weights_;
 };
 
