@@ -4,21 +4,20 @@
 //     ./profile_study --shift 0,0.001,0.002,0.003,0.004,0.005 --plot contacts.svg
 //     ./profile_study --shift 0.005 --yaw 0.012 --side both --friction 0.3 --plot patches.svg
 //     ./profile_study --wheel worn.csv --length-unit mm --rail head.prr --cant 0 --load 8e4
-#include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <rollbem/vehicle/wheelset_on_track.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/patch.hpp>
+#include <rollbem/vehicle/wheelset_forces.hpp>
 
 #include "profile/files.hpp"
-#include "profile/friction.hpp"
 #include "profile/plots.hpp"
 #include "profile/settings.hpp"
 #include "support/options.hpp"
@@ -31,91 +30,32 @@ using profile::Case;
 using profile::Settings;
 using profile::Side;
 using rollbem::NormalStatus;
+using rollbem::PatchForce;
 using rollbem::RailPatch;
-using rollbem::WheelOnRail;
-using rollbem::WheelsetPosition;
-
-/// A wheel as on the right, with the forces on its patches.
-struct Wheel {
-    WheelsetPosition at;
-    WheelOnRail::Contact contact;
-    std::vector<profile::PatchForces> forces{};
-};
-
-struct Contacts {
-    std::array<Wheel, 2> wheels;
-    double pitch_rate = std::nan("");
-    double time_us = 0;
-};
-
-bool found(const WheelOnRail::Contact& contact) { return contact.status <= NormalStatus::doubtful_plane; }
+using rollbem::StepStatus;
 
 // --- contacts --------------------------------------------------------------------------------------------------------
 
-/// Both wheels under `friction`, the force on the rail along s over N of each.
-Contacts press(const Settings& settings, const Case& at, const std::array<double, 2>& friction,
-               rollbem::WheelsetOnTrack::Workspace& workspace) {
-    Contacts contacts;
-    WheelsetPosition position{at.shift, 0, at.roll.value_or(0), at.yaw};
-    std::array<WheelOnRail::Contact, 2> wheels;
-    if (at.roll) {
-        for (std::size_t k = 0; k < 2; ++k) {
-            wheels[k] = settings.wheelset.wheel().carry(rollbem::WheelsetOnTrack::seen_from(Side(k), position),
-                                                        settings.load, friction[k], workspace.wheels[k], settings.grid);
-        }
-    } else {
-        auto both =
-            settings.wheelset.carry(position, {settings.load, settings.load}, workspace, friction, settings.grid);
-        position = both.position;
-        wheels = std::move(both.wheels);
-        if (both.status > NormalStatus::doubtful_plane) {
-            for (WheelOnRail::Contact& wheel : wheels) wheel.status = both.status;
-        }
-    }
-    for (std::size_t k = 0; k < 2; ++k) {
-        position.height = wheels[k].height;
-        contacts.wheels[k] = {rollbem::WheelsetOnTrack::seen_from(Side(k), position), std::move(wheels[k])};
-    }
-    return contacts;
-}
+struct Contacts {
+    rollbem::WheelsetForces of;
+    double time_us = 0;
+};
 
 Contacts find_contacts(const Settings& settings, const Case& at) {
     const auto start = std::chrono::steady_clock::now();
-    const rollbem::TrackDimensions& track = settings.wheelset.wheel().dimensions();
     rollbem::WheelsetOnTrack::Workspace workspace;
+    const rollbem::WheelsetRolling rolling{
+        .position = {at.shift, 0, at.roll.value_or(0), at.yaw},
+        .loads = {settings.load, settings.load},
+        .free = at.roll ? rollbem::WheelsetOnTrack::Free::height : rollbem::WheelsetOnTrack::Free::height_and_roll,
+        .speeds = {.forward = settings.speed, .pitch_rate = at.pitch_rate.value_or(0)},
+        .free_pitch = !at.pitch_rate};
     Contacts contacts;
-    std::array<double, 2> friction{0, 0};
-    // the normal forces depend on those of friction, and these on them: a few rounds
-    for (int round = 0; round < 8; ++round) {
-        contacts = press(settings, at, friction, workspace);
-        if (!settings.friction) break;
-        auto& [left, right] = contacts.wheels;
-        if (at.pitch_rate) {
-            contacts.pitch_rate = *at.pitch_rate;
-        } else if (found(left.contact) && found(right.contact)) {
-            contacts.pitch_rate =
-                profile::free_pitch_rate({left.contact.patches[0], left.at}, {right.contact.patches[0], right.at},
-                                         settings.friction->speed, track.radius);
-        } else {
-            break;
-        }
-        double change = 0;
-        for (std::size_t k = 0; k < 2; ++k) {
-            Wheel& wheel = contacts.wheels[k];
-            if (!found(wheel.contact)) continue;
-            double across = 0, lever = 0;  // one ratio that lets the rail carry as much as those of all patches do
-            for (const RailPatch& patch : wheel.contact.patches) {
-                wheel.forces.push_back(
-                    profile::forces_on(patch, wheel.at, contacts.pitch_rate, track, *settings.friction));
-                across -= wheel.forces.back().lateral * std::sin(patch.angle);
-                lever += patch.load * std::sin(patch.angle);
-            }
-            const double ratio = across / lever;
-            if (!(std::abs(ratio) <= 1)) continue;  // level: friction carries nothing
-            change = std::max(change, std::abs(ratio - friction[k]));
-            friction[k] = ratio;
-        }
-        if (change < 1e-4) break;
+    if (settings.friction) {
+        contacts.of = rolling_forces(settings.wheelset, rolling, *settings.friction, workspace, settings.grid);
+    } else {
+        contacts.of.contacts =
+            settings.wheelset.carry(rolling.position, rolling.loads, workspace, rolling.free, {}, settings.grid);
     }
     contacts.time_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
     return contacts;
@@ -123,67 +63,104 @@ Contacts find_contacts(const Settings& settings, const Case& at) {
 
 // --- rows ------------------------------------------------------------------------------------------------------------
 
-std::vector<std::string> columns(bool friction) {
-    std::vector<std::string> names{
-        "shift", "yaw",         "roll",       "side",       "patch",          "height", "x",        "y",
-        "z",     "rail_y",      "wheel_y",    "angle",      "rolling_radius", "load",   "approach", "peak_pressure",
-        "area",  "half_length", "half_width", "iterations", "time_us",        "status"};
-    if (!friction) return names;
-    return study::joined(names, {"longitudinal_creepage", "lateral_creepage", "spin", "longitudinal_force",
-                                 "lateral_force", "spin_moment", "slip_power", "elements", "pitch_rate"});
-}
+/// A patch of a wheel, as on the right.
+struct Found {
+    const Settings& settings;
+    const Case& at;
+    const Contacts& contacts;
+    Side side;
+    std::optional<std::size_t> number;  ///< of the patch; none if there is none
+    bool has_time;
+
+    const rollbem::WheelOnRail::Contact& wheel() const { return contacts.of.contacts.wheels[std::size_t(side)]; }
+    const RailPatch* patch() const {
+        return number && wheel().patches[*number].has_numbers() ? &wheel().patches[*number] : nullptr;
+    }
+    const PatchForce* force() const {
+        return patch() != nullptr && settings.friction ? &contacts.of.patches[std::size_t(side)][*number] : nullptr;
+    }
+    const PatchForce* solved() const {
+        return force() != nullptr && force()->status == StepStatus::ok ? force() : nullptr;
+    }
+    std::string status() const {
+        if (force() != nullptr && solved() == nullptr) return name(force()->status);
+        if (!number) return name(wheel().status);
+        const NormalStatus own = wheel().patches[*number].status;
+        return name(patch() != nullptr && rollbem::has_numbers(wheel().status)
+                        ? std::max(own, wheel().status == NormalStatus::unbalanced ? wheel().status : own)
+                        : own);
+    }
+};
+
+struct Column {
+    const char* name;
+    std::function<study::Cell(const Found&)> value;
+};
 
 /// In track axes: of a left wheel, y, angles and what lies across the track are those of its mirror image reversed.
-study::Row row_of(const Settings& settings, const Case& at, const Contacts& contacts, Side side,
-                  std::optional<std::size_t> number, const study::Cell& time_us) {
-    const Wheel& wheel = contacts.wheels[std::size_t(side)];
-    const double sign = side == Side::right ? 1 : -1;
-    const bool known = number && wheel.contact.patches[*number].has_numbers();
-    const RailPatch patch = known ? wheel.contact.patches[*number] : RailPatch{};
+std::vector<Column> columns(bool friction) {
     const study::Cell none;
-    const auto value = [&](auto of) { return known ? study::Cell(of) : none; };
-    std::string status = name(number ? wheel.contact.patches[*number].status : wheel.contact.status);
-    const bool rubs = known && *number < wheel.forces.size();
-    study::Row forces;
-    if (settings.friction) {
-        const profile::PatchForces of = rubs ? wheel.forces[*number] : profile::PatchForces{};
-        const bool solved = rubs && of.status == rollbem::StepStatus::ok;
-        if (rubs && !solved) status = name(of.status);
-        if (known && !rubs) status = "no_pitch_rate";  // the other wheel has no contact
-        const auto force = [&](double number_of, bool if_known) { return if_known ? study::Cell(number_of) : none; };
-        forces = {force(of.creepage.longitudinal, rubs),
-                  force(sign * of.creepage.lateral, rubs),
-                  force(sign * of.creepage.spin, rubs),
-                  force(of.longitudinal, solved),
-                  force(sign * of.lateral, solved),
-                  force(sign * of.moment, solved),
-                  force(of.power, solved),
-                  rubs ? study::Cell(of.elements) : none,
-                  contacts.pitch_rate};
-    }
-    study::Row row{at.shift,
-                   at.yaw,
-                   at.roll ? study::Cell(*at.roll) : value(sign * wheel.at.roll),
-                   side == Side::right ? "right" : "left",
-                   number ? study::Cell(*number + 1) : none,
-                   value(wheel.at.height),
-                   value(patch.x),
-                   value(sign * patch.y),
-                   value(patch.z),
-                   value(patch.rail_y),
-                   value(patch.wheel_y),
-                   value(sign * patch.angle),
-                   value(patch.rolling_radius),
-                   value(patch.load),
-                   value(patch.approach),
-                   value(patch.peak_pressure),
-                   value(patch.area),
-                   value(patch.half_length),
-                   value(patch.half_width),
-                   value(patch.steps),
-                   time_us,
-                   status};
-    return study::joined(row, forces);
+    const auto of_patch = [=](double RailPatch::*member, bool mirrored = false) {
+        return [=](const Found& f) {
+            const double sign = mirrored && f.side == Side::left ? -1 : 1;
+            return f.patch() != nullptr ? study::Cell(sign * f.patch()->*member) : none;
+        };
+    };
+    std::vector<Column> list{
+        {"shift", [](const Found& f) { return f.at.shift; }},
+        {"yaw", [](const Found& f) { return f.at.yaw; }},
+        {"roll",
+         [=](const Found& f) {
+             if (f.at.roll) return study::Cell(*f.at.roll);
+             return f.patch() != nullptr ? study::Cell(f.contacts.of.contacts.position.roll) : none;
+         }},
+        {"side", [](const Found& f) { return f.side == Side::right ? "right" : "left"; }},
+        {"patch", [=](const Found& f) { return f.number ? study::Cell(*f.number + 1) : none; }},
+        {"height", [=](const Found& f) { return f.patch() != nullptr ? study::Cell(f.wheel().height) : none; }},
+        {"x", of_patch(&RailPatch::x)},
+        {"y", of_patch(&RailPatch::y, true)},
+        {"z", of_patch(&RailPatch::z)},
+        {"rail_y", of_patch(&RailPatch::rail_y)},
+        {"wheel_y", of_patch(&RailPatch::wheel_y)},
+        {"angle", of_patch(&RailPatch::angle, true)},
+        {"rolling_radius", of_patch(&RailPatch::rolling_radius)},
+        {"load", of_patch(&RailPatch::load)},
+        {"approach", of_patch(&RailPatch::approach)},
+        {"peak_pressure", of_patch(&RailPatch::peak_pressure)},
+        {"area", of_patch(&RailPatch::area)},
+        {"half_length", of_patch(&RailPatch::half_length)},
+        {"half_width", of_patch(&RailPatch::half_width)},
+        {"iterations", [=](const Found& f) { return f.patch() != nullptr ? study::Cell(f.patch()->steps) : none; }},
+        {"time_us", [=](const Found& f) { return f.has_time ? study::Cell(f.contacts.time_us) : none; }},
+        {"status", [](const Found& f) { return f.status(); }}};
+    if (!friction) return list;
+    const auto of_force = [=](const PatchForce* (Found::*which)() const, auto value, bool mirrored) {
+        return [=](const Found& f) {
+            const double sign = mirrored && f.side == Side::left ? -1 : 1;
+            const PatchForce* const force = (f.*which)();
+            return force != nullptr ? study::Cell(sign * value(*force)) : none;
+        };
+    };
+    // creepages as CONTACT's, rail minus wheel
+    const auto add = [&](const char* name, auto which, bool mirrored, auto value) {
+        list.push_back({name, of_force(which, value, mirrored)});
+    };
+    add("longitudinal_creepage", &Found::force, false, [](const PatchForce& p) { return -p.creepage.longitudinal; });
+    add("lateral_creepage", &Found::force, true, [](const PatchForce& p) { return -p.creepage.lateral; });
+    add("spin", &Found::force, true, [](const PatchForce& p) { return -p.creepage.spin; });
+    add("longitudinal_force", &Found::solved, false, [](const PatchForce& p) { return p.force.longitudinal; });
+    add("lateral_force", &Found::solved, true, [](const PatchForce& p) { return p.force.lateral; });
+    add("spin_moment", &Found::solved, true, [](const PatchForce& p) { return p.force.moment; });
+    list.push_back({"slip_power", [=](const Found& f) {
+                        if (f.solved() == nullptr) return none;
+                        const double rolling =
+                            f.settings.speed + std::abs(f.contacts.of.pitch_rate) * f.patch()->rolling_radius;
+                        return study::Cell(f.solved()->slip_work * rolling / 2);
+                    }});
+    list.push_back(
+        {"elements", [=](const Found& f) { return f.force() != nullptr ? study::Cell(f.force()->elements) : none; }});
+    list.push_back({"pitch_rate", [](const Found& f) { return f.contacts.of.pitch_rate; }});
+    return list;
 }
 
 }  // namespace
@@ -198,26 +175,26 @@ int main(int argc, char** argv) {
         std::optional<profile::PatchFiles> files;
         if (given.given("outline")) files.emplace(given);
         std::vector<profile::Drawn> drawn;  // patches of a single position
-        const std::vector<std::string> names = columns(settings.friction.has_value());
+        const std::vector<Column> sheet = columns(settings.friction.has_value());
+        std::vector<std::string> names;
+        for (const Column& column : sheet) names.push_back(column.name);
 
         // 2. A row for each patch; for each wheel that has none, one that says why.
         study::Table table = study::table_of(names, cases, settings.sides.size());
         table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
             const Contacts contacts = find_contacts(settings, cases[task]);
-            study::Cell time_us;
-            if (study::has_times(given)) time_us = contacts.time_us;
             for (std::size_t k = range.first; k < range.last; ++k) {
-                const Side side = settings.sides[k];
-                const WheelOnRail::Contact& contact = contacts.wheels[std::size_t(side)].contact;
-                const std::size_t count = found(contact) ? contact.patches.size() : 0;
-                if (count == 0) emit(row_of(settings, cases[task], contacts, side, std::nullopt, time_us));
-                for (std::size_t number = 0; number < count; ++number) {
-                    emit(row_of(settings, cases[task], contacts, side, number, time_us));
-                    const RailPatch& patch = contact.patches[number];
-                    if (!patch.has_numbers()) continue;
-                    const bool left = side == Side::left;
-                    if (files) files->add(task, left, number, patch);
-                    if (cases.size() == 1) drawn.push_back({left, patch});
+                Found found{settings, cases[task], contacts, settings.sides[k], std::nullopt, study::has_times(given)};
+                const std::size_t count = rollbem::has_numbers(found.wheel().status) ? found.wheel().patches.size() : 0;
+                for (std::size_t number = 0; number < std::max<std::size_t>(count, 1); ++number) {
+                    if (count > 0) found.number = number;
+                    study::Row row;
+                    for (const Column& column : sheet) row.push_back(column.value(found));
+                    emit(std::move(row));
+                    if (found.patch() == nullptr) continue;
+                    const bool left = found.side == Side::left;
+                    if (files) files->add(task, left, number, *found.patch());
+                    if (cases.size() == 1) drawn.push_back({left, *found.patch()});
                 }
             }
         };

@@ -14,15 +14,14 @@ of it in the profiles of right wheel and right rail (of a left wheel in their mi
 plane, in which s lies along y turned by it, and n points into the rail; normal force load; approach, from where the
 undeformed surfaces would touch; half_length along x and half_width along s, half the extents; iterations of the last
 solution for pressures; time_us of the whole position [microseconds], once. Lengths in m, angles in rad, forces in N,
-pressures in Pa, all of them SI. status: ok; doubtful_plane, surfaces turn by more than 0.2 rad over the patch; and
-without numbers: no_contact, end_of_profile, undefined_section, load_not_reached, not_converged, few_cells, not_finite.
+pressures in Pa, all of them SI. status: ok; doubtful_plane, surfaces turn by more than 0.2 rad over the patch;
+unbalanced, loads and friction did not settle to 1e-4; and without numbers: no_contact, end_of_profile, undefined_section, load_not_reached, not_converged, few_cells, not_finite.
 --friction: longitudinal_creepage, lateral_creepage and spin [1/m] are numbers as CONTACT's CKSI, CETA and CPHI, those
 of the rail on the wheel, over the mean of V and the circumferential speed: a driven wheel has a positive longitudinal
 creepage. longitudinal_force, lateral_force (along s) and spin_moment, about n at the reference point, act on the wheel
 (CONTACT's FX, FS, MN on the rail are minus these). slip_power [W] is what friction turns into heat, minus the power of
 forces and moment on the creepages; elements those of each patch. The loads are vertical: the normal forces are found
-together with those of friction. Status may then be that of friction, with the forces empty, or no_pitch_rate: the other
-wheel has no contact, and --pitch-rate is not given.
+together with those of friction. Status may then be that of friction, with the forces empty.
 --outline writes files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P and patch K, e.g. for
   patch_study --n 12 --outline DIR/1_right_1.outline.csv --pressure DIR/1_right_1.pressure.csv --longitudinal 0.1
 --positions: a row for each position. --smooth is for worn or measured profiles: the smoothest curve that leaves the

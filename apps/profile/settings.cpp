@@ -44,7 +44,7 @@ void add_options(study::Options& options) {
     options.add("speed", "V", "with --friction: of the wheelset [m/s]", "1");
     options.add("pitch-rate", "LIST",
                 "with --friction: about the axle, negative when rolling forward [rad/s]; default: that in which the "
-                "longitudinal creepages of both wheels add up to 0");
+                "longitudinal creepages of the wheels that touch add up to 0");
     options.add("strips", "M",
                 "with --friction: strips of a patch, 1 to 100; fewer where rolling would gain energy (dimensionless)",
                 "13");
@@ -123,21 +123,22 @@ Settings read_settings(const study::Options& options) {
     std::vector<Side> sides;
     if (side != "right") sides.push_back(Side::left);
     if (side != "left") sides.push_back(Side::right);
-    std::optional<FrictionSettings> friction;
+    std::optional<rollbem::RollingFriction> friction;
     if (options.given("friction")) {
-        friction = {positive("friction"), positive("speed"), Eigen::Index(options.integer("n", 1, 100)),
+        friction = {positive("friction"), Eigen::Index(options.integer("n", 1, 100)),
                     Eigen::Index(options.integer("strips", 1, 100))};
     } else {
         for (const char* name : {"speed", "pitch-rate", "n", "strips"}) options.ignored(name, "without --friction");
     }
-    const double load = positive("load");
+    const double load = positive("load"), speed = positive("speed");
     const rollbem::Profile wheel = read_wheel(options), rail = read_rail(options);
     try {
         return {rollbem::WheelsetOnTrack(rollbem::WheelOnRail(wheel, rail, track)),
                 sides,
                 load,
                 {.cells_x = Eigen::Index(cells->first), .cells_s = Eigen::Index(cells->second)},
-                friction};
+                friction,
+                speed};
     } catch (const std::invalid_argument& error) {
         throw study::BadInput(options.said("rail") + ": " + error.what());
     }

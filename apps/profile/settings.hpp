@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/vehicle/wheelset_on_track.hpp>
+#include <rollbem/vehicle/wheelset_forces.hpp>
 
-#include "friction.hpp"
 #include "support/csv.hpp"
 #include "support/options.hpp"
 
@@ -26,7 +25,8 @@ struct Settings {
     std::vector<Side> sides;
     double load;
     rollbem::WheelOnRail::Options grid;
-    std::optional<FrictionSettings> friction;
+    std::optional<rollbem::RollingFriction> friction;
+    double speed;  ///< V [m/s]
 };
 
 /// Declares the options of profile_study.

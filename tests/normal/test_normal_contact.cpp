@@ -158,6 +158,32 @@ TEST_CASE("normal_contact: two equal lobes share a load, and what does not touch
     CHECK(apart.normal.carry(apart.grid, apart.h, 1).status == NormalStatus::not_finite);
 }
 
+TEST_CASE("patch_shape: pieces that rows cut once", "[normal]") {
+    // two arms that join in a bridge, and a cell apart
+    const Eigen::ArrayXXd p = (Eigen::ArrayXXd(7, 5) << 1, 1, 2, 0, 0,  //
+                               1, 1, 0, 0, 0,                           //
+                               0, 1, 0, 0, 0,                           //
+                               0, 1, 0, 0, 0,                           //
+                               3, 1, 0, 0, 0,                           //
+                               3, 1, 4, 0, 0,                           //
+                               0, 0, 0, 0, 5)
+                                  .finished();
+    const std::vector<Eigen::ArrayXXd> found = detail::pieces(p);
+    Eigen::ArrayXXd sum = Eigen::ArrayXXd::Zero(7, 5);
+    std::vector<double> loads;
+    for (const Eigen::ArrayXXd& piece : found) {
+        sum += piece;
+        loads.push_back(piece.sum());
+        for (Eigen::Index j = 0; j < 5; ++j) {  // a row begins once
+            int begins = 0;
+            for (Eigen::Index i = 0; i < 7; ++i) begins += piece(i, j) > 0 && (i == 0 || !(piece(i - 1, j) > 0));
+            CHECK(begins <= 1);
+        }
+    }
+    CHECK((sum == p).all());
+    CHECK(loads == std::vector<double>{16, 5, 2, 2});
+}
+
 TEST_CASE("normal_contact: the middle of a long cylinder is Hertz's line", "[normal]") {
     // h does not depend on y over a strip 40 times as long as the contact is wide: Hertz's line in the middle
     const double R = 1, length = 4, per_width = 0.01;

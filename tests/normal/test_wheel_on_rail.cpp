@@ -1,4 +1,4 @@
-// rollbem/normal/profile.hpp, normal/wheel_on_rail.hpp, vehicle/wheelset_on_track.hpp
+// rollbem/normal/profile.hpp, normal/wheel_on_rail.hpp, vehicle/wheelset_on_track.hpp, vehicle/wheelset_forces.hpp
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/patch.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
-#include <rollbem/vehicle/wheelset_on_track.hpp>
+#include <rollbem/vehicle/wheelset_forces.hpp>
 
 #include "support/catch.hpp"
 #include "support/draw.hpp"
@@ -26,7 +28,9 @@ const WheelOnRail& standard() {
 }
 
 /// The friction ratio for which a vertical load of 10 kN makes the normal force N.
-double friction_for(double load, double angle) { return (1e4 / load - std::cos(angle)) / std::sin(angle); }
+LateralFriction friction_for(double load, double angle) {
+    return {.ratio = {(1e4 / load - std::cos(angle)) / std::sin(angle), 0}};
+}
 
 TEST_CASE("wheel_on_rail: contacts of the Manchester benchmark, S1002 on 60E1, against CONTACT", "[profiles]") {
     // reference values of CONTACT v25.2 on a grid of 0.2 mm; mm, N, MPa; left wheels are mirrored
@@ -104,7 +108,7 @@ TEST_CASE("wheel_on_rail: a cylinder on a round rail is Hertz's contact", "[prof
     const WheelOnRail wheel(cylinder, round,
                             {.gauge = 1.5 - 2 * 0.0903, .gauge_depth = 0.0139, .flange_back = 1.5, .tape_offset = 0});
     WheelOnRail::Workspace workspace;
-    const auto contact = wheel.carry({}, 8e4, 0, workspace, {.cells_x = 64, .cells_s = 64});
+    const auto contact = wheel.carry({}, 8e4, {}, workspace, {.cells_x = 64, .cells_s = 64});
     REQUIRE(contact.status == NormalStatus::ok);
     const RailPatch& patch = contact.patches.at(0);
     CHECK(patch.y == Approx(wheel.rail_origin()).margin(2e-6));
@@ -134,7 +138,7 @@ TEST_CASE("wheel_on_rail: a result or a status in random positions, and the load
         CAPTURE(position.lateral, position.roll, position.yaw, load, name(contact.status));
         CHECK(contact.status != NormalStatus::not_finite);
         CHECK(contact.status != NormalStatus::not_converged);
-        if (contact.status > NormalStatus::doubtful_plane) continue;
+        if (!has_numbers(contact.status)) continue;
         ++solved;
         double vertical = 0;
         for (const RailPatch& patch : contact.patches) {
@@ -160,20 +164,91 @@ TEST_CASE("wheelset_on_track: both wheels carry their loads; mirrored positions 
     CHECK(other.wheels[1].patches[0].angle == Approx(one.wheels[0].patches[0].angle).epsilon(1e-6));
 }
 
-TEST_CASE("wheelset_on_track: a braked wheel creeps forwards, a driven one backwards", "[profiles]") {
-    WheelOnRail::Workspace workspace;
-    WheelsetPosition position;
-    const auto contact = standard().carry(position, 1e5, workspace);
-    REQUIRE(contact.status == NormalStatus::ok);
-    position.height = contact.height;
-    const RailPatch& patch = contact.patches[0];
-    const auto longitudinal = [&](double share) {
-        return creepage_of(patch, position, {.forward = 20, .pitch_rate = -share * 20 / patch.rolling_radius}, 0.46)
-            .longitudinal;
-    };
-    CHECK(longitudinal(0) == Approx(2));  // slides at V, over the mean of V and 0
-    CHECK(longitudinal(0.99) == Approx(0.01).epsilon(0.02));
-    CHECK(longitudinal(1.01) == Approx(-0.01).epsilon(0.02));
+TEST_CASE("wheelset_on_track: regions that join between tread and flange", "[profiles]") {
+    const WheelsetOnTrack wheelset(standard());
+    WheelsetOnTrack::Workspace workspace;
+    const auto contacts = wheelset.carry({.lateral = 6.3e-3, .yaw = 0.02}, {1e5, 1e5}, workspace);
+    REQUIRE(contacts.status == NormalStatus::doubtful_plane);
+    for (const WheelOnRail::Contact& wheel : contacts.wheels) {
+        double vertical = 0;
+        for (const RailPatch& patch : wheel.patches) vertical += patch.load * std::cos(patch.angle);
+        CHECK(vertical == Approx(1e5).epsilon(2e-6));
+    }
+    // at this height the same loads press the wheels down again
+    const auto pressed = wheelset.carry(contacts.position, {0, 0}, workspace, WheelsetOnTrack::Free::nothing);
+    for (std::size_t k = 0; k < 2; ++k) {
+        REQUIRE(pressed.wheels[k].patches.size() == contacts.wheels[k].patches.size());
+        CHECK(pressed.wheels[k].patches[0].load == Approx(contacts.wheels[k].patches[0].load).epsilon(2e-2));
+    }
+    const auto lifted = wheelset.carry({.height = -1e-3}, {0, 0}, workspace, WheelsetOnTrack::Free::nothing);
+    CHECK(lifted.status == NormalStatus::no_contact);
+}
+
+TEST_CASE("wheelset_forces: a braked wheelset is held back and its axle turned forwards", "[profiles]") {
+    const WheelsetOnTrack wheelset(standard());
+    WheelsetOnTrack::Workspace workspace;
+    WheelsetRolling rolling{.position = {.lateral = 4e-3, .yaw = 2e-3}, .speeds = {.forward = 20}};
+    const RollingFriction friction{.coefficient = 0.3, .elements = 8, .strips = 9};
+    const auto free = rolling_forces(wheelset, rolling, friction, workspace);
+    REQUIRE(free.contacts.status == NormalStatus::ok);
+    CHECK(free.patches[0][0].creepage.longitudinal + free.patches[1][0].creepage.longitudinal ==
+          Approx(0).margin(1e-14));
+    // rails carry the loads, normal forces and friction together; a creepage is against its force
+    for (std::size_t k = 0; k < 2; ++k) {
+        CHECK(free.on_wheel[k].force[2] == Approx(-1e5).epsilon(2e-4));
+        CHECK(free.patches[k][0].creepage.longitudinal * free.patches[k][0].force.longitudinal < 0);
+    }
+    CHECK(free.on_wheel[0].force[1] + free.on_wheel[1].force[1] == Approx(free.on_wheelset.force[1]));
+    // heat is the power of creep forces over the rolling velocity
+    const PatchForce& patch = free.patches[1][0];
+    CHECK(patch.slip_work ==
+          Approx(-patch.creepage.longitudinal * patch.force.longitudinal -
+                 patch.creepage.lateral * patch.force.lateral - patch.creepage.spin * patch.force.moment)
+              .epsilon(2e-2));
+    CHECK(patch.strip_work.sum() == Approx(patch.slip_work).epsilon(1e-12));
+
+    rolling.free_pitch = false;
+    for (const double share : {0.995, 1.005}) {
+        rolling.speeds.pitch_rate = share * free.pitch_rate;
+        const auto forced = rolling_forces(wheelset, rolling, friction, workspace);
+        const double sign = share < 1 ? 1 : -1;  // braked, driven
+        CHECK(sign * forced.on_wheelset.force[0] < -2e4);
+        // the forces attack r0 below the axle: they turn it forwards, towards negative rates, if it is braked
+        CHECK(forced.on_wheelset.moment[1] == Approx(0.46 * forced.on_wheelset.force[0]).epsilon(2e-2));
+        CHECK(sign * forced.patches[0][0].creepage.longitudinal > 3e-3);
+    }
+}
+
+TEST_CASE("wheelset_forces: mirrored motions are mirror images; a wheel without contact does not stop the other",
+          "[profiles]") {
+    const WheelsetOnTrack wheelset(standard());
+    WheelsetOnTrack::Workspace workspace;
+    const RollingFriction friction{.coefficient = 0.3, .elements = 6, .strips = 7};
+    WheelsetRolling rolling{.position = {.lateral = 5e-3, .yaw = 3e-3}, .loads = {8e4, 1e5}, .speeds = {.forward = 2}};
+    const auto one = rolling_forces(wheelset, rolling, friction, workspace);
+    rolling.position = {.lateral = -5e-3, .yaw = -3e-3};
+    rolling.loads = {1e5, 8e4};
+    const auto other = rolling_forces(wheelset, rolling, friction, workspace);
+    REQUIRE(has_numbers(one.contacts.status));
+    for (const std::size_t i : {0, 1, 2}) {
+        CHECK(other.on_wheelset.force[i] == Approx((i == 1 ? -1 : 1) * one.on_wheelset.force[i]).margin(1));
+        CHECK(other.on_wheelset.moment[i] == Approx((i == 1 ? 1 : -1) * one.on_wheelset.moment[i]).margin(1));
+    }
+    CHECK(other.pitch_rate == Approx(one.pitch_rate).epsilon(1e-7));
+
+    // narrow wheels, the left one beside its rail, the right one on its flange
+    const Profile whole = s1002();
+    const Eigen::Index most = (whole.y() < 0.02).count();
+    const WheelsetOnTrack narrow(WheelOnRail({whole.y().head(most), whole.z().head(most)}, rail_60e1()));
+    rolling.position = {.lateral = 0.05};
+    rolling.free = WheelsetOnTrack::Free::height;
+    const auto derailed = rolling_forces(narrow, rolling, friction, workspace);
+    CHECK(!has_numbers(derailed.contacts.wheels[0].status));
+    CHECK(derailed.patches[0].empty());
+    REQUIRE(has_numbers(derailed.contacts.wheels[1].status));
+    REQUIRE(derailed.patches[1].size() == derailed.contacts.wheels[1].patches.size());
+    CHECK(derailed.patches[1][0].creepage.longitudinal == Approx(0).margin(1e-14));
+    CHECK(derailed.on_wheelset.force[2] == Approx(-8e4).epsilon(2e-4));
 }
 
 TEST_CASE("profile: points must follow a curve; smoothing leaves the deviation it was given", "[profiles]") {

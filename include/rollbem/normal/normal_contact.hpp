@@ -20,6 +20,7 @@ namespace rollbem {
 enum class NormalStatus {
     ok,
     doubtful_plane,     ///< numbers, but surfaces turn by more than 0.2 rad over the contact: a plane is an assumption
+    unbalanced,         ///< numbers, but normal forces and friction did not settle to 1e-4 of the normal force
     no_contact,         ///< the surfaces do not touch: a wheel is lifted, or beside the rail
     end_of_profile,     ///< contact reaches the end of a profile, which is not known beyond
     undefined_section,  ///< the wheel's section is not a function there: yaw is too large
@@ -33,6 +34,7 @@ constexpr const char* name(NormalStatus status) {
     switch (status) {
         case NormalStatus::ok: return "ok";
         case NormalStatus::doubtful_plane: return "doubtful_plane";
+        case NormalStatus::unbalanced: return "unbalanced";
         case NormalStatus::no_contact: return "no_contact";
         case NormalStatus::end_of_profile: return "end_of_profile";
         case NormalStatus::undefined_section: return "undefined_section";
@@ -43,6 +45,8 @@ constexpr const char* name(NormalStatus status) {
     }
     return "not_finite";
 }
+
+constexpr bool has_numbers(NormalStatus status) { return status <= NormalStatus::unbalanced; }
 
 /// Cells of size dx x dy [m] around centres x_0 + i dx, y_0 + j dy.
 struct CellGrid {

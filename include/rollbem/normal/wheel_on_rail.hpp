@@ -44,6 +44,27 @@ struct WheelsetPosition {
     double yaw = 0;      ///< psi [rad]
 };
 
+namespace detail {
+
+inline bool is_finite(const WheelsetPosition& at) {
+    return is_finite(at.lateral) && is_finite(at.height) && is_finite(at.roll) && is_finite(at.yaw);
+}
+
+}  // namespace detail
+
+/// The force of friction on the rail along s over the normal force, by the angle of the plane: linear between two patches
+/// of a wheel, constant beyond them; of one patch both are the same.
+struct LateralFriction {
+    std::array<double, 2> angle{0, 0};  ///< [rad], in any order
+    std::array<double, 2> ratio{0, 0};  ///< [-]
+
+    double operator()(double at) const {
+        if (angle[0] == angle[1]) return ratio[0];
+        const double part = std::clamp((at - angle[0]) / (angle[1] - angle[0]), 0.0, 1.0);
+        return ratio[0] + part * (ratio[1] - ratio[0]);
+    }
+};
+
 /// One patch of a wheel on a rail. The plane of contact has its origin at the reference point, s along y turned by the
 /// angle, and n into the rail; patch and pressures are in the axes (x, s) from there.
 struct RailPatch {
@@ -62,7 +83,7 @@ struct RailPatch {
     CellGrid grid{};           ///< of the pressures
     Eigen::ArrayXXd pressure;  ///< [Pa], nx x ny
     std::optional<Outline<double>> outline;
-    bool has_numbers() const { return status == NormalStatus::ok || status == NormalStatus::doubtful_plane; }
+    bool has_numbers() const { return rollbem::has_numbers(status); }
 };
 
 /// The right wheel of a wheelset on the right rail; a left one is its mirror image, with y, roll, yaw and lateral
@@ -79,15 +100,33 @@ public:
     };
 
     /// Memory of a solution, and where the search for the next one starts.
-    struct Workspace {
-        double approach = 0;  ///< vertical, of the last solution [m]; 0: none
-        std::vector<NormalContact> normal;
+    class Workspace {
+        friend class WheelOnRail;
+        // The plane of a region, and the region in it.
+        struct Plane {
+            double x = 0, y = 0, z = 0, angle = 0, sine = 0, cosine = 1;  // its origin, on the rail, in track axes
+            double wheel_s = 0, rail_s = 0;                               // of both profiles there
+            double deepest = 0;                                           // penetration along n
+            double low = 0, high = 0;                                     // ends of the region along s
+
+            double s(double y_track, double z_track) const { return (y_track - y) * cosine + (z_track - z) * sine; }
+            double n(double y_track, double z_track) const { return (z_track - z) * cosine - (y_track - y) * sine; }
+        };
+        struct Part {
+            Plane plane{};
+            CellGrid grid{};
+            NormalContact::Grid h{};  // the gap before deformation, at the height of the plane
+            NormalContact::Solution solution{};
+        };
         struct Sample {
             double x, y, gap;  // of the locus at height 0: below it the rail's top
             bool defined;
         };
+
+        double approach = 0;  // vertical, of the last solution [m]; 0: none
+        std::vector<Part> parts;
+        std::vector<NormalContact> normal;  // of the parts
         std::vector<Sample> locus;
-        NormalContact::Grid h;
         Eigen::ArrayXd at;
     };
 
@@ -98,13 +137,14 @@ public:
     };
 
     /// The contact that carries the vertical load [N] at this lateral position, roll and yaw; the height of `position`
-    /// is not used. `friction` is the force of friction on the rail along s over the normal force N: the rail carries
-    /// N (cos delta + friction sin delta).
-    Contact carry(const WheelsetPosition& position, double load, double friction, Workspace& workspace,
+    /// is not used. With `friction` the rail carries N (cos delta + ratio sin delta) of a normal force N.
+    Contact carry(const WheelsetPosition& position, double load, const LateralFriction& friction, Workspace& workspace,
                   const Options& options) const;
     Contact carry(const WheelsetPosition& position, double load, Workspace& workspace) const {
-        return carry(position, load, 0, workspace, Options{});
+        return carry(position, load, {}, workspace, Options{});
     }
+    /// The contact at this position and height, whatever it carries; no_contact where the wheel is lifted.
+    Contact press(const WheelsetPosition& position, Workspace& workspace, const Options& options) const;
 
     const Profile& wheel() const { return wheel_; }
     const Profile& rail() const { return rail_; }
@@ -136,16 +176,9 @@ private:
     struct Region {
         std::size_t first, last;
     };
-    // The plane of a region, and the region in it.
-    struct Plane {
-        double x = 0, y = 0, z = 0, angle = 0, sine = 0, cosine = 1;  // its origin, on the rail, in track axes
-        double wheel_s = 0, rail_s = 0;                               // of both profiles there
-        double deepest = 0;                                           // penetration along n
-        double low = 0, high = 0;                                     // ends of the region along s
-
-        double s(double y_track, double z_track) const { return (y_track - y) * cosine + (z_track - z) * sine; }
-        double n(double y_track, double z_track) const { return (z_track - z) * cosine - (y_track - y) * sine; }
-    };
+    using Plane = Workspace::Plane;
+    using Part = Workspace::Part;
+    class Search;
 
     // sin theta = `sine`; not defined where the wheel turns away too fast for a section
     Place place(const Attitude& attitude, const Point& p, double sine) const {
@@ -166,17 +199,18 @@ private:
     double rail_place(double y) const;
     void find_locus(const Attitude& attitude, Workspace& workspace) const;
     std::vector<Region> regions(double height, const Workspace& workspace) const;
-    Plane plane(const Attitude& attitude, double height, const Region& region) const;
-    // The gap before deformation; false where a section is not defined.
-    bool find_gaps(const Attitude& attitude, const Plane& plane, const CellGrid& grid, Workspace& workspace) const;
+    Plane plane(const Attitude& attitude, const Region& region) const;
+    // The gap of a part before deformation; false where a section is not defined.
+    bool find_gaps(const Attitude& attitude, const Plane& plane, const CellGrid& grid, NormalContact::Grid& h,
+                   Eigen::ArrayXd& at) const;
     CellGrid first_grid(const Plane& plane) const;
     // Cells over what touches, with two cells of margin.
     static CellGrid finer(const CellGrid& grid, const NormalContact::Grid& p, const Options& options, bool lobes);
     // Whether `cells` along s are too few for the narrowest lobe of the gap, or there are several.
-    bool has_lobes(const Attitude& attitude, const Plane& plane, Eigen::Index cells, Workspace& workspace) const;
-    // Pressures as patches, one for each connected set of cells.
-    void add_patches(const Plane& plane, const CellGrid& grid, const NormalContact& normal,
-                     const NormalContact::Solution& solution, std::vector<RailPatch>& patches) const;
+    bool has_lobes(const Attitude& attitude, const Plane& plane, Eigen::Index cells, Eigen::ArrayXd& at) const;
+    // Pressures as patches that every row cuts in one interval, with the wheel lower by `lower` than the part says.
+    void add_patches(const Part& part, double lower, const NormalContact::Grid& pressure,
+                     std::vector<RailPatch>& patches) const;
 
     Profile wheel_, rail_;
     TrackDimensions dimensions_;
@@ -258,7 +292,7 @@ inline auto WheelOnRail::regions(double height, const Workspace& workspace) cons
     return found;
 }
 
-inline auto WheelOnRail::plane(const Attitude& attitude, double height, const Region& region) const -> Plane {
+inline auto WheelOnRail::plane(const Attitude& attitude, const Region& region) const -> Plane {
     const double from = sample_s_[region.first > 0 ? region.first - 1 : 0],
                  to = sample_s_[(std::min)(region.last + 1, sample_s_.size() - 1)];
     constexpr int count = 160;
@@ -277,7 +311,7 @@ inline auto WheelOnRail::plane(const Attitude& attitude, double height, const Re
                at.x,
                at.y,
                below.z,
-               (std::max)(height + at.z - below.z, 0.0),
+               (std::max)(at.z - below.z, 0.0),
                std::atan2(below.slope[1], below.slope[0])};
         if (!detail::is_finite(cut.depth)) cut.depth = 0;
         const double weight = on_wheel.slope[0] * std::pow(cut.depth, 2.5);
@@ -313,8 +347,7 @@ inline auto WheelOnRail::plane(const Attitude& attitude, double height, const Re
 }
 
 inline bool WheelOnRail::find_gaps(const Attitude& attitude, const Plane& plane, const CellGrid& grid,
-                                   Workspace& workspace) const {
-    auto& h = workspace.h;
+                                   NormalContact::Grid& h, Eigen::ArrayXd& columns) const {
     h.resize(grid.nx, grid.ny);
     const double sin_yaw = attitude.sin_yaw, cos_yaw = attitude.cos_yaw;
     const double sin_roll = attitude.sin_roll, cos_roll = attitude.cos_roll;
@@ -331,12 +364,12 @@ inline bool WheelOnRail::find_gaps(const Attitude& attitude, const Plane& plane,
         }
         const double n_rail = plane.n(rail_origin_ + rail.y, rail.z);
         const Eigen::Index centre = grid.nx / 2;
-        double at = j == 0 ? plane.wheel_s + s : workspace.at[centre] + grid.dy;
-        workspace.at.resize((std::max)(workspace.at.size(), grid.nx));
+        double at = j == 0 ? plane.wheel_s + s : columns[centre] + grid.dy;
+        columns.resize((std::max)(columns.size(), grid.nx));
         // from the middle outwards, each column from its neighbour
         for (Eigen::Index c = 0; c < grid.nx; ++c) {
             const Eigen::Index i = c < grid.nx - centre ? centre + c : grid.nx - 1 - c;
-            if (c == grid.nx - centre) at = workspace.at[centre];
+            if (c == grid.nx - centre) at = columns[centre];
             const double X = plane.x + grid.x(i);
             double n_wheel = 0;
             for (int k = 0; k < 12; ++k) {
@@ -359,7 +392,7 @@ inline bool WheelOnRail::find_gaps(const Attitude& attitude, const Plane& plane,
                                     (sin_roll * across + cos_roll * down) * plane.sine;
                 at -= off / (std::max)(rate, 0.1);
             }
-            workspace.at[i] = at;
+            columns[i] = at;
             h(i, j) = n_rail - n_wheel;
         }
     }
@@ -397,11 +430,12 @@ inline CellGrid WheelOnRail::finer(const CellGrid& grid, const NormalContact::Gr
 }
 
 inline bool WheelOnRail::has_lobes(const Attitude& attitude, const Plane& plane, Eigen::Index cells,
-                                   Workspace& workspace) const {
+                                   Eigen::ArrayXd& columns) const {
     constexpr Eigen::Index count = 80, least_cells = 10;
     const double ds = (plane.high - plane.low) / count;
-    if (!find_gaps(attitude, plane, {1, count, 0, plane.low + ds / 2, ds, ds}, workspace)) return false;
-    const Eigen::ArrayXd h = workspace.h.row(0);
+    NormalContact::Grid row;
+    if (!find_gaps(attitude, plane, {1, count, 0, plane.low + ds / 2, ds, ds}, row, columns)) return false;
+    const Eigen::ArrayXd h = row.row(0);
     // across the deepest lobe: where the gap has risen by a quarter, a parabola has half its width
     Eigen::Index deepest = 0;
     const double least = h.minCoeff(&deepest);
@@ -420,50 +454,38 @@ inline bool WheelOnRail::has_lobes(const Attitude& attitude, const Plane& plane,
     return false;
 }
 
-inline void WheelOnRail::add_patches(const Plane& plane, const CellGrid& grid, const NormalContact& normal,
-                                     const NormalContact::Solution& solution, std::vector<RailPatch>& patches) const {
-    const NormalContact::Grid& p = normal.pressure();
-    Eigen::ArrayXXi label = Eigen::ArrayXXi::Zero(p.rows(), p.cols());
-    std::vector<std::pair<Eigen::Index, Eigen::Index>> open;
-    int count = 0;
-    for (Eigen::Index j = 0; j < p.cols(); ++j) {
-        for (Eigen::Index i = 0; i < p.rows(); ++i) {
-            if (!(p(i, j) > 0) || label(i, j) != 0) continue;
-            label(i, j) = ++count;
-            for (open.push_back({i, j}); !open.empty();) {
-                const auto [k, l] = open.back();
-                open.pop_back();
-                for (Eigen::Index m = std::max<Eigen::Index>(l - 1, 0); m <= (std::min)(l + 1, p.cols() - 1); ++m) {
-                    for (Eigen::Index o = std::max<Eigen::Index>(k - 1, 0); o <= (std::min)(k + 1, p.rows() - 1); ++o) {
-                        if (!(p(o, m) > 0) || label(o, m) != 0) continue;
-                        label(o, m) = count;
-                        open.push_back({o, m});
-                    }
-                }
-            }
-        }
-    }
-    const double cell = grid.dx * grid.dy;
-    for (int part = 1; part <= count; ++part) {
-        RailPatch patch;
-        patch.grid = grid;
-        patch.pressure = (label == part).select(p, 0);
-        patch.load = patch.pressure.sum() * cell;
-        if (count > 1 && patch.load < 1e-6 * solution.load) continue;  // a cell that is about to lift
-        const Point wheel = wheel_.at(plane.wheel_s), rail = rail_.at(plane.rail_s);
-        patch.x = plane.x;
-        patch.y = plane.y;
-        patch.z = plane.z;
-        patch.rail_y = rail.y;
-        patch.wheel_y = wheel.y;
-        patch.angle = plane.angle;
-        patch.rolling_radius = dimensions_.radius + wheel.z;
-        patch.approach = patch.penetration = plane.deepest + solution.approach;
+inline void WheelOnRail::add_patches(const Part& part, double lower, const NormalContact::Grid& pressure,
+                                     std::vector<RailPatch>& patches) const {
+    const Plane& plane = part.plane;
+    const Point wheel = wheel_.at(plane.wheel_s), rail = rail_.at(plane.rail_s);
+    RailPatch patch;
+    patch.x = plane.x;
+    patch.y = plane.y;
+    patch.z = plane.z;
+    patch.rail_y = rail.y;
+    patch.wheel_y = wheel.y;
+    patch.angle = plane.angle;
+    patch.rolling_radius = dimensions_.radius + wheel.z;
+    patch.approach = patch.penetration = plane.deepest + lower * plane.cosine;
+    patch.steps = part.solution.steps;
+    patch.grid = part.grid;
+    std::vector<Eigen::ArrayXXd> pieces = detail::pieces(pressure);
+    // crumbs, cells that are about to lift, leave their load to the others
+    constexpr double crumb = 0.02;
+    double kept = 0;
+    std::erase_if(pieces, [&](const Eigen::ArrayXXd& p) {
+        const double sum = p.sum();
+        const bool falls = sum < crumb * pressure.sum() && !detail::contact_outline(part.grid, p);
+        if (!falls) kept += sum;
+        return falls;
+    });
+    for (const Eigen::ArrayXXd& piece : pieces) {
+        patch.status = part.solution.status;
+        patch.pressure = pressure.sum() / kept * piece;
+        patch.load = patch.pressure.sum() * part.grid.dx * part.grid.dy;
         patch.peak_pressure = detail::peak_pressure(patch.pressure);
-        patch.steps = solution.steps;
-        patch.status = solution.status;
-        patch.outline = detail::contact_outline(grid, patch.pressure);
-        if (patch.outline && (patch.pressure > 0).count() >= 7) {
+        patch.outline = detail::contact_outline(part.grid, patch.pressure);
+        if (patch.outline) {
             const Outline<double>& outline = *patch.outline;
             patch.area = outline.area();
             patch.half_width = (outline.high() - outline.low()) / 2;
@@ -474,172 +496,266 @@ inline void WheelOnRail::add_patches(const Plane& plane, const CellGrid& grid, c
             }
             patch.half_length = (ahead - behind) / 2;
             const auto angle = [&](double s) {
-                const double along = plane.rail_s + s;
-                const Point at = rail_.at(along);
+                const Point at = rail_.at(plane.rail_s + s);
                 return std::atan2(at.slope[1], at.slope[0]);
             };
-            const double rail_low = plane.rail_s + outline.low(), rail_high = plane.rail_s + outline.high(),
-                         wheel_low = plane.wheel_s + outline.low(), wheel_high = plane.wheel_s + outline.high();
             if (patch.status == NormalStatus::ok && std::abs(angle(outline.high()) - angle(outline.low())) > 0.2) {
                 patch.status = NormalStatus::doubtful_plane;
             }
-            if (rail_low < rail_.s()[rail_first_] || rail_high > rail_.s()[rail_last_] || wheel_low < 0 ||
-                wheel_high > wheel_.length()) {
+            if (plane.rail_s + outline.low() < rail_.s()[rail_first_] ||
+                plane.rail_s + outline.high() > rail_.s()[rail_last_] || plane.wheel_s + outline.low() < 0 ||
+                plane.wheel_s + outline.high() > wheel_.length()) {
                 patch.status = NormalStatus::end_of_profile;
             }
         } else if (patch.has_numbers()) {
             patch.status = NormalStatus::few_cells;
         }
-        patches.push_back(std::move(patch));
+        patches.push_back(patch);
     }
 }
 
-inline auto WheelOnRail::carry(const WheelsetPosition& position, double load, double friction, Workspace& workspace,
-                               const Options& options) const -> Contact {
-    Contact contact;
-    if (!detail::is_finite(position.lateral) || !detail::is_finite(position.roll) || !detail::is_finite(position.yaw) ||
-        !(detail::is_finite(load) && load > 0)) {
+// One contact: regions become parts, each with a plane, a grid and gaps that hold for a height; loads are found with the
+// wheel lower than that by a little, and the planes again where it is then.
+class WheelOnRail::Search {
+public:
+    Search(const WheelOnRail& wheel, const WheelsetPosition& position, const LateralFriction& friction,
+           Workspace& workspace, const Options& options)
+        : wheel_(wheel),
+          attitude_(position),
+          friction_(friction),
+          workspace_(workspace),
+          options_(options),
+          parts_(workspace.parts) {
+        attitude_.at.height = 0;
+    }
+
+    Contact carry(double load) {
+        Contact contact;
+        contact.status = locate();
+        if (contact.status != NormalStatus::ok) return contact;
+        // 1. The height on coarse grids, to some percent: loads grow like the power 3/2 of the approach
+        double approach = workspace_.approach > 0 ? workspace_.approach : 2e-5 * std::cbrt(load / 1e4 * (load / 1e4));
+        double low = 0, high = std::numeric_limits<double>::infinity();
+        for (int k = 0;; ++k) {
+            contact.status = NormalStatus::undefined_section;
+            if (!divide(touch_ + approach)) return contact;
+            const double found = carried();
+            if (std::abs(found / load - 1) < 0.02) break;
+            (found < load ? low : high) = approach;
+            if (high - low < 1e-3 * high) break;  // loads jump where regions join
+            contact.status = NormalStatus::load_not_reached;
+            if (k == 60) return contact;
+            const double to = found > 0 ? approach * std::pow(load / found, 2.0 / 3) : 2 * approach;
+            approach = to > low && to < high ? to : detail::is_finite(high) ? (low + high) / 2 : 2 * approach;
+        }
+        // 2. On fine grids
+        bool settled = false;
+        double lower = 0;
+        for (int round = 0; round < 12 && !settled; ++round) {
+            contact.status = NormalStatus::undefined_section;
+            if (!refine(touch_ + approach, round)) return contact;
+            contact.status = NormalStatus::load_not_reached;
+            if (!lower_until(load, round > 0, lower)) return contact;
+            approach += lower;
+            settled = std::abs(lower) < 1e-4 * deepest() && !outgrown();
+        }
+        if (!settled && !(std::abs(lower) < 1e-2 * deepest())) return contact;
+        workspace_.approach = approach;
+        return result(touch_ + approach, lower);
+    }
+
+    Contact press(double height) {
+        Contact contact;
+        contact.status = locate();
+        if (contact.status != NormalStatus::ok) return contact;
+        contact.status = NormalStatus::no_contact;
+        if (!(height > touch_)) return contact;
+        contact.status = NormalStatus::undefined_section;
+        if (!divide(height) || !refine(height, 0)) return contact;
+        settle(0, options_.tolerance, false);
+        for (int k = 0; k < 4 && outgrown(); ++k) {
+            if (!refine(height, 1)) return contact;
+            settle(0, options_.tolerance, false);
+        }
+        return result(height, 0);
+    }
+
+private:
+    // Where the wheel touches first.
+    NormalStatus locate() {
+        wheel_.find_locus(attitude_, workspace_);
+        const Workspace::Sample* nearest = nullptr;
+        for (const Workspace::Sample& sample : workspace_.locus) {
+            if (detail::is_finite(sample.gap) && (nearest == nullptr || sample.gap < nearest->gap)) nearest = &sample;
+        }
+        if (nearest == nullptr) return NormalStatus::no_contact;
+        touch_ = nearest->gap;
+        return nearest->defined ? NormalStatus::ok : NormalStatus::undefined_section;
+    }
+
+    // Parts at a height, and their loads on coarse grids; false if a section is undefined.
+    bool divide(double height) {
+        attitude_.at.height = height;
+        parts_.clear();
+        for (const Region& region : wheel_.regions(height, workspace_)) {
+            Part& part = parts_.emplace_back();
+            part.plane = wheel_.plane(attitude_, region);
+            part.grid = wheel_.first_grid(part.plane);
+            if (!find_gaps(part)) return false;
+        }
+        while (workspace_.normal.size() < parts_.size()) workspace_.normal.emplace_back(wheel_.compliance());
+        settle(0, 1e-3, false);
+        return true;
+    }
+
+    // Fine grids over what touches, and planes at a height; regions stay as they are after a few rounds.
+    bool refine(double height, int round) {
+        attitude_.at.height = height;
+        const std::vector<Region> found = wheel_.regions(height, workspace_);
+        const bool same = found.size() == parts_.size();
+        if (!same && round < 3) {
+            if (!divide(height)) return false;
+            round = 0;
+        }
+        if (round == 0) {
+            std::vector<Part> touching;  // and the memory of their pressures
+            for (std::size_t k = 0; k < parts_.size(); ++k) {
+                if (!(parts_[k].solution.load > 0)) continue;
+                std::swap(workspace_.normal[touching.size()], workspace_.normal[k]);
+                touching.push_back(std::move(parts_[k]));
+            }
+            parts_ = std::move(touching);
+        }
+        for (std::size_t k = 0; k < parts_.size(); ++k) {
+            Part& part = parts_[k];
+            if (round == 0 || outgrown(k)) {
+                const bool lobes = wheel_.has_lobes(attitude_, part.plane, options_.cells_s, workspace_.at);
+                part.grid = finer(part.grid, workspace_.normal[k].pressure(), options_, lobes);
+            }
+            if (round > 0 && same) {
+                const Plane before = std::exchange(part.plane, wheel_.plane(attitude_, found[k]));
+                part.grid.x_0 += before.x - part.plane.x;  // the grid stays where it is
+                part.grid.y_0 -= before.s(part.plane.y, part.plane.z);
+            } else if (round > 0) {
+                part.plane.deepest += (height - height_) * part.plane.cosine;
+            }
+            if (!find_gaps(part)) return false;
+        }
+        height_ = height;
+        return true;
+    }
+
+    bool find_gaps(Part& part) { return wheel_.find_gaps(attitude_, part.plane, part.grid, part.h, workspace_.at); }
+
+    // Loads with the wheel lower than the gaps say, in rounds, as each displaces the surface below the others.
+    void settle(double lower, double tolerance, bool warm) {
+        for (int round = 0; round < (parts_.size() > 1 ? 4 : 1); ++round) {
+            for (std::size_t k = 0; k < parts_.size(); ++k) {
+                Part& part = parts_[k];
+                double depth = lower * part.plane.cosine;
+                for (std::size_t other = 0; other < parts_.size(); ++other) {
+                    if (other == k) continue;
+                    const Plane &here = part.plane, &there = parts_[other].plane;
+                    const double distance = std::hypot(here.x - there.x, here.y - there.y, here.z - there.z);
+                    depth -= parts_[other].solution.load * wheel_.compliance() / (std::numbers::pi * distance);
+                }
+                part.solution = workspace_.normal[k].approach(part.grid, part.h, depth, tolerance, warm || round > 0);
+            }
+        }
+    }
+
+    // By how much the wheel is to be lower than the gaps say.
+    bool lower_until(double load, bool warm, double& lower) {
+        lower = 0;
+        if (parts_.size() == 1) {
+            Part& part = parts_[0];
+            part.solution =
+                workspace_.normal[0].carry(part.grid, part.h, load / vertical(part), options_.tolerance, warm);
+            lower = part.solution.approach / part.plane.cosine;
+            return true;
+        }
+        // the power 2/3 of a load grows nearly linearly
+        const auto root = [](double of) { return std::cbrt(of * of); };
+        double low = -std::numeric_limits<double>::infinity(), high = -low, last = 0, value = 0;
+        for (int k = 0; k < 60; ++k) {
+            settle(lower, options_.tolerance / 10, warm || k > 0);
+            const double found = carried();
+            if (std::abs(found / load - 1) < options_.tolerance) return true;
+            (found < load ? low : high) = lower;
+            const double rate = k == 0 ? root(found) / deepest() : (root(found) - value) / (lower - last);
+            last = lower;
+            value = root(found);
+            lower += (root(load) - value) / rate;
+            if (!(lower > low && lower < high)) {
+                lower = detail::is_finite(high - low) ? (low + high) / 2 : last + (found < load ? 1 : -1) * deepest();
+            }
+        }
+        return false;
+    }
+
+    double vertical(const Part& part) const {
+        return part.plane.cosine + friction_(part.plane.angle) * part.plane.sine;
+    }
+    double carried() const {
+        double sum = 0;
+        for (const Part& part : parts_) sum += part.solution.load * vertical(part);
+        return sum;
+    }
+    double deepest() const {
+        double most = 0;
+        for (const Part& part : parts_) most = (std::max)(most, part.plane.deepest);
+        return most;
+    }
+
+    // Whether pressure reaches the border of the grid.
+    bool outgrown(std::size_t k) const {
+        const NormalContact::Grid& p = workspace_.normal[k].pressure();
+        if (p.size() == 0) return false;
+        const Eigen::Index right = p.rows() - 1, top = p.cols() - 1;
+        return (p.row(0) > 0).any() || (p.row(right) > 0).any() || (p.col(0) > 0).any() || (p.col(top) > 0).any();
+    }
+    bool outgrown() const {
+        for (std::size_t k = 0; k < parts_.size(); ++k) {
+            if (outgrown(k)) return true;
+        }
+        return false;
+    }
+
+    Contact result(double height, double lower) const {
+        Contact contact;
+        contact.height = height;
+        for (std::size_t k = 0; k < parts_.size(); ++k) {
+            if (parts_[k].solution.load > 0) {
+                wheel_.add_patches(parts_[k], lower, workspace_.normal[k].pressure(), contact.patches);
+            }
+        }
+        std::stable_sort(contact.patches.begin(), contact.patches.end(),
+                         [](const RailPatch& one, const RailPatch& other) { return one.load > other.load; });
+        contact.status = contact.patches.empty() ? NormalStatus::no_contact : NormalStatus::ok;
+        for (const RailPatch& patch : contact.patches) contact.status = (std::max)(contact.status, patch.status);
         return contact;
     }
-    const Attitude attitude({position.lateral, 0, position.roll, position.yaw});
-    find_locus(attitude, workspace);
-    std::size_t nearest = samples_.size();
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-        if (detail::is_finite(workspace.locus[i].gap) &&
-            (nearest == samples_.size() || workspace.locus[i].gap < workspace.locus[nearest].gap)) {
-            nearest = i;
-        }
-    }
-    contact.status = NormalStatus::no_contact;
-    if (nearest == samples_.size()) return contact;
-    contact.status = NormalStatus::undefined_section;
-    if (!workspace.locus[nearest].defined) return contact;
-    const double touch = workspace.locus[nearest].gap;
 
-    struct Part {
-        Plane plane{};
-        CellGrid grid{};
-        NormalContact::Solution solution{};
-        double load = 0;
-    };
-    std::vector<Part> parts;
-    const auto vertical = [&](const Part& part) { return part.plane.cosine + friction * part.plane.sine; };
-    // at a height, on coarse grids, or on `fine` ones over what touches on the coarse; false if a section is undefined
-    const auto press = [&](double height, bool fine, double tolerance) {
-        const std::vector<Region> found = regions(height, workspace);
-        const std::vector<Part> before = std::exchange(parts, {});
-        while (workspace.normal.size() < found.size()) workspace.normal.emplace_back(compliance());
-        for (std::size_t k = 0; k < found.size(); ++k) {
-            Part part{.plane = plane(attitude, height, found[k])};
-            if (before.size() == found.size()) part.load = before[k].load;
-            parts.push_back(part);
-        }
-        for (int round = 0; round < (parts.size() > 1 ? 4 : 1); ++round) {
-            for (std::size_t k = 0; k < parts.size(); ++k) {
-                Part& part = parts[k];
-                double lift = 0;  // what the other loads displace here
-                for (std::size_t other = 0; other < parts.size(); ++other) {
-                    if (other == k) continue;
-                    const Plane& there = parts[other].plane;
-                    const double distance =
-                        std::hypot(part.plane.x - there.x, std::hypot(part.plane.y - there.y, part.plane.z - there.z));
-                    lift += parts[other].load * compliance() / (std::numbers::pi * distance);
-                }
-                // grids and gaps hold for the height of the plane, at which h includes the penetration
-                const auto solve = [&](const CellGrid& grid, double to) {
-                    part.grid = grid;
-                    if (!find_gaps(WheelsetPosition{position.lateral, height, position.roll, position.yaw}, part.plane,
-                                   grid, workspace))
-                        return false;
-                    workspace.h += lift;
-                    part.solution = workspace.normal[k].approach(grid, workspace.h, 0, to);
-                    part.load = part.solution.load;
-                    return true;
-                };
-                if (!solve(first_grid(part.plane), 1e-3)) return false;
-                if (!fine || part.load == 0) continue;
-                const bool lobes = has_lobes(WheelsetPosition{position.lateral, height, position.roll, position.yaw},
-                                             part.plane, options.cells_s, workspace);
-                if (!solve(finer(part.grid, workspace.normal[k].pressure(), options, lobes), tolerance)) return false;
-            }
-        }
-        return true;
-    };
-    const auto carried = [&] {
-        double sum = 0;
-        for (const Part& part : parts) sum += part.load * vertical(part);
-        return sum;
-    };
+    const WheelOnRail& wheel_;
+    Attitude attitude_;
+    const LateralFriction& friction_;
+    Workspace& workspace_;
+    const Options& options_;
+    std::vector<Part>& parts_;
+    double touch_ = 0;   // the height at which the wheel begins to touch
+    double height_ = 0;  // of the planes
+};
 
-    // 1. The height on coarse grids, to some percent: loads grow like the power 3/2 of the approach
-    double approach = workspace.approach > 0 ? workspace.approach : 2e-5 * std::cbrt(load / 1e4 * (load / 1e4));
-    double low = 0, high = std::numeric_limits<double>::infinity();
-    const auto next = [&](double found) {
-        (found < load ? low : high) = approach;
-        double to = found > 0 ? approach * std::pow(load / found, 2.0 / 3) : 2 * approach;
-        if (!(to > low && to < high)) to = detail::is_finite(high) ? (low + high) / 2 : 2 * approach;
-        approach = to;
-    };
-    bool settled = false;
-    for (int k = 0; k < 40 && !settled; ++k) {
-        if (!press(touch + approach, false, 1e-3)) return contact;
-        const double found = carried();
-        settled = std::abs(found / load - 1) < 0.02;
-        if (!settled) next(found);
-    }
-    contact.status = NormalStatus::load_not_reached;
-    if (!settled) return contact;
+inline auto WheelOnRail::carry(const WheelsetPosition& position, double load, const LateralFriction& friction,
+                               Workspace& workspace, const Options& options) const -> Contact {
+    if (!detail::is_finite(position) || !(detail::is_finite(load) && load > 0)) return {};
+    return Search(*this, position, friction, workspace, options).carry(load);
+}
 
-    // 2. On fine grids: one patch carries the load itself, and tells by how much the wheel is too high
-    if (parts.size() == 1) {
-        Part& part = parts[0];
-        NormalContact& normal = workspace.normal[0];
-        for (int round = 0; round < 6; ++round) {
-            const double height = touch + approach;
-            const std::vector<Region> found = regions(height, workspace);
-            if (found.size() != 1) break;
-            const CellGrid coarse = part.grid;
-            part.plane = plane(attitude, height, found[0]);
-            const Attitude there({position.lateral, height, position.roll, position.yaw});
-            if (round == 0)
-                part.grid =
-                    finer(coarse, normal.pressure(), options, has_lobes(there, part.plane, options.cells_s, workspace));
-            if (!find_gaps(there, part.plane, part.grid, workspace)) {
-                contact.status = NormalStatus::undefined_section;
-                return contact;
-            }
-            part.solution = normal.carry(part.grid, workspace.h, load / vertical(part), options.tolerance, round > 0);
-            part.load = part.solution.load;
-            approach += part.solution.approach / part.plane.cosine;
-            if (std::abs(part.solution.approach) < 1e-4 * part.plane.deepest) break;
-        }
-    } else {
-        settled = false;
-        for (int k = 0; k < 25 && !settled; ++k) {
-            if (!press(touch + approach, true, options.tolerance)) return contact;
-            const double found = carried();
-            settled = std::abs(found / load - 1) < options.tolerance;
-            if (!settled) next(found);
-        }
-        if (!settled) return contact;
-    }
-    workspace.approach = approach;
-    contact.height = touch + approach;
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-        if (parts[k].load > 0)
-            add_patches(parts[k].plane, parts[k].grid, workspace.normal[k], parts[k].solution, contact.patches);
-    }
-    std::vector<RailPatch> found = std::exchange(contact.patches, {});
-    while (!found.empty()) {
-        const auto largest =
-            std::max_element(found.begin(), found.end(),
-                             [](const RailPatch& one, const RailPatch& other) { return one.load < other.load; });
-        contact.patches.push_back(std::move(*largest));
-        found.erase(largest);
-    }
-    contact.status = contact.patches.empty() ? NormalStatus::no_contact : NormalStatus::ok;
-    for (const RailPatch& patch : contact.patches) contact.status = (std::max)(contact.status, patch.status);
-    return contact;
+inline auto WheelOnRail::press(const WheelsetPosition& position, Workspace& workspace, const Options& options) const
+    -> Contact {
+    if (!detail::is_finite(position)) return {};
+    return Search(*this, position, {}, workspace, options).press(position.height);
 }
 
 }  // namespace rollbem

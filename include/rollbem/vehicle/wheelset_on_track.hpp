@@ -1,6 +1,7 @@
-// A wheelset on real rails: the position in which both wheels carry their loads, and the creepages of each patch.
+// A wheelset on real rails: the position in which both wheels carry their loads, creepages, and what acts on it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -64,16 +65,31 @@ public:
     const WheelOnRail& wheel() const { return wheel_; }
 
     enum class Side { left, right };
+    static constexpr std::array<Side, 2> sides{Side::left, Side::right};
 
     struct Workspace {
         std::array<WheelOnRail::Workspace, 2> wheels;
     };
 
+    /// What follows from the loads; the rest is that of the position.
+    enum class Free {
+        height_and_roll,  ///< a wheelset on its rails
+        height,           ///< of each wheel for itself, at the given roll
+        nothing,          ///< the loads follow from the position
+    };
+
     struct Contacts {
-        WheelsetPosition position;  ///< with the height and the roll that carry the loads
+        WheelsetPosition position;  ///< with the height and the roll that carry the loads; a wheel has its own height
         /// Left, right, each as on the right wheel: y, angle, roll, yaw and lateral quantities of the left one reversed.
         std::array<WheelOnRail::Contact, 2> wheels;
         NormalStatus status = NormalStatus::not_finite;  ///< of the worse
+
+        /// The position as a wheel sees it.
+        WheelsetPosition seen(Side side) const {
+            WheelsetPosition at = seen_from(side, position);
+            at.height = wheels[std::size_t(side)].height;
+            return at;
+        }
     };
 
     /// A position as the wheel of one side sees it: reversed for the left one.
@@ -81,42 +97,55 @@ public:
         if (side == Side::right) return position;
         return {-position.lateral, position.height, -position.roll, -position.yaw};
     }
+    static WheelsetSpeeds seen_from(Side side, const WheelsetSpeeds& speeds) {
+        if (side == Side::right) return speeds;
+        return {speeds.forward,  speeds.pitch_rate, -speeds.lateral,
+                speeds.vertical, -speeds.roll_rate, -speeds.yaw_rate};
+    }
 
-    /// Where both wheels carry their vertical loads [N], left and right, at this lateral position and yaw: height and roll
-    /// follow. `friction` as in WheelOnRail::carry, for each wheel as the right one.
+    /// Where the wheels carry their vertical loads [N], left and right, at this lateral position and yaw. `friction` as in
+    /// WheelOnRail::carry, for each wheel as the right one.
     Contacts carry(WheelsetPosition position, const std::array<double, 2>& loads, Workspace& workspace,
-                   const std::array<double, 2>& friction = {0, 0}, const WheelOnRail::Options& options = {}) const;
+                   Free free = Free::height_and_roll, const std::array<LateralFriction, 2>& friction = {},
+                   const WheelOnRail::Options& options = {}) const;
 
 private:
     WheelOnRail wheel_;
 };
 
 inline auto WheelsetOnTrack::carry(WheelsetPosition position, const std::array<double, 2>& loads, Workspace& workspace,
-                                   const std::array<double, 2>& friction, const WheelOnRail::Options& options) const
-    -> Contacts {
+                                   Free free, const std::array<LateralFriction, 2>& friction,
+                                   const WheelOnRail::Options& options) const -> Contacts {
     Contacts contacts;
     // by how much the right wheel's height exceeds the left one's; a roll lowers the right wheel, so that it falls
     const auto gap = [&](double roll) {
         position.roll = roll;
-        for (const Side side : {Side::left, Side::right}) {
+        for (const Side side : sides) {
             const auto k = static_cast<std::size_t>(side);
-            contacts.wheels[k] =
-                wheel_.carry(seen_from(side, position), loads[k], friction[k], workspace.wheels[k], options);
+            const WheelsetPosition at = seen_from(side, position);
+            contacts.wheels[k] = free == Free::nothing
+                                     ? wheel_.press(at, workspace.wheels[k], options)
+                                     : wheel_.carry(at, loads[k], friction[k], workspace.wheels[k], options);
         }
         contacts.status = (std::max)(contacts.wheels[0].status, contacts.wheels[1].status);
         return contacts.wheels[1].height - contacts.wheels[0].height;
     };
-    const auto found = [&] { return contacts.status <= NormalStatus::doubtful_plane; };
     double roll = position.roll, rate = -2 * wheel_.wheel_origin(), value = gap(roll);
+    contacts.position = position;
+    if (free != Free::height_and_roll) return contacts;
     constexpr double precise = 1e-10;  // of the height [m]
-    for (int k = 0; k < 20 && found() && std::abs(value) > precise; ++k) {
+    for (int k = 0; k < 20 && has_numbers(contacts.status) && std::abs(value) > precise; ++k) {
         const double next = roll - std::clamp(value / rate, -5e-3, 5e-3), there = gap(next);
         const double slope = (there - value) / (next - roll);
         if (slope < rate / 10 && slope > rate * 10) rate = slope;
         roll = next;
         value = there;
     }
-    if (found() && std::abs(value) > 100 * precise) contacts.status = NormalStatus::load_not_reached;
+    if (has_numbers(contacts.status) && std::abs(value) > 100 * precise)
+        contacts.status = NormalStatus::load_not_reached;
+    if (!has_numbers(contacts.status)) {
+        for (WheelOnRail::Contact& wheel : contacts.wheels) wheel.status = contacts.status;
+    }
     position.height = (contacts.wheels[0].height + contacts.wheels[1].height) / 2;
     contacts.position = position;
     return contacts;

@@ -91,6 +91,47 @@ private:
     std::vector<double> x_, y_, slope_;
 };
 
+/// Pressures as pieces that every row y = const cuts in one interval, heaviest first: each is the chain of intervals in
+/// neighbouring rows that touch which carries most of what is left.
+inline std::vector<Eigen::ArrayXXd> pieces(Eigen::ArrayXXd p) {
+    struct Interval {
+        Eigen::Index row, first, last;
+        double load;
+        std::ptrdiff_t before = -1;
+    };
+    std::vector<Eigen::ArrayXXd> found;
+    for (std::vector<Interval> all;; all.clear()) {
+        for (Eigen::Index j = 0; j < p.cols(); ++j) {
+            const std::size_t row_end = all.size();
+            for (Eigen::Index i = 0; i < p.rows(); ++i) {
+                if (!(p(i, j) > 0)) continue;
+                Interval here{j, i, i, p(i, j)};
+                while (here.last + 1 < p.rows() && p(here.last + 1, j) > 0) here.load += p(++here.last, j);
+                i = here.last;
+                double most = 0;
+                for (std::size_t k = row_end; k-- > 0 && all[k].row >= j - 1;) {
+                    if (all[k].row == j || all[k].first > here.last + 1 || all[k].last + 1 < here.first) continue;
+                    if (all[k].load > most) here.before = std::ptrdiff_t(k);
+                    most = (std::max)(most, all[k].load);
+                }
+                here.load += most;
+                all.push_back(here);
+            }
+        }
+        if (all.empty()) return found;
+        auto at = std::max_element(all.begin(), all.end(),
+                                   [](const Interval& one, const Interval& two) { return one.load < two.load; }) -
+                  all.begin();
+        Eigen::ArrayXXd& piece = found.emplace_back(Eigen::ArrayXXd::Zero(p.rows(), p.cols()));
+        for (; at >= 0; at = all[std::size_t(at)].before) {
+            const Interval& cut = all[std::size_t(at)];
+            piece.col(cut.row).segment(cut.first, cut.last - cut.first + 1) =
+                p.col(cut.row).segment(cut.first, cut.last - cut.first + 1);
+        }
+        p -= piece;
+    }
+}
+
 /// Of the cells with pressure, which every row y = const cuts in one interval; nothing otherwise, or if fewer than 3 rows
 /// have any.
 inline std::optional<Outline<double>> contact_outline(const CellGrid& grid, const Eigen::ArrayXXd& p) {

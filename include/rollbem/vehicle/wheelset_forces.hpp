@@ -1,0 +1,241 @@
+// Forces of a wheelset that rolls on real rails: friction on each patch, the pitch rate of free rolling, and the balance of
+// the vertical loads, which normal forces and friction carry together.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../assembly/patch_system.hpp"
+#include "../discretisation/mesh.hpp"
+#include "../discretisation/patch_mesh.hpp"
+#include "../discretisation/scheme.hpp"
+#include "../elasticity/rectangle_kernel.hpp"
+#include "../friction/model.hpp"
+#include "../normal/patch_pressure.hpp"
+#include "../scene/force.hpp"
+#include "../status.hpp"
+#include "wheelset_on_track.hpp"
+
+namespace rollbem {
+
+/// How patches rub in steady rolling.
+struct RollingFriction {
+    double coefficient = 0.3;    ///< mu [-]
+    Eigen::Index elements = 12;  ///< of each strip along x
+    Eigen::Index strips = 13;    ///< of a patch; fewer where the scheme would gain energy on these, as on some flanges
+};
+
+/// Friction on one patch of a right wheel, in the axes (x, s, n) of its plane.
+struct PatchForce {
+    Creepage<double> creepage{};      ///< wheel minus rail, see creepage_of
+    TangentialForce<double> force{};  ///< on the wheel [N]; its moment about the normal at the reference point [N m]
+    double slip_work = std::numeric_limits<double>::quiet_NaN();  ///< heat per distance rolled [J/m]
+    Eigen::ArrayXd edges{}, strip_work{};  ///< of the strips along s [m], and the part of each in slip_work [J/m]
+    Eigen::Index elements = 0;
+    StepStatus status = StepStatus::not_finite;
+};
+
+/// A force [N] and its moment [N m] in track axes (x, y, z).
+struct Wrench {
+    std::array<double, 3> force{}, moment{};
+
+    Wrench& operator+=(const Wrench& other) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            force[i] += other.force[i];
+            moment[i] += other.moment[i];
+        }
+        return *this;
+    }
+};
+
+/// Steady rolling on the patch's own outline, under its own pressures. The patch must have numbers.
+inline PatchForce patch_force(const RailPatch& patch, const Creepage<double>& creepage,
+                              const TrackDimensions& dimensions, const RollingFriction& friction) {
+    const PatchContact<double> contact = contact_of(patch, dimensions);
+    const PressureGrid<double> pressures = pressure_of(patch);
+    PatchForce result{.creepage = creepage};
+    for (Eigen::Index strips = friction.strips; strips >= 5 || strips == friction.strips; strips -= 2) {
+        const PatchMesh<double> mesh = patch_mesh(contact, cosine_mesh(friction.elements), uniform_mesh(strips));
+        const std::vector<Rectangle<double>> elements = rectangles(mesh, contact.half_length());
+        Eigen::ArrayXd pressure = pressures(elements);
+        double load = 0;
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            const auto& [x_1, x_2, y_1, y_2] = elements[i];
+            load += pressure[Eigen::Index(i)] * (x_2 - x_1) * (y_2 - y_1);
+        }
+        pressure *= patch.load / load;
+        const FrictionModel model(
+            contact, steady_system(mesh, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(contact.poisson_ratio())),
+            {friction.coefficient, pressure});
+        auto workspace = model.workspace();
+        auto state = model.at_rest();
+        const FrictionStep<2> step = model.steady(model.at_rest(), creepage, state, workspace);
+        result.force = step.force;
+        result.slip_work = step.slip_work;
+        result.elements = mesh.size();
+        result.status = step.status;
+        if (step.status == StepStatus::assists_creepage) continue;
+        result.edges = contact.half_length() * mesh.edges();
+        result.strip_work = workspace.slip_work().reshaped(friction.elements, strips).colwise().sum().transpose();
+        break;
+    }
+    return result;
+}
+
+/// What pressures and friction of a patch do to its wheel, as on the right; the moment is about (0, y, z).
+inline Wrench wrench_of(const RailPatch& patch, const PatchForce& friction, double y, double z) {
+    const CellGrid& grid = patch.grid;
+    double along = 0, across = 0;  // moments of the pressures
+    for (Eigen::Index j = 0; j < grid.ny; ++j) {
+        for (Eigen::Index i = 0; i < grid.nx; ++i) {
+            along += patch.pressure(i, j) * grid.x(i) * grid.dx * grid.dy;
+            across += patch.pressure(i, j) * grid.y(j) * grid.dx * grid.dy;
+        }
+    }
+    const double sine = std::sin(patch.angle), cosine = std::cos(patch.angle);
+    const auto track = [&](double x, double s, double n) {
+        return std::array{x, s * cosine - n * sine, s * sine + n * cosine};
+    };
+    Wrench wrench{.force = track(friction.force.longitudinal, friction.force.lateral, -patch.load),
+                  .moment = track(-across, along, friction.force.moment)};
+    const std::array<double, 3> r{patch.x, patch.y - y, patch.z - z}, f = wrench.force;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+        wrench.moment[i] += r[j] * f[k] - r[k] * f[j];
+    }
+    return wrench;
+}
+
+/// What is known of a wheelset's motion and loads.
+struct WheelsetRolling {
+    WheelsetPosition position;
+    std::array<double, 2> loads{1e5, 1e5};  ///< vertical, left and right [N]
+    WheelsetOnTrack::Free free = WheelsetOnTrack::Free::height_and_roll;
+    WheelsetSpeeds speeds{};
+    /// Whether the pitch rate is that at which the longitudinal creepages of both wheels' largest patches add up to zero,
+    /// or that of the only wheel that touches is zero; otherwise that of the speeds.
+    bool free_pitch = true;
+};
+
+struct WheelsetForces {
+    WheelsetOnTrack::Contacts contacts;
+    double pitch_rate = std::numeric_limits<double>::quiet_NaN();  ///< [rad/s]; NaN if no wheel touches
+    std::array<std::vector<PatchForce>, 2> patches;                ///< those of the contacts
+    /// Of the rails on each wheel and on both, in track axes; moments are about the middle of the axle. Zero where there
+    /// is no contact; NaN if friction has no result.
+    std::array<Wrench, 2> on_wheel;
+    Wrench on_wheelset;
+    int rounds = 0;  ///< of contacts and friction in turn
+};
+
+namespace detail {
+
+/// At which the longitudinal creepages of the largest patches of all wheels that touch add up to zero [rad/s].
+inline double free_pitch_rate(const WheelsetOnTrack::Contacts& contacts, WheelsetSpeeds speeds, double radius) {
+    const auto creepage = [&](double rate) {
+        double sum = 0;
+        speeds.pitch_rate = rate;
+        for (const WheelsetOnTrack::Side side : WheelsetOnTrack::sides) {
+            const WheelOnRail::Contact& wheel = contacts.wheels[std::size_t(side)];
+            if (!has_numbers(wheel.status)) continue;
+            sum += creepage_of(wheel.patches[0], contacts.seen(side), WheelsetOnTrack::seen_from(side, speeds), radius)
+                       .longitudinal;
+        }
+        return sum;
+    };
+    double rate = -speeds.forward / radius, last = 1.001 * rate, before = creepage(last);
+    for (int k = 0; k < 10; ++k) {
+        const double here = creepage(rate);
+        if (here == before) break;
+        const double next = rate - here * (rate - last) / (here - before);
+        last = rate;
+        before = here;
+        rate = next;
+    }
+    return rate;
+}
+
+}  // namespace detail
+
+/// The forces of a rolling wheelset. Loads are vertical: contacts and friction are found in turn until the ratios of both
+/// settle to 1e-4; if they do not in 20 rounds, the wheel's status is `unbalanced`. Statuses say what failed; allocates.
+inline WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const WheelsetRolling& rolling,
+                                     const RollingFriction& friction, WheelsetOnTrack::Workspace& workspace,
+                                     const WheelOnRail::Options& options = {}) {
+    using Free = WheelsetOnTrack::Free;
+    const TrackDimensions& dimensions = wheelset.wheel().dimensions();
+    WheelsetForces result;
+    WheelsetSpeeds speeds = rolling.speeds;
+    std::array<LateralFriction, 2> ratios{};
+    std::array<double, 2> last_change{};
+    constexpr int most = 20;
+    for (bool settled = false; !settled;) {
+        ++result.rounds;
+        result.contacts = wheelset.carry(rolling.position, rolling.loads, workspace, rolling.free, ratios, options);
+        if (rolling.free_pitch) speeds.pitch_rate = detail::free_pitch_rate(result.contacts, speeds, dimensions.radius);
+        settled = true;
+        for (const WheelsetOnTrack::Side side : WheelsetOnTrack::sides) {
+            const auto k = static_cast<std::size_t>(side);
+            WheelOnRail::Contact& wheel = result.contacts.wheels[k];
+            result.patches[k].clear();
+            if (!has_numbers(wheel.status)) continue;
+            result.pitch_rate = speeds.pitch_rate;
+            for (const RailPatch& patch : wheel.patches) {
+                const Creepage<double> creepage = creepage_of(
+                    patch, result.contacts.seen(side), WheelsetOnTrack::seen_from(side, speeds), dimensions.radius);
+                result.patches[k].push_back(patch_force(patch, creepage, dimensions, friction));
+            }
+            if (rolling.free == Free::nothing) continue;
+            // by the two largest patches
+            LateralFriction next;
+            for (std::size_t i = 0; i < 2; ++i) {
+                const std::size_t of = (std::min)(i, wheel.patches.size() - 1);
+                next.angle[i] = wheel.patches[of].angle;
+                next.ratio[i] = -result.patches[k][of].force.lateral / wheel.patches[of].load;
+            }
+            if (!detail::is_finite(next.ratio[0]) || !detail::is_finite(next.ratio[1])) continue;
+            double change = 0;  // of what the rail carries
+            for (const RailPatch& patch : wheel.patches) {
+                const double sine = std::sin(patch.angle), ratio = ratios[k](patch.angle), there = next(patch.angle);
+                change = (std::max)(change, std::abs((there - ratio) * sine));
+            }
+            if (change < 1e-4) continue;
+            settled = false;
+            // where contacts jump to and fro, half of the way
+            const bool swings = result.rounds > 2 && change > last_change[k] / 2;
+            for (std::size_t i = 0; swings && i < 2; ++i) {
+                next.ratio[i] = (next.ratio[i] + ratios[k](next.angle[i])) / 2;
+            }
+            last_change[k] = change;
+            ratios[k] = next;
+            if (result.rounds == most) wheel.status = (std::max)(wheel.status, NormalStatus::unbalanced);
+        }
+        if (result.rounds == most) break;
+    }
+    auto& [left, right] = result.contacts.wheels;
+    result.contacts.status = (std::max)(left.status, right.status);
+    for (const WheelsetOnTrack::Side side : WheelsetOnTrack::sides) {
+        const auto k = static_cast<std::size_t>(side);
+        const WheelsetPosition at = result.contacts.seen(side);
+        for (std::size_t i = 0; i < result.patches[k].size(); ++i) {
+            result.on_wheel[k] += wrench_of(result.contacts.wheels[k].patches[i], result.patches[k][i], at.lateral,
+                                            at.height - dimensions.radius);
+        }
+        if (side == WheelsetOnTrack::Side::left) {
+            for (double* of :
+                 {&result.on_wheel[k].force[1], &result.on_wheel[k].moment[0], &result.on_wheel[k].moment[2]}) {
+                *of = -*of;
+            }
+        }
+        result.on_wheelset += result.on_wheel[k];
+    }
+    return result;
+}
+
+}  // namespace rollbem
