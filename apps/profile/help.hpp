@@ -19,7 +19,8 @@ unbalanced, loads and friction did not settle to 1e-4; and without numbers: no_c
 --friction: longitudinal_creepage, lateral_creepage and spin [1/m] are numbers as CONTACT's CKSI, CETA and CPHI, those
 of the rail on the wheel, over the mean of V and the circumferential speed: a driven wheel has a positive longitudinal
 creepage. longitudinal_force, lateral_force (along s) and spin_moment, about n at the reference point, act on the wheel
-(CONTACT's FX, FS, MN on the rail are minus these). slip_power [W] is what friction turns into heat, minus the power of
+(CONTACT's FX, FS, MN on the rail are minus these). Besides the creepages, slip is that of the curved surfaces, unless
+--slip linear. slip_power [W] is what friction turns into heat, minus the power of
 forces and moment on the creepages; elements those of each patch. The loads are vertical: the normal forces are found
 together with those of friction. Status may then be that of friction, with the forces empty.
 --outline writes files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P and patch K, e.g. for

@@ -48,6 +48,11 @@ void add_options(study::Options& options) {
     options.add("strips", "M",
                 "with --friction: strips of a patch, 1 to 100; fewer where rolling would gain energy (dimensionless)",
                 "13");
+    options.add(
+        "slip", "NAME",
+        "with --friction: curved, of both surfaces in each row of cells, or linear, of three creepages alone, as "
+        "CONTACT has it",
+        "curved");
     options.group("Result");
     options.add_folder("outline", "also write outlines and pressures of all patches into this folder, for patch_study",
                        {});
@@ -126,9 +131,11 @@ Settings read_settings(const study::Options& options) {
     std::optional<rollbem::RollingFriction> friction;
     if (options.given("friction")) {
         friction = {positive("friction"), Eigen::Index(options.integer("n", 1, 100)),
-                    Eigen::Index(options.integer("strips", 1, 100))};
+                    Eigen::Index(options.integer("strips", 1, 100)),
+                    options.choice("slip", {"curved", "linear"}) == "curved"};
     } else {
-        for (const char* name : {"speed", "pitch-rate", "n", "strips"}) options.ignored(name, "without --friction");
+        for (const char* name : {"speed", "pitch-rate", "n", "strips", "slip"})
+            options.ignored(name, "without --friction");
     }
     const double load = positive("load"), speed = positive("speed");
     const rollbem::Profile wheel = read_wheel(options), rail = read_rail(options);

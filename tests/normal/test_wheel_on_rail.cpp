@@ -124,6 +124,15 @@ TEST_CASE("wheel_on_rail: a cylinder on a round rail is Hertz's contact", "[prof
     const double volume = 1.5 * 8e4 / (std::numbers::pi * patch.half_length * patch.half_width);
     CHECK(patch.peak_pressure == Approx(volume).epsilon(6e-3));
     CHECK(patch.area == Approx(std::numbers::pi * patch.half_length * patch.half_width).epsilon(6e-3));
+
+    // all of the cylinder is as far from the axle; the surface between it and the head turns by s/(2R) across, which turns
+    // the slip of rolling over an edge into a lateral one
+    const WheelsetSpeeds speeds{.forward = 10, .pitch_rate = -10 / 0.46};
+    const Eigen::ArrayXd x{{-3e-3, 0, 4e-3}}, s{{-2e-3, 1e-3, 3e-3}};
+    const Eigen::MatrixX2d rows = curved_slip_of(patch, {.height = contact.height}, speeds, 0.46, x, s);
+    CHECK(rows.col(0).cwiseAbs().maxCoeff() < 1e-7);  // the deepest of the cells' centres; 3e-5 on the head
+    for (Eigen::Index i = 0; i < 3; ++i)
+        CHECK(rows(i, 1) == Approx(x[i] / 0.46 * s[i] / (2 * R)).epsilon(3e-2).margin(1e-9));
 }
 
 TEST_CASE("wheel_on_rail: a result or a status in random positions, and the load is carried", "[profiles]") {
@@ -188,7 +197,7 @@ TEST_CASE("wheelset_forces: a braked wheelset is held back and its axle turned f
     const WheelsetOnTrack wheelset(standard());
     WheelsetOnTrack::Workspace workspace;
     WheelsetRolling rolling{.position = {.lateral = 4e-3, .yaw = 2e-3}, .speeds = {.forward = 20}};
-    const RollingFriction friction{.coefficient = 0.3, .elements = 8, .strips = 9};
+    const RollingFriction friction{.coefficient = 0.3, .elements = 8, .strips = 9, .curved_slip = false};
     const auto free = rolling_forces(wheelset, rolling, friction, workspace);
     REQUIRE(free.contacts.status == NormalStatus::ok);
     CHECK(free.patches[0][0].creepage.longitudinal + free.patches[1][0].creepage.longitudinal ==

@@ -82,6 +82,8 @@ struct RailPatch {
     NormalStatus status = NormalStatus::not_finite;
     CellGrid grid{};           ///< of the pressures
     Eigen::ArrayXXd pressure;  ///< [Pa], nx x ny
+    /// Of each row of cells, ny: n of the rail's surface, and of the wheel's where it lies deepest, undeformed [m].
+    Eigen::ArrayXd rail_n, wheel_n;
     std::optional<Outline<double>> outline;
     bool has_numbers() const { return rollbem::has_numbers(status); }
 };
@@ -116,6 +118,7 @@ public:
             Plane plane{};
             CellGrid grid{};
             NormalContact::Grid h{};  // the gap before deformation, at the height of the plane
+            Eigen::ArrayXd rail_n{};  // of the rows
             NormalContact::Solution solution{};
         };
         struct Sample {
@@ -202,7 +205,7 @@ private:
     Plane plane(const Attitude& attitude, const Region& region) const;
     // The gap of a part before deformation; false where a section is not defined.
     bool find_gaps(const Attitude& attitude, const Plane& plane, const CellGrid& grid, NormalContact::Grid& h,
-                   Eigen::ArrayXd& at) const;
+                   Eigen::ArrayXd& rail_n, Eigen::ArrayXd& at) const;
     CellGrid first_grid(const Plane& plane) const;
     // Cells over what touches, with two cells of margin.
     static CellGrid finer(const CellGrid& grid, const NormalContact::Grid& p, const Options& options, bool lobes);
@@ -307,12 +310,7 @@ inline auto WheelOnRail::plane(const Attitude& attitude, const Region& region) c
         const Point on_wheel = wheel_.at(cut.s);
         const Place at = locus(attitude, on_wheel);
         const Point below = rail_.at(rail_place(at.y));
-        cut = {cut.s,
-               at.x,
-               at.y,
-               below.z,
-               (std::max)(at.z - below.z, 0.0),
-               std::atan2(below.slope[1], below.slope[0])};
+        cut = {cut.s, at.x, at.y, below.z, (std::max)(at.z - below.z, 0.0), std::atan2(below.slope[1], below.slope[0])};
         if (!detail::is_finite(cut.depth)) cut.depth = 0;
         const double weight = on_wheel.slope[0] * std::pow(cut.depth, 2.5);
         if (weight == 0) continue;
@@ -347,7 +345,8 @@ inline auto WheelOnRail::plane(const Attitude& attitude, const Region& region) c
 }
 
 inline bool WheelOnRail::find_gaps(const Attitude& attitude, const Plane& plane, const CellGrid& grid,
-                                   NormalContact::Grid& h, Eigen::ArrayXd& columns) const {
+                                   NormalContact::Grid& h, Eigen::ArrayXd& rail_n, Eigen::ArrayXd& columns) const {
+    rail_n.resize(grid.ny);
     h.resize(grid.nx, grid.ny);
     const double sin_yaw = attitude.sin_yaw, cos_yaw = attitude.cos_yaw;
     const double sin_roll = attitude.sin_roll, cos_roll = attitude.cos_roll;
@@ -362,7 +361,7 @@ inline bool WheelOnRail::find_gaps(const Attitude& attitude, const Plane& plane,
             rail_s -= off / (std::max)(rail.slope[0] * plane.cosine + rail.slope[1] * plane.sine, 0.1);
             if (std::abs(off) < 1e-13) break;
         }
-        const double n_rail = plane.n(rail_origin_ + rail.y, rail.z);
+        rail_n[j] = plane.n(rail_origin_ + rail.y, rail.z);
         const Eigen::Index centre = grid.nx / 2;
         double at = j == 0 ? plane.wheel_s + s : columns[centre] + grid.dy;
         columns.resize((std::max)(columns.size(), grid.nx));
@@ -393,7 +392,7 @@ inline bool WheelOnRail::find_gaps(const Attitude& attitude, const Plane& plane,
                 at -= off / (std::max)(rate, 0.1);
             }
             columns[i] = at;
-            h(i, j) = n_rail - n_wheel;
+            h(i, j) = rail_n[j] - n_wheel;
         }
     }
     return defined;
@@ -434,7 +433,8 @@ inline bool WheelOnRail::has_lobes(const Attitude& attitude, const Plane& plane,
     constexpr Eigen::Index count = 80, least_cells = 10;
     const double ds = (plane.high - plane.low) / count;
     NormalContact::Grid row;
-    if (!find_gaps(attitude, plane, {1, count, 0, plane.low + ds / 2, ds, ds}, row, columns)) return false;
+    Eigen::ArrayXd rail_n;
+    if (!find_gaps(attitude, plane, {1, count, 0, plane.low + ds / 2, ds, ds}, row, rail_n, columns)) return false;
     const Eigen::ArrayXd h = row.row(0);
     // across the deepest lobe: where the gap has risen by a quarter, a parabola has half its width
     Eigen::Index deepest = 0;
@@ -469,6 +469,8 @@ inline void WheelOnRail::add_patches(const Part& part, double lower, const Norma
     patch.approach = patch.penetration = plane.deepest + lower * plane.cosine;
     patch.steps = part.solution.steps;
     patch.grid = part.grid;
+    patch.rail_n = part.rail_n;
+    patch.wheel_n = part.rail_n - part.h.colwise().minCoeff().transpose() + lower * plane.cosine;
     std::vector<Eigen::ArrayXXd> pieces = detail::pieces(pressure);
     // crumbs, cells that are about to lift, leave their load to the others
     constexpr double crumb = 0.02;
@@ -645,7 +647,9 @@ private:
         return true;
     }
 
-    bool find_gaps(Part& part) { return wheel_.find_gaps(attitude_, part.plane, part.grid, part.h, workspace_.at); }
+    bool find_gaps(Part& part) {
+        return wheel_.find_gaps(attitude_, part.plane, part.grid, part.h, part.rail_n, workspace_.at);
+    }
 
     // Loads with the wheel lower than the gaps say, in rounds, as each displaces the surface below the others.
     void settle(double lower, double tolerance, bool warm) {

@@ -19,6 +19,7 @@
 #include "../friction/model.hpp"
 #include "../normal/patch_pressure.hpp"
 #include "../scene/force.hpp"
+#include "../scene/rigid_motion.hpp"
 #include "../status.hpp"
 #include "wheelset_on_track.hpp"
 
@@ -29,6 +30,8 @@ struct RollingFriction {
     double coefficient = 0.3;    ///< mu [-]
     Eigen::Index elements = 12;  ///< of each strip along x
     Eigen::Index strips = 13;    ///< of a patch; fewer where the scheme would gain energy on these, as on some flanges
+    /// Whether slip is that of the curved surfaces (curved_slip_of), or that of three creepages, as in CONTACT's planes.
+    bool curved_slip = true;
 };
 
 /// Friction on one patch of a right wheel, in the axes (x, s, n) of its plane.
@@ -54,9 +57,11 @@ struct Wrench {
     }
 };
 
-/// Steady rolling on the patch's own outline, under its own pressures. The patch must have numbers.
-inline PatchForce patch_force(const RailPatch& patch, const Creepage<double>& creepage,
+/// Steady rolling on the patch's own outline, under its own pressures, with the slip of both surfaces. The patch must
+/// have numbers; position and speeds are those that the right wheel sees.
+inline PatchForce patch_force(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
                               const TrackDimensions& dimensions, const RollingFriction& friction) {
+    const Creepage<double> creepage = creepage_of(patch, at, speeds, dimensions.radius);
     const PatchContact<double> contact = contact_of(patch, dimensions);
     const PressureGrid<double> pressures = pressure_of(patch);
     PatchForce result{.creepage = creepage};
@@ -70,12 +75,19 @@ inline PatchForce patch_force(const RailPatch& patch, const Creepage<double>& cr
             load += pressure[Eigen::Index(i)] * (x_2 - x_1) * (y_2 - y_1);
         }
         pressure *= patch.load / load;
-        const FrictionModel model(
-            contact, steady_system(mesh, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(contact.poisson_ratio())),
-            {friction.coefficient, pressure});
+        const ElementSystem<double, 2> system =
+            steady_system(mesh, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(contact.poisson_ratio()));
+        const double unit = contact.half_length();
+        ElementVectors<double> rows = ElementVectors<double>::Zero(system.elements().size(), 2);
+        if (friction.curved_slip) {
+            rows = curved_slip_of(patch, at, speeds, dimensions.radius, unit * system.elements().x,
+                                  unit * system.elements().y);
+        }
+        const FrictionModel model(contact, system, {friction.coefficient, pressure});
         auto workspace = model.workspace();
         auto state = model.at_rest();
-        const FrictionStep<2> step = model.steady(model.at_rest(), creepage, state, workspace);
+        const FrictionStep<2> step =
+            model.steady(model.at_rest(), RigidMotion<Creepage<double>>(creepage).with_rows(rows), 1, state, workspace);
         result.force = step.force;
         result.slip_work = step.slip_work;
         result.elements = mesh.size();
@@ -187,9 +199,8 @@ inline WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const Whee
             if (!has_numbers(wheel.status)) continue;
             result.pitch_rate = speeds.pitch_rate;
             for (const RailPatch& patch : wheel.patches) {
-                const Creepage<double> creepage = creepage_of(
-                    patch, result.contacts.seen(side), WheelsetOnTrack::seen_from(side, speeds), dimensions.radius);
-                result.patches[k].push_back(patch_force(patch, creepage, dimensions, friction));
+                result.patches[k].push_back(patch_force(
+                    patch, result.contacts.seen(side), WheelsetOnTrack::seen_from(side, speeds), dimensions, friction));
             }
             if (rolling.free == Free::nothing) continue;
             // by the two largest patches

@@ -25,23 +25,69 @@ struct WheelsetSpeeds {
     double roll_rate = 0, yaw_rate = 0;  ///< [rad/s]
 };
 
+namespace detail {
+
+/// The rigid slip of the wheel on the rail over the mean of V and the circumferential speed, at a point (x, s, n) of a
+/// patch's plane: along x, along s turned by `tilt` into the plane's normal, and about the plane's normal.
+class RigidSlip {
+public:
+    RigidSlip(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds, double radius)
+        : patch_(patch), at_(at), speeds_(speeds), radius_(radius) {
+        const double rate = speeds.pitch_rate;
+        w_x_ = -rate * std::sin(at.yaw) + speeds.roll_rate;
+        w_y_ = rate * std::cos(at.roll) * std::cos(at.yaw);
+        w_z_ = rate * std::sin(at.roll) * std::cos(at.yaw) + speeds.yaw_rate;
+        reference_ = (speeds.forward + std::abs(rate) * patch.rolling_radius) / 2;
+    }
+
+    Creepage<double> operator()(double x, double s, double n, double tilt) const {
+        const double sine = std::sin(patch_.angle), cosine = std::cos(patch_.angle);
+        const double r_x = patch_.x + x, r_y = patch_.y + s * cosine - n * sine - at_.lateral,
+                     r_z = patch_.z + s * sine + n * cosine - (at_.height - radius_);
+        const double v_x = speeds_.forward + w_y_ * r_z - w_z_ * r_y, v_y = speeds_.lateral + w_z_ * r_x - w_x_ * r_z,
+                     v_z = speeds_.vertical + w_x_ * r_y - w_y_ * r_x;
+        const double sine_t = std::sin(patch_.angle + tilt), cosine_t = std::cos(patch_.angle + tilt);
+        return {v_x / reference_, (v_y * cosine_t + v_z * sine_t) / reference_,
+                (w_z_ * cosine - w_y_ * sine) / reference_};
+    }
+
+private:
+    const RailPatch& patch_;
+    const WheelsetPosition& at_;
+    const WheelsetSpeeds& speeds_;
+    double radius_, w_x_, w_y_, w_z_, reference_;
+};
+
+}  // namespace detail
+
 /// The rigid slip of the wheel on the rail at the reference point of a patch, over the mean of V and the circumferential
 /// speed, in the axes (x, s, n) of its plane [-, -, 1/m]: a braked wheel has a positive longitudinal creepage. Forces by
 /// it act on the wheel. CONTACT's CKSI, CETA and CPHI are the same with the opposite sign, and its forces act on the rail.
 inline Creepage<double> creepage_of(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
                                     double radius) {
-    const double sine = std::sin(patch.angle), cosine = std::cos(patch.angle);
-    const double axle_x = -std::sin(at.yaw), axle_y = std::cos(at.roll) * std::cos(at.yaw),
-                 axle_z = std::sin(at.roll) * std::cos(at.yaw);
-    const double w_x = speeds.pitch_rate * axle_x + speeds.roll_rate, w_y = speeds.pitch_rate * axle_y,
-                 w_z = speeds.pitch_rate * axle_z + speeds.yaw_rate;
     // the wheel's material lies below the rail's surface
-    const double r_x = patch.x, r_y = patch.y - patch.penetration * sine - at.lateral,
-                 r_z = patch.z + patch.penetration * cosine - (at.height - radius);
-    const double v_x = speeds.forward + w_y * r_z - w_z * r_y, v_y = speeds.lateral + w_z * r_x - w_x * r_z,
-                 v_z = speeds.vertical + w_x * r_y - w_y * r_x;
-    const double reference = (speeds.forward + std::abs(speeds.pitch_rate) * patch.rolling_radius) / 2;
-    return {v_x / reference, (v_y * cosine + v_z * sine) / reference, (w_z * cosine - w_y * sine) / reference};
+    return detail::RigidSlip(patch, at, speeds, radius)(0, 0, patch.penetration, 0);
+}
+
+/// The rigid slip that curved surfaces have at points (x, s) of the plane besides that of creepage_of, a row each, along x
+/// and s [-]: of the wheel's undeformed surface in each row of cells, along the tangent midway between both surfaces. Where
+/// arcs of a rail join, a patch is so wide that its rolling radii differ by 1e-3.
+inline Eigen::MatrixX2d curved_slip_of(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
+                                       double radius, const Eigen::ArrayXd& x, const Eigen::ArrayXd& s) {
+    const detail::RigidSlip slip(patch, at, speeds, radius);
+    const Creepage<double> linear = creepage_of(patch, at, speeds, radius);
+    const CellGrid& grid = patch.grid;
+    const Eigen::ArrayXd middle = (patch.rail_n + patch.wheel_n) / 2;
+    Eigen::MatrixX2d rows(x.size(), 2);
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+        const double row = std::clamp((s[i] - grid.y(0)) / grid.dy, 0.0, double(grid.ny - 1) - 1e-9);
+        const auto j = static_cast<Eigen::Index>(row);
+        const double part = row - double(j), n = (1 - part) * patch.wheel_n[j] + part * patch.wheel_n[j + 1];
+        const Creepage<double> here = slip(x[i], s[i], n, std::atan((middle[j + 1] - middle[j]) / grid.dy));
+        rows(i, 0) = here.longitudinal - (linear.longitudinal - linear.spin * s[i]);
+        rows(i, 1) = here.lateral - (linear.lateral + linear.spin * x[i]);
+    }
+    return rows;
 }
 
 /// The contact patch as friction takes it: its outline in the axes (x, s) of its plane.
