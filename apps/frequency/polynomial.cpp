@@ -31,8 +31,8 @@ PolynomialResult monomial_c11(const rollbem::Contact<double>& contact, double om
         rollbem::solve_monomial<double>(Complex(0, omega), contact.poisson_ratio(), contact.aspect(), order);
     if (checked && solution.status != rollbem::Status::ok) {
         throw study::BadInput(name + " with --basis monomial must give a result that can be trusted; at omega = " +
-                              study::Cell(omega).text(6) + " it does not: " + rollbem::advice(solution.status) +
-                              " (--basis chebyshev, or --unchecked)");
+                              study::Cell(omega).text(6) + " it does not: " +
+                              rollbem::polynomial_advice(solution.status) + " (--basis chebyshev, or --unchecked)");
     }
     return {solution.c11, solution.error_estimate, solution.status};
 }

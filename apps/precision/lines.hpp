@@ -50,13 +50,13 @@ struct Scheme {
 
     bool discrete() const { return kind == Kind::elements || kind == Kind::states; }
     bool graded_by(rollbem::Grading grading) const {
-        return kind == Kind::elements && rollbem::info(topology).grading == grading;
+        return kind == Kind::elements && rollbem::topology_info(topology).grading == grading;
     }
     bool exists(long n) const {
         if (kind == Kind::closed_form) return n == 0;
         if (kind == Kind::polynomial) return n >= 1;
         if (kind == Kind::states) return n >= 1 && n <= 10000;
-        const long least = std::max(2l, long(rollbem::info(topology).least_n));
+        const long least = std::max(2l, long(rollbem::topology_info(topology).least_n));
         return order > 0 ? n % 2 == 0 && n / 2 >= least : n >= least;
     }
     /// Coulomb's law takes elements.

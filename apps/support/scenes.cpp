@@ -58,7 +58,7 @@ std::pair<std::string, std::vector<std::vector<GradedMesh>>> make_meshes(const O
     for (const auto& [option, grading] :
          {std::pair{"size-ratio", rollbem::Grading::size_ratio}, {"epsilon", rollbem::Grading::epsilon}}) {
         const std::vector<double> values = options.numbers(option, between(1e-12, 1e12));
-        if (topology && rollbem::info(*topology).grading == grading) {
+        if (topology && rollbem::topology_info(*topology).grading == grading) {
             gradings = values;
         } else {
             options.ignored(option, used + "; it is for --mesh " + listed(mesh_names(grading), "and"));
@@ -66,7 +66,7 @@ std::pair<std::string, std::vector<std::vector<GradedMesh>>> make_meshes(const O
     }
     if (!topology) return {name, {{{.mesh = mesh_from_file(options)}}}};
 
-    const rollbem::TopologyInfo& info = rollbem::info(*topology);
+    const rollbem::TopologyInfo& info = rollbem::topology_info(*topology);
     const Eigen::Index least = info.least_n;
     std::vector<std::vector<GradedMesh>> meshes;
     for (const Eigen::Index n : options.integers("n", 1, largest_n)) {

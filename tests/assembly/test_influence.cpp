@@ -71,20 +71,6 @@ TEMPLATE_TEST_CASE("Every entry of G and G' agrees with brute force", "[influenc
     }
 }
 
-TEST_CASE("The finite difference is closed-form Galerkin of the analytic derivative", "[influence]") {
-    for (const auto& [name, mesh] : brute_force::every_mesh<double>(20)) {
-        for (const auto& [kernel_name, kernel] : brute_force::every_kernel()) {
-            const MatrixX<double> points = build(mesh, Collocation{0, 0.63, fd}, kernel, true);
-            const MatrixX<double> means = build(mesh, Galerkin{0, 0.63, analytic}, kernel, true);
-            CAPTURE(name, kernel_name);
-            CHECK(distance(points, means) < 1e-14);
-            // in G they differ: a mean is not a point value
-            CHECK(distance(build(mesh, Collocation{0, 0.63}, kernel, false),
-                           build(mesh, Galerkin{0, 0.63}, kernel, false)) > 1e-6);
-        }
-    }
-}
-
 TEST_CASE("Galerkin's method with one point is collocation", "[influence]") {
     for (const auto& [name, mesh] : brute_force::every_mesh<double>(9)) {
         for (const auto derivative : {fd, analytic}) {
@@ -98,28 +84,6 @@ TEST_CASE("Galerkin's method with one point is collocation", "[influence]") {
                     CAPTURE(name, alpha_T, slope);
                     CHECK(one == point);
                 }
-            }
-        }
-    }
-}
-
-TEST_CASE("Galerkin's method with more and more points converges to the closed form", "[influence][convergence]") {
-    const brute_force::Kernel kernel{false, 4, 0.75L, 0.25L};
-    for (const auto& [name, mesh] : brute_force::every_mesh<double>(6)) {
-        for (const auto derivative : {fd, analytic}) {
-            for (const bool slope : {true, false}) {
-                const double alpha = derivative == fd ? 0.3 : 0.0;
-                const MatrixX<double> exact = build(mesh, Galerkin{alpha, alpha, derivative}, kernel, slope);
-                std::vector<double> errors;
-                for (const int points : {4, 16, 64}) {
-                    errors.push_back(
-                        distance(build(mesh, Galerkin{alpha, alpha, derivative, 1, points}, kernel, slope), exact));
-                }
-                CAPTURE(name, derivative, slope, errors[0], errors[1], errors[2]);
-                CHECK(errors[1] < errors[0] / 4);
-                // the guard leaves out a thousandth of the width at the singular ends of analytic slopes
-                CHECK(errors[2] < errors[1] / (derivative == analytic && slope ? 1.5 : 3));
-                CHECK(errors[2] < (derivative == analytic && slope ? 2e-3 : 1e-4));
             }
         }
     }
@@ -162,39 +126,6 @@ TEMPLATE_TEST_CASE("Equal alphas on a uniform mesh give Toeplitz matrices equal 
     }
 }
 
-TEST_CASE("Unequal alphas give the same matrices on a uniform mesh as on a general one", "[influence]") {
-    for (const Eigen::Index n : {40, 60, 200}) {
-        const Mesh<double> mesh = uniform_mesh(n), general = as_general(mesh);
-        for (const auto& [kernel_name, kernel] : brute_force::every_kernel()) {
-            for (const auto& [name, scheme] : brute_force::every_scheme()) {
-                for (const bool slope : {true, false}) {
-                    CAPTURE(n, kernel_name, name, slope);
-                    CHECK(distance(build(mesh, scheme, kernel, slope), build(general, scheme, kernel, slope)) < 1e-11);
-                }
-            }
-        }
-    }
-}
-
-TEST_CASE("A contact twice as long has the same slopes and half the scaled displacements", "[influence]") {
-    // a contact twice as long, of the same width, meshed so that its trailing half is the first contact
-    const Eigen::Index n = 8;
-    ArrayX<double> edges(n + 2);
-    edges << ArrayX<double>::LinSpaced(n + 1, -1, 0), 1;
-    const Mesh<double> twice = mesh_from_edges<double>(edges), once = uniform_mesh(n);
-    for (const double b : {0.25, 4.0, 32.0}) {
-        const MatrixX<double> large =
-            assemble_G_prime(twice, Collocation{0.3, 0.3}, StripKernel<double>(b / 2, 0.75, 0.25));
-        const MatrixX<double> small = assemble_G_prime(once, Collocation{0.3, 0.3}, StripKernel<double>(b, 0.75, 0.25));
-        CAPTURE(b);
-        CHECK(distance<double>(large.topLeftCorner(n, n), small) < 1e-13);
-        const MatrixX<double> G_large =
-            assemble_G(twice, Collocation{0.3, 0.3}, StripKernel<double>(b / 2, 0.75, 0.25));
-        const MatrixX<double> G_small = assemble_G(once, Collocation{0.3, 0.3}, StripKernel<double>(b, 0.75, 0.25));
-        CHECK(distance<double>(2 * G_large.topLeftCorner(n, n), G_small) < 1e-13);
-    }
-}
-
 TEST_CASE("The guard keeps points 0.001 of a width away from edges", "[influence]") {
     const PlaneKernel<double> kernel(1000, 0.75, 0.25);
     const auto matrix = [&](const Mesh<double>& mesh, double alpha) {
@@ -230,21 +161,6 @@ TEST_CASE("The guard keeps points 0.001 of a width away from edges", "[influence
         for (const double alpha : {0.5, 0.0, 1.0, 2.0}) {
             CHECK(assemble_G_prime(uniform_mesh(4), Galerkin{alpha, alpha, analytic, 1, points}, kernel).allFinite());
         }
-    }
-}
-
-TEST_CASE("Lambda moves only the collocation points of G", "[influence]") {
-    const StripKernel<double> kernel(10, 0.75, 0.25);
-    for (const auto& [name, mesh] : brute_force::every_mesh<double>(7)) {
-        const auto all = [&, &mesh = mesh](double lambda, double alpha_T) {
-            return assemble(mesh, Collocation{0.2, alpha_T, fd, lambda}, kernel);
-        };
-        CAPTURE(name);
-        CHECK(all(0.5, 0.6).G_prime == all(1, 0.6).G_prime);
-        CHECK(distance(all(0.5, 0.6).G, all(1, 0.6).G) > 1e-4);
-        CHECK(distance(all(0.5, 0.6).G, assemble_G(mesh, Collocation{0.1, 0.3}, kernel)) < 1e-13);
-        CHECK(distance(all(0, 0.6).G, assemble_G(mesh, Collocation{0, 0}, kernel)) < 1e-13);
-        CHECK(distance(all(1, 0.6).G, assemble_G(mesh, Collocation{0.2, 0.6}, kernel)) < 1e-13);
     }
 }
 
@@ -313,28 +229,6 @@ TEST_CASE("The smooth part is the same by interpolation and by quadrature", "[in
             }
         }
     }
-}
-
-TEST_CASE("Knothe and Gross-Thebing's conditions are alpha = 1 on the remaining elements", "[influence]") {
-    const PlaneKernel<double> plane(1000, 0.75, 0.25);
-    for (const auto derivative : {fd, analytic}) {
-        for (const Eigen::Index n : {2, 3, 20}) {
-            // centres of elements 1 ... n-1 lie one width ahead of those of elements 0 ... n-2
-            const MatrixX<double> boundary = assemble_G_prime(uniform_mesh(n), KnotheBoundary{derivative}, plane);
-            const MatrixX<double> shifted = assemble_G_prime(uniform_mesh(n), Collocation{1, 1, derivative}, plane);
-            const MatrixX<double> remaining =
-                assemble_G_prime(uniform_mesh(n - 1), Collocation{1, 1, derivative}, plane);
-            CAPTURE(n);
-            CHECK(distance<double>(boundary, shifted.topLeftCorner(n - 1, n - 1)) < 1e-13);
-            CHECK(distance<double>(boundary, remaining) < 1e-13);  // slopes of the plane have no length scale
-        }
-        // on a strip, the contact without its leading element is shorter; narrow strips lose (d/dx)^2 to round-off
-        const StripKernel<double> strip(2, 0.75, 0.25), shorter(2 * 10.0 / 9, 0.75, 0.25);
-        CHECK(distance<double>(assemble_G_prime(uniform_mesh(10), KnotheBoundary{derivative}, strip),
-                               assemble_G_prime(uniform_mesh(9), Collocation{1, 1, derivative}, shorter)) < 1e-12);
-    }
-    const MatrixX<double> G = assemble_G(cosine_mesh(6), KnotheBoundary{}, plane);
-    CHECK(distance<double>(G, assemble_G(cosine_mesh(6), Collocation{0, 0}, plane).bottomLeftCorner(5, 5)) < 1e-13);
 }
 
 TEST_CASE("Extreme grading loses no more digits than the ratio of element sizes explains", "[influence]") {

@@ -1,17 +1,10 @@
-// User-defined schemes, rollbem/discretisation/scheme.hpp and any_scheme.hpp: all that the library asks for is rows(). In every problem,
-// the mean over two collocation points, whose matrices are the means of those of each point.
-#include <cmath>
+// User-defined schemes, rollbem/discretisation/scheme.hpp and any_scheme.hpp: all that the library asks for
+// is rows(). The mean over two collocation points, whose matrices are the means of those of each point; problems see
+// nothing else of a scheme.
 #include <stdexcept>
-#include <utility>
 
-#include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/compiled/frequency.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/steady.hpp>
-#include <rollbem/compiled/transient.hpp>
+#include <rollbem/compiled/rolling_system.hpp>
 #include <rollbem/discretisation/any_scheme.hpp>
-#include <rollbem/normal/hertz.hpp>
 
 #include "support/catch.hpp"
 
@@ -78,74 +71,6 @@ TEST_CASE("The matrices of a scheme with two points are the means of those of ea
             CHECK((own.weights() == mesh.widths()).all());
         }
     }
-}
-
-TEST_CASE("A scheme with two points solves steady, stability, frequency and time problems", "[scheme]") {
-    const Mesh<double> mesh = uniform_mesh(20);
-    const ElementSystem<double> own = rolling_system(mesh, stable, kernel), mean = mean_of_both(mesh, stable);
-
-    const Response<double> steady = solve_steady(mesh, stable, kernel);
-    CHECK(steady.status == Status::ok);
-    CHECK(steady.c11() == Approx(solve_steady<double>(mean.G_prime(), mesh.widths()).c11()).epsilon(1e-12));
-
-    CHECK(count_unstable<double>(own).unstable_count == 0);
-    const Eigen::Index grown = count_unstable<double>(mean_of_both(mesh, unstable)).unstable_count;
-    CHECK(grown > 0);
-    CHECK(count_unstable<double>(rolling_system(mesh, unstable, kernel)).unstable_count == grown);
-    CHECK(judge_stability(own).stable());
-    CHECK(judge_stability(own).spectral_abscissa == Approx(judge_stability(mean).spectral_abscissa).epsilon(1e-9));
-    CHECK(judge_stability(rolling_system(mesh, unstable, kernel)).certainly_unstable());
-
-    const Response<std::complex<double>> harmonic = solve_response(rolling_system(mesh, stable, kernel), {0, 2.0});
-    CHECK(harmonic.status == Status::ok);
-    CHECK(std::abs(harmonic.c11() - solve_response(mean, {0, 2.0}).c11()) < 1e-12);
-    CHECK(std::abs(FrequencySweep<double>(own)(2.0).c11() - solve_response(mean, {0, 2.0}).c11()) < 1e-12);
-
-    const AdhesionModel<> model(contact, own, unchecked), expected(contact, mean, unchecked);
-    AdhesionState<> now = model.at_rest(), next = now;
-    AdhesionWorkspace<> workspace = model.workspace(), expected_workspace = expected.workspace();
-    AdhesionState<> expected_now = expected.at_rest(), expected_next = expected_now;
-    for (int step = 0; step < 5; ++step) {
-        const AdhesionStep<> made = model.advance(now, 0.2, 1e-3, next, workspace);
-        const AdhesionStep<> wanted = expected.advance(expected_now, 0.2, 1e-3, expected_next, expected_workspace);
-        REQUIRE(made.status == StepStatus::ok);
-        CHECK(made.force == Approx(wanted.force).epsilon(1e-11));
-        std::swap(now, next);
-        std::swap(expected_now, expected_next);
-    }
-}
-
-TEST_CASE("A scheme with two points solves friction problems", "[scheme]") {
-    const Mesh<double> mesh = uniform_mesh(20);
-    const Friction<> friction{0.3, 1e-2 * mean_hertz_pressure(mesh)};
-    const FrictionModel<> model(contact, steady_system(mesh, stable, kernel), friction);
-    const FrictionModel<> expected(contact, {{}, mean_of_both(mesh, stable).G_prime(), mesh.widths()}, friction);
-    const auto force = [](const FrictionModel<>& of) {
-        FrictionWorkspace<> workspace = of.workspace();
-        FrictionState<> now = of.at_rest(), next = now;
-        return of.steady(now, 2e-3, next, workspace).force;
-    };
-    CHECK(force(model) == Approx(force(expected)).epsilon(1e-11));
-
-    const ElementSystem<double> own = rolling_system(mesh, stable, kernel), mean = mean_of_both(mesh, stable);
-    const FrictionModel<> rolling(contact, own, judge_stability(own), friction);
-    const FrictionModel<> expected_rolling(contact, mean, judge_stability(mean), friction);
-    FrictionWorkspace<> workspace = rolling.workspace(), expected_workspace = expected_rolling.workspace();
-    Eigen::Index stick_count = 0;
-    FrictionState<> now = rolling.at_rest(), next = now;
-    FrictionState<> expected_now = expected_rolling.at_rest(), expected_next = expected_now;
-    for (int step = 0; step < 5; ++step) {
-        const auto made = rolling.advance(now, 0.2, 1e-2, next, workspace);
-        const auto wanted = expected_rolling.advance(expected_now, 0.2, 1e-2, expected_next, expected_workspace);
-        REQUIRE(made.status == StepStatus::ok);
-        CHECK(made.force == Approx(wanted.force).epsilon(1e-11));
-        CHECK(made.stick_count == wanted.stick_count);
-        stick_count = made.stick_count;
-        std::swap(now, next);
-        std::swap(expected_now, expected_next);
-    }
-    CHECK(stick_count > 0);
-    CHECK(stick_count < mesh.size());
 }
 
 TEST_CASE("AnyScheme has the matrices of the scheme that it holds", "[scheme]") {

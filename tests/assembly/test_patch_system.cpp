@@ -31,13 +31,13 @@ struct OwnKernel {
     using Scalar = double;
     HalfSpace<double> half_space{0.3};
 
-    Influence<double> corner(double x, double y) const { return half_space.corner(x, y); }
+    RectangleInfluence<double> corner(double x, double y) const { return half_space.corner(x, y); }
     bool couples() const { return true; }
 };
-static_assert(RectangleKernel<OwnKernel> && !SlopeKernel<OwnKernel> && SlopeKernel<HalfSpace<double>>);
+static_assert(RectangleKernel<OwnKernel> && RectangleKernel<HalfSpace<double>>);
 
 /// Boussinesq and Cerruti: displacement at (x, y) by a unit force at the origin, both bodies.
-Influence<double> point_force(double nu, double x, double y) {
+RectangleInfluence<double> point_force(double nu, double x, double y) {
     const double r = std::hypot(x, y), cube = std::numbers::pi * r * r * r;
     return {((1 - nu) * r * r + nu * x * x) / cube, nu * x * y / cube, ((1 - nu) * r * r + nu * y * y) / cube};
 }
@@ -56,7 +56,7 @@ TEST_CASE("rectangle_kernel: corners give the integral of point forces") {
     const auto rule = detail::gauss_legendre<double>(40);
     for (const auto& [x, y] :
          {std::pair{1.0, 0.7}, std::pair{-0.5, 0.2}, std::pair{0.05, -0.4}, std::pair{-0.1, 1.0}}) {
-        Influence<double> integral;
+        RectangleInfluence<double> integral;
         for (Eigen::Index i = 0; i < 40; ++i) {
             for (Eigen::Index k = 0; k < 40; ++k) {
                 const double u = (x0 + x1 + rule.nodes[i] * (x1 - x0)) / 2,
@@ -65,26 +65,26 @@ TEST_CASE("rectangle_kernel: corners give the integral of point forces") {
                                           point_force(nu, x - u, y - v);
             }
         }
-        const Influence<double> sum = (kernel.corner(x - x0, y - y0) - kernel.corner(x - x1, y - y0)) -
-                                      (kernel.corner(x - x0, y - y1) - kernel.corner(x - x1, y - y1));
+        const RectangleInfluence<double> sum = (kernel.corner(x - x0, y - y0) - kernel.corner(x - x1, y - y0)) -
+                                               (kernel.corner(x - x0, y - y1) - kernel.corner(x - x1, y - y1));
         CHECK_THAT(sum.xx, WithinRel(integral.xx, 1e-11));
         CHECK_THAT(sum.yy, WithinRel(integral.yy, 1e-11));
         CHECK_THAT(sum.xy, WithinAbs(integral.xy, 1e-14));
         // du/dx of a line: the difference of point forces' displacement, to second order
         const double step = 1e-4;
-        Influence<double> slope;
+        RectangleInfluence<double> slope;
         for (Eigen::Index k = 0; k < 40; ++k) {
             const double v = (y0 + y1 + rule.nodes[k] * (y1 - y0)) / 2;
             slope = slope + (rule.weights[k] * (y1 - y0) / 2 / (2 * step)) *
                                 (point_force(nu, x + step, y - v) - point_force(nu, x - step, y - v));
         }
-        const Influence<double> line = kernel.line_slope(x, y - y0, y - y1);
+        const RectangleInfluence<double> line = kernel.line_slope(x, y - y0, y - y1);
         CHECK_THAT(line.xx, WithinRel(slope.xx, 1e-5));
         CHECK_THAT(line.yy, WithinRel(slope.yy, 1e-5));
         CHECK_THAT(line.xy, WithinAbs(slope.xy, 1e-6));
     }
     // the middle of a square with half-side 1: the integral of 1/(pi r)
-    const Influence<double> corner = HalfSpace<double>(0).corner(1, 1);
+    const RectangleInfluence<double> corner = HalfSpace<double>(0).corner(1, 1);
     CHECK_THAT(4 * corner.xx, WithinRel(8 * std::asinh(1.0) / std::numbers::pi, 1e-15));
     for (const auto& [x, y] : {std::pair{0.0, 1.0}, std::pair{1.0, 0.0}, std::pair{0.0, 0.0}}) {
         CHECK(std::abs(kernel.corner(x, y).xx) < 1e-200);

@@ -193,7 +193,7 @@ TEMPLATE_TEST_CASE("A specification makes the mesh of its topology", "[mesh]", S
 TEST_CASE("The facts listed for a topology hold for its meshes", "[mesh]") {
     for (const TopologyInfo& known : topologies) {
         CAPTURE(known.name);
-        CHECK(&info(known.topology) == &known);
+        CHECK(&topology_info(known.topology) == &known);
         CHECK(name(known.topology) == std::string_view(known.name));
         CHECK(topology_named(known.name) == known.topology);
         CHECK(make_mesh({known.topology, known.least_n, 0.3}).size() == known.least_n);

@@ -30,9 +30,7 @@ using brute_force::Real;
 const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
 
 using Strip = StripKernel<double>;
-static_assert(DeltaKernel<LayeredKernel<Strip>> && !DeltaKernel<PlaneKernel<double>>);
-static_assert(LineKernel<Strip> && !LineKernel<LayeredKernel<Strip>>);
-static_assert(ElementKernel<Strip> && ElementKernel<LayeredKernel<LayeredKernel<Strip>>>);
+static_assert(LineKernel<Strip> && LineKernel<LayeredKernel<LayeredKernel<Strip>>>);
 
 /// The share of [from, to] that lies in element m; for a point, 1 inside and 1/2 on an edge.
 Real share(const brute_force::Mesh& mesh, Eigen::Index m, brute_force::Place from, brute_force::Place to) {
@@ -278,31 +276,6 @@ TEST_CASE("A brush from rest bends each bristle by the distance rolled since it 
     }
 }
 
-TEST_CASE("Rolling with friction on a layer tends to its steady state", "[layer]") {
-    const double nu = 0.28, mu_p0 = 1e-3, xi = 2 * (1 - nu) * mu_p0 * 0.5;
-    const Contact<double> contact = Contact<double>::dimensionless(1000, nu);
-    for (const Mesh<double>& mesh : {uniform_mesh<double>(40), cosine_mesh<double>(40)}) {
-        const LayeredKernel kernel(PlaneKernel<double>::longitudinal(contact), 0.5);
-        const Friction<> friction{1, mu_p0 * mean_hertz_pressure(mesh)};
-        const FrictionModel<> steady(contact, steady_system(mesh, halves, kernel), friction);
-        const FrictionState<> rest = steady.at_rest();
-        FrictionState<> rolling = rest;
-        FrictionWorkspace<> steady_workspace = steady.workspace();
-        const double expected = steady.steady(rest, xi, rolling, steady_workspace).force;
-        const FrictionModel<> model(contact, rolling_system(mesh, halves, kernel), unchecked, friction);
-        FrictionWorkspace<> workspace = model.workspace();
-        FrictionState<> now = model.at_rest(), next = now;
-        FrictionStep<> step;
-        for (int k = 0; k < 400; ++k) {
-            step = model.advance(now, 1, xi, next, workspace);
-            REQUIRE(step.status == StepStatus::ok);
-            std::swap(now, next);
-        }
-        CAPTURE(mesh.is_uniform(), step.force, expected);
-        CHECK(step.force == Approx(expected).epsilon(1e-10));
-    }
-}
-
 #ifdef ROLLBEM_SLOW_CHECKS
 TEMPLATE_TEST_CASE("A layer is accurate to round-off in every scalar type", "[layer]", SCALARS) {
     using Scalar = TestType;
@@ -360,6 +333,9 @@ TEST_CASE("Layers reject invalid compliances and analytic derivatives", "[layer]
     CHECK(refusal([&] { rolling_system(mesh, Galerkin{0.5, 0.5, Derivative::analytic, 1, 7}, layered); }) == why);
     CHECK_NOTHROW(rolling_system(mesh, Galerkin{0.5, 0.5, Derivative::analytic}, layered));
     CHECK_NOTHROW(solve_steady(mesh, analytic, LayeredKernel(plane, 0)));
+    const std::string states = "Chebyshev: compliance of the kernel's delta = 0.5 must be 0: use elements for a layer";
+    CHECK(refusal([&] { rolling_system(Chebyshev{}, layered); }) == states);
+    CHECK(refusal([&] { solve_steady(Chebyshev{}, layered); }) == states);
 
     // the conditions on the kernel below still apply
     CHECK(refusal([&] {

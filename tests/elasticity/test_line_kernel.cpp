@@ -145,16 +145,6 @@ TEST_CASE("Kernels reject a half-width that is not positive", "[kernel]") {
     CHECK_THROWS_AS(StripKernel<double>(std::numeric_limits<double>::quiet_NaN(), 0.75, 0.25), std::invalid_argument);
 }
 
-TEST_CASE("The contact sets the coefficients of both directions", "[kernel]") {
-    const Contact<double> contact = Contact<double>::dimensionless(5, 0.3);
-    for (const double x : {0.1, 1.0, 2.0}) {
-        CHECK(g(PlaneKernel<double>::longitudinal(contact), x) == g(PlaneKernel<double>(5, 0.7, 0.3), x));
-        CHECK(g(PlaneKernel<double>::lateral(contact), x) == g(PlaneKernel<double>(5, 1, -0.3), x));
-        CHECK(g(StripKernel<double>::longitudinal(contact), x) == g(StripKernel<double>(5, 0.7, 0.3), x));
-        CHECK(g(StripKernel<double>::lateral(contact), x) == g(StripKernel<double>(5, 1, -0.3), x));
-    }
-}
-
 TEST_CASE("AnyKernel is the kernel of its model", "[kernel]") {
     const Mesh<double> mesh = cosine_mesh(9);
     const auto check = [&](const AnyKernel<double>& any, const auto& kernel) {

@@ -149,15 +149,13 @@ TEMPLATE_TEST_CASE("Closed forms reject every argument out of its domain", "[dom
     refuses<Scalar>("poisson_ratio", ratios, [](Scalar nu) { ellipse_limit_c11(nu); });
     refuses<Scalar>("poisson_ratio", ratios, [](Scalar nu) { plane_lambda(nu, Scalar(1)); });
     refuses<Scalar>("poisson_ratio", ratios, [](Scalar nu) { carter_traction(Scalar(0), nu); });
-    refuses<Scalar>("poisson_ratio", ratios, [](Scalar nu) { carter_mean_traction(Scalar(0), Scalar(1), nu); });
+    const auto middle = EdgeDistances<Scalar>::at(0), end = EdgeDistances<Scalar>::at(1);
+    refuses<Scalar>("poisson_ratio", ratios, [&](Scalar nu) { carter_mean_traction(middle, Scalar(1), end, nu); });
+    refuses<Scalar>("width", bad<Scalar>({0, -1, infinity}),
+                    [&](Scalar width) { carter_mean_traction(middle, width, end, quarter); });
     refuses<Scalar>("aspect", bad<Scalar>({0, -1, infinity}), [=](Scalar b) { plane_lambda(quarter, b); });
     refuses<Scalar>("x/a", bad<Scalar>({Scalar(1.01), Scalar(-1.01), infinity}),
                     [=](Scalar x) { carter_traction(x, quarter); });
-    refuses<Scalar>("x1/a", bad<Scalar>({Scalar(-1.01), 1, infinity}),
-                    [=](Scalar x) { carter_mean_traction(x, Scalar(1), quarter); });
-    for (const Scalar x : {Scalar(1.5), infinity}) {
-        CHECK_THROWS_AS(carter_mean_traction(Scalar(0), x, quarter), std::invalid_argument);
-    }
     refuses<Scalar>("trailing", bad<Scalar>({-1}), [=](Scalar d) {
         carter_traction(EdgeDistances<Scalar>{d, 1}, quarter);
     });

@@ -16,7 +16,6 @@
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/compiled/transient.hpp>
-#include <rollbem/elasticity/layered_kernel.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
 #include <rollbem/spectral/polynomial.hpp>
@@ -118,24 +117,6 @@ TEST_CASE("The largest error over all frequencies falls with the square of the n
     }
 }
 
-TEST_CASE("At a fixed frequency each further state of the plane gains more than the one before", "[chebyshev]") {
-    const Complex exact = reference::plane_c11({0, 5}, 0.25, 100);
-    double before = 0, rate_before = 0;
-    for (Eigen::Index m = 6; m <= 14; m += 2) {
-        const double error = relative_error(solve_response(rolling_system(Chebyshev{m}, plane), {0, 5}).c11(), exact);
-        if (m > 6) {
-            const double rate = std::log(before / error) / 2;  // per state
-            CAPTURE(m, error, rate);
-            CHECK(rate > rate_before);
-            CHECK(rate > 1);
-            CHECK(rate < 4.5);
-            rate_before = rate;
-        }
-        before = error;
-    }
-    CHECK(rate_before > 3);
-}
-
 // Least-squares slope of -ln(error) over m = first ... last.
 template <class Error>
 double geometric_rate(Eigen::Index first, Eigen::Index last, const Error& error) {
@@ -177,17 +158,6 @@ TEST_CASE("Strips converge down to round-off at the geometric rate of their sing
             CAPTURE(m, steady_error(m), harmonic_error(m));
             CHECK(steady_error(m) < 1e-12);
             CHECK(harmonic_error(m) < 1e-12);
-        }
-    }
-}
-
-TEST_CASE("The response of states at -omega is the complex conjugate of that at omega", "[chebyshev]") {
-    for (const Eigen::Index m : {1, 2, 3, 12, 200}) {
-        const FrequencySweep<double> sweep(rolling_system(Chebyshev{m}, plane));
-        const FrequencySweep<double> narrow(rolling_system(Chebyshev{m}, strip(0.5)));
-        for (const double z : {1e-6, 0.3, 5.0, 100.0}) {
-            CHECK(relative_error(sweep(-z).c11(), std::conj(sweep(z).c11())) <= 8 * eps);
-            CHECK(relative_error(narrow(-z).c11(), std::conj(narrow(z).c11())) <= 8 * eps);
         }
     }
 }
@@ -248,21 +218,6 @@ TEST_CASE("The system of the plane has its elementary closed form", "[chebyshev]
     }
 }
 
-TEST_CASE("A strip that takes 320 elements takes 8 to 28 states", "[chebyshev]") {
-    const RollingSystem<double> elements =
-        rolling_system(cosine_mesh(320), Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, strip(10));
-    for (const auto& [z, found] : {std::pair(0.0, 1.6e-6), {1.0, 1.4e-6}, {5.0, 1.5e-5}, {20.0, 2.2e-4}}) {
-        const Complex exact = reference::strip_c11(Complex(0, z), 0.28, 10).c11;
-        const double error = relative_error(solve_response(elements, {0, z}).c11(), exact);
-        CAPTURE(z, error);
-        CHECK(error > 0.9 * found);
-        CHECK(error < 1.1 * found);
-        const Eigen::Index m = z < 2 ? 8 : z < 10 ? 12 : 28;
-        CHECK(relative_error(solve_response(rolling_system(Chebyshev{m}, strip(10)), {0, z}).c11(), exact) <
-              error / 100);
-    }
-}
-
 TEST_CASE("Time steps of Chebyshev states have the known errors", "[chebyshev]") {
     const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
     const auto step_error = [&](Eigen::Index m, double q) {
@@ -285,41 +240,6 @@ TEST_CASE("Time steps of Chebyshev states have the known errors", "[chebyshev]")
     CHECK_THAT(step_error(48, 1), about(1.1e-6));
     CHECK_THAT(step_error(8, 5), about(1.8e-7));
     CHECK_THAT(step_error(24, 5), about(5e-10));
-}
-
-TEST_CASE("Strips by Chebyshev states have the known errors against the reference", "[chebyshev]") {
-    struct Case {
-        double aspect, z;
-        Eigen::Index m;
-        double found;
-    };
-    for (const Case& c : {Case{10, 0, 8, 1e-12},
-                          {10, 1, 8, 2.6e-13},
-                          {10, 5, 8, 3e-4},
-                          {10, 0, 12, 0},
-                          {10, 1, 12, 0},
-                          {10, 5, 12, 9e-9},
-                          {1, 0, 8, 8e-6},
-                          {1, 1, 8, 4e-6},
-                          {1, 5, 8, 6e-4},
-                          {1, 0, 16, 5e-9},
-                          {1, 1, 16, 2e-9},
-                          {1, 5, 16, 2.6e-11},
-                          {0.3, 0, 32, 1e-9},
-                          {0.3, 1, 32, 5.3e-10},
-                          {0.3, 0, 64, 0},
-                          {0.3, 5, 64, 0}}) {
-        const EstimatedC11<double> exact = reference::strip_c11(Complex(0, c.z), 0.28, c.aspect);
-        const RollingSystem<double> system = rolling_system(Chebyshev{c.m}, strip(c.aspect));
-        const double error = relative_error(FrequencySweep<double>(system)(c.z).c11(), exact.c11);
-        CAPTURE(c.aspect, c.z, c.m, error);
-        if (c.found > 0) CHECK_THAT(error, about(c.found));
-        if (c.found == 0) CHECK(error < 1e-12);
-        if (c.z != 0) continue;
-        const Response<double> steady = solve_steady(Chebyshev{c.m}, strip(c.aspect));
-        CHECK(std::abs(steady.c11() / FrequencySweep<double>(system)(0).c11().real() - 1) < 1e-13);
-        CHECK(std::abs(steady.c11() / exact.c11.real() - 1) <= steady.error_estimate());
-    }
 }
 
 TEST_CASE("The error estimate of steady rolling bounds the error on narrow strips", "[chebyshev]") {
@@ -366,42 +286,6 @@ TEST_CASE("Strips by Chebyshev states agree with elements, longitudinally and la
     }
 }
 
-TEST_CASE("Steady rolling by states in SI units agrees with elements", "[chebyshev]") {
-    const Contact<double> contact(
-        {.half_length = 6e-3, .half_width = 9e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
-    const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
-    const Mesh<double> mesh = cosine_mesh(160);
-    const auto strips = StripKernel<double>::longitudinal(contact);
-    const Response<double> states = solve_steady(Chebyshev{24}, strips), elements = solve_steady(mesh, halves, strips);
-    CHECK(states.status == Status::ok);
-    CHECK(std::abs(states.c11() / reference::strip_c11(0, 0.28, 1.5).c11.real() - 1) < 1e-12);
-    for (const double creepage : {1e-4, -3e-3}) {
-        const double force = creep_force(contact, states, creepage);
-        CHECK(force == -contact.width() * 6e-3 * 8e10 * states.c11() * creepage);
-        CHECK(force * creepage < 0);
-        CHECK(std::abs(force / creep_force(contact, elements, creepage) - 1) < 2e-5);
-    }
-    CHECK(states.rcond > 0.1);
-    for (Eigen::Index l = 20; l < 140; l += 17) {
-        const double x = mesh.centres()[l];
-        CHECK(std::abs(traction_of(states)(x) / elements.unknowns(l) - 1) < 2e-3);
-    }
-    CHECK(traction_of(states)(1) == 0);
-    // lateral creepage, and infinite widths
-    const auto lateral = StripKernel<double>::lateral(contact);
-    const Response<double> across = solve_steady(Chebyshev{24}, lateral);
-    CHECK(std::abs(across.c11() / solve_steady(mesh, halves, lateral).c11() - 1) < 2e-5);
-    CHECK(across.status == Status::ok);
-    const Contact<double> endless({.half_length = 6e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
-    CHECK(solve_steady(Chebyshev{4}, StripKernel<double>::longitudinal(endless)).c11() ==
-          Approx(steady_c11(0.28)).epsilon(1e-14));
-    CHECK(solve_steady(Chebyshev{4}, StripKernel<double>::lateral(endless)).c11() ==
-          Approx(steady_c22()).epsilon(1e-14));
-    // too few states
-    const Contact<double> narrow({.half_length = 6e-3, .half_width = 1e-3, .shear_modulus = 8e10, .poisson_ratio = 0});
-    CHECK(solve_steady(Chebyshev{3}, StripKernel<double>::longitudinal(narrow)).status == Status::not_converged);
-}
-
 TEST_CASE("Tractions of harmonic creepage follow from the states", "[chebyshev]") {
     const ChebyshevSystem<double> system = rolling_system(Chebyshev{24}, plane);
     for (const double z : {0.0, 0.5, 5.0}) {
@@ -438,23 +322,6 @@ TEST_CASE("The number of quadrature points is just enough for round-off in the s
 
 TEST_CASE("An infinitely wide strip has the coefficient of the plane", "[chebyshev]") {
     CHECK(solve_steady(Chebyshev{4}, strip(infinity)).c11() == Approx(steady_c11(0.28)).epsilon(4 * eps));
-}
-
-TEST_CASE("Chebyshev states are accurate to rounding", "[chebyshev]") {
-    const PlaneKernel<double> wide(100, 0.75, 0.25);
-    const ChebyshevSystem<double> system = rolling_system(Chebyshev{24}, wide);
-    const FrequencySweep<double> sweep(system);
-    for (const double z : {0.0, 1.0, 5.0}) {
-        const std::complex<double> exact = polynomial_c11(std::complex<double>(0, z), 0.25, 100.0).c11;
-        CHECK(std::abs(sweep(z).c11() / exact - 1.0) < 30 * eps);
-    }
-    const StripKernel<double> kernel(0.5, 0.75, 0.25);
-    const Response<double> narrow = solve_steady(Chebyshev{64}, kernel);
-    const FrequencySweep<double> narrow_sweep(rolling_system(Chebyshev{64}, kernel));
-    CHECK(narrow.status == Status::ok);
-    CHECK(std::abs(narrow_sweep(0).c11().real() / narrow.c11() - 1) < 100 * eps);
-    const AdhesionModel<> model(Contact<double>::dimensionless(100, 0.25), system, judge_stability(system));
-    CHECK(std::abs(model.force(model.steady(1)) / (-200 * steady_c11(0.25)) - 1) < 100 * eps);
 }
 
 TEST_CASE("Round-off of steady states does not grow with their number", "[chebyshev]") {
@@ -529,18 +396,6 @@ TEST_CASE("Chebyshev states of random contacts are stable and within their error
             CHECK(relative_error(fine, reference::strip_c11(Complex(0, z), nu, aspect).c11) < 1e-11);
     }
 }
-
-template <class Kernel>
-concept TakesStates = requires(const Kernel& kernel) {
-    rolling_system(Chebyshev{}, kernel);
-};
-template <class Kernel>
-concept SteadyByStates = requires(const Kernel& kernel) {
-    solve_steady(Chebyshev{}, kernel);
-};
-static_assert(TakesStates<StripKernel<double>> && SteadyByStates<PlaneKernel<float>>);
-using Layered = LayeredKernel<PlaneKernel<double>>;
-static_assert(ElementKernel<Layered> && !TakesStates<Layered> && !SteadyByStates<Layered>);
 
 const PlaneKernel<double> lateral_plane(100, 1, -0.28);
 

@@ -1,4 +1,4 @@
-// The derivative of a step's force by the distance rolled, which the models do not give: by differences of the step.
+// The derivative of a step's force with respect to the distance rolled, which the models do not give: by differences.
 #pragma once
 
 #include "../detail/language.hpp"

@@ -20,7 +20,7 @@ namespace detail {
 /// than a tenth of the LU decomposition and saves half the memory.
 inline constexpr Eigen::Index largest_copied_G_prime = 1000;
 
-template <class Scalar, RollingScheme<Scalar> Scheme, ElementKernel Kernel>
+template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 Response<Scalar> solve_steady_on(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     const SchemeRows<Scalar> rows = scheme_rows(scheme, Quantity::slope, mesh);
     const KernelView<Scalar> view(kernel);
@@ -38,7 +38,7 @@ Response<Scalar> solve_steady_on(const Mesh<Scalar>& mesh, const Scheme& scheme,
 
 }  // namespace detail
 
-/// Assembles and solves for unit creepage, dimensionless (a = G = 1), by a RollingScheme and with an ElementKernel. Above
+/// Assembles and solves for unit creepage, dimensionless (a = G = 1), by a RollingScheme and with a LineKernel. Above
 /// 1000 elements the memory is that of one matrix and a multiple of n (for Galerkin by quadrature two matrices). Throws
 /// std::invalid_argument if the scheme does not fit the mesh.
 template <class Scalar, class Scheme, class Kernel>

@@ -25,7 +25,7 @@ struct InfluenceMatrices {
 /// G' of Eq. (12), n x n (n-1 x n-1 for KnotheBoundary), in units of 1/G: G'_lm is the slope du/dx at the point of row
 /// l, Eq. (28), or its mean about that point, Eqs. (14) and (29), or between two nodes, under unit traction of element
 /// m. A steady problem needs nothing else. Throws std::invalid_argument if the scheme does not fit the mesh.
-template <class Scalar, RollingScheme<Scalar> Scheme, ElementKernel Kernel>
+template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 MatrixX<Scalar> assemble_G_prime(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     return detail::influence_matrix<Scalar>(mesh, scheme_rows(scheme, Quantity::slope, mesh),
                                             detail::KernelView<Scalar>(kernel), Quantity::slope);
@@ -34,7 +34,7 @@ MatrixX<Scalar> assemble_G_prime(const Mesh<Scalar>& mesh, const Scheme& scheme,
 /// G of Eq. (13), for Galerkin of Eq. (14), of the same shape, in units of a/G: the displacement u instead of its
 /// slope. The kernel's half-width must be finite. Throws std::invalid_argument if the scheme does not fit the mesh or G
 /// is not finite.
-template <class Scalar, RollingScheme<Scalar> Scheme, ElementKernel Kernel>
+template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 MatrixX<Scalar> assemble_G(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     MatrixX<Scalar> G = detail::influence_matrix<Scalar>(mesh, scheme_rows(scheme, Quantity::displacement, mesh),
                                                          detail::KernelView<Scalar>(kernel), Quantity::displacement);
@@ -44,7 +44,7 @@ MatrixX<Scalar> assemble_G(const Mesh<Scalar>& mesh, const Scheme& scheme, const
 }
 
 /// Both matrices. Throws std::invalid_argument if the scheme does not fit the mesh or G is not finite.
-template <class Scalar, RollingScheme<Scalar> Scheme, ElementKernel Kernel>
+template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 InfluenceMatrices<Scalar> assemble(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     return {assemble_G(mesh, scheme, kernel), assemble_G_prime(mesh, scheme, kernel)};
 }

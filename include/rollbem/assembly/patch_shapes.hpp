@@ -28,8 +28,11 @@ namespace rollbem {
 namespace detail {
 
 /// G, G' and G_y of a mesh in units of `c`, in which that of the mesh is 1.
-template <class Scalar, RollingScheme<Scalar> Scheme, LateralSlopeKernel Kernel>
+template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 ShapeNode<Scalar> shape_node(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel, Scalar c) {
+    static_assert(
+        requires { kernel.corner_lateral_slope(c, c); },
+        "patches whose half-width varies require a kernel with corner_lateral_slope");
     const Eigen::Index n = mesh.elements_per_strip(), m = mesh.strip_count(), strips = computed_strips(mesh);
     const auto whole = [&](InfluenceRows<Scalar> rows, Scalar factor, Scalar sign) {
         for (MatrixX<Scalar>* block : {&rows.xx, &rows.xy, &rows.yy}) {
@@ -74,7 +77,7 @@ ElementSystem<Scalar, 2> system_of(std::shared_ptr<const ShapeSet<Scalar>> set, 
 /// The system of a patch that may change its size but not its shape: a(t)/b(t) remains that of the contact (ellipses),
 /// or the outline grows evenly about its origin. Its mesh follows. Throws std::invalid_argument unless
 /// the scheme takes differences of u and fits the strips' mesh, and all entries are finite.
-template <class Scalar, RollingScheme<Scalar> Scheme, LateralSlopeKernel Kernel>
+template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 ElementSystem<Scalar, 2> breathing_system(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh,
                                           const Scheme& scheme, const Kernel& kernel) {
     Elements<Scalar> elements = patch_elements(mesh, scheme);
@@ -108,12 +111,12 @@ public:
     /// Cosine meshes of n elements a strip and m strips. Throws std::invalid_argument unless
     /// 0 < least < largest < inf and 1 < factor <= 2, the scheme takes differences of u and fits the strips' mesh, and
     /// all entries are finite.
-    template <RollingScheme<Scalar> Scheme, LateralSlopeKernel Kernel>
+    template <RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
     PatchShapes(Eigen::Index n, Eigen::Index m, const Scheme& scheme, const Kernel& kernel, const Range& range = {})
         : PatchShapes(cosine_mesh<Scalar>(n), cosine_mesh<Scalar>(m), scheme, kernel, range) {}
 
     /// Any mesh along each strip, and across them.
-    template <RollingScheme<Scalar> Scheme, LateralSlopeKernel Kernel>
+    template <RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
     PatchShapes(const Mesh<Scalar>& along, const Mesh<Scalar>& across, const Scheme& scheme, const Kernel& kernel,
                 const Range& range = {})
         : circle_(patch_elements(ellipse_mesh<Scalar>(1, along, across), scheme)),

@@ -32,12 +32,10 @@ std::optional<Scalar> aspect_of(const Kernel& kernel) {
 /// Lets the contact breathe if the kernel is a logarithm and a constant.
 template <class Scalar, class Kernel>
 void let_breathe(const Kernel& kernel, SystemOrigin<Scalar>& origin) {
-    if constexpr (LineKernel<Kernel>) {
-        const auto split = kernel.smooth_split();
-        if (is_finite(split.distance)) return;
-        origin.log_strength = static_cast<Scalar>(split.strength);
-        origin.half_length_limit = static_cast<Scalar>(2 * std::exp(split.constant / split.strength));
-    }
+    const auto split = kernel.smooth_split();
+    if (is_finite(split.distance) || split.compliance != 0) return;
+    origin.log_strength = static_cast<Scalar>(split.strength);
+    origin.half_length_limit = static_cast<Scalar>(2 * std::exp(split.constant / split.strength));
 }
 
 /// x/a of the point of each equation of a scheme.
@@ -106,7 +104,7 @@ Elements<Scalar> line_elements(const Mesh<Scalar>& mesh, const Scheme& scheme) {
 
 /// Assembles both matrices. Throws std::invalid_argument if the scheme does not fit the mesh, if G is not finite (an
 /// infinite half-width), and for a plane kernel with Lambda <= 0, whose model is unstable in the time domain.
-template <class Scalar, RollingScheme<Scalar> Scheme, ElementKernel Kernel>
+template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     require_stable_model(kernel);
     detail::require_one_system(scheme, mesh);
@@ -119,7 +117,7 @@ ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& sch
 
 /// G' alone, which costs half as much, for steady friction; the half-width may be infinite. Throws
 /// std::invalid_argument if assemble_G_prime refuses the scheme.
-template <class Scalar, RollingScheme<Scalar> Scheme, ElementKernel Kernel>
+template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 ElementSystem<Scalar> steady_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     Elements<Scalar> elements = line_elements(mesh, scheme);
     SystemOrigin<Scalar> origin{.aspect = detail::aspect_of<Scalar>(kernel), .points = elements.x};

@@ -1,35 +1,29 @@
 // Full sliding of an elliptic contact under Hertz's pressure: the limit of steady rolling for large creepages and spin.
 #pragma once
 
-#include "../detail/language.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "../scene/force.hpp"
+
 namespace rollbem {
 
-/// -F_x/(mu N), -F_y/(mu N), -M_z/(mu N c) with c = sqrt(a b): dimensionless forces and moment of a contact.
-template <class Scalar>
-struct ForceRatios {
-    Scalar longitudinal = 0, lateral = 0, moment = 0;
-};
-
-/// Forces of an ellipse that slips everywhere, by its rigid slip (longitudinal - spin y, lateral + spin x): creepages
+/// -F_x/(mu N), -F_y/(mu N), -M_z/(mu N c), c = sqrt(a b), of an ellipse that slips everywhere, by its rigid slip (longitudinal - spin y, lateral + spin x): creepages
 /// in any common unit, spin times c in the same. Zero without creepage and spin. a_over_b must be positive and finite.
 ///
 /// Along a line through the pole, where the rigid slip vanishes, the direction of slip is constant, and moments of the
 /// pressure over the whole chord have a closed form. There remains an integral over the direction of the line of a
 /// smooth function, to 1e-6 for a/b = 0.1 ... 10. Spin alone on a circle: 3 pi/16.
 template <class Scalar>
-ForceRatios<Scalar> full_sliding(Scalar a_over_b, Scalar longitudinal, Scalar lateral, Scalar spin) {
+TangentialForce<Scalar> full_sliding(Scalar a_over_b, Scalar longitudinal, Scalar lateral, Scalar spin) {
     using std::abs, std::cos, std::sin, std::sqrt;
     const Scalar pi = std::numbers::pi_v<Scalar>;
     const Scalar a = sqrt(a_over_b), b = 1 / a;  // c = 1
     const Scalar sign = spin < 0 ? -1 : 1, rate = abs(spin);
     // the pole times the spin, where the ellipse is the unit circle
     const Scalar pole_x = -sign * lateral / a, pole_y = sign * longitudinal / b, pole = std::hypot(pole_x, pole_y);
-    ForceRatios<Scalar> sum;
+    TangentialForce<Scalar> sum{0, 0, 0};
     if (pole == 0 && rate == 0) return sum;
     const int count =
         48 + static_cast<int>(6 * std::clamp((std::max)(a_over_b, 1 / a_over_b), Scalar(1), Scalar(1000)));

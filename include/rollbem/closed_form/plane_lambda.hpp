@@ -1,5 +1,5 @@
-// Lambda, the compliance number of the plane model: unless it is positive, that model is unstable in the time domain, before any
-// discretisation. Dimensionless: a = G = V = 1.
+// Lambda, the compliance number of the plane model: unless it is positive, that model is unstable in the time domain,
+// before any discretisation. Dimensionless: a = G = V = 1.
 #pragma once
 
 #include <cmath>

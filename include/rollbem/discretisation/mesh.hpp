@@ -134,9 +134,11 @@ inline constexpr std::array<TopologyInfo, 5> topologies{{
     {Topology::cosine, "cosine", Grading::none, 1},
 }};
 
-constexpr const TopologyInfo& info(Topology topology) { return topologies[static_cast<std::size_t>(topology)]; }
+constexpr const TopologyInfo& topology_info(Topology topology) {
+    return topologies[static_cast<std::size_t>(topology)];
+}
 
-constexpr const char* name(Topology topology) { return info(topology).name; }
+constexpr const char* name(Topology topology) { return topology_info(topology).name; }
 
 /// The topology of a given name, if there is one.
 constexpr std::optional<Topology> topology_named(std::string_view name) {
@@ -149,7 +151,7 @@ constexpr std::optional<Topology> topology_named(std::string_view name) {
 namespace detail {
 
 inline void require_elements(const char* who, Topology topology, Eigen::Index n) {
-    const Eigen::Index least = info(topology).least_n;
+    const Eigen::Index least = topology_info(topology).least_n;
     if (n >= least) return;
     const std::string rule = "be at least " + to_text(least);
     require(false, who, "n", n, rule.c_str());
@@ -253,7 +255,7 @@ Mesh<Scalar> cosine_mesh(Eigen::Index n) {
 struct MeshSpecification {
     Topology topology = Topology::uniform;
     Eigen::Index n = 1;  ///< number of elements
-    double grading = 1;  ///< the parameter info(topology).grading; ignored if that is none
+    double grading = 1;  ///< the parameter topology_info(topology).grading; ignored if that is none
 };
 
 /// The mesh of a specification. Throws std::invalid_argument if n or the grading is out of range for the topology.

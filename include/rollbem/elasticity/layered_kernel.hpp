@@ -17,10 +17,10 @@ namespace rollbem {
 /// exist there, only differences of u do. Schemes that need du/dx are refused: Collocation and KnotheBoundary with
 /// Derivative::analytic, and Galerkin with that derivative and a quadrature. Galerkin in closed form takes the mean of
 /// du/dx over an interval, which is a difference of u, and so allows either derivative. Only elements take this kernel:
-/// it is no LineKernel, which Chebyshev states and solve_stick_border require, and its contact cannot breathe.
+/// Chebyshev states refuse it, solve_stick_border has no exact border for it, and its contact cannot breathe.
 ///
 /// Invariant: 0 <= L < inf.
-template <ElementKernel Kernel>
+template <LineKernel Kernel>
 class LayeredKernel {
 public:
     using Scalar = typename Kernel::Scalar;
@@ -32,8 +32,13 @@ public:
         detail::require_not_negative("LayeredKernel", "compliance", compliance);
     }
 
-    const Kernel& elastic() const { return kernel_; }  ///< the kernel without the layer
-    Scalar compliance() const { return compliance_; }  ///< L [a/G]
+    SmoothSplit<Scalar> smooth_split() const {
+        SmoothSplit<Scalar> split = kernel_.smooth_split();
+        split.compliance += compliance_;
+        return split;
+    }
+    Scalar smooth_part(Scalar x) const { return kernel_.smooth_part(x); }
+    Scalar smooth_slope(Scalar x) const { return kernel_.smooth_slope(x); }
 
     /// b in units of a, if the kernel has one.
     Scalar half_width() const requires requires(const Kernel& kernel) { kernel.half_width(); }

@@ -1,5 +1,5 @@
-// The plane model itself, before any discretisation, is unstable in the time domain if Lambda <= 0. Every problem that is not
-// steady checks this.
+// The plane model itself, before any discretisation, is unstable in the time domain if Lambda <= 0. Every problem that
+// is not steady checks this.
 #pragma once
 
 #include "../detail/finite.hpp"
@@ -9,7 +9,7 @@
 namespace rollbem {
 
 /// Throws std::invalid_argument for a kernel that knows its Lambda, as PlaneKernel does, unless Lambda > 0.
-template <ElementKernel Kernel>
+template <LineKernel Kernel>
 void require_stable_model(const Kernel& kernel) {
     if constexpr (requires { kernel.lambda(); }) {
         detail::require(

@@ -14,16 +14,16 @@ namespace rollbem {
 
 /// An influence between the directions x and y. By reciprocity that of x on y equals that of y on x.
 template <class Scalar>
-struct Influence {
+struct RectangleInfluence {
     Scalar xx = 0, xy = 0, yy = 0;
 
-    friend Influence operator+(const Influence& a, const Influence& b) {
+    friend RectangleInfluence operator+(const RectangleInfluence& a, const RectangleInfluence& b) {
         return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy};
     }
-    friend Influence operator-(const Influence& a, const Influence& b) {
+    friend RectangleInfluence operator-(const RectangleInfluence& a, const RectangleInfluence& b) {
         return {a.xx - b.xx, a.xy - b.xy, a.yy - b.yy};
     }
-    friend Influence operator*(const Scalar& factor, const Influence& a) {
+    friend RectangleInfluence operator*(const Scalar& factor, const RectangleInfluence& a) {
         return {factor * a.xx, factor * a.xy, factor * a.yy};
     }
 };
@@ -33,24 +33,16 @@ struct Influence {
 ///   on the rectangle x0 ... x1, y0 ... y1 is F(x-x0, y-y0) - F(x-x1, y-y0) - F(x-x0, y-y1) + F(x-x1, y-y1).
 ///   xx and yy of F are odd in x and in y, xy is even in both.
 /// - couples(): whether xy differs from zero.
+///
+/// A kernel may also offer
+/// - line_slope(x, y0, y1): du/dx at distance x ahead of a line of unit traction along y, whose ends lie y0 and y1 < y0
+///   below the point. The assembly uses it for distant elements: with it nothing cancels.
+/// - corner_lateral_slope(x, y), the derivative of corner(x, y) with respect to y: xx and yy are odd in x and even in y,
+///   xy is even in x and odd in y. Patches whose half-width varies require it.
 template <class Kernel>
 concept RectangleKernel = requires(const Kernel& kernel, typename Kernel::Scalar x) {
-    { kernel.corner(x, x) } -> std::same_as<Influence<typename Kernel::Scalar>>;
+    { kernel.corner(x, x) } -> std::same_as<RectangleInfluence<typename Kernel::Scalar>>;
     { kernel.couples() } -> std::same_as<bool>;
-};
-
-/// A kernel that offers line_slope(x, y0, y1): du/dx at distance x ahead of a line of unit traction along y, whose ends
-/// lie y0 and y1 < y0 below the point. The assembly uses it for distant elements: with it nothing cancels.
-template <class Kernel>
-concept SlopeKernel = RectangleKernel<Kernel> && requires(const Kernel& kernel, typename Kernel::Scalar x) {
-    { kernel.line_slope(x, x, x) } -> std::same_as<Influence<typename Kernel::Scalar>>;
-};
-
-/// A kernel that offers corner_lateral_slope(x, y), the derivative of corner(x, y) by y: xx and yy are odd in x and even
-/// in y, xy is even in x and odd in y. Patches whose half-width varies require it.
-template <class Kernel>
-concept LateralSlopeKernel = RectangleKernel<Kernel> && requires(const Kernel& kernel, typename Kernel::Scalar x) {
-    { kernel.corner_lateral_slope(x, x) } -> std::same_as<Influence<typename Kernel::Scalar>>;
 };
 
 /// Two equal half-spaces (Boussinesq, Cerruti): with r = sqrt(x^2 + y^2), pi G F is
@@ -65,7 +57,7 @@ public:
 
     bool couples() const { return nu_ != 0; }
 
-    Influence<Scalar> corner(Scalar x, Scalar y) const {
+    RectangleInfluence<Scalar> corner(Scalar x, Scalar y) const {
         const Scalar r = std::sqrt(x * x + y * y);
         const Scalar width = (std::max)(std::abs(x), least), height = (std::max)(std::abs(y), least);
         // each product is 0 where its first factor is
@@ -75,7 +67,7 @@ public:
         return {over_pi * ((1 - nu_) * along + across), -over_pi * nu_ * r, over_pi * (along + (1 - nu_) * across)};
     }
 
-    Influence<Scalar> corner_lateral_slope(Scalar x, Scalar y) const {
+    RectangleInfluence<Scalar> corner_lateral_slope(Scalar x, Scalar y) const {
         const Scalar r = (std::max)(std::sqrt(x * x + y * y), least);
         const Scalar width = (std::max)(std::abs(x), least), height = (std::max)(std::abs(y), least);
         const Scalar angle = std::copysign(area_sine(width, height, r), x), shear = nu_ * x / r;
@@ -83,7 +75,7 @@ public:
         return {over_pi * (angle - shear), -over_pi * nu_ * y / r, over_pi * ((1 - nu_) * angle + shear)};
     }
 
-    Influence<Scalar> line_slope(Scalar x, Scalar y0, Scalar y1) const {
+    RectangleInfluence<Scalar> line_slope(Scalar x, Scalar y0, Scalar y1) const {
         const Scalar r0 = std::sqrt(x * x + y0 * y0), r1 = std::sqrt(x * x + y1 * y1);
         // (y0/r0 - y1/r1)/x, whose numerator cancels if both have the same sign
         const Scalar angle =

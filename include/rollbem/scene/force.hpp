@@ -24,7 +24,7 @@ struct TangentialForce {
     }
 };
 
-/// Derivatives of a force by both creepages and by spin [1/m], for a rigid shift by its angle [rad].
+/// Derivatives of a force with respect to both creepages and spin [1/m]; for a rigid shift, to its angle [rad].
 template <class Scalar>
 struct CreepageTangent {
     TangentialForce<Scalar> by_longitudinal, by_lateral, by_spin;

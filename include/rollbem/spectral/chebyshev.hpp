@@ -208,7 +208,5 @@ template <LineKernel Kernel>
 Response<typename Kernel::Scalar> solve_steady(const Chebyshev& method, const Kernel& kernel) {
     return detail::solve_chebyshev_steady(method, kernel);
 }
-template <class Kernel>
-void solve_steady(const Chebyshev& method, const Kernel& kernel) = delete;  // kernel must be a LineKernel
 
 }  // namespace rollbem

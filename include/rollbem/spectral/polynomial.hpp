@@ -23,8 +23,6 @@
 
 namespace rollbem {
 
-enum class PolynomialBasis { monomial, chebyshev };
-
 /// The lowest order at which the Chebyshev basis reaches the precision of Scalar. Beyond n = |s|, I_n(s) decreases over
 /// a range that grows like |s|^(1/3), and faster than any power of |s|/n. Throws std::invalid_argument unless
 /// |s| <= 1e8.
@@ -43,7 +41,7 @@ struct PolynomialSolution {
     using Complex = std::complex<Scalar>;
     using Vector = VectorX<Complex>;
 
-    PolynomialBasis basis;
+    enum class Basis { monomial, chebyshev } basis;
     Complex c11;                       ///< Eq. (30): force per unit width over -a G xi
     Vector traction_coefficients;      ///< c_j of Eq. (17) over G xi, of x^j or of T_j; their sum is zero
     Vector displacement_coefficients;  ///< u/(a xi), of x^l (Eq. 22) or of T_l
@@ -68,18 +66,18 @@ struct PolynomialSolution {
         Complex current = 0;
         for (Eigen::Index n = u.size() - 1; n > 0; --n) {
             const Complex previous =
-                basis == PolynomialBasis::monomial ? u[n] + x_over_a * current : u[n] + 2 * x_over_a * current - next;
+                basis == Basis::monomial ? u[n] + x_over_a * current : u[n] + 2 * x_over_a * current - next;
             next = current;
             current = previous;
         }
-        return basis == PolynomialBasis::monomial ? u[0] + x_over_a * current : u[0] + x_over_a * current - next;
+        return basis == Basis::monomial ? u[0] + x_over_a * current : u[0] + x_over_a * current - next;
     }
 
 private:
     /// The polynomial of Eq. (17), which vanishes at x = 1, divided by 1 - x: nothing cancels at the leading edge.
     Complex quotient(const EdgeDistances<Scalar>& position) const {
         const Vector& c = traction_coefficients;
-        if (basis == PolynomialBasis::monomial) {  // synthetic division: minus the partial sums of c_j, highest first
+        if (basis == Basis::monomial) {  // synthetic division: minus the partial sums of c_j, highest first
             const Scalar x = position.leading < position.trailing ? 1 - position.leading : position.trailing - 1;
             Complex partial = 0;
             Complex value = 0;
@@ -209,8 +207,13 @@ PolynomialSolution<Scalar> solve_polynomial(std::type_identity_t<std::complex<Sc
     for (Eigen::Index n = 1; n <= order; ++n) displacement[n] = traction[n] / static_cast<Scalar>(n);
     traction /= 2 * (1 - poisson_ratio);
     const EstimatedC11<Scalar> scalar = polynomial_c11(s, poisson_ratio, aspect, order);
-    return {PolynomialBasis::chebyshev, scalar.c11, traction,     displacement,
-            scalar.error_estimate,      Scalar(1),  scalar.status};
+    return {PolynomialSolution<Scalar>::Basis::chebyshev,
+            scalar.c11,
+            traction,
+            displacement,
+            scalar.error_estimate,
+            Scalar(1),
+            scalar.status};
 }
 
 /// The same at default_polynomial_order(s). Throws std::invalid_argument also if |s| > 1e8.

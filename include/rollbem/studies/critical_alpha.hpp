@@ -65,7 +65,7 @@ private:
 /// The smallest alpha_T in [first, last] at which an eigenvalue certainly grows, to within `tolerance` from above;
 /// empty if there is none. `scheme_of(alpha_T)` makes the scheme. Throws std::invalid_argument for an invalid range or
 /// step, if a scheme does not fit the mesh, if G is not finite, or for a plane kernel with Lambda <= 0.
-template <class Scalar, class SchemeOf, ElementKernel Kernel>
+template <class Scalar, class SchemeOf, LineKernel Kernel>
 requires RollingScheme<std::invoke_result_t<const SchemeOf&, double>, Scalar> std::optional<double> critical_alpha_T(
     const Mesh<Scalar>& mesh, const SchemeOf& scheme_of, const Kernel& kernel,
     const CriticalAlphaOptions& options = {}) {

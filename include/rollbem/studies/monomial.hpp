@@ -24,7 +24,7 @@ namespace rollbem {
 
 /// What to do about the status of a polynomial solution, as a clause for a message: ill_conditioned is for monomials
 /// whose matrix is close to singular, not_converged for an order that is too low or monomials that have broken down.
-inline const char* advice(Status status) {
+inline const char* polynomial_advice(Status status) {
     switch (status) {
         case Status::ok: return "nothing: the solution can be used";
         case Status::ill_conditioned:
@@ -98,7 +98,7 @@ PolynomialSolution<Scalar> solve_monomial_once(std::complex<Scalar> s, const Eig
     const Eigen::PartialPivLU<Matrix> lu(matrix);
     const Vector creepage = Vector::Unit(order + 1, 0);
     PolynomialSolution<Scalar> solution{};
-    solution.basis = PolynomialBasis::monomial;
+    solution.basis = PolynomialSolution<Scalar>::Basis::monomial;
     solution.traction_coefficients = lu.solve(creepage);
     solution.displacement_coefficients = b.transpose().template cast<Complex>() * solution.traction_coefficients;
     const Complex mean = monomial_moments<Scalar>(order).template cast<Complex>().dot(solution.traction_coefficients);

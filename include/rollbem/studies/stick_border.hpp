@@ -80,7 +80,7 @@ struct StickBorderSolution {
     }
 
     /// The solution by elements, if it is not exact.
-    struct Elements {
+    struct OnElements {
         Mesh<Scalar> mesh;
         VectorX<Scalar> traction;  ///< [Pa], trailing to leading
         VectorX<Scalar> slip;      ///< s/V [-]
@@ -91,7 +91,7 @@ struct StickBorderSolution {
             return std::max<Eigen::Index>(edge - 1, 0);
         }
     };
-    std::optional<Elements> elements;  ///< empty if the solution is exact
+    std::optional<OnElements> elements;  ///< empty if the solution is exact
 
     // of an exact solution, for traction and slip
     detail::StickZone<Scalar> zone;
@@ -119,7 +119,7 @@ void solve_on_elements(const Contact<Scalar>& contact, const Kernel& kernel, Sca
     FrictionState<1, Scalar> state = rest;
     FrictionWorkspace<1, Scalar> workspace = model.workspace();
     const FrictionStep<1, Scalar> step = model.steady(rest, creepage, state, workspace);
-    result.elements.emplace(typename StickBorderSolution<Scalar>::Elements{mesh, state.traction, workspace.slip()});
+    result.elements.emplace(typename StickBorderSolution<Scalar>::OnElements{mesh, state.traction, workspace.slip()});
     result.force_per_width = step.force / contact.width();
     result.tangent_per_width = step.tangent / contact.width();
     result.complementarity_residual = step.complementarity_residual;

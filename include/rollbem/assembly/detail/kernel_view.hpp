@@ -13,16 +13,9 @@ namespace rollbem::detail {
 template <class Scalar>
 struct KernelView {
     SmoothSplit<Scalar> split;
-    Scalar compliance = 0;  ///< the strength of the delta [a/G]; 0 for most kernels
 
     template <LineKernel Kernel>
     KernelView(const Kernel& kernel);  // NOLINT(google-explicit-constructor): a view of any kernel
-
-    template <DeltaKernel Kernel>
-    KernelView(const Kernel& kernel)  // NOLINT(google-explicit-constructor)
-        : KernelView(kernel.elastic()) {
-        compliance += kernel.compliance();
-    }
 
     /// Replaces each x by the smooth part there, or by its slope.
     void evaluate(bool slope, ArrayX<Scalar>& x) const { evaluate_(kernel_, slope, x); }

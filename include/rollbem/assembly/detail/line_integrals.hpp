@@ -22,8 +22,8 @@ public:
     LineIntegrals(KernelView<Scalar> kernel, Quantity quantity, int averages, const RowPoints<Scalar>& rows,
                   const ColumnElements<Scalar>& columns)
         : kernel_(kernel), entries_(quantity, averages, rows, columns) {
-        require(kernel_.compliance == 0 || averages > 0 || !entries_.slope(), "LayeredKernel", "compliance",
-                kernel_.compliance,
+        require(kernel_.split.compliance == 0 || averages > 0 || !entries_.slope(), "LayeredKernel", "compliance",
+                kernel_.split.compliance,
                 "be 0 where the derivative is analytic: the layer's displacement jumps at the edges of elements; take "
                 "Derivative::finite_difference, or Galerkin in closed form");
         require(kernel_.split.distance > 0, "assembly", "distance of the kernel's smooth part", kernel_.split.distance,
@@ -38,7 +38,7 @@ public:
         LogarithmicSeries<Scalar>(entries_, kernel_.split).fill(out);
         NearDifferences<Scalar>(entries_, kernel_.split).fill(out);
         SmoothPart<Scalar>(entries_, kernel_).add(out);
-        if (kernel_.compliance != 0) DeltaPart<Scalar>(entries_, kernel_.compliance).add(out);
+        if (kernel_.split.compliance != 0) DeltaPart<Scalar>(entries_, kernel_.split.compliance).add(out);
     }
 
 private:

@@ -93,7 +93,7 @@ public:
     /// Mean of du/dx over an interval by unit traction on an element of length h, whose ends lie y0 and y1 below, and
     /// whose middle lies x behind that of the interval.
     template <class Kernel>
-    rollbem::Influence<Scalar> slope(const Kernel& kernel, Scalar x, Scalar y0, Scalar y1, Scalar h) const {
+    RectangleInfluence<Scalar> slope(const Kernel& kernel, Scalar x, Scalar y0, Scalar y1, Scalar h) const {
         const auto pair = [&](Scalar distance) {
             return kernel.line_slope(x - distance, y0, y1) + kernel.line_slope(x + distance, y0, y1);
         };
@@ -114,13 +114,13 @@ InfluenceRows<Scalar> patch_rows(const PatchMesh<Scalar>& mesh, const StripRows<
     const Mesh<Scalar>& along = mesh.along();
     InfluenceRows<Scalar> result(strips * n, m * n);
     // u of a strip that ends at each edge, at each place: neighbouring elements and rows share it
-    std::vector<rollbem::Influence<Scalar>> table(height * static_cast<std::size_t>(n + 1));
+    std::vector<RectangleInfluence<Scalar>> table(height * static_cast<std::size_t>(n + 1));
     for (Eigen::Index j = 0; j < strips; ++j) {
         for (Eigen::Index k = 0; k < m; ++k) {
             const Scalar row_scale = mesh.half_lengths()[j], scale = mesh.half_lengths()[k];
             const Scalar offset = mesh.middles_x()[j] - mesh.middles_x()[k];
             const Scalar y0 = mesh.middles_y()[j] - mesh.edges()[k], y1 = mesh.middles_y()[j] - mesh.edges()[k + 1];
-            rollbem::Influence<Scalar>* entry = table.data();
+            RectangleInfluence<Scalar>* entry = table.data();
             // distances from the nearer end of the strip, where elements are smallest
             const Scalar trailing_ends = offset - (row_scale - scale), leading_ends = offset + (row_scale - scale);
             for (Eigen::Index c = 0; c <= n; ++c) {
@@ -135,8 +135,8 @@ InfluenceRows<Scalar> patch_rows(const PatchMesh<Scalar>& mesh, const StripRows<
             }
             const Scalar beside = j == k ? Scalar(0) : (std::min)(std::abs(y0), std::abs(y1));
             for (Eigen::Index c = 0; c < n; ++c) {
-                const rollbem::Influence<Scalar>* const trailing = table.data() + static_cast<std::size_t>(c) * height;
-                const rollbem::Influence<Scalar>* const leading = trailing + height;
+                const RectangleInfluence<Scalar>* const trailing = table.data() + static_cast<std::size_t>(c) * height;
+                const RectangleInfluence<Scalar>* const leading = trailing + height;
                 const Scalar h = scale * along.widths()[c];
                 for (Eigen::Index r = 0; r < n; ++r) {
                     const Eigen::Index row = j * n + r, column = k * n + c;
@@ -146,7 +146,7 @@ InfluenceRows<Scalar> patch_rows(const PatchMesh<Scalar>& mesh, const StripRows<
                         continue;
                     }
                     const Scalar d = row_scale * rows.lengths[r];
-                    if constexpr (SlopeKernel<Kernel>) {
+                    if constexpr (requires { kernel.line_slope(d, y0, y1); }) {
                         const Scalar x = offset + (row_scale * rows.points[r] - scale * along.centres()[c]);
                         const Scalar distance = std::sqrt(x * x + beside * beside);
                         if (MeanRule<Scalar>::is_better(d, h, y0 - y1, distance)) {
@@ -178,13 +178,13 @@ StripRows<Scalar> at_points(const StripRows<Scalar>& slope) {
 }
 
 /// A kernel whose displacement is du/dy of another.
-template <LateralSlopeKernel Kernel>
+template <RectangleKernel Kernel>
 struct LateralSlope {
     using Scalar = typename Kernel::Scalar;
 
     const Kernel& kernel;
 
-    rollbem::Influence<Scalar> corner(Scalar x, Scalar y) const { return kernel.corner_lateral_slope(x, y); }
+    RectangleInfluence<Scalar> corner(Scalar x, Scalar y) const { return kernel.corner_lateral_slope(x, y); }
     bool couples() const { return kernel.couples(); }
 };
 

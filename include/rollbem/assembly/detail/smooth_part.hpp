@@ -131,14 +131,21 @@ private:
         }
         kernel_.evaluate(entries_.slope(), samples);
         samples *= Scalar(4) / static_cast<Scalar>(row_terms * column_terms);
-        const Eigen::Map<const MatrixX<Scalar>> values(samples.data(), row_terms, column_terms);
-        const MatrixX<Scalar> half = values * across.at_nodes;
-        MatrixX<Scalar> coefficients = along.at_nodes.transpose() * half;
+        const MatrixX<Scalar> values = Eigen::Map<const MatrixX<Scalar>>(samples.data(), row_terms, column_terms);
+        MatrixX<Scalar> coefficients = product(along.at_nodes.transpose(), product(values, across.at_nodes));
         coefficients.row(0) /= 2;
         coefficients.col(0) /= 2;
-        MatrixX<Scalar> integrals = coefficients * across.means.transpose();
-        for (Eigen::Index m = 0; m < result.cols(); ++m) integrals.col(m) *= 2 * columns.half[m];
-        result.noalias() += along.means.topRows(result.rows()) * integrals;
+        MatrixX<Scalar> integrals = product(coefficients, across.means.transpose());
+        for (Eigen::Index m = 0; m < integrals.cols(); ++m) integrals.col(m) *= 2 * columns.half[m];
+        const MatrixX<Scalar> sum = product(along.means, integrals);
+        for (Eigen::Index m = 0; m < result.cols(); ++m) result.col(m) += sum.col(m).head(result.rows());
+    }
+
+    // Of plain matrices, so that it is compiled once.
+    static MatrixX<Scalar> product(const MatrixX<Scalar>& a, const MatrixX<Scalar>& b) {
+        MatrixX<Scalar> result(a.rows(), b.cols());
+        result.noalias() = a * b;
+        return result;
     }
 
     void integrate(MatrixX<Scalar>& result) const {

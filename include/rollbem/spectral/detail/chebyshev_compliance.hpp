@@ -58,6 +58,8 @@ SmoothSplit<typename Kernel::Scalar> chebyshev_split(Eigen::Index states, const 
     require(!is_nan(split.distance) && split.distance >= Scalar(0.001), "Chebyshev",
             "b/a of the kernel (distance of its smooth part's singularity)", split.distance,
             "be at least 0.001: use elements for so narrow a strip");
+    require(split.compliance == 0, "Chebyshev", "compliance of the kernel's delta", split.compliance,
+            "be 0: use elements for a layer");
     return split;
 }
 

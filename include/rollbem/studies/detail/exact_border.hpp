@@ -206,7 +206,8 @@ std::optional<ExactBorder<Scalar>> find_exact_border(const Kernel& kernel, const
                                                      const PressureScan<Scalar>& scan, PointsOfLevels<Scalar>& levels,
                                                      Scalar creepage, int& evaluations) {
     const SmoothSplit<Scalar> split = kernel.smooth_split();
-    if (scan.jumps || !(split.strength > 0) || !(split.distance >= least_distance<Scalar>)) return std::nullopt;
+    if (scan.jumps || split.compliance != 0 || !(split.strength > 0) || !(split.distance >= least_distance<Scalar>))
+        return std::nullopt;
 
     StickZoneProblem<Scalar, Kernel, std::function<Scalar(Scalar)>> problem(kernel, bound);
     const auto [y, point, settled_to, rule] = settle_border(problem, levels, split, creepage, scan.load, evaluations);
