@@ -3,6 +3,7 @@
 // Co-simulation alone: the patch itself in the time domain, or quasi-steady forces from a table that was made of such patches.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -50,7 +51,8 @@ std::shared_ptr<const rollbem::CreepForceTable> table_of(const std::string& path
     const std::scoped_lock lock(mutex);
     std::weak_ptr<const rollbem::CreepForceTable>& known = tables[path];
     if (auto table = known.lock()) return table;
-    std::ifstream file(path, std::ios::binary);
+    const std::u8string text(path.begin(), path.end());  // in UTF-8 on all platforms
+    std::ifstream file(std::filesystem::path(text), std::ios::binary);
     if (!file) throw std::invalid_argument("rollbem_patch: table_file = " + path + " must be a file that can be read");
     try {
         auto table = std::make_shared<const rollbem::CreepForceTable>(rollbem::CreepForceTable::read(file));

@@ -6,6 +6,9 @@
 #include <string.h>
 #include <time.h>
 
+/* isnan of some C libraries converts to float. */
+static int is_nan(double x) { return x != x; }
+
 static void expect(int true_, const char *what) {
     if (true_) return;
     fprintf(stderr, "failed: %s (%s)\n", what, rollbem_last_error());
@@ -38,6 +41,9 @@ static void look_up(double x, double *force) {
 static void test_table(const char *path) {
     expect(rollbem_table_open("no such file") == NULL, "a table that does not exist");
     expect(strstr(rollbem_last_error(), "no such file") != NULL, "its name in the message");
+    table = rollbem_table_open(ODD_TABLE);
+    expect(table != NULL, "a table whose path has spaces, an umlaut and a percent sign");
+    rollbem_table_close(table);
     table = rollbem_table_open(path);
     expect(table != NULL, "table");
     double contacts[8 * 9], forces[8 * 3], tangents[8 * 21];
@@ -58,7 +64,7 @@ static void test_table(const char *path) {
     contacts[9 * 5] = -1;
     expect(rollbem_table_forces(table, 8, contacts, forces, tangents) == ROLLBEM_FAILED, "a load that is no number");
     expect(strstr(rollbem_last_error(), "(contact 3)") != NULL, "the first that failed");
-    expect(isnan(forces[9]) && isnan(forces[15]) && isnan(tangents[21 * 5]) && isfinite(forces[12]),
+    expect(is_nan(forces[9]) && is_nan(forces[15]) && is_nan(tangents[21 * 5]) && !is_nan(forces[12]),
            "results beside those that failed");
     const clock_t start = clock();
     enum { batches = 50000 };
@@ -124,7 +130,7 @@ static void test_patch(void) {
     for (int i = 0; i < 3; ++i) {
         expect(fabs(again[i] - settled[i]) < 1e-6 * fabs(settled[0]), "steps that settle at steady rolling");
     }
-    expect(rollbem_patch_step(copy, 1e-3, creepage, -1, again, NULL, NULL) == ROLLBEM_FAILED && isnan(again[0]),
+    expect(rollbem_patch_step(copy, 1e-3, creepage, -1, again, NULL, NULL) == ROLLBEM_FAILED && is_nan(again[0]),
            "a negative load");
     free(state);
     rollbem_patch_free(copy);

@@ -1,10 +1,18 @@
 /* An FMU as a C program loads it. */
 #include "fmu.h"
 
-#include <dlfcn.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#ifdef _WIN32
+#include <windows.h>
+#define dlopen(path, how) (void *)LoadLibraryA(path)
+#define dlsym(library, name) (void *)GetProcAddress((HMODULE)(library), name)
+#define dlerror() "no such library"
+#else
+#include <dlfcn.h>
+#endif
 
 int messages = 0;
 

@@ -1,6 +1,6 @@
 /* walk LIBRARY DESCRIPTION: calls an FMU in every way that allocates memory, so that the address sanitizer can check
    that all of it is freed: two instances, saved and serialised states, rejected calls, errors, a reset, both
-   interfaces. */
+   interfaces. Prints forces, which are the same on all platforms. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -56,6 +56,8 @@ static void walk_co_simulation(const Fmu *fmu) {
         exit(1);
     }
 
+    printf("%.12g\n", get_real(fmu, instances[0], force(fmu)));
+
     const fmi2ValueReference unknown = reference_of(fmu, force(fmu)), known[2] = {reference_of(fmu, slip(fmu)),
                                                                                  reference_of(fmu, "rolling_speed")};
     const double seeds[2] = {1, 1};
@@ -109,6 +111,7 @@ static void walk_model_exchange(const Fmu *fmu) {
         for (size_t k = 0; k < count; ++k) states[k] += 1e-7 * rates[k];
         expect(fmu->set_states(instance, states, count), fmi2OK, "fmi2SetContinuousStates");
     }
+    printf("%.12g\n", get_real(fmu, instance, force(fmu)));
     expect(fmu->set_states(instance, states, count + 1), fmi2Error, "one state too many");
     fmu->free_instance(instance);
 }
