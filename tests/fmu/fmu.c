@@ -8,8 +8,14 @@
 #ifdef _WIN32
 #include <windows.h>
 #define dlopen(path, how) (void *)LoadLibraryA(path)
-#define dlsym(library, name) (void *)GetProcAddress((HMODULE)(library), name)
 #define dlerror() "no such library"
+
+static void *dlsym(void *library, const char *name) {
+    const FARPROC function = GetProcAddress((HMODULE)library, name);
+    void *address;
+    memcpy(&address, &function, sizeof address);
+    return address;
+}
 #else
 #include <dlfcn.h>
 #endif
