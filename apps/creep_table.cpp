@@ -24,9 +24,8 @@
 #include <rollbem/vehicle/make_creep_force_table.hpp>
 
 #include "support/csv.hpp"
-#include "support/files.hpp"
+#include "support/input.hpp"
 #include "support/options.hpp"
-#include "support/program.hpp"
 #include "support/progress.hpp"
 #include "support/table.hpp"
 

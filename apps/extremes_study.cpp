@@ -14,7 +14,6 @@
 #include "extremes/cases.hpp"
 #include "support/csv.hpp"
 #include "support/options.hpp"
-#include "support/program.hpp"
 #include "support/table.hpp"
 
 namespace extremes {

@@ -24,7 +24,6 @@
 #include "frequency/state_space.hpp"
 #include "support/non_steady.hpp"
 #include "support/options.hpp"
-#include "support/program.hpp"
 #include "support/scenes.hpp"
 #include "support/sheet.hpp"
 
@@ -146,7 +145,7 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
                           const std::vector<study::Scene>& scenes, const std::vector<double>& omegas) {
     std::vector<std::string> by{"n", "alpha_L", "alpha_T", "lambda"};
     if (order_given) by.emplace_back("order");  // otherwise it depends on the frequency
-    const std::vector<std::string> apart = study::all_setting_columns();
+    const std::vector<std::string> apart = study::columns_of(std::string("method,derivative,mesh,") + study::settings);
     const Responses exact = exact_responses(rows);
 
     study::Plot argand{.title = "Harmonic creepage", .x_label = "Re c_{11}", .y_label = "Im c_{11}"};
@@ -223,15 +222,17 @@ int main(int argc, char** argv) {
         "points", "N",
         "number of frequencies, 2 to 1000000, both ends included, evenly spaced in the logarithm (dimensionless)",
         "61");
-    options.replaces("omega", {"omega-min", "omega-max", "points"});
     options.not_with({"omega-min", "omega-max", "points"}, "omega");
-    options.add("basis", "NAME", "with --method polynomial: monomial or chebyshev", "chebyshev");
-    options.add(
-        "order", "LIST",
-        "with --method polynomial: its order, 1 to 100000000 (dimensionless); default: what the Chebyshev basis "
-        "needs for machine precision at each frequency");
+    options.add("basis", "NAME", "monomial or chebyshev", "chebyshev").only_with({"method=polynomial"});
+    options
+        .add("order", "LIST",
+             "its order, 1 to 100000000 (dimensionless); default: what the Chebyshev basis needs for machine precision "
+             "at each frequency")
+        .only_with({"method=polynomial"});
     options.add_flag("unchecked", "print c11 whatever its status, also where --basis monomial has broken down");
     study::StateSpaceFiles::add_options(options, "the scheme, a single one,");
+    options.not_with({"n", "mesh", "edges", "derivative", "state-space"}, "method=polynomial",
+                     ", which has no elements and no states");
     study::offer_chebyshev(options, "; or polynomial, of an --order");
     options.footer(
         R"(Example: three meshes, with the Argand diagram and both parts over the frequency
@@ -273,9 +274,6 @@ holds for |c11| at every omega, and is twice the sum of the Hankel singular valu
                 });
             table.label = {};
         } else {
-            for (const char* name : {"order", "basis"}) {
-                given.ignored(name, "with --method " + method + "; it is for --method polynomial");
-            }
             scenes = study::make_non_steady_scenes(given, study::Methods::elements_and_states);
             if (given.given("state-space")) state_space = frequency::state_space_files(given, scenes);
             table = sheet.table(

@@ -6,9 +6,8 @@
 #include "friction/help.hpp"
 #include "friction/steady.hpp"
 #include "friction/transient.hpp"
-#include "support/load_history.hpp"
+#include "support/runs.hpp"
 #include "support/options.hpp"
-#include "support/program.hpp"
 
 int main(int argc, char** argv) {
     // 1. The command line.
@@ -69,7 +68,6 @@ int main(int argc, char** argv) {
              "creepage ratio AMP sin(OMEGA q/a), AMP finite and not 0, OMEGA in V/a above 0 "
              "(dimensionless)")
         .only_with({"transient"});
-    options.replaces("creepage-ratio", {"sine"});
     options.add("shift", "W", "rigid shift in mu p0 a/G first, any finite, without rolling (dimensionless)")
         .only_with({"transient"});
     study::add_run_options(options,

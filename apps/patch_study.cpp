@@ -26,7 +26,6 @@
 #include "patch/plots.hpp"
 #include "patch/transient.hpp"
 #include "support/options.hpp"
-#include "support/program.hpp"
 #include "support/sheet.hpp"
 #include "support/state_space_files.hpp"
 #include "support/timing.hpp"

@@ -15,7 +15,6 @@
 #include "precision/comparison.hpp"
 #include "support/errors.hpp"
 #include "support/options.hpp"
-#include "support/program.hpp"
 #include "support/table.hpp"
 
 namespace precision {

@@ -21,7 +21,6 @@
 #include "profile/plots.hpp"
 #include "profile/settings.hpp"
 #include "support/options.hpp"
-#include "support/program.hpp"
 #include "support/table.hpp"
 
 namespace {

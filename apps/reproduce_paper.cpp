@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <deque>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -27,7 +28,7 @@
 #include "paper/results.hpp"
 #include "support/csv.hpp"
 #include "support/errors.hpp"
-#include "support/files.hpp"
+#include "support/input.hpp"
 #include "support/plot.hpp"
 #include "support/progress.hpp"
 
@@ -86,7 +87,7 @@ int run(const Settings& settings) {
     // 1. The folder, and two of the files, so that a folder that cannot be written to costs no computing time.
     study::make_folder(settings.directory, "DIR");
     const auto path_of = [&](const std::string& name) { return settings.directory + "/" + name; };
-    std::vector<study::OutputFile> files;
+    std::deque<study::OutputFile> files;
     const auto open = [&](const std::string& name) { files.emplace_back(path_of(name), "DIR"); };
     open("claims.csv");
     open("index.html");
@@ -127,7 +128,7 @@ int run(const Settings& settings) {
     files[1].write(paper::page(results, claims, drawings, note));
 
     // 5. The files take their names when all of them are on the disk. No drawing of an earlier run remains.
-    for (study::OutputFile& file : files) file.close();
+    for (study::OutputFile& file : files) file.flush();
     for (study::OutputFile& file : files) file.commit();
     for (const paper::PanelResult& result : results.panels()) {
         std::error_code error;

@@ -20,7 +20,6 @@
 
 #include "simbody/driven_wheel.hpp"
 #include "support/options.hpp"
-#include "support/program.hpp"
 #include "support/table.hpp"
 
 namespace {

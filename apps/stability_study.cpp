@@ -19,7 +19,6 @@
 #include "stability/exact_spectrum.hpp"
 #include "support/non_steady.hpp"
 #include "support/options.hpp"
-#include "support/program.hpp"
 #include "support/scenes.hpp"
 #include "support/sheet.hpp"
 #include "support/timing.hpp"
@@ -205,7 +204,7 @@ study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::ve
                      .y_label = "Im(ν a)"};
     study::add_series(
         plot, spectrum.names(), rows,
-        {.by = {"n", "alpha_L", "alpha_T", "lambda"}, .x = "re", .y = "im", .apart = study::setting_columns()});
+        {.by = {"n", "alpha_L", "alpha_T", "lambda"}, .x = "re", .y = "im", .apart = study::columns_of(study::settings)});
     double left = -1, right = 0;
     for (study::Series& series : plot.series) {
         series.line = false;

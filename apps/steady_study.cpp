@@ -15,7 +15,6 @@
 #include <rollbem/spectral/chebyshev.hpp>
 
 #include "support/options.hpp"
-#include "support/program.hpp"
 #include "support/scenes.hpp"
 #include "support/sheet.hpp"
 #include "support/timing.hpp"

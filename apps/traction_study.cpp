@@ -18,7 +18,6 @@
 #include <rollbem/spectral/chebyshev.hpp>
 
 #include "support/options.hpp"
-#include "support/program.hpp"
 #include "support/scenes.hpp"
 #include "support/sheet.hpp"
 
@@ -110,7 +109,7 @@ study::Plot draw_tractions(const std::vector<study::Scene>& scenes, const std::v
                      .x_range = study::PlotRange{-1, 1}};
     study::add_series(
         plot, sheet.names(), rows,
-        {.by = {"n", "alpha_L", "alpha_T"}, .x = "x_over_a", .y = "traction", .apart = study::all_setting_columns()});
+        {.by = {"n", "alpha_L", "alpha_T"}, .x = "x_over_a", .y = "traction", .apart = study::columns_of(std::string("method,derivative,mesh,") + study::settings)});
     double largest = 0;
     for (study::Series& series : plot.series) {
         if (plot.series.size() == 1) series.label = "computed";

@@ -17,11 +17,11 @@
 #include <rollbem/compiled/transient.hpp>
 #include <rollbem/reference/step_response.hpp>
 
-#include "support/columns_file.hpp"
+#include "support/input.hpp"
 #include "support/non_steady.hpp"
 #include "support/options.hpp"
-#include "support/program.hpp"
 #include "support/progress.hpp"
+#include "support/runs.hpp"
 #include "support/scenes.hpp"
 #include "support/sheet.hpp"
 
@@ -213,7 +213,7 @@ study::Plot draw_force(const History& history, const std::vector<study::Row>& ro
     const std::vector<std::string> columns = sheet.names();
     const std::vector<std::string> schemes{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"};
     study::add_series(plot, columns, rows,
-                      {.by = schemes, .x = "q_over_a", .y = "force", .apart = study::setting_columns()});
+                      {.by = schemes, .x = "q_over_a", .y = "force", .apart = study::columns_of(study::settings)});
     if (rows.empty()) return plot;  // of a shard
     if (plot.series.size() == 1) plot.series.front().label = "computed";
     study::Plot exact;  // the same for all schemes
@@ -238,7 +238,7 @@ study::Plot draw_force(const History& history, const std::vector<study::Row>& ro
         .x_label = plot.x_label, .y_label = "|F - F_{exact}| / (a G ξ_{ref})", .log_y = true, .x_range = plot.x_range};
     study::add_series(
         beside, columns, errors,
-        {.by = schemes, .x = "q_over_a", .y = "force", .absolute = true, .apart = study::setting_columns()});
+        {.by = schemes, .x = "q_over_a", .y = "force", .absolute = true, .apart = study::columns_of(study::settings)});
     beside.title.clear();
     for (std::size_t k = 0; k < beside.series.size(); ++k) {
         beside.series[k].label = plot.series[k].label;
@@ -266,9 +266,9 @@ int main(int argc, char** argv) {
         "history",
         "CSV file with the columns q_over_a,creepage; linear between its rows, zero before the first, constant "
         "after the last; two rows at one q_over_a make a jump (dimensionless)");
-    options.replaces("step", {"ramp", "sine", "history"});
-    options.replaces("ramp", {"sine", "history"});
-    options.replaces("sine", {"history"});
+    options.not_with({"ramp", "sine", "history"}, "step");
+    options.not_with({"sine", "history"}, "ramp");
+    options.not_with({"history"}, "sine");
     study::add_steps(options);
     options.add(
         "integrator", "NAME",

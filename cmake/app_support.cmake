@@ -23,7 +23,7 @@ target_link_libraries(rollbem_build_info PRIVATE rollbem_warnings)
 
 # What needs no other part of rollbem::compiled than that for steady rolling, and the rest.
 add_library(rollbem_study_support STATIC)
-foreach(part IN ITEMS config_file csv files mesh_names options plot program progress scenes sheet table)
+foreach(part IN ITEMS csv input options plot scenes sidecar table)
     target_sources(rollbem_study_support PRIVATE "${PROJECT_SOURCE_DIR}/apps/support/${part}.cpp")
 endforeach()
 target_include_directories(rollbem_study_support PUBLIC "${PROJECT_SOURCE_DIR}/apps")
@@ -39,7 +39,6 @@ add_precompiled(rollbem_app_precompiled
     HEADERS ${rollbem_precompiled_headers} LIBRARIES rollbem::compiled rollbem_quick_to_compile)
 
 add_library(rollbem_app_support STATIC
-    "${PROJECT_SOURCE_DIR}/apps/support/columns_file.cpp" "${PROJECT_SOURCE_DIR}/apps/support/load_history.cpp"
     "${PROJECT_SOURCE_DIR}/apps/support/non_steady.cpp" "${PROJECT_SOURCE_DIR}/apps/support/runs.cpp"
     "${PROJECT_SOURCE_DIR}/apps/support/state_space_files.cpp"
     "${PROJECT_SOURCE_DIR}/apps/support/strip_instances.cpp")

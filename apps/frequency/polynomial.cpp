@@ -55,8 +55,6 @@ Complex exact_c11(const rollbem::Contact<double>& contact, double omega) {
 }
 
 Polynomials solve_polynomials(const study::Options& options, const std::vector<double>& omegas) {
-    options.ignored("state-space", "with --method polynomial, which has no states");
-    options.ignored_group("Discretisation", "with --method polynomial, which has no elements", {"method"});
     if (options.given("kernel") && options.choice("kernel", {"strip", "plane"}) != "plane") {
         throw study::BadInput(options.said("kernel") + " must be plane with --method polynomial");
     }

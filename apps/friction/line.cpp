@@ -7,7 +7,7 @@
 #include <rollbem/elasticity/layered_kernel.hpp>
 #include <rollbem/normal/pressure_table.hpp>
 
-#include "support/columns_file.hpp"
+#include "support/input.hpp"
 #include "support/errors.hpp"
 
 namespace friction {

@@ -13,7 +13,7 @@
 #include <rollbem/friction/friction_contact.hpp>
 #include <rollbem/normal/hertz_load.hpp>
 
-#include "support/load_history.hpp"
+#include "support/runs.hpp"
 #include "support/options.hpp"
 #include "support/scenes.hpp"
 #include "support/sheet.hpp"

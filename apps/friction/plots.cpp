@@ -130,7 +130,7 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
                      .beside = draw_tractions(tractions, curve.line)};
     study::add_series(
         plot, columns, rows,
-        {.by = scheme_columns, .x = "creepage_ratio", .y = "force_ratio", .apart = study::setting_columns()});
+        {.by = scheme_columns, .x = "creepage_ratio", .y = "force_ratio", .apart = study::columns_of(study::settings)});
     for (study::Series& series : plot.series) {
         series.line = false;
         series.open = true;
@@ -159,7 +159,7 @@ study::Plot combined_creep(const std::vector<std::string>& columns, const std::v
                           {.by = study::joined(scheme_columns, {"lateral_ratio", "spin_ratio"}),
                            .x = "creepage_ratio",
                            .y = y,
-                           .apart = study::setting_columns()});
+                           .apart = study::columns_of(study::settings)});
         plot.y_range = force_range(plot);
         return plot;
     };
@@ -171,7 +171,7 @@ study::Plot combined_creep(const std::vector<std::string>& columns, const std::v
 study::Plot force_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
                           const TimePicture& shown) {
     study::Selection selection{
-        .by = study::joined(scheme_columns, {"lambda"}), .x = "", .y = "", .apart = study::setting_columns()};
+        .by = study::joined(scheme_columns, {"lambda"}), .x = "", .y = "", .apart = study::columns_of(study::settings)};
     // the column y over x; the prefix of the label says which
     const auto add = [&](study::Plot& plot, const char* x, const char* y, const std::string& prefix) {
         selection.x = x;

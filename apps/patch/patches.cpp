@@ -7,9 +7,8 @@
 
 #include <Eigen/Core>
 
-#include "support/columns_file.hpp"
+#include "support/input.hpp"
 #include "support/errors.hpp"
-#include "support/files.hpp"
 
 namespace patch {
 
@@ -90,14 +89,12 @@ void add_options(study::Options& options) {
     options.add_input("outline",
                       "instead: any patch, as CSV y,x_trailing,x_leading in any unit of length, y increasing, straight "
                       "between the lines; a, b and c below are then sqrt(area/pi)");
-    options.replaces("outline", {"a-over-b"});
     options.not_with({"a-over-b"}, "outline");
     options.add("strips", "LIST", "strips along the rolling direction, 1 to 10000 (dimensionless); default: --n");
     options.add("strip-grading", "NAME", "edges of strips at -cos(pi j/m) of the half height: cosine; or uniform",
                 "cosine");
     options.add_input("strip-edges",
                       "instead of --strips: edges of strips, one per line, y/b from -1 to 1, or y of the outline");
-    options.replaces("strip-edges", {"strips", "strip-grading"});
     options.not_with({"strips", "strip-grading"}, "strip-edges");
 
     options.set_default("n", "8,12,16");

@@ -9,7 +9,7 @@
 #include <rollbem/normal/patch_pressure.hpp>
 
 #include "friction.hpp"
-#include "support/columns_file.hpp"
+#include "support/input.hpp"
 #include "support/csv.hpp"
 #include "support/errors.hpp"
 

@@ -13,7 +13,7 @@
 
 #include "comparison.hpp"
 #include "support/errors.hpp"
-#include "support/files.hpp"
+#include "support/input.hpp"
 
 namespace precision {
 

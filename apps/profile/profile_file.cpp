@@ -12,10 +12,9 @@
 
 #include <rollbem/detail/finite.hpp>
 
-#include "support/columns_file.hpp"
+#include "support/input.hpp"
 #include "support/csv.hpp"
 #include "support/errors.hpp"
-#include "support/files.hpp"
 
 namespace profile {
 

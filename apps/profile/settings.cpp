@@ -8,9 +8,8 @@
 
 #include "help.hpp"
 #include "profile_file.hpp"
-#include "support/columns_file.hpp"
+#include "support/input.hpp"
 #include "support/errors.hpp"
-#include "support/files.hpp"
 
 namespace profile {
 
@@ -34,7 +33,7 @@ void add_options(study::Options& options) {
     options.add("shift", "LIST", "lateral shifts of the wheelset to the right, -0.1 to 0.1 [m]", "0");
     options.add("yaw", "LIST", "yaw angles, clockwise from above, -0.3 to 0.3 [rad]", "0");
     options.add_input("positions", "instead: CSV with the columns shift,yaw and, if given, roll and pitch_rate");
-    options.replaces("positions", {"shift", "yaw"});
+    options.not_with({"shift", "yaw"}, "positions");
     options.add("roll", "X", "roll angle, -0.3 to 0.3 [rad]; default: that in which both wheels carry the load");
     options.add("load", "N", "vertical load on each wheel [N]", "1e5");
     options.add("cells", "NX,NS", "across what touches, 10 to 1000 each, more where it has lobes (dimensionless)",

@@ -1,11 +1,12 @@
-// Files of results: cells and rows of CSV (RFC 4180, lines end in a line feed), files that appear whole or not at all,
-// and the TOML file beside a CSV file that says how it was made.
+// Files of results: cells and rows of CSV (RFC 4180, lines end in a line feed), and files that appear whole or not at
+// all, a CSV file with the TOML file beside it that says how it was made.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <fstream>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -76,6 +77,12 @@ void ignore_write_signals();
 /// A folder that results are written to, created if it does not exist. Throws BadInput, which names `name`.
 void make_folder(const std::string& path, const std::string& name);
 
+/// Whether `path` is there and is not a regular file.
+bool is_stream(const std::string& path);
+
+/// Whether both are the same file, or - for the same standard stream, whatever their names. Devices never are the same.
+bool same_place(const std::string& first, const std::string& second);
+
 /// A file to write from start to end. A regular file is written to FILE.part and takes its own name in commit(); without
 /// commit() nothing is left. Pipes and devices are written to directly.
 class OutputFile {
@@ -86,42 +93,33 @@ public:
     /// `kept` bytes of FILE.part stay. Throws BadInput if the file cannot be written.
     OutputFile(const std::string& path, const std::string& name, std::size_t kept = 0);
 
-    OutputFile(OutputFile&& other) noexcept;
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
-    OutputFile& operator=(OutputFile&&) = delete;
-
     ~OutputFile();
 
-    bool is_regular() const { return !target_.empty(); }  ///< written to FILE.part first
-    const std::string& path() const { return shown_; }
+    bool is_regular() const { return !part_.empty(); }  ///< written to FILE.part first
+    const std::string& path() const { return path_; }
 
-    void write(std::string_view text);
+    void write(std::string_view text);  ///< throws WriteError
 
     /// Passes everything written so far to the system. Throws WriteError.
     void flush();
 
-    /// Ends the file. A regular one is then completely on the disk, still under the other name. Throws WriteError.
-    void close();
-
-    /// Gives the file its name, and ends it if close() has not. Throws WriteError.
+    /// Ends the file and gives it its name. Throws WriteError.
     void commit();
 
     /// Leaves FILE.part as it is without commit().
     void keep_part() { part_.clear(); }
 
 private:
-    [[noreturn]] void fail(int error) const;
+    void require(bool done) const;
 
-    std::string shown_, target_{}, part_{}, buffer_{};
-    int descriptor_ = -1;
+    std::string path_, target_, part_;
+    std::ofstream file_;
+    std::ostream* to_ = nullptr;
 };
 
-/// The TOML file that stands beside a CSV file.
-std::string sidecar_text(const Options& options);
-
-/// A CSV file and, if it is a regular one, the TOML file beside it. Neither takes its name before both are completely
-/// on the disk.
+/// A CSV file and, if it is a regular one, the TOML file beside it. Neither takes its name before both are written.
 class TableFile {
 public:
     /// Writes to the file that --name gives, or to standard output without it. A table that is `resumable` goes on in
@@ -141,8 +139,7 @@ public:
     void commit();
 
 private:
-    std::size_t find_rows(const Options& options, const std::string& path, std::string_view header);
-
+    std::string sidecar_text_;
     std::vector<std::string> found_;
     OutputFile csv_;
     std::optional<OutputFile> sidecar_;

@@ -1,21 +1,13 @@
 #include "non_steady.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <optional>
 #include <stdexcept>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include <rollbem/closed_form/plane_lambda.hpp>
 #include <rollbem/compiled/chebyshev.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
-
-#include "csv.hpp"
-#include "errors.hpp"
 
 namespace study {
 
@@ -40,51 +32,6 @@ std::vector<Scene> make_non_steady_scenes(const Options& options, Methods method
     return scenes;
 }
 
-Sine read_sine(const Options& options) {
-    const auto sine = options.pair("sine");
-    if (!sine || sine->first == 0 || !(sine->second > 0)) {
-        throw BadInput(options.said("sine") + " must be AMP,OMEGA with AMP finite and not 0 and OMEGA > 0");
-    }
-    return {sine->first, sine->second};
-}
-
-void add_steps(Options& options, const std::string& mode) {
-    const auto dq = options.add("dq", "D", "distance rolled in a step, in units of a, above 0 (dimensionless)", "0.05");
-    const auto until =
-        options.add("until", "Q",
-                    "distance rolled in all, in units of a: a multiple of --dq, up to 1e7 times (dimensionless)", "10");
-    if (mode.empty()) return;
-    dq.only_with({mode});
-    until.only_with({mode});
-}
-
-Steps read_steps(const Options& options) {
-    const double dq = options.number("dq", positive()), until = options.number("until", positive());
-    const double count = std::round(until / dq);
-    if (until < dq * (1 - 1e-12)) throw BadInput(options.said("until") + " must be at least --dq");
-    if (count > 1e7) throw BadInput(options.said("until") + " must be at most 1e7 times --dq");
-    if (std::abs(until / dq - count) > 1e-9 * count) {  // 0.3/0.1 is rounded
-        throw BadInput(options.said("until") + " must be a multiple of --dq = " + options.text("dq"));
-    }
-    return {dq, static_cast<std::size_t>(count)};
-}
-
-std::string word(rollbem::Integrator integrator) {
-    switch (integrator) {
-        case rollbem::Integrator::implicit_euler: return "implicit-euler";
-        case rollbem::Integrator::sdirk2: return "sdirk2";
-        case rollbem::Integrator::matrix_exponential: break;
-    }
-    return "exponential";
-}
-
-rollbem::Integrator read_integrator(const Options& options, const std::vector<rollbem::Integrator>& allowed) {
-    std::vector<std::string> words;
-    for (const rollbem::Integrator integrator : allowed) words.push_back(word(integrator));
-    const auto chosen = std::find(words.begin(), words.end(), options.choice("integrator", words));
-    return allowed[static_cast<std::size_t>(chosen - words.begin())];
-}
-
 std::optional<rollbem::RollingSystem<double>> system_if_finite(const Scene& scene) {
     try {
         if (scene.chebyshev) return rolling_system(*scene.chebyshev, scene.kernel);
@@ -99,29 +46,22 @@ rollbem::RollingSystem<double> system_of(const Scene& scene) {
     throw BadInput("--aspect = " + aspect_cell(scene.contact).text() + " must be such that G and G' are finite");
 }
 
-std::string steady_status(const Scene& scene, const rollbem::RollingSystem<double>& system) {
-    if (!scene.chebyshev) {
-        const rollbem::Response<double> solution = rollbem::solve_steady(system);
-        return steady_status(scene, solution.status, solution.c11());
-    }
-    return name(solve_steady(*scene.chebyshev, scene.kernel).status);
-}
-
 std::string status_of(rollbem::Status status, const Scene& scene, const rollbem::RollingSystem<double>& system) {
     if (status != rollbem::Status::ok) return name(status);
-    const std::string steady = steady_status(scene, system);
+    if (scene.chebyshev) return name(solve_steady(*scene.chebyshev, scene.kernel).status);
+    const rollbem::Response<double> solution = rollbem::solve_steady(system);
+    const std::string steady = steady_status(scene, solution.status, solution.c11());
     // a singular G' shows elsewhere, as an eigenvalue 0 or at the frequency 0
-    const bool speaks = scene.chebyshev || steady == coarse || steady == name(rollbem::Status::assists_creepage);
-    return speaks ? steady : ok;
+    return steady == coarse || steady == name(rollbem::Status::assists_creepage) ? steady : ok;
 }
 
 std::string flaw_in_steady_rolling(const Scene& scene, const rollbem::RollingSystem<double>& system) {
-    const std::string status = steady_status(scene, system);
-    if (scene.chebyshev && status != ok) {
+    const std::string status = status_of(rollbem::Status::ok, scene, system);
+    if (status == ok) return "";
+    if (scene.chebyshev) {
         return "has too few states for so narrow a strip: their error in steady rolling must be at most 1e-2";
     }
     if (status == coarse) return "has too few elements: the force of steady rolling is off by more than half";
-    if (status != name(rollbem::Status::assists_creepage)) return "";
     return "does not converge to full adhesion (alpha near or below 0, or above 1): its steady tractions must oppose "
            "the creepage";
 }

@@ -1,21 +1,23 @@
 #include "options.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <iterator>
+#include <iostream>
+#include <new>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
+#include <gsl/gsl_errno.h>
+
+#include <rollbem/discretisation/mesh.hpp>
 
 #include "build_info.hpp"
-#include "config_file.hpp"
-#include "files.hpp"
-#include "mesh_names.hpp"
-#include "nearest_name.hpp"
+#include "csv.hpp"
+#include "input.hpp"
+#include "sidecar.hpp"
 
 namespace study {
 
@@ -38,10 +40,49 @@ std::ptrdiff_t to_integer(const std::string& name, const std::string& text, std:
     return *value;
 }
 
-/// "--one, --two or --three"
-std::string dashed(std::vector<std::string> names) {
-    for (std::string& name : names) name.insert(0, "--");
-    return listed(names, "or");
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// "--one, --two or --three"; of NAME=VALUE "--name one or two".
+std::string dashed(std::vector<std::string> modes, const std::string& last) {
+    std::string name = "--";
+    for (std::string& mode : modes) {
+        const std::size_t equals = mode.find('=');
+        if (equals != std::string::npos) name = "--" + mode.substr(0, equals) + " ";
+        mode = equals == std::string::npos ? "--" + mode : mode.substr(equals + 1);
+    }
+    return (name == "--" ? "" : name) + listed(modes, last);
+}
+
+/// By which a changed text is noticed: FNV-1a.
+std::string checksum(std::string_view text) {
+    std::uint64_t hash = 14695981039346656037u;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+    std::ostringstream result;
+    result << "fnv1a64:" << std::hex << std::setw(16) << std::setfill('0') << hash;
+    return result.str();
+}
+
+/// How many letters to add, remove or change to turn `from` into `to`.
+std::size_t edit_distance(const std::string& from, const std::string& to) {
+    std::vector<std::size_t> row(to.size() + 1);
+    for (std::size_t k = 0; k <= to.size(); ++k) row[k] = k;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        std::size_t diagonal = std::exchange(row[0], i + 1);
+        for (std::size_t k = 0; k < to.size(); ++k) {
+            const std::size_t changed = diagonal + (from[i] == to[k] ? 0 : 1);
+            diagonal = row[k + 1];
+            row[k + 1] = std::min({changed, diagonal + 1, row[k] + 1});
+        }
+    }
+    return row.back();
+}
+
+std::vector<std::string> mesh_names() {
+    std::vector<std::string> names;
+    for (const rollbem::TopologyInfo& known : rollbem::topologies) names.emplace_back(known.name);
+    return names;
 }
 
 }  // namespace
@@ -71,14 +112,6 @@ std::string_view detail::trim(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-std::string checksum(std::string_view text) {
-    std::uint64_t hash = 14695981039346656037u;  // FNV-1a
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-    std::array<char, 32> result;
-    std::snprintf(result.data(), result.size(), "fnv1a64:%016llx", static_cast<unsigned long long>(hash));
-    return result.data();
-}
-
 std::string wrap(const std::string& text, std::size_t width) {
     std::istringstream words(text);
     std::string word, result;
@@ -97,6 +130,11 @@ std::string wrap(const std::string& text, std::size_t width) {
 
 std::string join(const std::vector<std::string>& words, const std::string& separator) {
     return CLI::detail::join(words, separator);
+}
+
+std::string listed(const std::vector<std::string>& words, const std::string& last) {
+    if (words.size() < 2) return join(words, "");
+    return join({words.begin(), words.end() - 1}, ", ") + " " + last + " " + words.back();
 }
 
 Options::Options(std::string program, const std::string& purpose)
@@ -122,36 +160,35 @@ Options::Options(std::string program, const std::string& purpose)
               "precedence. Every input FILE may be -, standard input");
 
     group("Discretisation");
-    add("n", "LIST", "number of elements of the contact, 1 to 100000 (dimensionless)", "20,40,60");
-    add("mesh", "NAME", listed(mesh_names(), "or"), "uniform");
+    not_with({"mesh", "edges", "size-ratio", "epsilon", "derivative"}, "method=chebyshev", ", which has no elements");
+    add("n", "LIST", "number of elements of the contact, 1 to 100000 (dimensionless)", "20,40,60").not_with("edges");
+    add("mesh", "NAME", listed(mesh_names(), "or"), "uniform").not_with("edges");
     add_input("edges", "instead of --mesh and --n: edges x/a from -1 to 1, one per line (dimensionless)");
-    add("size-ratio", "LIST",
-        join(mesh_names(rollbem::Grading::size_ratio), ", ") +
-            " mesh: dx_trailing / dx_leading, 1e-12 to 1e12 (dimensionless)",
-        "2");
-    add("epsilon", "LIST",
-        join(mesh_names(rollbem::Grading::epsilon), ", ") +
-            " mesh: size of the end element over that of an inner one, 1e-12 to 1e12 (dimensionless)",
-        "0.4");
+    add("size-ratio", "LIST", "dx_trailing / dx_leading, 1e-12 to 1e12 (dimensionless)", "2")
+        .not_with("edges")
+        .only_with({"mesh=geometric"});
+    add("epsilon", "LIST", "size of the end element over that of an inner one, 1e-12 to 1e12 (dimensionless)", "0.4")
+        .not_with("edges")
+        .only_with({"mesh=knothe", "mesh=modified-knothe"});
     add("method", "NAME",
         "collocation, galerkin, knothe-bc (Knothe and Gross-Thebing's boundary conditions) or nodes (differences "
         "between the --nodes of neighbouring elements)",
         "collocation");
-    add("nodes", "NAME", "with --method nodes: centres of elements, or chebyshev with --mesh cosine", "centres");
-    add("quadrature", "N|exact", "galerkin: 1 to 1000 Gauss-Legendre points (dimensionless) or closed form", "exact");
+    add("nodes", "NAME", "centres of elements, or chebyshev with --mesh cosine", "centres").only_with({"method=nodes"});
+    add("quadrature", "N|exact", "1 to 1000 Gauss-Legendre points (dimensionless) or closed form", "exact")
+        .only_with({"method=galerkin"});
     add("alpha-L", "LIST",
         "position of the leading element's point ahead of its centre, in widths of the element, -2 to 2 "
         "(dimensionless)",
-        "0");
-    add("alpha-T", "LIST", "the same at the trailing element, -2 to 2; linear in between (dimensionless)", "0.63");
+        "0")
+        .not_with("alpha");
+    add("alpha-T", "LIST", "the same at the trailing element, -2 to 2; linear in between (dimensionless)", "0.63")
+        .not_with("alpha");
     add("alpha", "LIST", "sets alpha-L and alpha-T to the same values, -2 to 2 (dimensionless)");
     add("lambda", "LIST", "G is taken at lambda times these alphas, 0 to 1 (dimensionless)", "1");
+    only_with({"alpha-L", "alpha-T", "alpha", "lambda"}, {"method=collocation", "method=galerkin"});
     add("derivative", "NAME", "fd or analytic; default: fd, but analytic for galerkin with exact quadrature");
-
-    replaces("alpha", {"alpha-L", "alpha-T"});
-    replaces("edges", {"n", "mesh", "size-ratio", "epsilon"});
-    not_with({"alpha-L", "alpha-T"}, "alpha");
-    not_with({"mesh", "n"}, "edges");
+    not_with({"derivative"}, "method=nodes", ", which takes differences");
 
     group("Contact");
     add("kernel", "NAME", "strip (half-width b) or plane (its limit b >> a)", "strip");
@@ -178,67 +215,46 @@ Options::Options(std::string program, const std::string& purpose)
 Options::Options(Options&&) noexcept = default;
 Options::~Options() = default;
 
-void Options::group(const std::string& heading) { group_ = heading; }
+Options::Added Options::add(const std::string& name, const std::string& value, const std::string& help, Kind kind) {
+    const std::string nothing;
+    CLI::Option* option =
+        kind == Kind::flag ? app_->add_flag("--" + name) : app_->add_option("--" + name, nothing)->type_name(value);
+    // Every use of the option is kept; how many there may be is checked when its values are read.
+    if (kind != Kind::flag) option->type_size(1)->expected(1);
+    option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->group(group_);
+    entries_[name] = {option, help, "", kind};
+    set_default(name, "");
+    return {*this, {name}};
+}
 
 Options::Added Options::add(const std::string& name, const std::string& value, const std::string& help,
                             const std::string& default_text) {
-    const std::string nothing;
-    CLI::Option* option = app_->add_option("--" + name, nothing);
-    // Every use of the option is kept; how many there may be is checked when its values are read.
-    option->type_name(value)->type_size(1)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    option->group(group_);
-    entries_[name] = {option, help, ""};
+    add(name, value, help, Kind::value);
     set_default(name, default_text);
-    return {*this, name};
-}
-
-Options::Added Options::add_file(const std::string& name, const std::string& help, Kind kind) {
-    add(name, "FILE", help);
-    entries_[name].kind = kind;
-    return {*this, name};
-}
-
-Options::Added Options::add_input(const std::string& name, const std::string& help) {
-    return add_file(name, help, Kind::input);
-}
-
-Options::Added Options::add_output(const std::string& name, const std::string& help) {
-    return add_file(name, help, Kind::output);
-}
-
-Options::Added Options::add_table(const std::string& name, const std::string& help) {
-    return add_file(name, help, Kind::table);
+    return {*this, {name}};
 }
 
 Options::Added Options::add_folder(const std::string& name, const std::string& help, std::vector<std::string> files) {
-    add(name, "DIR", help);
-    entries_[name].kind = Kind::folder;
+    add(name, "DIR", help, Kind::folder);
     entries_[name].files = std::move(files);
-    return {*this, name};
+    return {*this, {name}};
 }
 
 Options::Added Options::add_flag(const std::string& name, const std::string& help) {
-    CLI::Option* option = app_->add_flag("--" + name);
-    option->group(group_);
-    entries_[name] = {option, help, "", Kind::flag};
-    set_default(name, "");
-    return {*this, name};
+    return add(name, "", help, Kind::flag);
 }
 
 const Options::Added& Options::Added::only_with(const std::vector<std::string>& modes, const std::string& why) const {
-    const std::string shown = options_.entry(name_).help;
-    options_.set_help(name_, "with " + dashed(modes) + ": " + shown);
-    options_.only_with({name_}, modes, why);
+    for (const std::string& name : names_) {
+        options_.set_help(name, "with " + dashed(modes, "or") + ": " + options_.entry(name).help);
+    }
+    options_.only_with(names_, modes, why);
     return *this;
 }
 
 const Options::Added& Options::Added::not_with(const std::string& mode, const std::string& why) const {
-    options_.not_with({name_}, mode, why);
+    for (const std::string& name : names_) options_.limits_.push_back({name, {mode}, false, why});
     return *this;
-}
-
-void Options::not_with(const std::vector<std::string>& names, const std::string& mode, const std::string& why) {
-    for (const std::string& name : names) limits_.push_back({name, {mode}, false, why});
 }
 
 void Options::only_with(const std::vector<std::string>& names, const std::vector<std::string>& modes,
@@ -246,14 +262,34 @@ void Options::only_with(const std::vector<std::string>& names, const std::vector
     for (const std::string& name : names) limits_.push_back({name, modes, true, why});
 }
 
-void Options::check_limits() const {
-    const auto is_on = [&](const std::string& mode) {
-        return entry(mode).kind == Kind::flag ? flag(mode) : given(mode);
-    };
+bool Options::is_on(const std::string& mode) const {
+    const std::size_t equals = mode.find('=');
+    if (equals != std::string::npos) return text(mode.substr(0, equals)) == mode.substr(equals + 1);
+    return entry(mode).kind == Kind::flag ? flag(mode) : given(mode);
+}
+
+void Options::apply_limits() {
     for (const Limit& limit : limits_) {
-        const bool on = std::any_of(limit.modes.begin(), limit.modes.end(), is_on);
+        const auto mode = entries_.find(limit.modes.front());
+        if (limit.needs || mode == entries_.end()) continue;
+        Entry& own = entries_.at(limit.name);
+        if (own.typed()) mode->second.configured.clear();
+        if (mode->second.typed()) own.configured.clear();
+    }
+    for (const Limit& limit : limits_) {
+        const std::string& first = limit.modes.front();
+        const std::size_t equals = first.find('=');
+        const std::string option = first.substr(0, equals);
+        if (!entry(option).refusal.empty()) continue;  // the study has modes of its own
+        const bool on =
+            std::any_of(limit.modes.begin(), limit.modes.end(), [&](const auto& one) { return is_on(one); });
         if (on == limit.needs) continue;
-        ignored(limit.name, (limit.needs ? "without " : "with ") + dashed(limit.modes) + limit.why);
+        const bool by_value = limit.needs && equals != std::string::npos;
+        ignored(limit.name,
+                (by_value      ? "with --" + option + " " + text(option) + "; it is for " + dashed(limit.modes, "and")
+                 : limit.needs ? "without " + dashed(limit.modes, "or")
+                               : "with " + dashed(limit.modes, "or")) +
+                    limit.why);
     }
 }
 
@@ -272,12 +308,14 @@ void Options::set_help(const std::string& name, const std::string& help) {
 
 void Options::refuse(const std::string& name, const std::string& reason) {
     entries_.at(name).option->group("");
-    refused_.emplace_back(name, reason);
+    entries_.at(name).refusal = reason;
 }
 
 void Options::refuse_group(const std::string& heading, const std::string& reason,
                            const std::vector<std::string>& allowed) {
-    for (const std::string& name : members(heading, allowed)) refuse(name, reason);
+    for (const auto& [name, entry] : entries_) {
+        if (entry.option->get_group() == heading && !contains(allowed, name)) refuse(name, reason);
+    }
 }
 
 void Options::footer(const std::string& text, std::vector<Topic> topics) {
@@ -294,66 +332,63 @@ void Options::footer(const std::string& text, std::vector<Topic> topics) {
         "while writing; 130 interrupted.");
 }
 
-void Options::replaces(const std::string& name, std::vector<std::string> others) {
-    alternatives_.emplace_back(name, std::move(others));
-}
-
 std::optional<std::string> Options::parse(int argc, const char* const* argv) {
     words_.assign(argv, argv + argc);
-    if (std::optional<std::string> text = topic()) return text;
-    check_words();
     try {
         app_->parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
+        std::vector<std::string> names;
+        for (const Topic& topic : topics_) {
+            if (contains(app_->remaining(), topic.name)) return topic.text;
+            names.push_back(topic.name);
+        }
+        if (!names.empty() && app_->remaining_size() > 0) {
+            throw BadInput("--help = " + app_->remaining().front() + " must be one of " + join(names, ", "));
+        }
         std::string help = app_->help();
         for (std::size_t i = 0; (i = help.find("\n\n\n", i)) != std::string::npos;) help.erase(i, 1);
         return help;
     } catch (const CLI::CallForVersion&) {
         return version() + "\n";
     } catch (const CLI::ExtrasError&) {
-        throw BadInput(unexpected() + "; see --help");
-    } catch (const CLI::ParseError& error) {
-        // of an option that is not shown CLI11 does not say the name
-        for (const auto& [name, reason] : refused_) {
-            if (std::find(words_.begin(), words_.end(), "--" + name) != words_.end()) {
-                throw BadInput("--" + name + " cannot be used here: " + reason);
-            }
+        std::string unknown;
+        for (std::string word : app_->remaining()) {  // an unknown option leaves its value behind, too
+            if (word.size() < 2 || word[0] != '-' || std::isdigit(static_cast<unsigned char>(word[1])) != 0) continue;
+            word.erase(std::min(word.find('='), word.size()));
+            unknown += (unknown.empty() ? "" : "; ") + word + " is not an option" + suggestion(word);
         }
+        throw BadInput((unknown.empty() ? join(app_->remaining(), " ") + " was not expected" : unknown) +
+                       "; see --help");
+    } catch (const CLI::ParseError& error) {
         throw BadInput(std::string(error.what()) + "; see --help");
     }
-    if (given("config")) {
-        check_inputs();
-        read_config();
-        drop_replaced();
+    for (const auto& [name, entry] : entries_) {  // CLI11 takes the next word for a value that is missing
+        for (const std::string& value : entry.option->results()) {
+            if (value.rfind("--", 0) != 0) continue;
+            throw BadInput("--" + name + " must have a value: " + value + " is another option");
+        }
     }
-    for (const auto& [name, reason] : refused_) {
-        if (given(name)) throw BadInput(said(name) + " cannot be used here: " + reason);
+    if (given("config")) read_config();
+    for (const auto& [name, entry] : entries_) {
+        if (entry.refusal.empty() || !given(name)) continue;
+        throw BadInput(said(name) + " cannot be used here: " + entry.refusal);
     }
     check_files();
-    check_limits();
+    apply_limits();
     return std::nullopt;
 }
 
-const std::string& Options::program() const { return program_; }
+bool Options::Entry::typed() const { return option->count() > 0; }
 
-const std::vector<std::string>& Options::words() const { return words_; }
-
-bool Options::given(const std::string& name) const {
-    return entry(name).option->count() > 0 || !entry(name).configured.empty();
-}
+bool Options::given(const std::string& name) const { return entry(name).typed() || !entry(name).configured.empty(); }
 
 std::string Options::said(const std::string& name) const {
-    const std::string value = joined(name);
+    const std::string value = join(raw(name), ",");
     return "--" + name + " = " + (value.empty() ? "''" : value);
 }
 
 void Options::ignored(const std::string& name, const std::string& reason) const {
     if (given(name)) throw BadInput(said(name) + " has no effect " + reason);
-}
-
-void Options::ignored_group(const std::string& heading, const std::string& reason,
-                            const std::vector<std::string>& allowed) const {
-    for (const std::string& name : members(heading, allowed)) ignored(name, reason);
 }
 
 bool Options::flag(const std::string& name) const {
@@ -372,9 +407,7 @@ std::string Options::text(const std::string& name) const {
 
 std::string Options::choice(const std::string& name, const std::vector<std::string>& names) const {
     const std::string value = text(name);
-    if (std::find(names.begin(), names.end(), value) == names.end()) {
-        throw BadInput(said(name) + " must be one of " + join(names, ", "));
-    }
+    if (!contains(names, value)) throw BadInput(said(name) + " must be one of " + join(names, ", "));
     return value;
 }
 
@@ -383,11 +416,9 @@ double Options::number(const std::string& name, const Rule& rule) const {
 }
 
 std::optional<std::pair<double, double>> Options::pair(const std::string& name) const {
-    const std::string value = text(name);
-    const std::size_t comma = std::min(value.find(','), value.size());
-    const auto read = [](std::string_view part) { return detail::parse_number<double>(detail::trim(part)); };
-    const auto first = read(std::string_view(value).substr(0, comma));
-    const auto second = comma < value.size() ? read(std::string_view(value).substr(comma + 1)) : std::nullopt;
+    const std::vector<std::string> parts = cells_of(text(name));
+    if (parts.size() != 2) return std::nullopt;
+    const auto first = detail::parse_number<double>(parts[0]), second = detail::parse_number<double>(parts[1]);
     if (!first || !second || !std::isfinite(*first) || !std::isfinite(*second)) return std::nullopt;
     return std::pair(*first, *second);
 }
@@ -399,19 +430,14 @@ std::ptrdiff_t Options::integer(const std::string& name, std::ptrdiff_t low, std
 template <class Number, class Read>
 std::vector<Number> Options::list(const std::string& name, const Read& read) const {
     std::vector<Number> result;
-    for (const std::string& text : raw(name)) {
-        std::size_t begin = 0;
-        while (begin <= text.size()) {
-            const std::size_t end = std::min(text.find(',', begin), text.size());
-            const std::string item(detail::trim(std::string_view(text).substr(begin, end - begin)));
-            if (item.empty()) throw BadInput(said(name) + " must be a list without empty items");
-            const Number value = read(item);
-            if (std::find(result.begin(), result.end(), value) != result.end()) {
-                throw BadInput(said(name) + " must be a list without repeated items: " + item + " is there twice");
-            }
-            result.push_back(value);
-            begin = end + 1;
+    if (raw(name).empty()) return result;
+    for (const std::string& item : cells_of(join(raw(name), ","))) {
+        if (item.empty()) throw BadInput(said(name) + " must be a list without empty items");
+        const Number value = read(item);
+        if (std::find(result.begin(), result.end(), value) != result.end()) {
+            throw BadInput(said(name) + " must be a list without repeated items: " + item + " is there twice");
         }
+        result.push_back(value);
     }
     return result;
 }
@@ -425,9 +451,6 @@ std::vector<std::ptrdiff_t> Options::integers(const std::string& name, std::ptrd
 }
 
 std::vector<std::string> Options::choices(const std::string& name, const std::vector<std::string>& known) const {
-    const auto contains = [](const std::vector<std::string>& words, const std::string& word) {
-        return std::find(words.begin(), words.end(), word) != words.end();
-    };
     const std::vector<std::string> given = list<std::string>(name, [&](const std::string& item) {
         if (item == "all" || contains(known, item)) return item;
         throw BadInput("--" + name + " = " + item + " must be all, or some of " + join(known, ","));
@@ -440,29 +463,10 @@ std::vector<std::string> Options::choices(const std::string& name, const std::ve
 }
 
 std::vector<std::pair<std::string, std::string>> Options::given_values() const {
-    // in the order typed, and then those of the configuration file
-    std::vector<std::string> names;
-    for (const CLI::Option* option : app_->parse_order()) names.push_back(option->get_lnames().front());
-    for (const auto& [name, entry] : entries_) {
-        if (given(name)) names.push_back(name);
-    }
-    std::vector<std::pair<std::string, std::string>> result;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const std::string& name = names[i];
-        const bool before =
-            std::find(names.begin(), names.begin() + std::ptrdiff_t(i), name) - names.begin() < std::ptrdiff_t(i);
-        if (before || name == "config") continue;
-        result.emplace_back(name, entry(name).kind == Kind::flag ? raw(name).back() : joined(name));
-    }
-    return result;
-}
-
-std::vector<std::pair<std::string, std::string>> Options::values() const {
     std::vector<std::pair<std::string, std::string>> result;
     for (const auto& [name, entry] : entries_) {
-        if (name == "config") continue;  // what it says is listed under the other names
-        const bool is_refused = entry.option->get_group().empty();
-        if (!is_refused && !raw(name).empty()) result.emplace_back(name, joined(name));
+        if (!given(name) || name == "config") continue;
+        result.emplace_back(name, entry.kind == Kind::flag ? raw(name).back() : join(raw(name), ","));
     }
     return result;
 }
@@ -499,147 +503,109 @@ void Options::read_config() {
         const Kind kind = found->second.kind;
         const bool writes = kind == Kind::output || kind == Kind::table || kind == Kind::folder;
         if (replays_ && (writes || setting.name == "jobs")) continue;
-        const bool is_truth =
-            setting.values.size() == 1 && (setting.values[0] == "true" || setting.values[0] == "false");
-        if (kind == Kind::flag && !is_truth) throw BadInput(setting.where + " must be true or false");
+        if (kind == Kind::flag && setting.values != std::vector<std::string>{"true"} &&
+            setting.values != std::vector<std::string>{"false"}) {
+            throw BadInput(setting.where + " must be true or false");
+        }
         found->second.configured = std::move(setting.values);
     }
 }
 
-std::optional<std::string> Options::topic() const {
-    const auto help = std::find_if(words_.begin(), words_.end(), [](const std::string& word) {
-        return word == "-h" || word == "--help" || word.rfind("--help=", 0) == 0;
-    });
-    if (topics_.empty() || help == words_.end()) return std::nullopt;
-    const std::size_t equals = help->find('=');
-    const bool follows = equals == std::string::npos && help + 1 != words_.end() && help[1].rfind('-', 0) != 0;
-    if (equals == std::string::npos && !follows) return std::nullopt;
-    const std::string name = follows ? help[1] : help->substr(equals + 1);
-    std::vector<std::string> names;
-    for (const Topic& topic : topics_) {
-        if (topic.name == name) return topic.text;
-        names.push_back(topic.name);
-    }
-    throw BadInput("--help = " + name + " must be one of " + join(names, ", "));
-}
-
-void Options::check_words() const {
-    for (std::size_t i = 1; i < words_.size(); ++i) {
-        const std::string& word = words_[i];
-        const std::size_t equals = std::min(word.find('='), word.size());
-        const auto found = word.rfind("--", 0) == 0 ? entries_.find(word.substr(2, equals - 2)) : entries_.end();
-        if (found == entries_.end() || found->second.kind == Kind::flag) continue;
-        if (equals + 1 == word.size()) throw BadInput(word.substr(0, equals) + " = '' must not be empty");
-        if (equals < word.size() || i + 1 == words_.size()) continue;
-        ++i;
-        if (words_[i].rfind("--", 0) == 0) {
-            throw BadInput(word + " must have a value: " + words_[i] + " is another option");
+std::string Options::suggestion(const std::string& word) const {
+    const auto plain = [](const std::string& name) {  // letters and digits in lower case
+        std::string result;
+        for (const char c : name) {
+            const auto byte = static_cast<unsigned char>(c);
+            if (std::isalnum(byte) != 0) result += static_cast<char>(std::tolower(byte));
         }
-    }
-}
-
-void Options::drop_replaced() {
-    const auto typed = [&](const std::string& name) { return entry(name).option->count() > 0; };
-    for (const auto& [name, others] : alternatives_) {
-        const bool drops = std::any_of(others.begin(), others.end(), typed);
-        for (const std::string& other : others) {
-            if (typed(name)) entries_.at(other).configured.clear();
-        }
-        if (drops) entries_.at(name).configured.clear();
-    }
-}
-
-std::string Options::suggestion(std::string word) const {
-    word.erase(0, std::min(word.find_first_not_of('-'), word.size()));
-    std::vector<std::string> names{"help", "version"};
-    for (const auto& [name, entry] : entries_) {
-        if (!entry.option->get_group().empty()) names.push_back(name);
-    }
-    const std::string name = nearest_name(word, names);
-    return name.empty() ? "" : "; did you mean --" + name + "?";
-}
-
-std::string Options::unexpected() const {
-    // an unknown option leaves its value behind, too
-    const auto is_option = [](const std::string& word) {
-        return word.size() > 1 && word[0] == '-' && std::isdigit(static_cast<unsigned char>(word[1])) == 0;
+        return result;
     };
-    const std::vector<std::string> words = app_->remaining();
-    std::vector<std::string> options;
-    std::copy_if(words.begin(), words.end(), std::back_inserter(options), is_option);
-    if (options.empty()) return join(words, " ") + " was not expected";
-    for (std::string& option : options) {
-        option.erase(std::min(option.find('='), option.size()));
-        option += " is not an option" + suggestion(option);
-    }
-    return join(options, "; ");
-}
-
-void Options::check_inputs() const {
-    std::string first;
+    std::string nearest, begun;
+    std::size_t least = word.size() < 6 ? 2 : 3;  // fewer changes than that are near
+    const auto try_name = [&](const std::string& name) {
+        const std::size_t distance = edit_distance(plain(word), plain(name));
+        if (begun.empty() && plain(word).size() > 2 && plain(name).rfind(plain(word), 0) == 0) begun = name;
+        if (distance >= least || distance >= name.size()) return;
+        least = distance;
+        nearest = name;
+    };
     for (const auto& [name, entry] : entries_) {
-        if (entry.kind != Kind::input || !given(name) || text(name) != "-") continue;
-        if (!first.empty()) {
-            throw BadInput(said(name) + " must be a file: standard input is read as " + first);
-        }
-        first = said(name);
+        if (entry.refusal.empty()) try_name(name);
     }
+    for (const char* name : {"help", "version"}) try_name(name);
+    if (nearest.empty()) nearest = begun;
+    return nearest.empty() ? "" : "; did you mean --" + nearest + "?";
 }
 
 void Options::check_files() const {
-    check_inputs();
     struct File {
         std::string said, path;
-        bool is_sidecar = false;
+        bool written, is_sidecar = false;
     };
-    std::vector<File> inputs, outputs;
-    if (!given("output")) outputs.push_back({"standard output", "-"});
+    std::vector<File> files;
+    if (!given("output")) files.push_back({"standard output", "-", true});
     for (const auto& [name, entry] : entries_) {
         if (!given(name) || entry.kind == Kind::value || entry.kind == Kind::flag) continue;
         const std::string path = text(name);
-        if (entry.kind == Kind::input) {
-            if (path != "-") inputs.push_back({said(name), path});
-            continue;
+        if (entry.kind != Kind::folder) files.push_back({said(name), path, entry.kind != Kind::input});
+        for (const std::string& file : entry.files) {
+            files.push_back({file + " of " + said(name), path + "/" + file, true});
         }
-        for (const std::string& file : entry.files) outputs.push_back({file + " of " + said(name), path + "/" + file});
-        if (entry.kind == Kind::folder) continue;
-        outputs.push_back({said(name), path});
         if (entry.kind == Kind::table && path != "-" && !is_stream(path)) {
-            outputs.push_back({said(name) + ".toml, written beside it,", path + ".toml", true});
+            files.push_back({said(name) + ".toml, written beside it,", path + ".toml", true, true});
         }
     }
-    for (auto output = outputs.begin(); output != outputs.end(); ++output) {
-        for (const File& input : inputs) {
+    for (const File& file : files) {
+        for (const File& other : files) {
+            if (&file == &other || !same_place(file.path, other.path)) continue;
+            if (!file.written && !other.written && file.path == "-" && &file > &other) {
+                throw BadInput(file.said + " must be a file: standard input is read as " + other.said);
+            }
             // a repeated run may overwrite the file that describes it: it has been read by then
-            if (replays_ && output->is_sidecar && input.said == said("config")) continue;
-            if (!same_place(output->path, input.path)) continue;
-            throw BadInput(output->said + " must not be a file that this run reads: " + input.said);
-        }
-        for (auto other = output + 1; other != outputs.end(); ++other) {
-            if (!same_place(output->path, other->path)) continue;
-            throw BadInput(other->said + " must not be written to as well as " + output->said);
+            const bool repeats = replays_ && file.is_sidecar && other.said == said("config");
+            if (file.written && !other.written && file.path != "-" && !repeats) {
+                throw BadInput(file.said + " must not be a file that this run reads: " + other.said);
+            }
+            if (file.written && other.written && &file > &other) {
+                throw BadInput(file.said + " must not be written to as well as " + other.said);
+            }
         }
     }
-}
-
-const Options::Entry& Options::entry(const std::string& name) const { return entries_.at(name); }
-
-std::vector<std::string> Options::members(const std::string& heading, const std::vector<std::string>& allowed) const {
-    std::vector<std::string> names;
-    for (const auto& [name, entry] : entries_) {
-        const bool is_allowed = std::find(allowed.begin(), allowed.end(), name) != allowed.end();
-        if (entry.option->get_group() == heading && !is_allowed) names.push_back(name);
-    }
-    return names;
 }
 
 std::vector<std::string> Options::raw(const std::string& name) const {
-    if (entry(name).option->count() > 0) return entry(name).option->results();
+    if (entry(name).typed()) return entry(name).option->results();
     if (!entry(name).configured.empty()) return entry(name).configured;
     const std::string& default_text = entry(name).default_text;
     return default_text.empty() ? std::vector<std::string>{} : std::vector<std::string>{default_text};
 }
 
-std::string Options::joined(const std::string& name) const { return join(raw(name), ","); }
+int run_program(Options& options, int argc, const char* const* argv, const std::function<int(const Options&)>& body) {
+    const auto report = [&](const std::exception& error, ExitCode code) {
+        std::fprintf(stderr, "%s: %s\n", options.program().c_str(), printable(error.what()).c_str());
+        return code;
+    };
+    gsl_set_error_handler_off();  // the default handler aborts the program
+    ignore_write_signals();
+    try {
+        if (const std::optional<std::string> text = options.parse(argc, argv)) {
+            OutputFile standard_output = OutputFile::standard_output();
+            standard_output.write(*text);
+            standard_output.commit();
+            return exit_ok;
+        }
+        return body(options);
+    } catch (const std::invalid_argument& error) {
+        return report(error, exit_bad_input);
+    } catch (const std::bad_alloc&) {
+        return report(BadInput("not enough memory; --n must be smaller"), exit_bad_input);
+    } catch (const PlotError& error) {
+        return report(error, exit_no_plot);
+    } catch (const WriteError& error) {
+        return report(error, exit_write_error);
+    } catch (const std::exception& error) {
+        return report(error, exit_failed);
+    }
+}
 
 }  // namespace study

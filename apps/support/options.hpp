@@ -1,5 +1,5 @@
 // Options: the command line of a study. Declares the options all studies share, lets a study add its own, change
-// defaults and refuse what it would ignore, and reads values strictly. CLI11 only splits the words.
+// defaults and refuse what it would ignore, and reads values strictly. CLI11 splits the words and writes the help.
 #pragma once
 
 #include <charconv>
@@ -49,14 +49,14 @@ std::optional<Number> parse_number(std::string_view text) {
 
 }  // namespace detail
 
-/// By which a changed text is noticed.
-std::string checksum(std::string_view text);
-
 /// Breaks lines at blanks so that none is longer than `width`, unless a word is.
 std::string wrap(const std::string& text, std::size_t width);
 
 /// The words joined by `separator`.
 std::string join(const std::vector<std::string>& words, const std::string& separator);
+
+/// "a, b or c" with last = "or".
+std::string listed(const std::vector<std::string>& words, const std::string& last);
 
 /// A part of the help that --help NAME prints instead of the options.
 struct Topic {
@@ -72,23 +72,25 @@ public:
     ~Options();
 
     /// Heading in --help of the options added next.
-    void group(const std::string& heading);
+    void group(const std::string& heading) { group_ = heading; }
 
-    /// An option that was declared, to say in which modes of the study it has an effect.
+    /// Options that were declared, to say in which modes of the study they have an effect. A mode is the name of another
+    /// option that is given, or NAME=VALUE.
     class Added {
     public:
-        Added(Options& options, std::string name) : options_(options), name_(std::move(name)) {}
+        Added(Options& options, std::vector<std::string> names) : options_(options), names_(std::move(names)) {}
 
-        /// Has an effect with one of these options only: --help says so, and without them it is bad input. `why`
+        /// They have an effect with one of these modes only: --help says so, and without them they are bad input. `why`
         /// follows the message.
         const Added& only_with(const std::vector<std::string>& modes, const std::string& why = "") const;
 
-        /// Has no effect with that option.
+        /// They have no effect with that mode. Where one of the two stands in a configuration file, the one on the
+        /// command line takes its place.
         const Added& not_with(const std::string& mode, const std::string& why = "") const;
 
     private:
         Options& options_;
-        std::string name_;
+        std::vector<std::string> names_;
     };
 
     /// Declares --name VALUE. Say the unit in `help`, or that the value is dimensionless.
@@ -96,13 +98,13 @@ public:
               const std::string& default_text = "");
 
     /// Declares --name FILE, a file that is read. No output may be the same file.
-    Added add_input(const std::string& name, const std::string& help);
+    Added add_input(const std::string& name, const std::string& help) { return add(name, "FILE", help, Kind::input); }
 
     /// Declares --name FILE, a file that is written. No other file of the run may be the same.
-    Added add_output(const std::string& name, const std::string& help);
+    Added add_output(const std::string& name, const std::string& help) { return add(name, "FILE", help, Kind::output); }
 
     /// The same with a file beside it, FILE.toml.
-    Added add_table(const std::string& name, const std::string& help);
+    Added add_table(const std::string& name, const std::string& help) { return add(name, "FILE", help, Kind::table); }
 
     /// Declares --name DIR, a folder that `files` are written to.
     Added add_folder(const std::string& name, const std::string& help, std::vector<std::string> files);
@@ -123,15 +125,13 @@ public:
                       const std::vector<std::string>& allowed = {});
 
     /// As Added::not_with, for several options.
-    void not_with(const std::vector<std::string>& names, const std::string& mode, const std::string& why = "");
+    void not_with(const std::vector<std::string>& names, const std::string& mode, const std::string& why = "") {
+        Added(*this, names).not_with(mode, why);
+    }
 
     /// As Added::only_with, for several options, but without a word in --help.
     void only_with(const std::vector<std::string>& names, const std::vector<std::string>& modes,
                    const std::string& why = "");
-
-    /// Says that --name takes the place of `others`: a configuration file's values of one side give way to the other
-    /// side on the command line.
-    void replaces(const std::string& name, std::vector<std::string> others);
 
     /// Text below the options in --help, exactly as given; the topics and the exit codes follow it.
     void footer(const std::string& text, std::vector<Topic> topics = {});
@@ -141,11 +141,12 @@ public:
     const std::string& conventions() const { return conventions_; }
 
     std::string version() const;  ///< program, version and git revision
+
     /// Reads the command line. Returns a text to print instead of running (--help, --version); throws BadInput.
     std::optional<std::string> parse(int argc, const char* const* argv);
 
-    const std::string& program() const;
-    const std::vector<std::string>& words() const;  ///< the command line as typed
+    const std::string& program() const { return program_; }
+    const std::vector<std::string>& words() const { return words_; }  ///< the command line as typed
 
     /// Whether the option was given, on the command line or in the configuration file.
     bool given(const std::string& name) const;
@@ -155,10 +156,6 @@ public:
 
     /// Throws BadInput if `name` was given: "--name = value has no effect `reason`".
     void ignored(const std::string& name, const std::string& reason) const;
-
-    /// The same for all options under a heading except `allowed`.
-    void ignored_group(const std::string& heading, const std::string& reason,
-                       const std::vector<std::string>& allowed = {}) const;
 
     /// A flag's state. In a configuration file a flag is true or false.
     bool flag(const std::string& name) const;
@@ -181,15 +178,11 @@ public:
 
     /// A list: comma-separated, given several times, or both. No item may be empty or appear twice.
     std::vector<double> numbers(const std::string& name, const Rule& rule) const;
-
     std::vector<std::ptrdiff_t> integers(const std::string& name, std::ptrdiff_t low, std::ptrdiff_t high) const;
 
     /// Every option given except --config, with its value as typed, flags with true: what --config reads to repeat
     /// the run.
     std::vector<std::pair<std::string, std::string>> given_values() const;
-
-    /// Every option that takes a value, with the value used in this run, for the file beside the results.
-    std::vector<std::pair<std::string, std::string>> values() const;
 
     /// Every file read so far except that of --config, by option, with its checksum.
     const std::map<std::string, std::string>& inputs() const { return inputs_; }
@@ -207,6 +200,9 @@ private:
         Kind kind = Kind::value;
         std::vector<std::string> configured{};  ///< by the configuration file
         std::vector<std::string> files{};       ///< of a folder
+        std::string refusal{};                  ///< why the study does not take it
+
+        bool typed() const;
     };
 
     /// Where an option has no effect: without any of the modes, or with the one.
@@ -217,42 +213,24 @@ private:
         std::string why;
     };
 
-    Added add_file(const std::string& name, const std::string& help, Kind kind);
+    Added add(const std::string& name, const std::string& value, const std::string& help, Kind kind);
 
-    /// Throws BadInput for an option that its limits exclude.
-    void check_limits() const;
+    bool is_on(const std::string& mode) const;
 
-    /// Throws BadInput if two inputs are standard input.
-    void check_inputs() const;
-
-    /// "; did you mean --name?" if an option has a similar name.
-    std::string suggestion(std::string word) const;
-
-    /// The words that CLI11 did not expect, for a message.
-    std::string unexpected() const;
-
-    /// The text of --help TOPIC, if that is what the words ask for. Throws BadInput for an unknown topic.
-    std::optional<std::string> topic() const;
-
-    /// Throws BadInput if an option that takes a value has none: the next word would be taken for it.
-    void check_words() const;
+    /// Lets the command line take precedence, and throws BadInput for an option that its limits exclude.
+    void apply_limits();
 
     void read_config();
 
-    /// Drops what a configuration file says in place of an option of the command line.
-    void drop_replaced();
-
-    /// Throws BadInput if an output is also an input of this run or another output.
+    /// Throws BadInput if an output is also an input of this run or another output, or two inputs are standard input.
     void check_files() const;
 
-    const Entry& entry(const std::string& name) const;
+    /// "; did you mean --name?" if an option has a similar name.
+    std::string suggestion(const std::string& word) const;
 
-    /// Names of the options under a heading except `allowed`.
-    std::vector<std::string> members(const std::string& heading, const std::vector<std::string>& allowed) const;
+    const Entry& entry(const std::string& name) const { return entries_.at(name); }
 
     std::vector<std::string> raw(const std::string& name) const;
-
-    std::string joined(const std::string& name) const;
 
     template <class Number, class Read>
     std::vector<Number> list(const std::string& name, const Read& read) const;
@@ -260,14 +238,16 @@ private:
     std::string program_, group_, conventions_;
     std::unique_ptr<CLI::App> app_;
     std::map<std::string, Entry> entries_;
-    std::vector<std::pair<std::string, std::string>> refused_;
     std::vector<Limit> limits_;
     std::vector<std::string> words_;
     std::vector<Topic> topics_;
-    std::vector<std::pair<std::string, std::vector<std::string>>> alternatives_;
     bool replays_ = false;                         ///< --config is the file beside a CSV file
     std::map<std::string, std::string> expected_;  ///< checksums of the run to repeat, by option
     mutable std::map<std::string, std::string> inputs_;
 };
+
+/// The frame of every study's main(): reads the command line and runs body(options), whose return value is the exit
+/// code. Turns exceptions into exit codes and one line on standard error.
+int run_program(Options& options, int argc, const char* const* argv, const std::function<int(const Options&)>& body);
 
 }  // namespace study

@@ -4,23 +4,16 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <iterator>
 #include <map>
 #include <set>
-#include <string>
 #include <string_view>
-#include <thread>
 
-#include <fcntl.h>
-#include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
-
-extern char** environ;
 
 namespace study {
 
@@ -31,34 +24,19 @@ std::string gnuplot_string(std::string text) {
     return "'" + text + "'";
 }
 
-std::string number_text(double number) {
-    std::array<char, 32> buffer;
-    return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr};
-}
-
-/// What a plot has on its x axis: the values, each once.
-std::set<double> x_values(const Plot& plot) {
+/// A logarithmic x axis, with marks at the values if those are few. gnuplot sets too few on a short one, which is linear.
+std::string logarithmic_axis(const Plot& plot) {
     std::set<double> values;
     for (const Series& series : plot.series) {
         for (const auto& point : series.points) values.insert(point.first);
     }
-    return values;
-}
-
-/// The scale of a logarithmic x axis: marks at numbers of elements if those are few; otherwise gnuplot's, which sets too
-/// few where the axis is short, unless it is linear.
-std::string logarithmic_axis(const Plot& plot) {
-    const std::set<double> values = x_values(plot);
     const auto is_short = [](double value) { return value == std::round(value) && value < 1e4; };
-    const bool whole = std::all_of(values.begin(), values.end(), is_short);
-    const double low = values.empty() ? 1 : *values.begin(), high = values.empty() ? 1 : *values.rbegin();
-    std::string ticks;
-    if (whole && values.size() <= 8) {
-        for (const double value : values) ticks += (ticks.empty() ? "set xtics (" : ",") + number_text(value);
-        if (!ticks.empty()) ticks += ")\n";
-    }
-    if (ticks.empty() && low > 0 && high < 10 * low && !plot.x_range) return "";
-    return "set logscale x " + std::to_string(plot.log_base) + "\n" + ticks;
+    std::vector<std::string> marks;
+    for (const double value : values) marks.push_back(Cell(value).text());
+    const bool few = values.size() <= 8 && std::all_of(values.begin(), values.end(), is_short);
+    if (!few && *values.begin() > 0 && *values.rbegin() < 10 * *values.begin() && !plot.x_range) return "";
+    return "set logscale x " + std::to_string(plot.log_base) + "\n" +
+           (few ? "set xtics (" + join(marks, ",") + ")\n" : "");
 }
 
 /// "set title", in two lines if one would be longer than `widest` characters.
@@ -67,8 +45,8 @@ std::string title_command(const std::string& title, std::ptrdiff_t widest) {
     const bool fits = std::count_if(title.begin(), title.end(), is_character) <= widest;
     const std::size_t end = fits ? std::string::npos : title.rfind(", ", title.size() * 3 / 5);
     if (end == std::string::npos) return "set title " + gnuplot_string(title) + "\n";
-    return "set title sprintf(\"%s\\n%s\", " + gnuplot_string(title.substr(0, end + 1)) + ", " +
-           gnuplot_string(title.substr(end + 2)) + ")\n";
+    return "set title " + gnuplot_string(title.substr(0, end + 1)) + ".\"\\n\"." +
+           gnuplot_string(title.substr(end + 2)) + "\n";
 }
 
 /// Colour, dashes and markers of a series. References are black.
@@ -102,23 +80,24 @@ bool has_place(const Plot& plot, const std::pair<double, double>& point) {
 /// Lines for gnuplot: points, rectangles by middle and half sides, or arrows by tail and components.
 std::string data_of(const Plot& plot, const Series& series) {
     std::string text;
-    if (series.shape == Shape::curve) {
-        for (const auto& point : series.points) {  // an empty line interrupts the curve, two would end it
-            if (has_place(plot, point)) {
-                text += number_text(point.first) + " " + number_text(point.second) + "\n";
+    const auto add = [&](std::initializer_list<double> numbers) {
+        for (const double number : numbers) text += Cell(number).text() + " ";
+        text += "\n";
+    };
+    for (std::size_t i = 0; i < series.points.size(); ++i) {
+        const auto [x, y] = series.points[i];
+        if (series.shape == Shape::curve) {  // an empty line interrupts the curve, two would end it
+            if (has_place(plot, {x, y})) {
+                add({x, y});
             } else if (text.rfind("\n\n") != text.size() - 2) {
                 text += "\n";
             }
+            continue;
         }
-        return text;
-    }
-    for (std::size_t i = 1; i < series.points.size(); i += 2) {
-        const auto [x, y] = series.points[i - 1];
+        if (++i == series.points.size()) break;
         const double dx = series.points[i].first - x, dy = series.points[i].second - y;
-        const bool arrow = series.shape == Shape::arrows;
-        for (const double number : {arrow ? x : x + dx / 2, arrow ? y : y + dy / 2}) text += number_text(number) + " ";
-        for (const double length : {dx, dy}) text += number_text(arrow ? length : std::abs(length) / 2) + " ";
-        text += "\n";
+        if (series.shape == Shape::arrows) add({x, y, dx, dy});
+        if (series.shape == Shape::rectangles) add({x + dx / 2, y + dy / 2, std::abs(dx) / 2, std::abs(dy) / 2});
     }
     return text;
 }
@@ -146,7 +125,7 @@ std::string panel_script(const Plot& plot, bool alone) {
     for (const auto& [axis, range] : {std::pair{"x", plot.x_range}, std::pair{"y", plot.y_range}}) {
         if (!range) continue;
         script +=
-            "set " + std::string(axis) + "range [" + number_text(range->low) + ":" + number_text(range->high) + "]\n";
+            "set " + std::string(axis) + "range [" + Cell(range->low).text() + ":" + Cell(range->high).text() + "]\n";
     }
     if (!plot.x_range) script += "set offsets graph 0.02, graph 0.02, 0, 0\n";  // no marker is cut by the frame
     std::vector<std::string> commands;
@@ -191,76 +170,28 @@ std::string gnuplot_script(const Plot& plot, bool png) {
 
 /// The output of gnuplot for `script`. It goes through a pipe, not into the file: gnuplot does not report a failure to
 /// write.
-std::string run_gnuplot(std::string_view script, const std::string& path) {
-    const auto fail = [&](const std::string& why) -> void {
-        throw PlotError("--plot = " + path + why + "; the rows are written");
+std::string run_gnuplot(const std::string& script, const std::string& path) {
+    const auto require = [&](bool done, const std::string& why) {
+        if (!done) throw PlotError("--plot = " + path + why + "; the rows are written");
     };
-    std::array<int, 2> input{}, output{};
-    if (::pipe2(input.data(), O_CLOEXEC) != 0) fail(std::string(": no pipe to gnuplot: ") + std::strerror(errno));
-    if (::pipe2(output.data(), O_CLOEXEC) != 0) {
-        const int error = errno;
-        for (const int end : input) ::close(end);
-        fail(std::string(": no pipe from gnuplot: ") + std::strerror(error));
-    }
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, input[0], STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, output[1], STDOUT_FILENO);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-    std::string program = "gnuplot";
-    std::array<char*, 2> arguments{program.data(), nullptr};
-    pid_t child = 0;
-    const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    ::close(input[0]);
-    ::close(output[1]);
-    if (error != 0) {
-        ::close(input[1]);
-        ::close(output[0]);
-        fail(std::string(" needs gnuplot, which cannot be started (") + std::strerror(error) + ")");
-    }
-    std::thread writer([script, to = input[1]] {  // gnuplot may draw before it has read everything
-        std::string_view rest = script;
-        while (!rest.empty()) {  // if gnuplot dies early, its status says so
-            const ssize_t written = ::write(to, rest.data(), rest.size());
-            if (written < 0 && errno == EINTR) continue;
-            if (written < 0) break;
-            rest.remove_prefix(static_cast<std::size_t>(written));
-        }
-        ::close(to);
-    });
+    std::FILE* const commands = std::tmpfile();
+    require(commands != nullptr, std::string(": no temporary file: ") + std::strerror(errno));
+    std::fwrite(script.data(), 1, script.size(), commands);
+    std::rewind(commands);
+    const std::string command = "exec gnuplot /dev/fd/" + std::to_string(::fileno(commands)) + " 2>/dev/null";
+    std::FILE* const pipe = ::popen(command.c_str(), "r");
     std::string picture;
     std::array<char, 65536> buffer;
-    ssize_t count = 0;
-    while ((count = ::read(output[0], buffer.data(), buffer.size())) != 0) {
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) break;
-        picture.append(buffer.data(), static_cast<std::size_t>(count));
+    while (pipe != nullptr) {
+        const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe);
+        picture.append(buffer.data(), count);
+        if (count == 0) break;
     }
-    ::close(output[0]);
-    writer.join();
-    int status = 0;
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-    if (count < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0) fail(": gnuplot failed");
+    const int status = pipe != nullptr ? ::pclose(pipe) : -1;
+    std::fclose(commands);
+    require(!WIFEXITED(status) || WEXITSTATUS(status) != 127, " needs gnuplot, which cannot be started");
+    require(status == 0, ": gnuplot failed");
     return picture;
-}
-
-/// Whether a picture is complete.
-bool is_whole(std::string_view picture, bool png) {
-    using namespace std::string_view_literals;
-    const std::string_view end = png ? "\0\0\0\0IEND\xAE\x42\x60\x82"sv : "</svg>"sv;
-    while (!png && !picture.empty() && std::isspace(static_cast<unsigned char>(picture.back())) != 0) {
-        picture.remove_suffix(1);
-    }
-    return picture.size() >= end.size() && picture.substr(picture.size() - end.size()) == end;
-}
-
-/// gnuplot puts what follows a subscript into a part of its own, whose leading space some viewers drop.
-void keep_spaces(std::string& svg) {
-    constexpr std::string_view tag = "<text>", kept = "<text xml:space=\"preserve\">";
-    for (std::size_t i = 0; (i = svg.find(tag, i)) != std::string::npos; i += kept.size()) {
-        svg.replace(i, tag.size(), kept);
-    }
 }
 
 }  // namespace
@@ -357,18 +288,18 @@ bool plot_is_png(const Options& options) {
 }
 
 std::string picture(const Plot& plot, bool png, const std::string& path) {
+    using namespace std::string_view_literals;
     std::string drawn = run_gnuplot(gnuplot_script(plot, png), path);
-    if (!is_whole(drawn, png)) {
+    if (drawn.find(png ? "\0\0\0\0IEND"sv : "</svg>"sv) == std::string::npos) {
         throw PlotError("--plot = " + path + ": gnuplot drew " + (drawn.empty() ? "nothing" : "only a part") +
                         "; the rows are written");
     }
-    if (!png) keep_spaces(drawn);
+    // gnuplot puts what follows a subscript into a part of its own, whose leading space some viewers drop
+    constexpr std::string_view tag = "<text>", kept = "<text xml:space=\"preserve\">";
+    for (std::size_t i = 0; !png && (i = drawn.find(tag, i)) != std::string::npos; i += kept.size()) {
+        drawn.replace(i, tag.size(), kept);
+    }
     return drawn;
-}
-
-void draw(const Plot& plot, OutputFile& file, bool png) {
-    file.write(picture(plot, png, file.path()));
-    file.commit();
 }
 
 }  // namespace study

@@ -87,8 +87,4 @@ bool plot_is_png(const Options& options);
 /// part.
 std::string picture(const Plot& plot, bool png, const std::string& path);
 
-/// Draws into an open file and commits it. Throws PlotError as picture() does, and WriteError when the file cannot be
-/// written.
-void draw(const Plot& plot, OutputFile& file, bool png);
-
 }  // namespace study

@@ -1,27 +1,138 @@
 #include "runs.hpp"
 
-#include <cstddef>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "csv.hpp"
-#include "errors.hpp"
 
 namespace study {
 
-namespace {
-
-/// One line for the runs that ended early, which names the first; empty if there are none.
-std::string early_ends(const Table& table, const std::vector<std::string>& ended) {
-    std::string text;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < ended.size(); ++i) {
-        if (!ended[i].empty() && count++ == 0) text = table.label(i) + ": " + ended[i];
+Sine read_sine(const Options& options) {
+    const auto sine = options.pair("sine");
+    if (!sine || sine->first == 0 || !(sine->second > 0)) {
+        throw BadInput(options.said("sine") + " must be AMP,OMEGA with AMP finite and not 0 and OMEGA > 0");
     }
-    if (count > 1) {
-        text += "; " + std::to_string(count - 1) + " more of " + std::to_string(ended.size()) + " runs ended";
-    }
-    return text;
+    return {sine->first, sine->second};
 }
+
+void add_steps(Options& options, const std::string& mode) {
+    const auto dq = options.add("dq", "D", "distance rolled in a step, in units of a, above 0 (dimensionless)", "0.05");
+    const auto until =
+        options.add("until", "Q",
+                    "distance rolled in all, in units of a: a multiple of --dq, up to 1e7 times (dimensionless)", "10");
+    if (mode.empty()) return;
+    dq.only_with({mode});
+    until.only_with({mode});
+}
+
+Steps read_steps(const Options& options) {
+    const double dq = options.number("dq", positive()), until = options.number("until", positive());
+    const double count = std::round(until / dq);
+    if (until < dq * (1 - 1e-12)) throw BadInput(options.said("until") + " must be at least --dq");
+    if (count > 1e7) throw BadInput(options.said("until") + " must be at most 1e7 times --dq");
+    if (std::abs(until / dq - count) > 1e-9 * count) {  // 0.3/0.1 is rounded
+        throw BadInput(options.said("until") + " must be a multiple of --dq = " + options.text("dq"));
+    }
+    return {dq, static_cast<std::size_t>(count)};
+}
+
+std::string word(rollbem::Integrator integrator) {
+    switch (integrator) {
+        case rollbem::Integrator::implicit_euler: return "implicit-euler";
+        case rollbem::Integrator::sdirk2: return "sdirk2";
+        case rollbem::Integrator::matrix_exponential: break;
+    }
+    return "exponential";
+}
+
+rollbem::Integrator read_integrator(const Options& options, const std::vector<rollbem::Integrator>& allowed) {
+    std::vector<std::string> words;
+    for (const rollbem::Integrator integrator : allowed) words.push_back(word(integrator));
+    return allowed[index_of(words, options.choice("integrator", words))];
+}
+
+double interpolate(const Numbers& places, const Numbers& values, double q, bool behind) {
+    const auto next =
+        behind ? std::upper_bound(places.begin(), places.end(), q) : std::lower_bound(places.begin(), places.end(), q);
+    const auto j = static_cast<std::size_t>(next - places.begin());
+    if (j == 0) return values.front();
+    if (j == places.size()) return values.back();
+    const double part = (q - places[j - 1]) / (places[j] - places[j - 1]);
+    return values[j - 1] + part * (values[j] - values[j - 1]);
+}
+
+double LoadHistory::at(double q) const {
+    return knots.empty() ? 1 + amplitude * std::sin(2 * std::numbers::pi * q / length) : at(q, ratios);
+}
+
+double LoadHistory::largest() const {
+    return knots.empty() ? 1 + std::abs(amplitude) : *std::max_element(ratios.begin(), ratios.end());
+}
+
+bool LoadHistory::resolved(double dq) const { return !knots.empty() || resolves(2 * std::numbers::pi / length, dq); }
+
+double LoadHistory::next_stop(double from, double to) const {
+    const auto next = std::upper_bound(knots.begin(), knots.end(), from);
+    return next == knots.end() ? to : std::min(*next, to);
+}
+
+void add_run_options(Options& options, const std::string& load, const std::string& breathing) {
+    options
+        .add("load-sine", "A,LENGTH",
+             "load N = N_0 (1 + A sin(2 pi q/LENGTH)), |A| up to 1, LENGTH in a_0 above 0 (dimensionless)")
+        .only_with({"transient"});
+    options.add_input("load", "CSV file with the columns q_over_a,load_ratio" + load)
+        .only_with({"transient"})
+        .not_with("load-sine");
+    options.add_flag("breathing", breathing).only_with({"load-sine", "load"}, ": the contact does not change");
+    options.only_with({"breathing"}, {"transient"});
+    options.add("from", "rest|steady", "the state that the run starts from", "rest").only_with({"transient"});
+    add_steps(options, "transient");
+    options.add("integrator", "NAME", "sdirk2 (second order) or implicit-euler (first)", "sdirk2")
+        .only_with({"transient"});
+}
+
+std::optional<LoadHistory> read_load_history(const Options& options, double until, const std::string& further) {
+    const bool breathing = options.flag("breathing"), by_sine = options.given("load-sine");
+    if (!by_sine && !options.given("load")) return std::nullopt;
+    options.ignored("pressure", "under a load that varies: how the contact of a table grows is not known");
+    const std::string said = options.said(by_sine ? "load-sine" : "load");
+    if (by_sine) {
+        const auto sine = options.pair("load-sine");
+        const bool small = sine && (breathing ? std::abs(sine->first) < 1 : std::abs(sine->first) <= 1);
+        if (!small || !(sine->second > 0)) {
+            throw BadInput(said + " must be A,LENGTH with " +
+                           (breathing ? "|A| < 1 where the mesh breathes" : "|A| <= 1") + " and LENGTH > 0");
+        }
+        return LoadHistory{.amplitude = sine->first, .length = sine->second, .breathing = breathing};
+    }
+    Pairs pairs = read_pairs(options, "load", "q_over_a,load_ratio", finite(), further);
+    LoadHistory history{.knots = std::move(pairs.places),
+                        .ratios = std::move(pairs.values),
+                        .further = std::move(pairs.further),
+                        .breathing = breathing};
+    const auto require = [&](bool holds, const std::string& what, double value, const std::string& rest) {
+        if (!holds) throw BadInput(said + what + Cell(value).text(6) + rest);
+    };
+    require(history.knots.front() <= 0 && history.knots.back() >= until,
+            " must cover the run: its rows go from q_over_a = " + Cell(history.knots.front()).text(6) + " to ",
+            history.knots.back(), ", the run from 0 to " + Cell(until).text(6));
+    const auto twin = std::adjacent_find(history.knots.begin(), history.knots.end());
+    require(twin == history.knots.end(),
+            " must have one row only at q_over_a = ", twin == history.knots.end() ? 0 : *twin, "");
+    for (const double ratio : history.ratios) {
+        require(ratio <= 1e12, ": load_ratio = ", ratio, " must be at most 1e12");
+        require(breathing ? ratio > 0 : ratio >= 0, ": load_ratio = ", ratio,
+                breathing ? " must be positive where the mesh breathes" : " must be at least 0");
+    }
+    require(history.largest() > 0, ": the largest load_ratio must be positive, not ", history.largest(), "");
+    return history;
+}
+
+namespace {
 
 /// Rolls by one step, or without a solution by halves. Returns where a step failed for good.
 std::optional<double> in_halves(double from, double to, const std::function<rollbem::StepStatus(double, double)>& step,
@@ -48,13 +159,11 @@ std::optional<double> roll(double from, double to, const LoadHistory* load,
 
 std::string why_ended(double q, rollbem::StepStatus status) {
     const std::string where = "no results from the step to q/a = " + Cell(q).text(6) + " on: " + name(status);
-    switch (status) {
-        case rollbem::StepStatus::needs_fixed_mesh:
-            return where + ", the contact grows or shrinks as fast as it rolls; use --breathing=false";
-        case rollbem::StepStatus::no_solution:
-            return q > 0 ? where + ", not even in steps of dq/" + std::to_string(1 << most_halvings) : where;
-        default: return where;
+    if (status == rollbem::StepStatus::needs_fixed_mesh) {
+        return where + ", the contact grows or shrinks as fast as it rolls; use --breathing=false";
     }
+    if (status != rollbem::StepStatus::no_solution || !(q > 0)) return where;
+    return where + ", not even in steps of dq/" + std::to_string(1 << most_halvings);
 }
 
 void write_runs(const Options& options, const Table& table, const std::vector<std::string>& ended) {
@@ -64,8 +173,14 @@ void write_runs(const Options& options, const Table& table, const std::vector<st
     } catch (const PlotError& error) {
         undrawn = error.what();
     }
-    const std::string early = early_ends(table, ended);
-    if (!early.empty()) throw std::runtime_error(undrawn.empty() ? early : early + "; " + undrawn);
+    std::string early;  // the first that ended early
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < ended.size(); ++i) {
+        if (!ended[i].empty() && count++ == 0) early = table.label(i) + ": " + ended[i];
+    }
+    if (count > 1)
+        early += "; " + std::to_string(count - 1) + " more of " + std::to_string(ended.size()) + " runs ended";
+    if (count > 0) throw std::runtime_error(undrawn.empty() ? early : early + "; " + undrawn);
     if (!undrawn.empty()) throw PlotError(undrawn);
 }
 

@@ -1,18 +1,86 @@
-// Time-domain runs that a failed step ends: steps divided in halves, why a run ended, and the exit code for it.
+// Runs in the time domain: their steps and integrator, a load that varies, steps that fail, and the exit code of a run
+// that ended early. Units: a for distances (a_0, which belongs to N_0, where the load varies), N_0 for loads.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <rollbem/adhesion/integrator.hpp>
 #include <rollbem/status.hpp>
 
-#include "load_history.hpp"
+#include "input.hpp"
 #include "options.hpp"
 #include "table.hpp"
 
 namespace study {
+
+/// A sinusoidal creepage: amplitude * sin(omega q), omega in V/a.
+struct Sine {
+    double amplitude, omega;
+};
+
+/// --sine AMP,OMEGA. Throws BadInput unless both are finite, AMP is not 0 and OMEGA is positive.
+Sine read_sine(const Options& options);
+
+/// Whether steps of dq follow a sine: omega dq <= 1, six steps a period.
+inline bool resolves(double omega, double dq) { return omega * dq <= 1; }
+
+/// Declares --dq and --until, and reads them as 1 to 1e7 steps of dq, in units of a. With `mode`, only that option
+/// makes steps. Throws BadInput.
+struct Steps {
+    double dq;
+    std::size_t count;
+};
+void add_steps(Options& options, const std::string& mode = "");
+Steps read_steps(const Options& options);
+
+/// The name of an integrator in options and columns.
+std::string word(rollbem::Integrator integrator);
+
+/// --integrator, one of those `allowed`. Throws BadInput.
+rollbem::Integrator read_integrator(const Options& options, const std::vector<rollbem::Integrator>& allowed);
+
+/// Further words of columns called status.
+inline constexpr const char* unresolved = "unresolved";        ///< a sine with fewer than six steps in a period
+inline constexpr const char* after_failure = "after_failure";  ///< a step before has failed
+inline constexpr const char* unchecked = "unchecked";  ///< ok, except for the checks that --unchecked leaves out
+
+/// The value at q between places that ascend, linear, and constant beyond them. At two equal places, which make a jump,
+/// that before it unless `behind`.
+double interpolate(const Numbers& places, const Numbers& values, double q, bool behind = true);
+
+/// N/N_0 = 1 + amplitude sin(2 pi q/length), or linear between the knots of a table.
+struct LoadHistory {
+    double amplitude = 0, length = 1;
+    Numbers knots{}, ratios{};       ///< of a table: ascending places [a_0] and N/N_0 there
+    std::vector<Numbers> further{};  ///< other columns of it
+    bool breathing = false;          ///< the mesh follows the contact; otherwise it covers the largest one
+
+    double at(double q) const;
+
+    /// Another column at a place.
+    double at(double q, const Numbers& column) const { return interpolate(knots, column, q); }
+
+    /// Largest N/N_0.
+    double largest() const;
+
+    /// Whether steps of `dq` [a_0] follow a sine.
+    bool resolved(double dq) const;
+
+    /// Where a step has to end: at the first knot between two places, otherwise at the second place.
+    double next_stop(double from, double to) const;
+};
+
+/// Declares what runs with friction share: --load-sine, --load, --breathing, --from, --dq, --until and --integrator, all
+/// for --transient. `load` and `breathing` are what --help says of these besides.
+void add_run_options(Options& options, const std::string& load, const std::string& breathing);
+
+/// --load-sine or --load, and --breathing; nothing if the load is constant. The run is `until` long [a_0]. A table may
+/// have the columns `further` besides. Throws BadInput.
+std::optional<LoadHistory> read_load_history(const Options& options, double until, const std::string& further = "");
 
 /// How often a step without a solution is divided in halves before the run ends.
 inline constexpr int most_halvings = 6;

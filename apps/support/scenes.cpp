@@ -4,84 +4,78 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "errors.hpp"
-#include "files.hpp"
-#include "mesh_names.hpp"
+#include "input.hpp"
 
 namespace study {
 
 namespace {
 
-using MeshPointer = std::shared_ptr<const rollbem::Mesh<double>>;
-
-/// A mesh and what graded it.
-struct GradedMesh {
-    MeshPointer mesh;
-    std::optional<double> size_ratio{}, epsilon{};
-};
-
 constexpr std::ptrdiff_t largest_n = 100000, most_states = 10000;
 constexpr double narrowest_for_states = 0.001;  // b/a; the library's bounds
 
-MeshPointer mesh_from_file(const Options& options) {
+/// Elements with what graded them, or Chebyshev states.
+struct Unknowns {
+    std::shared_ptr<const rollbem::Mesh<double>> mesh{};
+    std::optional<double> size_ratio{}, epsilon{};
+    std::optional<rollbem::Chebyshev> chebyshev{};
+};
+
+Unknowns unknowns_from_file(const Options& options) {
     Lines lines(options, "edges");
     std::vector<double> edges;
     while (lines.next()) {
-        const std::string& text = lines.text();
-        const std::string where = lines.where() + " = " + text;
-        const std::vector<std::string> cells = cells_of(text, separator_of(text));
-        const std::optional<double> edge = cells.size() == 1 ? detail::parse_number<double>(cells[0]) : std::nullopt;
+        const std::string where = lines.where() + " = " + lines.text();
+        const std::optional<double> edge = detail::parse_number<double>(lines.text());
         if (!edge || !(*edge >= -1 && *edge <= 1)) throw BadInput(where + " must be a number in [-1, 1]");
         if (edges.empty() && *edge != -1) throw BadInput(where + " must be -1, the trailing edge");
         if (!edges.empty() && !(*edge > edges.back())) throw BadInput(where + " must be larger than the line before");
         edges.push_back(*edge);
-        if (std::ptrdiff_t(edges.size()) > largest_n + 1) {
-            throw BadInput(options.said("edges") + " must have at most " + std::to_string(largest_n + 1) + " lines");
-        }
     }
-    if (edges.size() < 2 || edges.back() != 1) {
-        throw BadInput(options.said("edges") + " must end with 1, the leading edge");
+    if (edges.size() < 2 || edges.back() != 1 || std::ptrdiff_t(edges.size()) > largest_n + 1) {
+        throw BadInput(options.said("edges") + " must end with 1, the leading edge, after at most " +
+                       std::to_string(largest_n) + " lines");
     }
     const Eigen::Map<const Eigen::ArrayXd> values(edges.data(), Eigen::Index(edges.size()));
-    return std::make_shared<rollbem::Mesh<double>>(rollbem::mesh_from_edges<double>(values));
+    return {.mesh = std::make_shared<rollbem::Mesh<double>>(rollbem::mesh_from_edges<double>(values))};
 }
 
-/// The name of the mesh in the columns and, for every n, its gradings.
-std::pair<std::string, std::vector<std::vector<GradedMesh>>> make_meshes(const Options& options) {
-    const bool from_file = options.given("edges");
-    const std::string name = from_file ? "edges" : options.choice("mesh", mesh_names());
-    const std::string used = from_file ? "with --edges" : "with --mesh " + name;
-    const auto topology = rollbem::topology_named(name);  // none with --edges
-    std::vector<double> gradings{0};                      // without effect if the mesh has none
-    for (const auto& [option, grading] :
-         {std::pair{"size-ratio", rollbem::Grading::size_ratio}, {"epsilon", rollbem::Grading::epsilon}}) {
-        const std::vector<double> values = options.numbers(option, between(1e-12, 1e12));
-        if (topology && rollbem::topology_info(*topology).grading == grading) {
-            gradings = values;
-        } else {
-            options.ignored(option, used + "; it is for --mesh " + listed(mesh_names(grading), "and"));
+/// For every n, a mesh of each grading.
+std::vector<std::vector<Unknowns>> make_unknowns(const Options& options, const std::string& method) {
+    std::vector<std::vector<Unknowns>> unknowns;
+    if (method == "chebyshev") {
+        for (const Eigen::Index n : options.integers("n", 1, most_states)) {
+            unknowns.push_back({{.chebyshev = rollbem::Chebyshev{n}}});
         }
+        return unknowns;
     }
-    if (!topology) return {name, {{{.mesh = mesh_from_file(options)}}}};
-
-    const rollbem::TopologyInfo& info = rollbem::topology_info(*topology);
-    const Eigen::Index least = info.least_n;
-    std::vector<std::vector<GradedMesh>> meshes;
+    if (options.given("edges")) return {{unknowns_from_file(options)}};
+    std::vector<std::string> names;
+    for (const rollbem::TopologyInfo& known : rollbem::topologies) names.emplace_back(known.name);
+    const std::string name = options.choice("mesh", names);
+    const rollbem::Topology topology = *rollbem::topology_named(name);
+    const rollbem::TopologyInfo& info = rollbem::topology_info(topology);
+    const bool by_ratio = info.grading == rollbem::Grading::size_ratio;
+    const bool by_epsilon = info.grading == rollbem::Grading::epsilon;
+    std::vector<double> gradings{0};  // without effect if the mesh has none
+    if (by_ratio || by_epsilon) gradings = options.numbers(by_ratio ? "size-ratio" : "epsilon", between(1e-12, 1e12));
     for (const Eigen::Index n : options.integers("n", 1, largest_n)) {
-        if (n < least) {
-            throw BadInput("--n = " + std::to_string(n) + " must be at least " + std::to_string(least) + " " + used);
+        if (n < info.least_n) {
+            throw BadInput("--n = " + std::to_string(n) + " must be at least " + std::to_string(info.least_n) +
+                           " with --mesh " + name);
         }
-        std::vector<GradedMesh>& graded = meshes.emplace_back();
+        std::vector<Unknowns>& graded = unknowns.emplace_back();
         for (const double grading : gradings) {
             graded.push_back(
-                {.mesh = std::make_shared<rollbem::Mesh<double>>(rollbem::make_mesh({*topology, n, grading}))});
-            if (info.grading == rollbem::Grading::size_ratio) graded.back().size_ratio = grading;
-            if (info.grading == rollbem::Grading::epsilon) graded.back().epsilon = grading;
+                {.mesh = std::make_shared<rollbem::Mesh<double>>(rollbem::make_mesh({topology, n, grading})),
+                 .size_ratio = by_ratio ? std::optional(grading) : std::nullopt,
+                 .epsilon = by_epsilon ? std::optional(grading) : std::nullopt});
         }
     }
-    return {name, meshes};
+    return unknowns;
 }
 
 /// The pairs (alpha_L, alpha_T) in the order of the rows.
@@ -105,79 +99,25 @@ rollbem::AnyKernel<double> make_kernel(const Options& options, const rollbem::Co
                                                     contact);
 }
 
-std::vector<Scene> make_chebyshev_scenes(const Options& options,
-                                         const std::vector<rollbem::Contact<double>>& contacts) {
-    options.ignored_group("Discretisation", "with --method chebyshev, which has no elements", {"method", "n"});
-    std::vector<Scene> scenes;
-    for (const Eigen::Index n : options.integers("n", 1, most_states)) {
-        for (const rollbem::Contact<double>& contact : contacts) {
-            Scene& scene = scenes.emplace_back(Scene{.method = "chebyshev",
-                                                     .contact = contact,
-                                                     .chebyshev = rollbem::Chebyshev{n},
-                                                     .kernel = make_kernel(options, contact)});
-            if (!scene.is_plane() && contact.aspect() < narrowest_for_states) {
-                throw BadInput(options.said("aspect") +
-                               " must be at least 0.001 with --method chebyshev: so narrow a strip needs elements");
-            }
-        }
+/// The scheme of a scene with elements, by its names.
+rollbem::AnyScheme scheme_of(const Scene& scene) {
+    using rollbem::Derivative;
+    const Derivative d = scene.derivative == "fd" ? Derivative::finite_difference : Derivative::analytic;
+    const double alpha_L = scene.alpha_L.value_or(0), alpha_T = scene.alpha_T.value_or(0);
+    const double lambda = scene.lambda.value_or(1);
+    if (scene.method == "collocation") return rollbem::Collocation{alpha_L, alpha_T, d, lambda};
+    if (scene.method == "knothe-bc") return rollbem::KnotheBoundary{d};
+    if (scene.method == "nodes") {
+        return rollbem::NodeDifference{scene.nodes == "centres" ? rollbem::Nodes::centres : rollbem::Nodes::chebyshev};
     }
-    return scenes;
-}
-
-using rollbem::Derivative;
-
-/// A scheme by its names, but for alphas and lambda.
-struct Equations {
-    std::string method, derivative{}, nodes{};  ///< the latter two empty where the method has none
-    int quadrature = rollbem::exact_quadrature;
-
-    bool has_alphas() const { return method == "collocation" || method == "galerkin"; }
-
-    rollbem::AnyScheme scheme(double alpha_L, double alpha_T, double lambda) const {
-        const Derivative d = derivative == "fd" ? Derivative::finite_difference : Derivative::analytic;
-        if (method == "collocation") return rollbem::Collocation{alpha_L, alpha_T, d, lambda};
-        if (method == "galerkin") return rollbem::Galerkin{alpha_L, alpha_T, d, lambda, quadrature};
-        if (method == "knothe-bc") return rollbem::KnotheBoundary{d};
-        return rollbem::NodeDifference{nodes == "centres" ? rollbem::Nodes::centres : rollbem::Nodes::chebyshev};
-    }
-};
-
-/// All but the nodes, which depend on the mesh.
-Equations read_equations(const Options& options, const std::string& method) {
-    Equations result{.method = method};
-    const bool by_nodes = method == "nodes";
-    if (method != "galerkin") options.ignored("quadrature", "with --method " + method + "; it is for galerkin");
-    if (!result.has_alphas()) {
-        for (const char* name : {"alpha-L", "alpha-T", "alpha", "lambda"}) {
-            options.ignored(name, by_nodes ? "with --method nodes, which takes differences between --nodes"
-                                           : "with --method knothe-bc, which takes the centres of the elements");
-        }
-    }
-    if (by_nodes) {
-        options.ignored("derivative", "with --method nodes, which takes differences");
-    } else {
-        options.ignored("nodes", "with --method " + method + "; it is for nodes");
-    }
-    if (options.text("quadrature") != "exact") result.quadrature = int(options.integer("quadrature", 1, 1000));
-    if (options.given("derivative")) {
-        result.derivative = options.choice("derivative", {"fd", "analytic"});
-    } else if (!by_nodes) {
-        result.derivative = method == "galerkin" && result.quadrature == rollbem::exact_quadrature ? "analytic" : "fd";
-    }
-    return result;
+    const int points = scene.quadrature == "exact" ? rollbem::exact_quadrature : std::stoi(scene.quadrature);
+    return rollbem::Galerkin{alpha_L, alpha_T, d, lambda, points};
 }
 
 }  // namespace
 
-const std::vector<std::string>& setting_columns() {
-    static const std::vector<std::string> columns{"kernel",  "aspect",     "poisson", "size_ratio",
-                                                  "epsilon", "quadrature", "nodes"};
-    return columns;
-}
-
-const std::vector<std::string>& all_setting_columns() {
-    static const std::vector<std::string> columns = joined({"method", "derivative", "mesh"}, setting_columns());
-    return columns;
+std::vector<std::string> columns_of(const std::string& text) {
+    return text.empty() ? std::vector<std::string>{} : cells_of(text);
 }
 
 Cell scene_cell(const Scene& scene, const std::string& column) {
@@ -198,16 +138,6 @@ Cell scene_cell(const Scene& scene, const std::string& column) {
         {"nodes", [](const Scene& s) { return Cell(s.nodes); }}};
     return cells.at(column)(scene);
 }
-
-Row scene_cells(const Scene& scene, const std::vector<std::string>& columns) {
-    Row row;
-    for (const std::string& column : columns) row.push_back(scene_cell(scene, column));
-    return row;
-}
-
-Row setting_cells(const Scene& scene) { return scene_cells(scene, setting_columns()); }
-
-Row all_setting_cells(const Scene& scene) { return scene_cells(scene, all_setting_columns()); }
 
 Cell aspect_cell(const rollbem::Contact<double>& contact) {
     return std::isfinite(contact.aspect()) ? Cell(contact.aspect()) : Cell("inf");
@@ -260,64 +190,93 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods 
         throw BadInput(options.said("method") + " must be one of " + join(names, ", ") +
                        ": friction bounds the traction of elements, which chebyshev does not have");
     }
+    // 1. What does not vary.
     const std::string method = options.choice("method", names);
-    if (method == "chebyshev") return make_chebyshev_scenes(options, make_contacts(options, problem));
-    Equations equations = read_equations(options, method);
-    const bool has_alphas = equations.has_alphas();
+    const bool has_alphas = method == "collocation" || method == "galerkin", has_elements = method != "chebyshev";
+    std::string derivative, nodes, quadrature, mesh_name;
+    if (has_elements) mesh_name = options.given("edges") ? "edges" : options.text("mesh");
+    if (method == "galerkin") quadrature = options.text("quadrature");
+    if (method == "galerkin" && quadrature != "exact") options.integer("quadrature", 1, 1000);
+    if (options.given("derivative")) {
+        derivative = options.choice("derivative", {"fd", "analytic"});
+    } else if (has_elements && method != "nodes") {
+        derivative = quadrature == "exact" ? "analytic" : "fd";
+    }
+    if (method == "nodes") nodes = options.choice("nodes", {"centres", "chebyshev"});
+    if (nodes == "chebyshev" && mesh_name != "cosine") {
+        throw BadInput(options.said("nodes") + " must be centres unless --mesh is cosine");
+    }
+
+    // 2. What does, n in the outermost loop.
     const std::vector<rollbem::Contact<double>> contacts = make_contacts(options, problem);
     const std::vector<double> lambdas = has_alphas ? options.numbers("lambda", between(0, 1)) : std::vector<double>{1};
     const std::vector<std::pair<double, double>> alphas =
         has_alphas ? make_alphas(options) : std::vector<std::pair<double, double>>{{0, 0}};
-    const auto named_meshes = make_meshes(options);
-    const std::string& mesh_name = named_meshes.first;  // clang 14 captures no structured bindings
-    if (method == "nodes") equations.nodes = options.choice("nodes", {"centres", "chebyshev"});
-    if (equations.nodes == "chebyshev" && mesh_name != "cosine") {
-        throw BadInput(options.said("nodes") + " must be centres unless --mesh is cosine");
-    }
-
+    const auto if_any = [&](double value) { return has_alphas ? std::optional(value) : std::nullopt; };
     std::vector<Scene> scenes;
-    const auto add = [&](const std::vector<GradedMesh>& graded, double lambda, double alpha_L, double alpha_T) {
-        const Eigen::Index n = graded.front().mesh->size();
+    const auto add = [&](const Unknowns& one, double lambda, double alpha_L, double alpha_T) {
+        const Eigen::Index n = one.mesh ? one.mesh->size() : 2;
         const std::string too_few = (options.given("edges") ? options.said("edges") + ": n = " : "--n = ") +
                                     std::to_string(n) + " must be at least 2 ";
         if (method == "knothe-bc" && n < 2) throw BadInput(too_few + "with --method knothe-bc");
         if (n < 2 && alpha_L != alpha_T) throw BadInput(too_few + "where alpha-L and alpha-T differ");
-        const auto if_any = [&](double value) { return has_alphas ? std::optional(value) : std::nullopt; };
-        for (const GradedMesh& one : graded) {
-            for (const rollbem::Contact<double>& contact : contacts) {
-                scenes.push_back({.method = method,
-                                  .derivative = equations.derivative,
-                                  .mesh_name = mesh_name,
-                                  .alpha_L = if_any(alpha_L),
-                                  .alpha_T = if_any(alpha_T),
-                                  .lambda = if_any(lambda),
-                                  .size_ratio = one.size_ratio,
-                                  .epsilon = one.epsilon,
-                                  .quadrature = method == "galerkin" ? options.text("quadrature") : "",
-                                  .nodes = equations.nodes,
-                                  .contact = contact,
-                                  .mesh = one.mesh,
-                                  .scheme = equations.scheme(alpha_L, alpha_T, lambda),
-                                  .kernel = make_kernel(options, contact)});
+        for (const rollbem::Contact<double>& contact : contacts) {
+            Scene scene{.method = method,
+                        .derivative = derivative,
+                        .mesh_name = mesh_name,
+                        .alpha_L = if_any(alpha_L),
+                        .alpha_T = if_any(alpha_T),
+                        .lambda = if_any(lambda),
+                        .size_ratio = one.size_ratio,
+                        .epsilon = one.epsilon,
+                        .quadrature = quadrature,
+                        .nodes = nodes,
+                        .contact = contact,
+                        .chebyshev = one.chebyshev,
+                        .mesh = one.mesh,
+                        .kernel = make_kernel(options, contact)};
+            if (has_elements) scene.scheme = scheme_of(scene);
+            if (!has_elements && !scene.is_plane() && contact.aspect() < narrowest_for_states) {
+                throw BadInput(options.said("aspect") +
+                               " must be at least 0.001 with --method chebyshev: so narrow a strip needs elements");
             }
+            scenes.push_back(std::move(scene));
         }
     };
-    for (const std::vector<GradedMesh>& graded : named_meshes.second) {
+    for (const std::vector<Unknowns>& graded : make_unknowns(options, method)) {
         for (const double lambda : lambdas) {
-            for (const auto& [alpha_L, alpha_T] : alphas) add(graded, lambda, alpha_L, alpha_T);
+            for (const auto& [alpha_L, alpha_T] : alphas) {
+                for (const Unknowns& one : graded) add(one, lambda, alpha_L, alpha_T);
+            }
         }
     }
     return scenes;
 }
 
 std::string steady_status(const Scene& scene, rollbem::Status status, double c11) {
-    if (status != rollbem::Status::ok) return name(status);
     constexpr double wide = 10;  // b/a; for wider contacts the plane's c11 is within 1 % of the strip's
-    if (scene.chebyshev || scene.n() >= 10 || !(scene.is_plane() || scene.contact.aspect() >= wide)) {
-        return name(status);
-    }
+    const bool compares = scene.mesh && scene.n() < 10 && (scene.is_plane() || scene.contact.aspect() >= wide);
     const double exact = rollbem::steady_c11(scene.contact.poisson_ratio());
-    return std::abs(c11 / exact - 1) > 0.5 ? coarse : name(status);
+    const bool is_coarse = status == rollbem::Status::ok && compares && std::abs(c11 / exact - 1) > 0.5;
+    return is_coarse ? coarse : name(status);
+}
+
+Axis most_varied(const std::vector<Scene>& scenes) {
+    std::set<Eigen::Index> numbers;
+    std::set<double> leading, trailing, lambdas;
+    bool equal = true;
+    for (const Scene& scene : scenes) {
+        numbers.insert(scene.n());
+        leading.insert(scene.alpha_L.value_or(0));
+        trailing.insert(scene.alpha_T.value_or(0));
+        lambdas.insert(scene.lambda.value_or(1));
+        equal = equal && scene.alpha_L == scene.alpha_T;
+    }
+    const std::size_t most = std::max({numbers.size(), leading.size(), trailing.size(), lambdas.size()});
+    if (numbers.size() == most) return {"n", scenes.front().n_label()};
+    if (trailing.size() == most && equal) return {"alpha_T", "α_L = α_T", {"alpha_L"}};
+    const std::string column = trailing.size() == most ? "alpha_T" : leading.size() == most ? "alpha_L" : "lambda";
+    return {column, shown_name(column)};
 }
 
 void add_model_differences(

@@ -52,18 +52,14 @@ struct Scene {
     bool is_plane() const { return kernel.model() == rollbem::LineModel::plane; }
 };
 
-/// Columns that tell scenes apart after those of method, n, alphas and lambda: kernel, aspect, poisson, size_ratio,
-/// epsilon, quadrature, nodes. And the same after method, derivative and mesh.
-const std::vector<std::string>& setting_columns();
-const std::vector<std::string>& all_setting_columns();
-
-/// Their cells.
-Row setting_cells(const Scene& scene);
-Row all_setting_cells(const Scene& scene);
-
-/// The cells under these columns: method, derivative, mesh, n, alpha_L, alpha_T, lambda and those above.
+/// The cell under a column: method, derivative, mesh, n, alpha_L, alpha_T, lambda and those of `settings`.
 Cell scene_cell(const Scene& scene, const std::string& column);
-Row scene_cells(const Scene& scene, const std::vector<std::string>& columns);
+
+/// The columns that tell scenes apart behind the others, separated by commas.
+inline constexpr const char* settings = "kernel,aspect,poisson,size_ratio,epsilon,quadrature,nodes";
+
+/// The names in such a text.
+std::vector<std::string> columns_of(const std::string& text);
 
 /// b/a, "inf" if it is infinite.
 Cell aspect_cell(const rollbem::Contact<double>& contact);
@@ -90,6 +86,15 @@ inline constexpr const char* coarse = "coarse";  ///< few elements, and an error
 /// The status of a solution in steady rolling: coarse if fewer than 10 elements give a c11 that differs by more than 50
 /// % from the plane's exact one, with a wide kernel (plane, or strip with b/a >= 10).
 std::string steady_status(const Scene& scene, rollbem::Status status, double c11);
+
+/// Whichever of n, alpha_T, alpha_L and lambda the scenes vary most, for the x axis of a picture.
+struct Axis {
+    std::string column, label;
+    std::vector<std::string> same{};  ///< columns that follow it
+
+    bool is_n() const { return column == "n"; }
+};
+Axis most_varied(const std::vector<Scene>& scenes);
 
 /// The difference between the models of strip and plane as a line beside curves of errors against the plane's exact
 /// values, which can fall no further: for each contact of scenes with the strip kernel, difference(Chebyshev, kernel,

@@ -1,5 +1,5 @@
 // Sheet: the columns of a study. Each is a name, its meaning for --help, and a value of what was computed, so that header,
-// help and cells cannot differ. Columns of the scene stand before and behind them.
+// help and cells cannot differ. Columns of the case, such as a Scene, stand before and behind them.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "csv.hpp"
-#include "files.hpp"
 #include "plot.hpp"
 #include "scenes.hpp"
 #include "table.hpp"
@@ -19,34 +18,36 @@ namespace study {
 template <class Result>
 struct Column {
     std::string name, meaning;
-    std::function<Cell(const Result&)> value{};  ///< without, it is the scene's column of that name
+    std::function<Cell(const Result&)> value{};  ///< without, it is the case's column of that name
 };
 
-/// The cells of a case, found by its namespace.
-template <class Case>
-Row cells_of_case(const Case& one, const std::vector<std::string>& names) {
-    Row row;
-    for (const std::string& name : names) row.push_back(scene_cell(one, name));
-    return row;
-}
-
-/// What takes the results of a scene, one by one.
+/// What takes the results of a case, one by one.
 template <class Result>
 using Results = std::function<void(const Result&)>;
 
 /// "name  meaning" as a line of --help, wrapped.
-std::string help_line(const std::string& name, const std::string& meaning);
+inline std::string help_line(const std::string& name, const std::string& meaning) {
+    constexpr std::size_t indent = 20;
+    const std::string margin(indent, ' ');
+    std::string start = "  " + name, text;
+    if (start.size() >= indent) start += '\n' + margin;
+    start.resize(std::max(start.size(), indent), ' ');
+    for (const char c : wrap(meaning, 110 - indent)) text += c == '\n' ? '\n' + margin : std::string{c};
+    return start + text + '\n';
+}
 
-/// Case has label() and scene_cell(case, name).
+/// The columns of a Case are scene_cell(case, name), found in its namespace.
 template <class Result, class Case = Scene>
 class Sheet {
 public:
-    /// `before` and `behind` are names of columns of the scene, separated by commas; so is the name of an own column
+    /// `before` and `behind` are names of columns of the case, separated by commas; so is the name of an own column
     /// without a value.
     Sheet(const std::string& before, const std::vector<Column<Result>>& own, const std::string& behind)
-        : before_(names_of(before)), behind_(names_of(behind)) {
+        : before_(columns_of(before)), behind_(columns_of(behind)) {
         for (const Column<Result>& column : own) {
-            for (const std::string& name : names_of(column.name)) own_.push_back({name, column.meaning, column.value});
+            for (const std::string& name : columns_of(column.name)) {
+                own_.push_back({name, column.meaning, column.value});
+            }
         }
     }
 
@@ -68,35 +69,36 @@ public:
     }
 
     Row row(const Case& scene, const Result& result) const {
-        Row row = cells_of_case(scene, before_);
+        Row row;
+        for (const std::string& name : before_) row.push_back(scene_cell(scene, name));
         for (const Column<Result>& column : own_) {
             row.push_back(column.value ? column.value(result) : scene_cell(scene, column.name));
         }
-        return joined(std::move(row), cells_of_case(scene, behind_));
+        for (const std::string& name : behind_) row.push_back(scene_cell(scene, name));
+        return row;
     }
 
-    /// A table with as many rows for each scene as rows(scene) says; compute(scene, range, emit) emits their results.
+    /// A table with as many rows for each case as rows(case) says; compute(case, range, emit) emits their results.
     template <class Count, class Compute>
-    Table table(const std::vector<Case>& scenes, const Count& rows, const Compute& compute) const {
-        Table table = table_of(names(), scenes);
-        for (std::size_t i = 0; i < scenes.size(); ++i) table.rows_of_task[i] = std::size_t(rows(scenes[i]));
-        table.compute = [=, this, &scenes](std::size_t task, RowRange range, const Emit& emit) {
-            const Case& scene = scenes[task];
-            compute(scene, range, Results<Result>([&](const Result& result) { emit(row(scene, result)); }));
+    Table table(const std::vector<Case>& cases, const Count& rows, const Compute& compute) const {
+        Table table = table_of(names(), cases);
+        for (std::size_t i = 0; i < cases.size(); ++i) table.rows_of_task[i] = std::size_t(rows(cases[i]));
+        table.compute = [=, this, &cases](std::size_t task, RowRange range, const Emit& emit) {
+            compute(cases[task], range, Results<Result>([&](const Result& result) { emit(row(cases[task], result)); }));
         };
         return table;
     }
 
-    /// A table with one row for each scene, of compute(scene).
+    /// A table with one row for each case, of compute(case).
     template <class Compute>
-    Table table(const std::vector<Case>& scenes, const Compute& compute) const {
+    Table table(const std::vector<Case>& cases, const Compute& compute) const {
         return table(
-            scenes, [](const Case&) { return 1; },
+            cases, [](const Case&) { return 1; },
             [=](const Case& scene, RowRange, const Results<Result>& emit) { emit(compute(scene)); });
     }
 
-    /// Adds the column `y` over the column `x`, a curve for each combination of the scene's columns but `x` and those of
-    /// `without`.
+    /// Adds the column `y` over the column `x`, a curve for each combination of the columns of the case but `x` and those
+    /// of `without`.
     void draw(Plot& plot, const std::vector<Row>& rows, const std::string& x, const std::string& y,
               const std::vector<std::string>& without = {}, bool absolute = false) const {
         std::vector<std::string> by;
@@ -107,25 +109,9 @@ public:
     }
 
 private:
-    static std::vector<std::string> names_of(const std::string& text) {
-        return text.empty() ? std::vector<std::string>{} : cells_of(text);
-    }
-
     std::vector<std::string> before_;
     std::vector<Column<Result>> own_;
     std::vector<std::string> behind_;
 };
-
-/// The columns that identify a scene behind the others.
-inline constexpr const char* settings = "kernel,aspect,poisson,size_ratio,epsilon,quadrature,nodes";
-
-/// Whichever of n, alpha_T, alpha_L and lambda the scenes vary most, for the x axis of a picture.
-struct Axis {
-    std::string column, label;
-    std::vector<std::string> same{};  ///< columns that follow it
-
-    bool is_n() const { return column == "n"; }
-};
-Axis most_varied(const std::vector<Scene>& scenes);
 
 }  // namespace study

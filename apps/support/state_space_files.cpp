@@ -6,7 +6,7 @@
 
 #include <rollbem/compiled/balanced_reduction.hpp>
 
-#include "errors.hpp"
+#include "sidecar.hpp"
 
 namespace study {
 
@@ -43,7 +43,7 @@ void write(OutputFile& file, const Eigen::MatrixXd& matrix) {
         for (Eigen::Index k = 0; k < matrix.cols(); ++k) row.emplace_back(matrix(i, k));
         file.write(csv_line(row));
     }
-    file.close();
+    file.flush();
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ StateSpaceFiles::StateSpaceFiles(const Options& options, Space space, const std:
     std::size_t next = 0;
     for (const Eigen::MatrixXd* matrix : {&space.A, &space.B, &space.C, &space.D}) write(files_[next++], *matrix);
     files_[next].write(sidecar_text(options) + "\n[state_space]\n" + conventions + meaning);
-    files_[next].close();
+    files_[next].flush();
 }
 
 void StateSpaceFiles::commit() {

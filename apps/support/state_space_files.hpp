@@ -1,6 +1,7 @@
 // --state-space: linear ordinary differential equations, a file for each matrix, reduced to --states if that is given.
 #pragma once
 
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,7 @@ public:
     void commit();
 
 private:
-    std::vector<OutputFile> files_;
+    std::deque<OutputFile> files_;
 };
 
 }  // namespace study

@@ -50,17 +50,6 @@ Table table_of(std::vector<std::string> columns, const std::vector<Case>& cases,
     return table;
 }
 
-/// Rows of one task that are asked for.
-struct Task {
-    std::size_t index;
-    RowRange range;
-};
-
-/// Computes tasks in `jobs` threads, a bounded number of them ahead of the output, and emits their rows in order.
-void compute_in_order(const Table& table, const std::vector<Task>& tasks, std::size_t jobs, const Emit& emit,
-                      const std::function<void()>& task_done,
-                      const std::function<void(std::size_t index)>& started = {});
-
 /// --jobs.
 std::size_t job_count(const Options& options);
 

@@ -9,6 +9,7 @@
 #include "support/catch.hpp"
 #include "support/csv.hpp"
 #include "support/options.hpp"
+#include "support/sidecar.hpp"
 
 namespace csv_tests {
 namespace {
@@ -29,6 +30,8 @@ std::string toml_value(const std::string& text, const std::string& key) {
         const char escape = text.at(++i);
         if (escape == '"' || escape == '\\') {
             value += escape;
+        } else if (escape == 't' || escape == 'n') {
+            value += escape == 't' ? '\t' : '\n';
         } else if (escape == 'u') {
             const int code = std::stoi(text.substr(i + 1, 4), nullptr, 16);
             if (code > 0x7F) throw std::runtime_error("no ASCII");

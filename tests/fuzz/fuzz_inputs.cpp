@@ -18,11 +18,12 @@
 #include <rollbem/normal/hertz_load.hpp>
 
 #include "friction/line.hpp"
-#include "support/columns_file.hpp"
+#include "support/input.hpp"
 #include "support/csv.hpp"
-#include "support/non_steady.hpp"
 #include "support/options.hpp"
+#include "support/runs.hpp"
 #include "support/scenes.hpp"
+#include "support/sidecar.hpp"
 
 namespace {
 

@@ -1,13 +1,16 @@
-// A configuration file in TOML: options as NAME = VALUE. The file beside a CSV file is one, too, whose options are in the
-// table [given].
+// TOML: the file beside a table, which says how it was made, and configuration files. The former is one of the latter,
+// with its options in the table [given].
 #pragma once
 
 #include <map>
 #include <string>
 #include <vector>
 
+#include "options.hpp"
+
 namespace study {
 
+/// An option of a configuration file.
 struct Setting {
     std::string name;
     std::vector<std::string> values;  ///< at least one
@@ -16,12 +19,15 @@ struct Setting {
 
 struct Config {
     std::vector<Setting> settings{};
-    bool is_sidecar = false;                      ///< it stands beside a CSV file
+    bool is_sidecar = false;                      ///< it stands beside a table
     std::string program{};                        ///< that wrote the sidecar
     std::map<std::string, std::string> inputs{};  ///< checksums of the files that were read, by option
 };
 
 /// Reads the contents of a file, which `said` names in messages. Throws BadInput if they are malformed.
 Config read_config(const std::string& text, const std::string& said);
+
+/// The file beside a table of this run.
+std::string sidecar_text(const Options& options);
 
 }  // namespace study

@@ -1,0 +1,148 @@
+#include "input.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+namespace study {
+
+std::string contents(const Options& options, const std::string& name) {
+    const std::string path = options.text(name);
+    std::ifstream file;
+    errno = 0;
+    if (path != "-") file.open(path, std::ios::binary);
+    std::istream& from = path == "-" ? std::cin : file;
+    std::ostringstream read;
+    if (from.good() && from.peek() != std::istream::traits_type::eof()) read << from.rdbuf();
+    if (!from.good() && !from.eof()) {
+        throw BadInput(options.said(name) + " must be a file that can be read: " + std::strerror(errno));
+    }
+    const std::string text = read.str();
+    options.note_input(name, text);
+    return text.rfind("\xEF\xBB\xBF", 0) == 0 ? text.substr(3) : text;
+}
+
+std::string printable(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        char escape[8] = {c};
+        const auto byte = static_cast<unsigned char>(c);
+        if ((byte < 0x20 && c != '\t') || byte == 0x7F) std::snprintf(escape, sizeof escape, "\\x%02X", byte);
+        result += escape;
+    }
+    return result;
+}
+
+char separator_of(std::string_view line) {
+    bool quoted = false;
+    char found = ',';
+    for (const char c : line) {
+        if (c == '"') quoted = !quoted;
+        if (quoted) continue;
+        if (c == ',') return c;
+        if ((c == ';' || c == '\t') && found == ',') found = c;
+    }
+    return found;
+}
+
+std::vector<std::string> cells_of(std::string_view line, char separator) {
+    std::vector<std::string> cells(1);
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '"' && quoted && line.substr(i + 1, 1) == "\"") {
+            cells.back() += line[i++];  // two stand for one
+        } else if (line[i] == '"') {
+            quoted = !quoted;
+        } else if (line[i] == separator && !quoted) {
+            cells.emplace_back();
+        } else {
+            cells.back() += line[i];
+        }
+    }
+    for (std::string& cell : cells) cell = std::string(detail::trim(cell));
+    return cells;
+}
+
+std::optional<double> number_of(std::string cell, char separator) {
+    if (separator != ',') std::replace(cell.begin(), cell.end(), ',', '.');
+    return detail::parse_number<double>(cell);
+}
+
+bool Lines::next() {
+    do {
+        if (next_ >= contents_.size()) return false;
+        const std::size_t end = std::min(contents_.find('\n', next_), contents_.size());
+        text_ = detail::trim(std::string_view(contents_).substr(next_, end - next_));
+        next_ = end + 1;
+        ++number_;
+    } while (text_.empty() || text_[0] == '#');
+    ++read_;
+    const std::string shown = printable(text_);
+    if (shown != text_) throw BadInput(where() + " = " + shown.substr(0, 80) + " must be text");
+    return true;
+}
+
+std::vector<Numbers> read_columns(
+    const Options& options, const std::string& name, const std::string& names, const std::string& further,
+    const std::function<void(const std::vector<Numbers>& columns, const std::string& where)>& check) {
+    std::string expected = names;
+    const std::vector<std::string> more = further.empty() ? std::vector<std::string>{} : cells_of(further);
+    std::vector<Numbers> columns(cells_of(names).size() + more.size());
+    std::size_t present = 0;          // columns of the file
+    std::vector<std::size_t> places;  // in a line, of each column that is read
+    char separator = ',';
+    Lines lines(options, name);
+    while (lines.next()) {
+        const std::string where = lines.where() + " = " + lines.text();
+        if (lines.is_first()) separator = separator_of(lines.text());
+        const std::vector<std::string> cells = cells_of(lines.text(), separator);
+        if (lines.is_first()) {
+            const auto count = [&](const std::string& one) { return std::count(cells.begin(), cells.end(), one); };
+            if (std::any_of(more.begin(), more.end(), count)) expected += "," + further;
+            for (const std::string& one : cells_of(expected)) {
+                if (count(one) == 0) throw BadInput(where + " must be " + expected);
+                if (count(one) > 1) throw BadInput(where + " must have one column " + one + " only");
+                places.push_back(std::size_t(std::find(cells.begin(), cells.end(), one) - cells.begin()));
+            }
+            present = cells.size();
+            continue;
+        }
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            const auto value = cells.size() == present ? number_of(cells[places[k]], separator) : std::nullopt;
+            if (!value || !std::isfinite(*value)) {
+                const std::string between = separator == ',' ? "a comma" : separator == ';' ? "a semicolon" : "a tab";
+                throw BadInput(where + " must have " + std::to_string(present) + " cells with " + between +
+                               " between them, finite numbers under " + expected);
+            }
+            columns[k].push_back(*value);
+        }
+        if (check) check(columns, where);
+    }
+    return columns;
+}
+
+Pairs read_pairs(const Options& options, const std::string& name, const std::string& names, const Rule& place,
+                 const std::string& further) {
+    const std::string first = names.substr(0, names.find(','));
+    std::vector<Numbers> columns =
+        read_columns(options, name, names, further, [&](const auto& read, const auto& where) {
+            const Numbers& places = read[0];
+            const std::size_t last = places.size() - 1;
+            if (!place.holds(places[last])) throw BadInput(where + ": " + first + " must " + place.text);
+            if (last > 0 && places[last] < places[last - 1]) {
+                throw BadInput(where + " must not lie before the line above it");
+            }
+            if (last > 1 && places[last] == places[last - 2]) {
+                throw BadInput(where + " must not be the third row at one " + first + ": two make a jump");
+            }
+        });
+    if (columns[0].empty()) throw BadInput(options.said(name) + " must have at least one row below its header");
+    return {std::move(columns[0]), std::move(columns[1]), {columns.begin() + 2, columns.end()}};
+}
+
+}  // namespace study

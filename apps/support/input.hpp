@@ -1,0 +1,72 @@
+// Files that are read: line by line, cell by cell, and CSV files of numbers, e.g. a history of creepage, a pressure or
+// an outline. Every message names the option, the file and the line. As a name, - is standard input.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "options.hpp"
+
+namespace study {
+
+/// All of the file that --name gives, without the byte order mark that some programs put before UTF-8. Throws BadInput.
+std::string contents(const Options& options, const std::string& name);
+
+/// The text for a message: control characters become \xNN.
+std::string printable(std::string_view text);
+
+/// The separator of the cells of a line: a comma, or a semicolon or tab if there is no comma outside quotes.
+char separator_of(std::string_view line);
+
+/// The cells of a line of CSV, without quotes and the blanks around them.
+std::vector<std::string> cells_of(std::string_view line, char separator = ',');
+
+/// A cell as a number, or nothing. Unless the comma separates cells, it may be the decimal point.
+std::optional<double> number_of(std::string cell, char separator);
+
+/// The lines of the file that --name gives, without blanks at their ends; empty lines and those that begin with # are
+/// passed over. Throws BadInput if the file cannot be read or a line is not text.
+class Lines {
+public:
+    Lines(const Options& options, const std::string& name)
+        : said_(options.said(name)), contents_(contents(options, name)) {}
+
+    /// Goes to the next line, at first to the first one; false at the end.
+    bool next();
+
+    const std::string& text() const { return text_; }
+    bool is_first() const { return read_ == 1; }  ///< the header of a table
+
+    /// "--name = file: line 3", counted from the top of the file, for messages.
+    std::string where() const { return said_ + ": line " + std::to_string(number_); }
+
+private:
+    std::string said_, contents_, text_;
+    std::size_t next_ = 0, number_ = 0, read_ = 0;
+};
+
+using Numbers = std::vector<double>;
+
+/// The columns `names` of the file that --name gives, separated by commas in `names`: finite numbers. They are found by
+/// their names in the first line; further columns are ignored, and a semicolon or tab may take the place of the comma.
+/// Those of `further` follow if the file has all of these, and are empty if it has none. `check` is called after each
+/// line with all columns and the line for messages. Throws BadInput.
+std::vector<Numbers> read_columns(
+    const Options& options, const std::string& name, const std::string& names, const std::string& further = "",
+    const std::function<void(const std::vector<Numbers>& columns, const std::string& where)>& check = {});
+
+/// Two columns of finite numbers, the first ascending (equal neighbours are allowed), and further ones.
+struct Pairs {
+    Numbers places, values;
+    std::vector<Numbers> further{};
+};
+
+/// The same for two columns with at least one row; `place` is the rule for the first one. Throws BadInput.
+Pairs read_pairs(const Options& options, const std::string& name, const std::string& names, const Rule& place,
+                 const std::string& further = "");
+
+}  // namespace study
