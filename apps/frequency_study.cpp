@@ -10,8 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,8 +21,6 @@
 #include "frequency/polynomial.hpp"
 #include "frequency/state_space.hpp"
 #include "support/non_steady.hpp"
-#include "support/options.hpp"
-#include "support/scenes.hpp"
 #include "support/sheet.hpp"
 
 namespace {
@@ -37,9 +33,9 @@ std::vector<double> make_omegas(const study::Options& options) {
         return options.numbers("omega",
                                {[](double z) { return z >= 0 && std::isfinite(z); }, "be at least 0 and finite"});
     }
-    const study::Rule rule{study::positive().holds,
-                           "be positive and finite, as points are spaced evenly in its "
-                           "logarithm (--omega takes 0 too)"};
+    const study::Rule rule{
+        study::positive().holds,
+        "be positive and finite, as points are spaced evenly in its logarithm (--omega takes 0 too)"};
     const double low = options.number("omega-min", rule), high = options.number("omega-max", rule);
     if (!(low < high)) {
         throw study::BadInput(options.said("omega-max") + " must be larger than " + options.said("omega-min"));
@@ -65,33 +61,26 @@ const study::Sheet<Response> sheet{
      {"exact_im", "its imaginary part", [](const Response& r) { return r.exact.imag(); }},
      {"relative_error",
       "|c11/exact - 1|: with the strip kernel it includes the difference of the models, of order (a/b)^2 (up to 5e-5 "
-      "at "
-      "b/a = 100, 5e-7 at 1000); with --kernel plane it is the error of the discretisation alone",
+      "at b/a = 100, 5e-7 at 1000); with --kernel plane it is the error of the discretisation alone",
       [](const Response& r) { return std::abs(r.c11 / r.exact - 1.0); }},
      {"alpha_L, alpha_T, lambda", "of the scheme"},
      {"order", "of polynomials", [](const Response& r) { return r.order; }},
      {"rcond",
       "estimate of the reciprocal condition of the equations of elements or states; rounding contributes 2e-16/rcond "
-      "to "
-      "the error of c11",
+      "to the error of c11",
       [](const Response& r) { return r.rcond; }},
      {"error_estimate", "relative, of c11 by polynomials, truncation and rounding",
       [](const Response& r) { return r.error_estimate; }},
      {"status",
       "if it is not ok, c11 is empty, or wrong with --unchecked: ill_conditioned if the equations are singular to "
-      "working "
-      "precision; assists_creepage if the scheme does not converge to full adhesion (alpha at or below 0, or above 1); "
-      "coarse if the steady c11 of fewer than 10 elements is wrong by more than half; not_converged if --order is too "
-      "low "
-      "for eight digits, or states are too few; not_finite, with empty cells, if b/a is so small or large that G or G' "
-      "is "
-      "not finite",
+      "working precision; assists_creepage if the scheme does not converge to full adhesion (alpha at or below 0, or "
+      "above 1); coarse if the steady c11 of fewer than 10 elements is wrong by more than half; not_converged if "
+      "--order is too low for eight digits, or states are too few; not_finite, with empty cells, if b/a is so small or "
+      "large that G or G' is not finite",
       [](const Response& r) { return r.status; }},
      {std::string("method, derivative, mesh, ") + study::settings, "the scheme and the contact"},
      {"basis", "of polynomials", [](const Response& r) { return r.basis; }}},
     ""};
-
-// --- elements and Chebyshev states ---------------------------------------------------------------------------------
 
 /// Assembles and reduces to Hessenberg form, once for all frequencies. A c11 that cannot be trusted is left out if that is
 /// `checked`.
@@ -114,94 +103,43 @@ void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, bo
     }
 }
 
-// --- the plot ------------------------------------------------------------------------------------------------------
-
-using Responses = std::map<std::string, std::map<double, Complex>>;  // over the frequency, of every contact
-
-Responses exact_responses(const std::vector<study::Row>& rows) {
-    Responses exact;
-    const std::size_t aspect = study::index_of(sheet.names(), "aspect");
-    for (const study::Row& row : rows) {
-        const std::optional<double> omega = row[1].number(), re = row[4].number(), im = row[5].number();
-        const std::string contact = "b/a = " + row[aspect].text(6) + ", ν = " + row[aspect + 1].text(6);
-        if (omega && re && im) exact[contact][*omega] = {*re, *im};
-    }
-    return exact;
-}
-
-/// The lines of exact responses, whose points are point(omega, c11).
-void add_exact(study::Plot& plot, const Responses& exact, const std::string& prefix, const auto& point) {
-    for (const auto& [contact, response] : exact) {
-        study::Series curve{.label = prefix + (exact.size() > 1 ? "exact, " + contact : std::string("exact")),
-                            .markers = false,
-                            .reference = true};
-        for (const auto& [omega, c11] : response) curve.points.push_back(point(omega, c11));
-        plot.series.push_back(std::move(curve));
-    }
-}
-
-/// The Argand diagram, and beside it both parts over the frequency.
+/// The Argand diagram, beside it both parts over the frequency, and the errors, as the curves coincide.
 study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
                           const std::vector<study::Scene>& scenes, const std::vector<double>& omegas) {
-    std::vector<std::string> by{"n", "alpha_L", "alpha_T", "lambda"};
-    if (order_given) by.emplace_back("order");  // otherwise it depends on the frequency
-    const std::vector<std::string> apart = study::columns_of(std::string("method,derivative,mesh,") + study::settings);
-    const Responses exact = exact_responses(rows);
-
+    std::vector<std::string> also;
+    if (order_given) also.emplace_back("order");  // otherwise it depends on the frequency
+    const auto [lowest, highest] = std::minmax_element(omegas.begin(), omegas.end());
+    const bool log_x = *lowest > 0 && *highest > 20 * *lowest;
     study::Plot argand{.title = "Harmonic creepage", .x_label = "Re c_{11}", .y_label = "Im c_{11}"};
-    study::add_series(argand, sheet.names(), rows, {.by = by, .x = "c11_re", .y = "c11_im", .apart = apart});
-    const std::size_t cases = argand.series.size();
-    if (cases == 1) argand.series[0].label = "computed";
-    add_exact(argand, exact, "", [](double, Complex c11) { return std::pair(c11.real(), c11.imag()); });
-
-    study::Plot parts{.x_label = "ω a / V", .y_label = "Re c_{11}, Im c_{11}"};
-    for (const bool real : {true, false}) {
-        const std::string prefix = real ? "Re, " : "Im, ";
-        study::Plot part;
-        study::add_series(part, sheet.names(), rows,
-                          {.by = by, .x = "omega", .y = real ? "c11_re" : "c11_im", .apart = apart});
-        for (std::size_t k = 0; k < cases; ++k) {
-            study::Series& series = part.series[k];
-            series.label = prefix + argand.series[k].label;
-            series.style = k;
-            parts.series.push_back(std::move(series));
-        }
-        add_exact(parts, exact, prefix,
-                  [&](double omega, Complex c11) { return std::pair(omega, real ? c11.real() : c11.imag()); });
-    }
-
-    // markers if there are few points, a logarithmic axis if the frequencies span several orders
-    double lowest = HUGE_VAL, highest = 0;
-    for (study::Plot* panel : {&argand, &parts}) {
-        for (study::Series& series : panel->series) series.markers = series.markers && series.points.size() <= 30;
-    }
-    for (const study::Series& series : parts.series) {
-        for (const auto& [omega, value] : series.points) {
-            lowest = std::min(lowest, omega);
-            highest = std::max(highest, omega);
-        }
-    }
-    parts.log_x = lowest > 0 && highest > 20 * lowest;
-
-    // the curves coincide: show their differences
+    study::Plot parts{.x_label = "ω a / V", .y_label = "Re c_{11}, Im c_{11}", .log_x = log_x};
     study::Plot errors{
-        .x_label = parts.x_label, .y_label = "|c_{11} / c_{11,exact} - 1|", .log_x = parts.log_x, .log_y = true};
-    study::add_series(errors, sheet.names(), rows,
-                      {.by = by, .x = "omega", .y = "relative_error", .absolute = true, .apart = apart});
-    for (std::size_t k = 0; k < cases; ++k) {
-        errors.series[k].label = argand.series[k].label;
-        errors.series[k].markers = argand.series[k].markers;
+        .x_label = parts.x_label, .y_label = "|c_{11} / c_{11,exact} - 1|", .log_x = log_x, .log_y = true};
+    sheet.draw(argand, rows, "c11_re", "c11_im", {}, false, also);
+    sheet.draw_exact(argand, rows, "omega", "exact_re", "exact_im");
+    for (const std::string part : {"re", "im"}) {
+        const std::string prefix = part == "re" ? "Re, " : "Im, ";
+        const std::size_t first = parts.series.size();
+        sheet.draw(parts, rows, "omega", "c11_" + part, {}, false, also);
+        for (std::size_t k = first; k < parts.series.size(); ++k) {
+            parts.series[k].label = prefix + parts.series[k].label;
+            parts.series[k].style = k - first;
+        }
+        sheet.draw_exact(parts, rows, "omega", "omega", "exact_" + part, prefix);
     }
-    study::raise_to_drawn(errors);
+    sheet.draw(errors, rows, "omega", "relative_error", {}, true, also);
+    for (study::Plot* panel : {&argand, &parts, &errors}) {
+        for (study::Series& series : panel->series) series.markers = series.markers && omegas.size() <= 30;
+    }
+    parts.title.clear();
     errors.title.clear();
+    study::raise_to_drawn(errors);
     study::add_model_differences(errors, scenes, [&](const auto& states, const auto& kernel, const auto& contact) {
         std::vector<std::pair<double, double>> points;
         if (!study::plane_model_decays(contact)) return points;
         const rollbem::FrequencySweep<double> strip(rolling_system(states, kernel));
         for (const double omega : omegas) {
             if (omega > 20) continue;  // more than the states resolve
-            const Complex plane = exact_c11(contact, omega);
-            points.emplace_back(omega, std::abs(strip(omega).c11() / plane - 1.0));
+            points.emplace_back(omega, std::abs(strip(omega).c11() / exact_c11(contact, omega) - 1.0));
         }
         return points;
     });
@@ -253,40 +191,27 @@ holds for |c11| at every omega, and is twice the sum of the Hankel singular valu
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        const std::string method =
-            given.choice("method", {"collocation", "galerkin", "knothe-bc", "nodes", "chebyshev", "polynomial"});
+        given.choice("method", {"collocation", "galerkin", "knothe-bc", "nodes", "chebyshev", "polynomial"});
         const std::vector<double> omegas = make_omegas(given);
-        if (given.given("state-space") && given.given("shard")) {
-            throw study::BadInput(given.said("shard") + " cannot go with --state-space: every part would write it");
-        }
-        const auto rows = [&](const study::Scene&) { return omegas.size(); };
-        study::Table table;
-        frequency::Polynomials polynomials;
-        std::vector<study::Scene> scenes;
+        const bool by_polynomials = given.text("method") == "polynomial", checked = !given.flag("unchecked");
+        const frequency::Polynomials polynomials =
+            by_polynomials ? frequency::solve_polynomials(given, omegas) : frequency::Polynomials{};
+        const std::vector<study::Scene> scenes =
+            by_polynomials ? polynomials.scenes
+                           : study::make_non_steady_scenes(given, study::Methods::elements_and_states);
         std::unique_ptr<study::StateSpaceFiles> state_space;
-        if (method == "polynomial") {
-            polynomials = frequency::solve_polynomials(given, omegas);
-            table = sheet.table(
-                polynomials.scenes, rows,
-                [&](const study::Scene& scene, study::RowRange range, const study::Results<Response>& emit) {
-                    const auto& known = polynomials.responses[std::size_t(&scene - polynomials.scenes.data())];
-                    for (std::size_t i = range.first; i < range.last; ++i) emit(known[i]);
-                });
-            table.label = {};
-        } else {
-            scenes = study::make_non_steady_scenes(given, study::Methods::elements_and_states);
-            if (given.given("state-space")) state_space = frequency::state_space_files(given, scenes);
-            table = sheet.table(
-                scenes, rows,
-                [&](const study::Scene& scene, study::RowRange range, const study::Results<Response>& emit) {
-                    emit_sweep(scene, omegas, !given.flag("unchecked"), range, emit);
-                });
-        }
-
+        if (given.given("state-space")) state_space = frequency::state_space_files(given, scenes);
+        study::Table table = sheet.table(
+            scenes, [&](const study::Scene&) { return omegas.size(); },
+            [&](const study::Scene& scene, study::RowRange range, const study::Results<Response>& emit) {
+                if (!by_polynomials) return emit_sweep(scene, omegas, checked, range, emit);
+                const auto& known = polynomials.responses[std::size_t(&scene - scenes.data())];
+                for (std::size_t i = range.first; i < range.last; ++i) emit(known[i]);
+            });
+        if (by_polynomials) table.label = {};
         table.written = [&] {
             if (state_space) state_space->commit();
         };
-
         table.plot = [&](const std::vector<study::Row>& drawn) {
             return draw_response(drawn, given.given("order"), scenes, omegas);
         };

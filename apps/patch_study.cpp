@@ -217,9 +217,6 @@ int main(int argc, char** argv) {
                                    {[](double z) { return z >= 0 && std::isfinite(z); }, "be at least 0 and finite"});
         }
         const bool rubs = patch::asks_for_friction(given);
-        if (given.given("state-space") && given.given("shard")) {
-            throw study::BadInput(given.said("shard") + " cannot go with --state-space: every part would write it");
-        }
         const std::vector<Patch> patches = patch::make_patches(given);
         if (rubs) {
             // 6. Stick and slip at each creepage, or in the time domain.

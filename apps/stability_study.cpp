@@ -14,12 +14,10 @@
 #include <vector>
 
 #include <rollbem/compiled/stability.hpp>
+#include <rollbem/reference/bessel.hpp>
 #include <rollbem/studies/critical_alpha.hpp>
 
-#include "stability/exact_spectrum.hpp"
 #include "support/non_steady.hpp"
-#include "support/options.hpp"
-#include "support/scenes.hpp"
 #include "support/sheet.hpp"
 #include "support/timing.hpp"
 
@@ -59,19 +57,15 @@ const study::Sheet<Count> counts{
       [](const Count& c) { return c.of.status == rollbem::Status::ok ? c.time_us : Cell(); }},
      {"spectral_radius",
       "the largest |nu a| (steps of an explicit integrator must stay below 2/spectral_radius); empty if an eigenvalue "
-      "is "
-      "infinite",
+      "is infinite",
       count_of([](const Result& r) { return r.spectral_radius; })},
      {"stiffness_ratio", "the largest |Re(nu a)| over the smallest; empty if an eigenvalue is infinite",
       count_of([](const Result& r) { return r.stiffness_ratio; })},
      {"status",
       "assists_creepage if steady rolling shows that the scheme does not converge to full adhesion (alpha near or "
-      "below "
-      "0, or above 1), whatever its eigenvalues; coarse if the steady c11 of fewer than 10 elements is wrong by more "
-      "than "
-      "half; not_converged if more Chebyshev states would change it; ill_conditioned or not_finite, with empty cells, "
-      "if "
-      "the eigenvalues were not found or G is not finite",
+      "below 0, or above 1), whatever its eigenvalues; coarse if the steady c11 of fewer than 10 elements is wrong by "
+      "more than half; not_converged if more Chebyshev states would change it; ill_conditioned or not_finite, with "
+      "empty cells, if the eigenvalues were not found or G is not finite",
       [](const Count& c) { return c.status; }}},
     study::settings};
 
@@ -92,14 +86,12 @@ Count count(const study::Scene& scene, bool timed) {
 /// The share of growing modes over the swept quantity.
 study::Plot draw_counts(const std::vector<study::Scene>& scenes, const std::vector<study::Row>& rows) {
     const study::Axis x = study::most_varied(scenes);
-    study::Plot plot{
-        .title = "Stability", .x_label = x.label, .y_label = "share of unstable eigenvalues", .log_x = x.is_n()};
+    study::Plot plot{.title = "Stability",
+                     .x_label = x.label,
+                     .y_label = "share of unstable eigenvalues",
+                     .log_x = x.is_n(),
+                     .y_range = study::PlotRange{0, 1}};
     counts.draw(plot, rows, x.column, "unstable_fraction", x.same);
-    double largest = 0;
-    for (const study::Series& series : plot.series) {
-        for (const auto& [place, share] : series.points) largest = std::max(largest, share);
-    }
-    if (largest == 0) plot.y_range = study::PlotRange{0, 1};
     return plot;
 }
 
@@ -120,21 +112,14 @@ const study::Sheet<Critical> criticals{
      {"status", "ok, all_stable or not_finite", [](const Critical& c) { return c.status; }}},
     study::settings};
 
-std::optional<double> critical_alpha_T(const study::Scene& scene) {
-    const auto scheme_of = [&](double alpha_T) {
-        const auto changed = [alpha_T](auto scheme) -> rollbem::AnyScheme {
-            scheme.alpha_T = alpha_T;
-            return scheme;
-        };
-        const auto* galerkin = scene.scheme.get_if<rollbem::Galerkin>();
-        return galerkin != nullptr ? changed(*galerkin) : changed(*scene.scheme.get_if<rollbem::Collocation>());
-    };
-    return rollbem::critical_alpha_T(*scene.mesh, scheme_of, scene.kernel);
-}
-
 Critical critical(const study::Scene& scene) {
     if (!study::system_if_finite(scene)) return {std::nullopt, name(rollbem::Status::not_finite)};
-    const std::optional<double> alpha_T = critical_alpha_T(scene);
+    study::Scene changed = scene;
+    const auto scheme_of = [&](double alpha_T) {
+        changed.alpha_T = alpha_T;
+        return study::scheme_of(changed);
+    };
+    const std::optional<double> alpha_T = rollbem::critical_alpha_T(*scene.mesh, scheme_of, scene.kernel);
     return {alpha_T, alpha_T ? study::ok : "all_stable"};
 }
 
@@ -162,14 +147,32 @@ const study::Sheet<Eigenvalue> spectrum{
      {"im", "its imaginary part", [](const Eigenvalue& e) { return e.finite() ? Cell(e.nu.imag()) : Cell(); }},
      {"exact_re",
       "the nearest eigenvalue of the plane model in closed form, also for the strip kernel, whose model differs by "
-      "order "
-      "(a/b)^2; empty for infinite ones, for |nu a| > 3e4, which no mesh resolves, and for contacts so narrow that the "
-      "plane model does not decay",
+      "order (a/b)^2; empty for infinite ones, for |nu a| > 3e4, which no mesh resolves, and for contacts so narrow "
+      "that the plane model does not decay",
       [](const Eigenvalue& e) { return e.exact ? Cell(e.exact->real()) : Cell(); }},
      {"exact_im", "its imaginary part", [](const Eigenvalue& e) { return e.exact ? Cell(e.exact->imag()) : Cell(); }},
      {"alpha_L, alpha_T, lambda", "of the scheme"},
      {"status", "as above; not_finite of infinite ones", [](const Eigenvalue& e) { return e.status; }}},
     std::string("method, derivative, mesh, ") + study::settings};
+
+constexpr double most_resolved = 3e4;  // |nu a| far beyond what any mesh resolves; keeps the list short
+
+/// The eigenvalues of the plane model in closed form with Im >= 0, by ascending modulus: they are about pi apart, and
+/// these reach at least as far as `modulus`. None if the model does not decay.
+std::vector<Complex> exact_eigenvalues(const rollbem::Contact<double>& contact, double modulus) {
+    if (!study::plane_model_decays(contact)) return {};
+    return rollbem::reference::eigenvalues(static_cast<std::size_t>(modulus / std::numbers::pi) + 8,
+                                           contact.poisson_ratio(), contact.aspect());
+}
+
+std::optional<Complex> nearest(const std::vector<Complex>& exact, Complex nu) {
+    if (exact.empty() || !(std::abs(nu) <= most_resolved)) return std::nullopt;
+    const Complex above(nu.real(), std::abs(nu.imag()));
+    const Complex found = *std::min_element(exact.begin(), exact.end(), [&](Complex left, Complex right) {
+        return std::abs(left - above) < std::abs(right - above);
+    });
+    return nu.imag() < 0 ? std::conj(found) : found;
+}
 
 /// The eigenvalues by ascending modulus, infinite ones last, each beside the nearest exact one.
 void emit_spectrum(const study::Scene& scene, study::RowRange range, const auto& emit) {
@@ -185,9 +188,13 @@ void emit_spectrum(const study::Scene& scene, study::RowRange range, const auto&
         std::stable_sort(eigenvalues.begin(), eigenvalues.end(),
                          [](const Complex& left, const Complex& right) { return std::abs(left) < std::abs(right); });
     }
-    const stability::ExactSpectrum exact(scene.contact, eigenvalues);
+    double modulus = 0;
+    for (const Complex& nu : eigenvalues) {
+        if (std::abs(nu) <= most_resolved) modulus = std::max(modulus, std::abs(nu));
+    }
+    const std::vector<Complex> exact = exact_eigenvalues(scene.contact, modulus);
     for (std::size_t k = range.first; k < range.last; ++k) {
-        Eigenvalue row{eigenvalues[k], exact.nearest(eigenvalues[k]), status};
+        Eigenvalue row{eigenvalues[k], nearest(exact, eigenvalues[k]), status};
         if (found && !row.finite()) row.status = name(rollbem::Status::not_finite);
         emit(row);
     }
@@ -198,17 +205,11 @@ study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::ve
     Eigen::Index n = 0;
     for (const study::Scene& scene : scenes) n = std::max(n, scene.n());
     const double height = std::numbers::pi / 2 * static_cast<double>(n);
-    const std::string mesh = scenes.front().mesh_name;
-    study::Plot plot{.title = "Eigenvalues, " + scenes.front().method + (mesh.empty() ? "" : ", " + mesh),
-                     .x_label = "Re(ν a)",
-                     .y_label = "Im(ν a)"};
-    study::add_series(
-        plot, spectrum.names(), rows,
-        {.by = {"n", "alpha_L", "alpha_T", "lambda"}, .x = "re", .y = "im", .apart = study::columns_of(study::settings)});
+    study::Plot plot{.title = "Eigenvalues", .x_label = "Re(ν a)", .y_label = "Im(ν a)"};
+    spectrum.draw(plot, rows, "re", "im");
     double left = -1, right = 0;
     for (study::Series& series : plot.series) {
         series.line = false;
-        if (plot.series.size() == 1) series.label = "computed";
         for (const auto& [re, im] : series.points) {
             if (std::abs(im) > height) continue;
             left = std::min(left, std::max(re, -height / 4));
@@ -217,29 +218,26 @@ study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::ve
     }
     study::Series exact{.label = "exact", .line = false, .open = true, .style = 2, .reference = true};
     for (const rollbem::Contact<double>& contact : study::contacts_of(scenes)) {
-        const stability::ExactSpectrum known(contact, {Complex(0, height)});
-        for (const Complex& nu : known.upper_half()) {
+        for (const Complex& nu : exact_eigenvalues(contact, height)) {
             exact.points.emplace_back(nu.real(), nu.imag());
             if (nu.imag() > 0) exact.points.emplace_back(nu.real(), -nu.imag());
             left = std::min(left, nu.real());
         }
     }
-    plot.series.push_back(exact);
     const double margin = (right - left) / 20;
     plot.x_range = {left - margin, right + margin};
     plot.y_range = {-height, height};
     std::size_t inside = 0;
     for (const study::Series& series : plot.series) {
-        if (series.reference) continue;
-        inside += std::size_t(std::count_if(series.points.begin(), series.points.end(), [&](const auto& nu) {
-            return std::abs(nu.first - (left + right) / 2) <= (right - left) / 2 + margin &&
-                   std::abs(nu.second) <= height;
-        }));
+        for (const auto& [re, im] : series.points) {
+            if (re >= plot.x_range->low && re <= plot.x_range->high && std::abs(im) <= height) ++inside;
+        }
     }
     if (inside < rows.size()) {
         plot.title +=
             "; " + std::to_string(rows.size() - inside) + " of " + std::to_string(rows.size()) + " are not shown";
     }
+    plot.series.push_back(std::move(exact));
     return plot;
 }
 
@@ -274,8 +272,11 @@ int main(int argc, char** argv) {
     study::Options options(
         "stability_study",
         "Eigenvalues of the discretised contact in time: how many grow, the smallest unstable alpha_T, or all.");
-    options.add_flag("critical",
-                     "the smallest unstable alpha_T in [0.3, 1.5], by a scan of step 0.0005 and bisection to 1e-5");
+    options
+        .add_flag("critical",
+                  "the smallest unstable alpha_T in [0.3, 1.5], by a scan of step 0.0005 and bisection to 1e-5")
+        .only_with({"method=collocation", "method=galerkin"}, ": others have no alpha_T")
+        .not_with("spectrum");
     options.add_flag("spectrum", "every eigenvalue beside the nearest exact one");
     options.not_with({"alpha-T"}, "critical", ", which searches for it");
     options.not_with({"alpha"}, "critical", ", which takes --alpha-L and searches for alpha_T");
@@ -294,18 +295,9 @@ with --method nodes and knothe-bc.
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        const bool critical = given.flag("critical");
-        if (critical && given.flag("spectrum")) {
-            throw study::BadInput("--critical and --spectrum must not be given together");
-        }
-        const std::string method = given.text("method");
-        if (critical && (method == "knothe-bc" || method == "nodes" || method == "chebyshev")) {
-            throw study::BadInput(given.said("method") +
-                                  " must be collocation or galerkin with --critical: it has no alpha_T");
-        }
         const auto scenes = study::make_non_steady_scenes(given, study::Methods::elements_and_states);
         for (const study::Scene& scene : scenes) {
-            if (!critical || scene.n() >= 2) continue;
+            if (!given.flag("critical") || scene.n() >= 2) continue;
             throw study::BadInput("--critical needs at least 2 elements, alpha_T and alpha_L differ; given is n = " +
                                   std::to_string(scene.n()));
         }

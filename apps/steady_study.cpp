@@ -14,8 +14,6 @@
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
-#include "support/options.hpp"
-#include "support/scenes.hpp"
 #include "support/sheet.hpp"
 #include "support/timing.hpp"
 
@@ -29,17 +27,15 @@ struct Steady {
     std::string status;
     Cell residual{}, assembly_us{}, solve_us{}, error_estimate{};
 
-    double ratio() const { return status == study::ok ? c11 / exact : std::nan(""); }
+    double ratio() const { return c11 / exact; }
 };
 
 const study::Sheet<Steady> sheet{
     "method, derivative, mesh, n, alpha_L, alpha_T",
-    {{"c11", "creep coefficient -F/(a G xi), F per unit width",
-      [](const Steady& s) { return s.status == study::ok ? s.c11 : std::nan(""); }},
+    {{"c11", "creep coefficient -F/(a G xi), F per unit width", [](const Steady& s) { return s.c11; }},
      {"c11_exact",
       "pi/(2(1-nu)), the plane limit b >> a, whatever the kernel: with the strip kernel relative_error cannot fall "
-      "below "
-      "a floor of order (a/b)^2 (up to 5e-5 at b/a = 100, 5e-7 at 1000); --aspect inf has none",
+      "below a floor of order (a/b)^2 (up to 5e-5 at b/a = 100, 5e-7 at 1000); --aspect inf has none",
       [](const Steady& s) { return s.exact; }},
      {"c11_ratio", "c11/c11_exact", [](const Steady& s) { return s.ratio(); }},
      {"relative_error", "c11_ratio - 1", [](const Steady& s) { return s.ratio() - 1; }},
@@ -55,39 +51,31 @@ const study::Sheet<Steady> sheet{
      {"status",
       "if it is not ok, c11 and all that follows from it are empty: ill_conditioned or not_finite if G' is singular to "
       "working precision; assists_creepage if tractions assist the creepage, so that the scheme does not converge to "
-      "full "
-      "adhesion: alpha at or below 0 (near 0 on coarse meshes), or above 1; coarse if c11 of fewer than 10 elements is "
-      "wrong by more than half (plane kernel, or strip with b/a >= 10); not_converged if error_estimate is above 1e-2, "
-      "as "
-      "with few states in narrow strips (4 at b/a = 0.3)",
+      "full adhesion: alpha at or below 0 (near 0 on coarse meshes), or above 1; coarse if c11 of fewer than 10 "
+      "elements is wrong by more than half (plane kernel, or strip with b/a >= 10); not_converged if error_estimate is "
+      "above 1e-2, as with few states in narrow strips (4 at b/a = 0.3)",
       [](const Steady& s) { return s.status; }}},
     study::settings};
 
-/// Assembles G' and solves G' p = xi for unit creepage; times both, unless other jobs would spoil it.
-Steady by_elements(const study::Scene& scene, bool timed) {
+/// Assembles G' and solves G' p = xi for unit creepage, by Chebyshev states in one call; times both, unless other jobs
+/// would spoil it.
+Steady solve(const study::Scene& scene, bool timed) {
+    const bool has_elements = !scene.chebyshev;
     const auto assemble = [&] { return rollbem::assemble_G_prime(*scene.mesh, scene.scheme, scene.kernel); };
-    const Eigen::MatrixXd G_prime = assemble();
-    const Eigen::ArrayXd widths = rollbem::unknown_widths(*scene.mesh, scene.scheme);
-    const auto solve = [&] { return rollbem::solve_steady<double>(G_prime, widths); };
-    const rollbem::Response<double> solution = solve();
+    const Eigen::MatrixXd G_prime = has_elements ? assemble() : Eigen::MatrixXd();
+    const auto response = [&] {
+        if (!has_elements) return solve_steady(*scene.chebyshev, scene.kernel);
+        return rollbem::solve_steady<double>(G_prime, rollbem::unknown_widths(*scene.mesh, scene.scheme));
+    };
+    const rollbem::Response<double> solution = response();
     Steady result{.c11 = solution.c11(),
                   .exact = rollbem::steady_c11(scene.contact.poisson_ratio()),
-                  .status = study::steady_status(scene, solution.status, solution.c11()),
-                  .residual = solution.residual};
-    if (timed) result.assembly_us = study::median_time_us([&] { return assemble()(0, 0); });
-    if (timed) result.solve_us = study::median_time_us([&] { return solve().c11(); });
-    return result;
-}
-
-/// The same by Chebyshev states, which are assembled and solved in one call.
-Steady by_states(const study::Scene& scene, bool timed) {
-    const auto solve = [&] { return solve_steady(*scene.chebyshev, scene.kernel); };
-    const rollbem::Response<double> solution = solve();
-    Steady result{.c11 = solution.c11(),
-                  .exact = rollbem::steady_c11(scene.contact.poisson_ratio()),
-                  .status = study::steady_status(scene, solution.status, solution.c11()),
-                  .error_estimate = solution.error_estimate()};
-    if (timed) result.solve_us = study::median_time_us([&] { return solve().c11(); });
+                  .status = study::steady_status(scene, solution.status, solution.c11())};
+    if (result.status != study::ok) result.c11 = std::nan("");
+    if (has_elements) result.residual = solution.residual;
+    if (!has_elements) result.error_estimate = solution.error_estimate();
+    if (timed && has_elements) result.assembly_us = study::median_time_us([&] { return assemble()(0, 0); });
+    if (timed) result.solve_us = study::median_time_us([&] { return response().c11(); });
     return result;
 }
 
@@ -121,7 +109,7 @@ int main(int argc, char** argv) {
         "steady_study",
         "Creep coefficient c11 of steady rolling, its error and its cost, over the number of elements.");
     options.set_default("n", "10,20,40,80,160,320");
-    options.refuse("lambda", "a steady problem builds no G, the only matrix lambda acts on");
+    options.refuse("lambda", study::no_lambda);
     study::offer_chebyshev(options);
     options.footer(R"(Example: three positions of the trailing point, as a file and a plot of the error
   steady_study --n 40,80,160 --alpha-L 0 --alpha-T 0.5,0.63,0.7 --output c11.csv --plot c11.svg
@@ -132,9 +120,7 @@ One row per scheme and n. The columns kernel to nodes identify rows; they are em
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         const auto scenes = study::make_scenes(given, study::Problem::steady, study::Methods::elements_and_states);
         const bool timed = study::has_times(given);
-        study::Table table = sheet.table(scenes, [&](const study::Scene& scene) {
-            return (scene.chebyshev ? by_states : by_elements)(scene, timed);
-        });
+        study::Table table = sheet.table(scenes, [&](const study::Scene& scene) { return solve(scene, timed); });
         table.plot = [&](const std::vector<study::Row>& rows) { return draw_errors(scenes, rows); };
         study::write_table(given, table);
         return study::exit_ok;

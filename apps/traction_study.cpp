@@ -17,8 +17,6 @@
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
-#include "support/options.hpp"
-#include "support/scenes.hpp"
 #include "support/sheet.hpp"
 
 namespace {
@@ -44,23 +42,21 @@ const study::Sheet<Traction> sheet{
      {"alpha_L, alpha_T", "of the scheme"},
      {"status",
       "if it is not ok, traction and relative_error are empty: ill_conditioned or not_finite if G' is singular to "
-      "working "
-      "precision; assists_creepage if tractions assist the creepage (alpha at or below 0, or above 1); coarse if c11 "
-      "of "
-      "fewer than 10 elements is wrong by more than half; not_converged if more Chebyshev states would change c11 by "
-      "more "
-      "than 1e-2, as in narrow strips",
+      "working precision; assists_creepage if tractions assist the creepage (alpha at or below 0, or above 1); coarse "
+      "if c11 of fewer than 10 elements is wrong by more than half; not_converged if more Chebyshev states would "
+      "change "
+      "c11 by more than 1e-2, as in narrow strips",
       [](const Traction& t) { return t.status; }}},
     std::string("method, derivative, mesh, ") + study::settings};
 
 /// Unit creepage. With Knothe and Gross-Thebing's boundary conditions the leading element has no traction.
-void by_elements(const study::Scene& scene, study::RowRange elements, const auto& emit) {
-    const rollbem::Response<double> solution = solve_steady(*scene.mesh, scene.scheme, scene.kernel);
+void by_elements(const study::Scene& scene, study::RowRange elements, const study::Results<Traction>& emit) {
+    const rollbem::Mesh<double>& mesh = *scene.mesh;
+    const rollbem::Response<double> solution = solve_steady(mesh, scene.scheme, scene.kernel);
     Eigen::VectorXd traction = Eigen::VectorXd::Zero(scene.n());
     traction.head(solution.unknowns.rows()) = solution.unknowns.col(0);
     const std::string status = study::steady_status(scene, solution.status, solution.c11());
     if (status != study::ok) traction.setConstant(std::nan(""));
-    const rollbem::Mesh<double>& mesh = *scene.mesh;
     const double nu = scene.contact.poisson_ratio();
     const Eigen::ArrayXd means = rollbem::carter_mean_tractions(mesh, nu);
     for (Eigen::Index i = Eigen::Index(elements.first); i < Eigen::Index(elements.last); ++i) {
@@ -69,21 +65,18 @@ void by_elements(const study::Scene& scene, study::RowRange elements, const auto
     }
 }
 
-/// The point of a row of Chebyshev states: x/a = cos((2k - 1) pi/(2n)), trailing to leading.
-rollbem::EdgeDistances<double> chebyshev_point(Eigen::Index n, Eigen::Index row) {
-    const double half_angle = double(2 * (n - row) - 1) * std::numbers::pi / double(4 * n);
-    return {2 * std::pow(std::cos(half_angle), 2), 2 * std::pow(std::sin(half_angle), 2)};
-}
-
-/// The same by Chebyshev states, at points, so that there is no mean.
-void by_states(const study::Scene& scene, study::RowRange points, const auto& emit) {
+/// The same by Chebyshev states, at the points x/a = cos((2k - 1) pi/(2n)), so that there is no mean.
+void by_states(const study::Scene& scene, study::RowRange points, const study::Results<Traction>& emit) {
     const auto solution = solve_steady(*scene.chebyshev, scene.kernel);
     const rollbem::ChebyshevTraction<double> traction_at{solution.unknowns.col(0)};
     const bool trusted = solution.status == rollbem::Status::ok;
+    const Eigen::Index n = scene.n();
     for (Eigen::Index i = Eigen::Index(points.first); i < Eigen::Index(points.last); ++i) {
-        const rollbem::EdgeDistances<double> point = chebyshev_point(scene.n(), i);
-        const double x = std::sin(double(2 * i + 1 - scene.n()) * std::numbers::pi / double(2 * scene.n()));
-        emit({x, trusted ? traction_at(point) : std::nan(""),
+        const double half_angle = double(2 * (n - i) - 1) * std::numbers::pi / double(4 * n);
+        const rollbem::EdgeDistances<double> point{2 * std::pow(std::cos(half_angle), 2),
+                                                   2 * std::pow(std::sin(half_angle), 2)};
+        emit({std::sin(double(2 * i + 1 - n) * std::numbers::pi / double(2 * n)),
+              trusted ? traction_at(point) : std::nan(""),
               rollbem::carter_traction(point, scene.contact.poisson_ratio()), name(solution.status)});
     }
 }
@@ -107,12 +100,9 @@ study::Plot draw_tractions(const std::vector<study::Scene>& scenes, const std::v
                      .x_label = "x / a (leading edge at 1)",
                      .y_label = "p / (G ξ)",
                      .x_range = study::PlotRange{-1, 1}};
-    study::add_series(
-        plot, sheet.names(), rows,
-        {.by = {"n", "alpha_L", "alpha_T"}, .x = "x_over_a", .y = "traction", .apart = study::columns_of(std::string("method,derivative,mesh,") + study::settings)});
+    sheet.draw(plot, rows, "x_over_a", "traction");
     double largest = 0;
     for (study::Series& series : plot.series) {
-        if (plot.series.size() == 1) series.label = "computed";
         series.line = false;
         series.open = true;
         for (const auto& point : series.points) largest = std::max(largest, std::abs(point.second));
@@ -135,7 +125,7 @@ study::Plot draw_tractions(const std::vector<study::Scene>& scenes, const std::v
 
 int main(int argc, char** argv) {
     study::Options options("traction_study", "Traction of every element in steady rolling against Carter's solution.");
-    options.refuse("lambda", "a steady problem builds no G, the only matrix lambda acts on");
+    options.refuse("lambda", study::no_lambda);
     study::offer_chebyshev(options);
     options.footer(R"(Example: 20 and 80 elements of a cosine mesh, with a plot of the traction along the contact
   traction_study --n 20,80 --mesh cosine --alpha 0.5 --output traction.csv --plot traction.svg

@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,12 +16,9 @@
 #include <rollbem/compiled/transient.hpp>
 #include <rollbem/reference/step_response.hpp>
 
-#include "support/input.hpp"
 #include "support/non_steady.hpp"
-#include "support/options.hpp"
 #include "support/progress.hpp"
 #include "support/runs.hpp"
-#include "support/scenes.hpp"
 #include "support/sheet.hpp"
 
 namespace {
@@ -32,13 +28,21 @@ using Model = rollbem::AdhesionModel<>;
 /// Creepage over q/a from rest, and the exact force -F_bar/(a G) if there is one.
 struct History {
     enum class Kind { step, ramp, sine, points } kind = Kind::step;
-    double amplitude = 0, omega = 0;         // of step and sine, or the rate of the ramp; omega in V/a
-    bool resolved = true;                    // steps follow a sine
-    std::vector<double> knots, knot_values;  // of Kind::points, ascending; equal knots make a jump
+    double amplitude = 0, omega = 0;        // of step and sine, or the rate of the ramp; omega in V/a
+    bool resolved = true;                   // steps follow a sine
+    study::Numbers knots{}, knot_values{};  // of Kind::points, ascending; equal knots make a jump
 
-    /// Creepage just before (or at) q and just after it; they differ at a jump only.
-    double before(double q) const { return at(q, false); }
-    double after(double q) const { return at(q, true); }
+    /// Creepage just before (or at) q, or `behind` it: they differ at a jump only.
+    double at(double q, bool behind) const {
+        switch (kind) {
+            case Kind::step: return amplitude;
+            case Kind::ramp: return amplitude * q;
+            case Kind::sine: return amplitude * std::sin(omega * q);
+            default: break;
+        }
+        const bool begun = behind ? q >= knots.front() : q > knots.front();
+        return begun ? study::interpolate(knots, knot_values, q, behind) : 0;
+    }
 
     double exact(const rollbem::reference::StepResponse& response, double q) const {
         switch (kind) {
@@ -49,48 +53,31 @@ struct History {
         }
     }
 
-private:
-    double at(double q, bool behind) const {
-        if (kind == Kind::step) return amplitude;
-        if (kind == Kind::ramp) return amplitude * q;
-        if (kind == Kind::sine) return amplitude * std::sin(omega * q);
-        // zero before the first knot, constant after the last, linear between
-        const auto next =
-            behind ? std::upper_bound(knots.begin(), knots.end(), q) : std::lower_bound(knots.begin(), knots.end(), q);
-        const std::size_t j = static_cast<std::size_t>(next - knots.begin());
-        if (j == 0) return 0;
-        if (j == knots.size()) return knot_values.back();
-        const double part = (q - knots[j - 1]) / (knots[j] - knots[j - 1]);
-        return knot_values[j - 1] + part * (knot_values[j] - knot_values[j - 1]);
+    std::string label() const {
+        switch (kind) {
+            case Kind::step: return "a step of creepage";
+            case Kind::ramp: return "a ramp of creepage";
+            case Kind::sine: return "a sine of creepage, ω a/V = " + study::Cell(omega).text(6);
+            default: return "creepage of a table";
+        }
     }
 };
 
-History history_from_file(const study::Options& options) {
+History make_history(const study::Options& options, double dq) {
+    const study::Rule not_zero{[](double value) { return std::isfinite(value) && value != 0; }, "be finite and not 0"};
+    if (options.given("step")) return {.amplitude = options.number("step", not_zero)};
+    if (options.given("ramp")) return {.kind = History::Kind::ramp, .amplitude = options.number("ramp", not_zero)};
+    if (options.given("sine")) {
+        const study::Sine sine = study::read_sine(options);
+        return {.kind = History::Kind::sine,
+                .amplitude = sine.amplitude,
+                .omega = sine.omega,
+                .resolved = study::resolves(sine.omega, dq)};
+    }
+    if (!options.given("history")) throw study::BadInput("one of --step, --ramp, --sine and --history must be given");
     const study::Rule rolled{[](double q) { return q >= 0; }, "be at least 0: rolling starts from rest there"};
     study::Pairs pairs = study::read_pairs(options, "history", "q_over_a,creepage", rolled);
     return {.kind = History::Kind::points, .knots = std::move(pairs.places), .knot_values = std::move(pairs.values)};
-}
-
-History make_history(const study::Options& options) {
-    std::vector<std::string> given;
-    for (const char* name : {"step", "ramp", "sine", "history"}) {
-        if (options.given(name)) given.push_back(name);
-    }
-    if (given.empty()) throw study::BadInput("one of --step, --ramp, --sine and --history must be given");
-    if (given.size() > 1) throw study::BadInput(options.said(given[1]) + " cannot go with --" + given[0]);
-    const auto is_not_zero = [](double value) { return std::isfinite(value) && value != 0; };
-    if (given[0] == "history") return history_from_file(options);
-    History history{.knots = {}, .knot_values = {}};
-    if (given[0] == "sine") {
-        const study::Sine sine = study::read_sine(options);
-        history.kind = History::Kind::sine;
-        history.amplitude = sine.amplitude;
-        history.omega = sine.omega;
-        return history;
-    }
-    history.kind = given[0] == "step" ? History::Kind::step : History::Kind::ramp;
-    history.amplitude = options.number(given[0], {is_not_zero, "be finite and not 0"});
-    return history;
 }
 
 /// The largest |creepage| of the run, the reference for the force, knots within the run included. Throws BadInput if it
@@ -98,7 +85,7 @@ History make_history(const study::Options& options) {
 double largest_creepage(const History& history, const study::Steps& steps) {
     double largest = 0;
     for (std::size_t k = 1; k <= steps.count; ++k) {
-        largest = std::max(largest, std::abs(history.before(static_cast<double>(k) * steps.dq)));
+        largest = std::max(largest, std::abs(history.at(static_cast<double>(k) * steps.dq, false)));
     }
     const double end = static_cast<double>(steps.count) * steps.dq;
     for (std::size_t j = 0; j < history.knots.size(); ++j) {
@@ -127,8 +114,7 @@ const study::Sheet<Moment> sheet{
       [](const Moment& m) { return m.force; }},
      {"exact",
       "the plane model's, b >> a, whatever the kernel: the strip kernel differs from it by O((a/b)^2). It is empty if "
-      "the "
-      "plane model itself is unstable (b/a below 0.18 at nu = 0.25)",
+      "the plane model itself is unstable (b/a below 0.18 at nu = 0.25)",
       [](const Moment& m) { return m.exact; }},
      {"relative_error", "force/exact - 1", [](const Moment& m) { return m.error(); }},
      {"method, derivative, mesh, n, alpha_L, alpha_T, lambda", "the scheme"},
@@ -152,18 +138,16 @@ void run(const Model& model, const History& history, const study::Steps& steps,
     // 5. Step by step, with creepage linear over each. A step with a knot inside is divided there.
     Model::Workspace workspace = model.workspace();
     Model::State state = model.at_rest(), next = state;
-    std::size_t knot = 0;
     const double dq = steps.dq;
     for (std::size_t k = 1; k <= std::min(range.last, steps.count); ++k) {
         double from = static_cast<double>(k - 1) * dq;
         const double to = static_cast<double>(k) * dq;
         Model::Step step;
         while (from < to) {
-            while (knot < history.knots.size() && history.knots[knot] <= from) ++knot;
-            const double stop = knot < history.knots.size() ? std::min(history.knots[knot], to) : to;
+            const double stop = study::next_stop(history.knots, from, to);
             const bool whole = stop == to && from == static_cast<double>(k - 1) * dq;
             const double length = whole ? dq : stop - from;
-            const auto motion = rollbem::RigidMotion<double>::linear(history.after(from), history.before(stop));
+            const auto motion = rollbem::RigidMotion<double>::linear(history.at(from, true), history.at(stop, false));
             step = model.advance(state, length, motion, next, workspace);
             if (step.status != rollbem::StepStatus::ok) {
                 throw study::BadInput("the force is not finite at q/a = " + study::Cell(to).text(6) +
@@ -176,73 +160,34 @@ void run(const Model& model, const History& history, const study::Steps& steps,
 
         // 6. Compare with the exact response of the plane model.
         const double force = history.resolved ? -step.force_per_width / reference : std::nan("");  // a = G = 1
-        emit({to, history.before(to), force,
+        emit({to, history.at(to, false), force,
               exact ? std::optional(history.exact(*exact, to) / reference) : std::nullopt,
               study::word(model.integrator()), status});
     }
 }
 
-/// The first row of each contact and distance.
-std::vector<study::Row> first_of_contacts(const std::vector<std::string>& columns,
-                                          const std::vector<study::Row>& rows) {
-    const std::size_t aspect = study::index_of(columns, "aspect"), poisson = study::index_of(columns, "poisson");
-    std::set<std::vector<std::string>> seen;
-    std::vector<study::Row> first;
-    for (const study::Row& row : rows) {
-        const bool is_new = seen.insert({row[aspect].text(), row[poisson].text(), row[0].text()}).second;
-        if (is_new) first.push_back(row);
-    }
-    return first;
-}
-
-/// The creepage in the title of a plot.
-std::string shown_creepage(const History& history) {
-    switch (history.kind) {
-        case History::Kind::step: return "a step of creepage";
-        case History::Kind::ramp: return "a ramp of creepage";
-        case History::Kind::sine: return "a sine of creepage, ω a/V = " + study::Cell(history.omega).text(6);
-        default: return "creepage of a table";
-    }
-}
-
-/// The force over the distance, and the exact one if there is one.
+/// The force over the distance with the exact one if there is one, and beside it their difference, as the curves coincide.
 study::Plot draw_force(const History& history, const std::vector<study::Row>& rows) {
-    study::Plot plot{.title = "Rolling from rest, " + shown_creepage(history),
+    study::Plot plot{.title = "Rolling from rest, " + history.label(),
                      .x_label = "distance rolled q/a",
                      .y_label = "-F / (a G ξ_{ref})"};
-    const std::vector<std::string> columns = sheet.names();
-    const std::vector<std::string> schemes{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T", "lambda"};
-    study::add_series(plot, columns, rows,
-                      {.by = schemes, .x = "q_over_a", .y = "force", .apart = study::columns_of(study::settings)});
+    sheet.draw(plot, rows, "q_over_a", "force");
     if (rows.empty()) return plot;  // of a shard
-    if (plot.series.size() == 1) plot.series.front().label = "computed";
-    study::Plot exact;  // the same for all schemes
-    study::add_series(exact, columns, first_of_contacts(columns, rows),
-                      {.by = {}, .x = "q_over_a", .y = "exact", .apart = {"aspect", "poisson"}});
-    for (study::Series& series : exact.series) {
-        series.label = exact.series.size() > 1 ? "exact, " + series.label : "exact";
-        series.reference = true;
-        plot.series.push_back(std::move(series));
-    }
-    for (study::Series& series : plot.series) series.markers = false;
+    sheet.draw_exact(plot, rows, "q_over_a", "q_over_a", "exact");
     plot.x_range = study::PlotRange{0, rows.back()[0].number().value_or(0)};
-
-    // the curves coincide: show their differences
+    study::Plot beside{
+        .x_label = plot.x_label, .y_label = "|F - F_{exact}| / (a G ξ_{ref})", .log_y = true, .x_range = plot.x_range};
+    const std::vector<std::string> columns = sheet.names();
     std::vector<study::Row> errors = rows;
     for (study::Row& row : errors) {
         study::Cell& cell = row[study::index_of(columns, "force")];
         const std::optional<double> force = cell.number(), known = row[study::index_of(columns, "exact")].number();
         cell = force && known ? study::Cell(*force - *known) : study::Cell();
     }
-    study::Plot beside{
-        .x_label = plot.x_label, .y_label = "|F - F_{exact}| / (a G ξ_{ref})", .log_y = true, .x_range = plot.x_range};
-    study::add_series(
-        beside, columns, errors,
-        {.by = schemes, .x = "q_over_a", .y = "force", .absolute = true, .apart = study::columns_of(study::settings)});
+    sheet.draw(beside, errors, "q_over_a", "force", {}, true);
     beside.title.clear();
-    for (std::size_t k = 0; k < beside.series.size(); ++k) {
-        beside.series[k].label = plot.series[k].label;
-        beside.series[k].markers = false;
+    for (study::Plot* panel : {&plot, &beside}) {
+        for (study::Series& series : panel->series) series.markers = false;
     }
     if (can_be_drawn(beside)) plot.beside.push_back(std::move(beside));
     return plot;
@@ -258,14 +203,12 @@ int main(int argc, char** argv) {
     options.set_default("n", "40");
     options.add("step", "X", "creepage X from q = 0 on, not 0 (dimensionless)");
     options.add("ramp", "RATE", "creepage RATE q/a, not 0 (dimensionless)");
-    options.add(
-        "sine", "AMP,OMEGA",
-        "creepage AMP sin(OMEGA q/a), AMP not 0, OMEGA in V/a above 0; steps take its chords, which are too low by a "
-        "fraction (OMEGA D)^2/12 (dimensionless)");
-    options.add_input(
-        "history",
-        "CSV file with the columns q_over_a,creepage; linear between its rows, zero before the first, constant "
-        "after the last; two rows at one q_over_a make a jump (dimensionless)");
+    options.add("sine", "AMP,OMEGA",
+                "creepage AMP sin(OMEGA q/a), AMP not 0, OMEGA in V/a above 0; steps take its chords, which are too "
+                "low by a fraction (OMEGA D)^2/12 (dimensionless)");
+    options.add_input("history",
+                      "CSV file with the columns q_over_a,creepage; linear between its rows, zero before the first, "
+                      "constant after the last; two rows at one q_over_a make a jump (dimensionless)");
     options.not_with({"ramp", "sine", "history"}, "step");
     options.not_with({"sine", "history"}, "ramp");
     options.not_with({"history"}, "sine");
@@ -288,9 +231,8 @@ One row per step:
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        History history = make_history(given);
         const study::Steps steps = study::read_steps(given);
-        if (history.kind == History::Kind::sine) history.resolved = study::resolves(history.omega, steps.dq);
+        const History history = make_history(given, steps.dq);
         using rollbem::Integrator;
         const Integrator integrator = study::read_integrator(
             given, {Integrator::sdirk2, Integrator::implicit_euler, Integrator::matrix_exponential});

@@ -14,7 +14,7 @@
 #include <rollbem/reference/step_response.hpp>
 
 #include "cases.hpp"
-#include "support/non_steady.hpp"
+#include "support/runs.hpp"
 #include "support/strip_instances.hpp"
 
 namespace extremes {

@@ -9,9 +9,6 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/scene/contact.hpp>
-
-#include "support/options.hpp"
 #include "support/scenes.hpp"
 
 namespace frequency {
@@ -41,7 +38,7 @@ struct Polynomials {
     std::vector<std::vector<Response>> responses;
 };
 
-/// Throws BadInput for what has no effect, and where monomials have broken down.
+/// Throws BadInput where monomials have broken down.
 Polynomials solve_polynomials(const study::Options& options, const std::vector<double>& omegas);
 
 }  // namespace frequency

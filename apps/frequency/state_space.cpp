@@ -5,23 +5,12 @@
 
 #include <rollbem/adhesion/state_space.hpp>
 
-#include "support/errors.hpp"
 #include "support/non_steady.hpp"
 
 namespace frequency {
 
-namespace {
-
-using Space = rollbem::StateSpace<double>;
-
-constexpr const char* conventions =
-    "equations = \"d x/d(q/a) = A x + B xi, -F/(a G) = C x + D xi; q = V t, F per unit width\"\n"
-    "response = \"c11(s) = C (s I - A)^-1 B + D, s in V/a\"\n";
-
-constexpr const char* all_states =
-    "by elements: their tractions p/G, trailing to leading; chebyshev: coefficients of T_0, T_1, ... in u/a";
-
-Space state_space_of(const study::Options& options, const std::vector<study::Scene>& scenes) {
+std::unique_ptr<study::StateSpaceFiles> state_space_files(const study::Options& options,
+                                                          const std::vector<study::Scene>& scenes) {
     const std::string said = options.said("state-space");
     const study::Scene& scene = scenes.front();
     if (scenes.size() != 1) {
@@ -29,32 +18,27 @@ Space state_space_of(const study::Options& options, const std::vector<study::Sce
                               " must go with one scheme; the values of --n, --alpha-L, --alpha-T and --lambda make " +
                               std::to_string(scenes.size()));
     }
-    const auto require_no_flaw = [&](const rollbem::RollingSystem<double>& system) {
+    const auto space_of = [&](const auto& system) {
         const std::string flaw = study::flaw_in_steady_rolling(scene, system);
-        if (flaw.empty()) return;
+        if (flaw.empty()) return rollbem::state_space(system);
         throw study::BadInput(said + " must go with another scheme: that of n = " + std::to_string(scene.n()) + " " +
                               flaw);
     };
-    if (scene.chebyshev) {
-        const rollbem::ChebyshevSystem<double> system = rolling_system(*scene.chebyshev, scene.kernel);
-        require_no_flaw(system);
-        return rollbem::state_space(system);
-    }
-    const rollbem::ElementSystem<double> system = rolling_system(*scene.mesh, scene.scheme, scene.kernel);
-    require_no_flaw(system);
+    rollbem::StateSpace<double> space;
     try {
-        return rollbem::state_space<double>(system);
+        space = scene.chebyshev ? space_of(rolling_system(*scene.chebyshev, scene.kernel))
+                                : space_of(rolling_system(*scene.mesh, scene.scheme, scene.kernel));
+    } catch (const study::BadInput&) {
+        throw;
     } catch (const std::invalid_argument& singular) {
         throw study::BadInput(said + " must go with a scheme that has one: " + singular.what());
     }
-}
-
-}  // namespace
-
-std::unique_ptr<study::StateSpaceFiles> state_space_files(const study::Options& options,
-                                                          const std::vector<study::Scene>& scenes) {
-    return std::make_unique<study::StateSpaceFiles>(options, state_space_of(options, scenes), conventions, all_states,
-                                                    "c11");
+    return std::make_unique<study::StateSpaceFiles>(
+        options, std::move(space),
+        "equations = \"d x/d(q/a) = A x + B xi, -F/(a G) = C x + D xi; q = V t, F per unit width\"\n"
+        "response = \"c11(s) = C (s I - A)^-1 B + D, s in V/a\"\n",
+        "by elements: their tractions p/G, trailing to leading; chebyshev: coefficients of T_0, T_1, ... in u/a",
+        "c11");
 }
 
 }  // namespace frequency

@@ -127,9 +127,15 @@ void OutputFile::require(bool done) const {
     if (!done) throw WriteError(path_ + " cannot be written: " + std::strerror(errno));
 }
 
-void OutputFile::write(std::string_view text) { require(bool(*to_ << text)); }
+void OutputFile::write(std::string_view text) {
+    buffer_ += text;
+    if (buffer_.size() >= 65536) flush();
+}
 
-void OutputFile::flush() { require(bool(to_->flush())); }
+void OutputFile::flush() {
+    require(bool(*to_ << buffer_ << std::flush));
+    buffer_.clear();
+}
 
 void OutputFile::commit() {
     flush();

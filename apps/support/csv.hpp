@@ -100,7 +100,8 @@ public:
     bool is_regular() const { return !part_.empty(); }  ///< written to FILE.part first
     const std::string& path() const { return path_; }
 
-    void write(std::string_view text);  ///< throws WriteError
+    /// Nothing reaches standard output before flush(), unless there is much. Throws WriteError.
+    void write(std::string_view text);
 
     /// Passes everything written so far to the system. Throws WriteError.
     void flush();
@@ -114,7 +115,7 @@ public:
 private:
     void require(bool done) const;
 
-    std::string path_, target_, part_;
+    std::string path_, target_, part_, buffer_;
     std::ofstream file_;
     std::ostream* to_ = nullptr;
 };

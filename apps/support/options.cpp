@@ -370,6 +370,9 @@ std::optional<std::string> Options::parse(int argc, const char* const* argv) {
     }
     if (given("config")) read_config();
     for (const auto& [name, entry] : entries_) {
+        if (entry.kind == Kind::flag) flag(name);  // is true or false
+    }
+    for (const auto& [name, entry] : entries_) {
         if (entry.refusal.empty() || !given(name)) continue;
         throw BadInput(said(name) + " cannot be used here: " + entry.refusal);
     }
@@ -512,27 +515,25 @@ void Options::read_config() {
 }
 
 std::string Options::suggestion(const std::string& word) const {
-    const auto plain = [](const std::string& name) {  // letters and digits in lower case
-        std::string result;
-        for (const char c : name) {
-            const auto byte = static_cast<unsigned char>(c);
-            if (std::isalnum(byte) != 0) result += static_cast<char>(std::tolower(byte));
-        }
-        return result;
+    const auto letters = [](std::string name) {  // and digits
+        const auto is_other = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; };
+        name.erase(std::remove_if(name.begin(), name.end(), is_other), name.end());
+        return CLI::detail::to_lower(name);
     };
+    const std::string meant = word.substr(std::min(word.find_first_not_of('-'), word.size())), plain = letters(word);
+    std::vector<std::string> names{"help", "version"};
+    for (const auto& [name, entry] : entries_) {
+        if (entry.refusal.empty()) names.push_back(name);
+    }
     std::string nearest, begun;
-    std::size_t least = word.size() < 6 ? 2 : 3;  // fewer changes than that are near
-    const auto try_name = [&](const std::string& name) {
-        const std::size_t distance = edit_distance(plain(word), plain(name));
-        if (begun.empty() && plain(word).size() > 2 && plain(name).rfind(plain(word), 0) == 0) begun = name;
-        if (distance >= least || distance >= name.size()) return;
+    std::size_t least = meant.size() < 4 ? 2 : 3;  // fewer changes than that are near
+    for (const std::string& name : names) {
+        if (begun.empty() && plain.size() > 2 && letters(name).rfind(plain, 0) == 0) begun = name;
+        const std::size_t distance = letters(name) == plain ? 0 : edit_distance(meant, name);
+        if (distance >= least || distance >= name.size()) continue;
         least = distance;
         nearest = name;
-    };
-    for (const auto& [name, entry] : entries_) {
-        if (entry.refusal.empty()) try_name(name);
     }
-    for (const char* name : {"help", "version"}) try_name(name);
     if (nearest.empty()) nearest = begun;
     return nearest.empty() ? "" : "; did you mean --" + nearest + "?";
 }

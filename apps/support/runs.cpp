@@ -74,7 +74,7 @@ double LoadHistory::largest() const {
 
 bool LoadHistory::resolved(double dq) const { return !knots.empty() || resolves(2 * std::numbers::pi / length, dq); }
 
-double LoadHistory::next_stop(double from, double to) const {
+double next_stop(const Numbers& knots, double from, double to) {
     const auto next = std::upper_bound(knots.begin(), knots.end(), from);
     return next == knots.end() ? to : std::min(*next, to);
 }

@@ -52,6 +52,9 @@ inline constexpr const char* unchecked = "unchecked";  ///< ok, except for the c
 /// that before it unless `behind`.
 double interpolate(const Numbers& places, const Numbers& values, double q, bool behind = true);
 
+/// Where a step has to end: at the first knot between two places, otherwise at the second place.
+double next_stop(const Numbers& knots, double from, double to);
+
 /// N/N_0 = 1 + amplitude sin(2 pi q/length), or linear between the knots of a table.
 struct LoadHistory {
     double amplitude = 0, length = 1;
@@ -70,8 +73,7 @@ struct LoadHistory {
     /// Whether steps of `dq` [a_0] follow a sine.
     bool resolved(double dq) const;
 
-    /// Where a step has to end: at the first knot between two places, otherwise at the second place.
-    double next_stop(double from, double to) const;
+    double next_stop(double from, double to) const { return study::next_stop(knots, from, to); }
 };
 
 /// Declares what runs with friction share: --load-sine, --load, --breathing, --from, --dq, --until and --integrator, all

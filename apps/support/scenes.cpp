@@ -99,7 +99,8 @@ rollbem::AnyKernel<double> make_kernel(const Options& options, const rollbem::Co
                                                     contact);
 }
 
-/// The scheme of a scene with elements, by its names.
+}  // namespace
+
 rollbem::AnyScheme scheme_of(const Scene& scene) {
     using rollbem::Derivative;
     const Derivative d = scene.derivative == "fd" ? Derivative::finite_difference : Derivative::analytic;
@@ -113,8 +114,6 @@ rollbem::AnyScheme scheme_of(const Scene& scene) {
     const int points = scene.quadrature == "exact" ? rollbem::exact_quadrature : std::stoi(scene.quadrature);
     return rollbem::Galerkin{alpha_L, alpha_T, d, lambda, points};
 }
-
-}  // namespace
 
 std::vector<std::string> columns_of(const std::string& text) {
     return text.empty() ? std::vector<std::string>{} : cells_of(text);
@@ -262,21 +261,19 @@ std::string steady_status(const Scene& scene, rollbem::Status status, double c11
 }
 
 Axis most_varied(const std::vector<Scene>& scenes) {
-    std::set<Eigen::Index> numbers;
-    std::set<double> leading, trailing, lambdas;
-    bool equal = true;
-    for (const Scene& scene : scenes) {
-        numbers.insert(scene.n());
-        leading.insert(scene.alpha_L.value_or(0));
-        trailing.insert(scene.alpha_T.value_or(0));
-        lambdas.insert(scene.lambda.value_or(1));
-        equal = equal && scene.alpha_L == scene.alpha_T;
+    std::string most;
+    std::size_t count = 0;
+    for (const char* column : {"n", "alpha_T", "alpha_L", "lambda"}) {
+        std::set<std::string> values;
+        for (const Scene& scene : scenes) values.insert(scene_cell(scene, column).text());
+        if (values.size() > count) most = column;
+        count = std::max(count, values.size());
     }
-    const std::size_t most = std::max({numbers.size(), leading.size(), trailing.size(), lambdas.size()});
-    if (numbers.size() == most) return {"n", scenes.front().n_label()};
-    if (trailing.size() == most && equal) return {"alpha_T", "α_L = α_T", {"alpha_L"}};
-    const std::string column = trailing.size() == most ? "alpha_T" : leading.size() == most ? "alpha_L" : "lambda";
-    return {column, shown_name(column)};
+    const bool equal =
+        std::all_of(scenes.begin(), scenes.end(), [](const Scene& scene) { return scene.alpha_L == scene.alpha_T; });
+    if (most == "n") return {most, scenes.front().n_label()};
+    if (most == "alpha_T" && equal) return {most, "α_L = α_T", {"alpha_L"}};
+    return {most, shown_name(most)};
 }
 
 void add_model_differences(

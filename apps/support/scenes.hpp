@@ -55,6 +55,9 @@ struct Scene {
 /// The cell under a column: method, derivative, mesh, n, alpha_L, alpha_T, lambda and those of `settings`.
 Cell scene_cell(const Scene& scene, const std::string& column);
 
+/// The scheme of a scene with elements, by its names and alphas.
+rollbem::AnyScheme scheme_of(const Scene& scene);
+
 /// The columns that tell scenes apart behind the others, separated by commas.
 inline constexpr const char* settings = "kernel,aspect,poisson,size_ratio,epsilon,quadrature,nodes";
 
@@ -72,6 +75,9 @@ rollbem::Contact<double> make_contact(const Options& options, Problem problem);
 
 /// The contacts of the scenes, each once.
 std::vector<rollbem::Contact<double>> contacts_of(const std::vector<Scene>& scenes);
+
+/// Why studies of steady rolling refuse --lambda.
+inline constexpr const char* no_lambda = "a steady problem builds no G, the only matrix lambda acts on";
 
 /// Says in --help that --method takes chebyshev, too, and further methods of the study's own.
 void offer_chebyshev(Options& options, const std::string& further = "");

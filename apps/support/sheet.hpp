@@ -2,8 +2,10 @@
 // help and cells cannot differ. Columns of the case, such as a Scene, stand before and behind them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -97,15 +99,47 @@ public:
             [=](const Case& scene, RowRange, const Results<Result>& emit) { emit(compute(scene)); });
     }
 
-    /// Adds the column `y` over the column `x`, a curve for each combination of the columns of the case but `x` and those
-    /// of `without`.
+    /// Adds the column `y` over the column `x`, a curve for each combination of the columns of the case, and of those of
+    /// `also`, but not of x and those of `without`. A single curve is called computed.
     void draw(Plot& plot, const std::vector<Row>& rows, const std::string& x, const std::string& y,
-              const std::vector<std::string>& without = {}, bool absolute = false) const {
+              const std::vector<std::string>& without = {}, bool absolute = false,
+              const std::vector<std::string>& also = {}) const {
         std::vector<std::string> by;
-        for (const std::string& name : before_) {
+        const auto add = [&](const std::string& name) {
             if (name != x && index_of(without, name) == without.size()) by.push_back(name);
+        };
+        for (const std::string& name : before_) add(name);
+        for (const Column<Result>& column : own_) {
+            if (!column.value) add(column.name);
         }
-        add_series(plot, names(), rows, {.by = by, .x = x, .y = y, .absolute = absolute, .apart = behind_});
+        const std::size_t curves = plot.series.size();
+        add_series(plot, names(), rows,
+                   {.by = joined(std::move(by), also), .x = x, .y = y, .absolute = absolute, .apart = behind_});
+        if (plot.series.size() == curves + 1) plot.series.back().label = "computed";
+    }
+
+    /// Adds the exact values `y` over `x`, which the cases share, as a black line for each contact. `place` is the column
+    /// that the points of a line differ in.
+    void draw_exact(Plot& plot, const std::vector<Row>& rows, const std::string& place, const std::string& x,
+                    const std::string& y, const std::string& prefix = "") const {
+        const std::vector<std::string> columns = names();
+        std::set<std::vector<std::string>> seen;
+        std::vector<Row> once;
+        for (const Row& row : rows) {
+            std::vector<std::string> key;
+            for (const std::string& name : {std::string("aspect"), std::string("poisson"), place}) {
+                key.push_back(row[index_of(columns, name)].text());
+            }
+            if (seen.insert(key).second) once.push_back(row);
+        }
+        Plot exact;
+        add_series(exact, columns, once, {.by = {}, .x = x, .y = y, .apart = {"aspect", "poisson"}});
+        for (Series& series : exact.series) {
+            series.label = prefix + (exact.series.size() > 1 ? "exact, " + series.label : "exact");
+            series.markers = false;
+            series.reference = true;
+            plot.series.push_back(std::move(series));
+        }
     }
 
 private:

@@ -61,6 +61,7 @@ void StateSpaceFiles::add_options(Options& options, const std::string& what) {
              "reduce to the K states that matter most (balanced reduction, the steady state "
              "exact), 1 to the number there is; an error bound stands in state_space.toml (dimensionless)")
         .only_with({"state-space"});
+    options.not_with({"shard"}, "state-space", ": every part would write it");
 }
 
 StateSpaceFiles::StateSpaceFiles(const Options& options, Space space, const std::string& conventions,

@@ -135,7 +135,7 @@ taken '--output = edges must not' "$steady" --config both.toml
 printf 'q_over_a,creepage\n0,0\n1,1\n' >names/h
 taken '--output = ./h must not be a file that this run reads: --history = h' "$programs/transient_study" --history h --output ./h
 taken '--edges = - must be a file: standard input is read as --config = -' \
-    sh -c "printf '%s\\n' -1 1 | \"$steady\" --config - --edges -"
+    sh -c "echo 'n = 10' | \"$steady\" --config - --edges -"
 printf 'x_over_a,pressure\n-1,0\n0.3,1\n1,0\n' >names/p
 friction="$programs/friction_study --n 10 --creepage-ratio 0.5"
 taken '--output = p must not be a file that this run reads: --pressure = p' $friction --pressure p --output p
