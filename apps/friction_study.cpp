@@ -6,8 +6,8 @@
 #include "friction/help.hpp"
 #include "friction/steady.hpp"
 #include "friction/transient.hpp"
-#include "support/runs.hpp"
 #include "support/options.hpp"
+#include "support/runs.hpp"
 
 int main(int argc, char** argv) {
     // 1. The command line.

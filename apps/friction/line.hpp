@@ -13,8 +13,8 @@
 #include <rollbem/friction/friction_contact.hpp>
 #include <rollbem/normal/hertz_load.hpp>
 
-#include "support/runs.hpp"
 #include "support/options.hpp"
+#include "support/runs.hpp"
 #include "support/scenes.hpp"
 #include "support/sheet.hpp"
 

@@ -10,8 +10,8 @@
 
 #include <rollbem/friction/friction_contact.hpp>
 
-#include "support/runs.hpp"
 #include "support/progress.hpp"
+#include "support/runs.hpp"
 #include "support/table.hpp"
 
 namespace friction {

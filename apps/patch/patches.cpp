@@ -7,8 +7,8 @@
 
 #include <Eigen/Core>
 
-#include "support/input.hpp"
 #include "support/errors.hpp"
+#include "support/input.hpp"
 
 namespace patch {
 

@@ -9,9 +9,9 @@
 #include <rollbem/normal/patch_pressure.hpp>
 
 #include "friction.hpp"
-#include "support/input.hpp"
 #include "support/csv.hpp"
 #include "support/errors.hpp"
+#include "support/input.hpp"
 
 namespace patch {
 

@@ -12,9 +12,9 @@
 
 #include <rollbem/detail/finite.hpp>
 
-#include "support/input.hpp"
 #include "support/csv.hpp"
 #include "support/errors.hpp"
+#include "support/input.hpp"
 
 namespace profile {
 

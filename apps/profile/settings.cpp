@@ -8,8 +8,8 @@
 
 #include "help.hpp"
 #include "profile_file.hpp"
-#include "support/input.hpp"
 #include "support/errors.hpp"
+#include "support/input.hpp"
 
 namespace profile {
 

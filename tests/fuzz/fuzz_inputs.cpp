@@ -18,8 +18,8 @@
 #include <rollbem/normal/hertz_load.hpp>
 
 #include "friction/line.hpp"
-#include "support/input.hpp"
 #include "support/csv.hpp"
+#include "support/input.hpp"
 #include "support/options.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
