@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -66,6 +67,7 @@ public:
     struct Solution {
         double load = 0;      ///< [N]
         double approach = 0;  ///< of the bodies from where h is the gap [m]
+        double residual = 0;  ///< the largest |w| where there is pressure, over the approach from the least h
         int steps = 0;
         NormalStatus status = NormalStatus::not_finite;
     };
@@ -143,6 +145,7 @@ inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const 
         const double worst = (p_ > 0).select(g_.abs(), 0).maxCoeff();
         const bool outside = ((p_ <= 0) && (g_ < -tolerance * (approach - least))).any();
         if (!detail::is_finite(square)) return {.status = NormalStatus::not_finite};
+        result.residual = worst / (approach - least);
         if (worst <= tolerance * (approach - least) && !outside) {
             result.status = NormalStatus::ok;
             break;
@@ -154,10 +157,12 @@ inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const 
         if (load) q_ -= mean(q_);
         const double bend = (q_ * t_).sum();
         const double tau = bend > 0 ? (g_ * t_).sum() / bend : 0;
-        if (!(tau > 0)) {  // rounding has used up the direction
-            result.status =
-                worst <= 1e3 * tolerance * (approach - least) ? NormalStatus::ok : NormalStatus::not_converged;
-            break;
+        if (!(tau > 0)) {  // the direction is used up: from the gradient anew, unless it was that
+            if (std::exchange(grown, true)) {
+                result.status = NormalStatus::not_converged;
+                break;
+            }
+            continue;
         }
         grown = false;
         for (Eigen::Index k = 0; k < p_.size(); ++k) {

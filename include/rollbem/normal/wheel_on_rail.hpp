@@ -79,6 +79,7 @@ struct RailPatch {
     double area = 0;                 ///< [m^2]
     double half_length = 0, half_width = 0;  ///< half the extents [m]
     int steps = 0;                           ///< of the normal problem, the last time
+    double residual = 0;                     ///< of gaps where there is pressure, over the approach
     NormalStatus status = NormalStatus::not_finite;
     CellGrid grid{};           ///< of the pressures
     Eigen::ArrayXXd pressure;  ///< [Pa], nx x ny
@@ -468,6 +469,7 @@ inline void WheelOnRail::add_patches(const Part& part, double lower, const Norma
     patch.rolling_radius = dimensions_.radius + wheel.z;
     patch.approach = patch.penetration = plane.deepest + lower * plane.cosine;
     patch.steps = part.solution.steps;
+    patch.residual = part.solution.residual;
     patch.grid = part.grid;
     patch.rail_n = part.rail_n;
     patch.wheel_n = part.rail_n - part.h.colwise().minCoeff().transpose() + lower * plane.cosine;
@@ -548,22 +550,19 @@ public:
             contact.status = NormalStatus::load_not_reached;
             if (k == 60) return contact;
             const double to = found > 0 ? approach * std::pow(load / found, 2.0 / 3) : 2 * approach;
-            approach = to > low && to < high ? to : detail::is_finite(high) ? (low + high) / 2 : 2 * approach;
+            const bool safe = to > low && to < high && (k < 8 || !detail::is_finite(high));
+            approach = safe ? to : detail::is_finite(high) ? (low + high) / 2 : 2 * approach;
         }
-        // 2. On fine grids
-        bool settled = false;
-        double lower = 0;
-        for (int round = 0; round < 12 && !settled; ++round) {
-            contact.status = NormalStatus::undefined_section;
-            if (!refine(touch_ + approach, round)) return contact;
-            contact.status = NormalStatus::load_not_reached;
-            if (!lower_until(load, round > 0, lower)) return contact;
-            approach += lower;
-            settled = std::abs(lower) < 1e-4 * deepest() && !outgrown();
+        // 2. On fine grids, and finer ones if a piece has too few cells
+        for (times_ = 1; times_ <= 4; times_ *= 2) {
+            double lower = 0;
+            contact.status = settle_height(load, approach, lower);
+            if (contact.status != NormalStatus::ok) return contact;
+            workspace_.approach = approach;
+            contact = result(touch_ + approach, lower);
+            if (contact.status != NormalStatus::few_cells) break;
         }
-        if (!settled && !(std::abs(lower) < 1e-2 * deepest())) return contact;
-        workspace_.approach = approach;
-        return result(touch_ + approach, lower);
+        return contact;
     }
 
     Contact press(double height) {
@@ -573,10 +572,10 @@ public:
         contact.status = NormalStatus::no_contact;
         if (!(height > touch_)) return contact;
         contact.status = NormalStatus::undefined_section;
-        if (!divide(height) || !refine(height, 0)) return contact;
+        if (!divide(height) || !refine(height, 0, true)) return contact;
         settle(0, options_.tolerance, false);
         for (int k = 0; k < 4 && outgrown(); ++k) {
-            if (!refine(height, 1)) return contact;
+            if (!refine(height, 1, false)) return contact;
             settle(0, options_.tolerance, false);
         }
         return result(height, 0);
@@ -610,8 +609,25 @@ private:
         return true;
     }
 
+    // As planes turn with the height, by the secant of what it lacks.
+    NormalStatus settle_height(double load, double& approach, double& lower) {
+        double last = 0, step = 0, rate = -1;
+        for (int round = times_ == 1 ? 0 : 1, k = 0; k < 12; ++round, ++k) {
+            if (!refine(touch_ + approach, round, k == 0)) return NormalStatus::undefined_section;
+            if (!lower_until(load, k > 0, lower)) return NormalStatus::load_not_reached;
+            const bool settled = std::abs(lower) < 1e-4 * deepest() && !outgrown();
+            if (k > 0) rate = std::clamp((lower - last) / step, -10.0, -0.1);
+            last = lower;
+            step = settled ? lower : -lower / rate;
+            approach += step;
+            if (settled) return NormalStatus::ok;
+        }
+        lower = step;
+        return std::abs(last) < 1e-2 * deepest() ? NormalStatus::ok : NormalStatus::load_not_reached;
+    }
+
     // Fine grids over what touches, and planes at a height; regions stay as they are after a few rounds.
-    bool refine(double height, int round) {
+    bool refine(double height, int round, bool anew) {
         attitude_.at.height = height;
         const std::vector<Region> found = wheel_.regions(height, workspace_);
         const bool same = found.size() == parts_.size();
@@ -630,9 +646,10 @@ private:
         }
         for (std::size_t k = 0; k < parts_.size(); ++k) {
             Part& part = parts_[k];
-            if (round == 0 || outgrown(k)) {
+            if (round == 0 || anew || outgrown(k)) {
                 const bool lobes = wheel_.has_lobes(attitude_, part.plane, options_.cells_s, workspace_.at);
-                part.grid = finer(part.grid, workspace_.normal[k].pressure(), options_, lobes);
+                const Options options{options_.cells_x * times_, options_.cells_s * times_, options_.tolerance};
+                part.grid = finer(part.grid, workspace_.normal[k].pressure(), options, lobes);
             }
             if (round > 0 && same) {
                 const Plane before = std::exchange(part.plane, wheel_.plane(attitude_, found[k]));
@@ -748,6 +765,7 @@ private:
     std::vector<Part>& parts_;
     double touch_ = 0;   // the height at which the wheel begins to touch
     double height_ = 0;  // of the planes
+    int times_ = 1;      // as many cells as usual in both directions
 };
 
 inline auto WheelOnRail::carry(const WheelsetPosition& position, double load, const LateralFriction& friction,
