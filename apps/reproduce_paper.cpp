@@ -9,7 +9,7 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
-#include <map>
+#include <set>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -62,16 +62,18 @@ paper::Results compute_figures(const Settings& settings) {
     return results;
 }
 
-std::vector<paper::Judged> judge_claims(const Settings& settings, const paper::Results& results) {
-    std::vector<paper::Judged> judged;
-    for (paper::Claim& claim : paper::claims()) judged.push_back({std::move(claim), {}});
+paper::Claims judge_claims(const Settings& settings, const paper::Results& results) {
+    const std::vector<paper::Chapter> chapters = paper::chapters();
+    std::vector<paper::Claims> judged(chapters.size());
     in_parallel("claims", judged.size(), settings, [&](std::size_t k) {
-        if (!judged[k].claim.timed) judged[k].finding = judged[k].claim.judge(results);
+        if (!chapters[k].timed) judged[k] = chapters[k].judge(results);
     });
-    for (paper::Judged& each : judged) {
-        if (each.claim.timed) each.finding = each.claim.judge(results);
+    paper::Claims all;
+    for (std::size_t k = 0; k < judged.size(); ++k) {
+        if (chapters[k].timed) judged[k] = chapters[k].judge(results);
+        all.insert(all.end(), judged[k].begin(), judged[k].end());
     }
-    return judged;
+    return all;
 }
 
 std::string csv_of(const paper::PanelResult& result) {
@@ -94,10 +96,10 @@ int run(const Settings& settings) {
 
     // 2. All curves of all panels, then the claims, which use the curves and compute what else they need.
     const paper::Results results = compute_figures(settings);
-    const std::vector<paper::Judged> claims = judge_claims(settings, results);
+    const paper::Claims claims = judge_claims(settings, results);
 
     // 3. Each panel as CSV and SVG. Without gnuplot there is no SVG.
-    std::map<std::string, std::string> drawings;
+    std::set<std::string> drawn;
     std::string note;
     for (const paper::PanelResult& result : results.panels()) {
         const std::string name = "fig" + result.panel.figure;
@@ -105,40 +107,41 @@ int run(const Settings& settings) {
         files.back().write(csv_of(result));
         if (!note.empty()) continue;
         try {
-            const std::string& drawing = drawings[result.panel.figure] =
-                study::picture(paper::plot(result), false, path_of(name + ".svg"));
+            const std::string drawing = study::picture(paper::plot(result), false, path_of(name + ".svg"));
             open(name + ".svg");
             files.back().write(drawing);
+            drawn.insert(result.panel.figure);
         } catch (const study::PlotError&) {
             note = "No plots: gnuplot is missing or failed. The data of every panel are there as CSV.";
-            drawings.clear();
+            drawn.clear();
         }
     }
     if (!note.empty()) std::fprintf(stderr, "reproduce_paper: %s\n", note.c_str());
 
     // 4. The claims and the page.
     std::string rows = study::csv_line(paper::claim_columns);
-    for (const paper::Judged& judged : claims) {
-        rows += study::csv_line(paper::claim_row(judged));
-        if (judged.as_expected()) continue;
-        std::fprintf(stderr, "reproduce_paper: Fig. %s: %s: %s; measured: %s\n", judged.claim.figure.c_str(),
-                     judged.claim.claim.c_str(), judged.reason().c_str(), judged.finding.measured.c_str());
+    bool as_expected = true;
+    for (const paper::Claim& claim : claims) {
+        rows += study::csv_line(paper::claim_row(claim));
+        if (claim.as_expected()) continue;
+        as_expected = false;
+        std::fprintf(stderr, "reproduce_paper: Fig. %s: %s: %s; measured: %s\n", claim.figure.c_str(),
+                     claim.claim.c_str(), paper::reason(claim).c_str(), claim.finding.measured.c_str());
     }
     files[0].write(rows);
-    files[1].write(paper::page(results, claims, drawings, note));
+    files[1].write(paper::page(results, claims, drawn, note));
 
     // 5. The files take their names when all of them are on the disk. No drawing of an earlier run remains.
     for (study::OutputFile& file : files) file.flush();
     for (study::OutputFile& file : files) file.commit();
     for (const paper::PanelResult& result : results.panels()) {
         std::error_code error;
-        const std::string drawing = path_of("fig" + result.panel.figure + ".svg");
-        if (drawings.count(result.panel.figure) == 0) std::filesystem::remove(drawing, error);
+        if (drawn.count(result.panel.figure) == 0) {
+            std::filesystem::remove(path_of("fig" + result.panel.figure + ".svg"), error);
+        }
     }
-    const paper::Tallies counted = paper::tallies(claims);
-    std::printf("%s; %zu differ from what is expected. See %s\n", paper::summary(counted).c_str(), counted.unexpected,
-                path_of("index.html").c_str());
-    return counted.unexpected == 0 ? study::exit_ok : study::exit_failed;
+    std::printf("%s. See %s\n", paper::summary(claims).c_str(), path_of("index.html").c_str());
+    return as_expected ? study::exit_ok : study::exit_failed;
 }
 
 int fail(const char* message, study::ExitCode code) {

@@ -1,12 +1,21 @@
 #include "claims.hpp"
 
-#include "claims/lists.hpp"
-
 namespace paper {
 
-std::vector<Claim> claims() {
-    return all_of(
-        {claims_of_collocation, claims_of_galerkin, claims_of_meshes, claims_of_stability, claims_of_frequency});
+std::vector<Chapter> chapters() {
+    return {{kernel_and_alpha},
+            {convergence},
+            {analytic_derivative},
+            {tractions_of_collocation},
+            {galerkin_claims},
+            {costs_of_galerkin, true},
+            {gradings},
+            {tractions_on_meshes},
+            {conclusions_on_steady_rolling},
+            {stability_of_collocation},
+            {stability_of_galerkin},
+            {split_points},
+            {claims_on_frequency}};
 }
 
 }  // namespace paper

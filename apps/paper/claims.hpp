@@ -5,12 +5,17 @@
 
 #include <array>
 #include <charconv>
-#include <functional>
-#include <initializer_list>
+#include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "evaluate.hpp"
+#include "figures.hpp"
+#include "measures.hpp"
 #include "results.hpp"
 
 namespace paper {
@@ -24,25 +29,37 @@ struct Claim {
     std::string figure;
     std::string quote;   ///< the paper's words; empty for an addition
     std::string claim;   ///< what is judged
-    bool expected;       ///< to hold
     std::string remark;  ///< how it is judged, or why it does not hold
-    std::function<Finding(const Results&)> judge;
-    bool timed = false;  ///< judged while nothing else runs
+    Finding finding;
+    bool expected = true;  ///< to hold
 
     bool is_addition() const { return quote.empty(); }
+    bool as_expected() const { return finding.holds == expected; }
 };
+using Claims = std::vector<Claim>;
 
-/// All claims, in the paper's order.
-std::vector<Claim> claims();
+/// Claims that are judged together, in the paper's order, by the curves of the figures and by what else they compute.
+struct Chapter {
+    Claims (*judge)(const Results&);
+    bool timed = false;  ///< while nothing else runs
+};
+std::vector<Chapter> chapters();
 
-/// The claims of several lists, one after the other.
-inline std::vector<Claim> all_of(std::initializer_list<std::vector<Claim> (*)()> lists) {
-    std::vector<Claim> all;
-    for (const auto list : lists) {
-        for (Claim& claim : list()) all.push_back(std::move(claim));
-    }
-    return all;
-}
+Claims kernel_and_alpha(const Results& r);          ///< Eq. (31), Figs. 3 and 5
+Claims convergence(const Results& r);               ///< Fig. 6
+Claims analytic_derivative(const Results& r);       ///< Figs. 7 and 8
+Claims tractions_of_collocation(const Results& r);  ///< Figs. 9 and 10
+Claims galerkin_claims(const Results& r);           ///< Figs. 11 to 13, and conclusions
+Claims costs_of_galerkin(const Results& r);         ///< conclusions, timed
+Claims gradings(const Results& r);                  ///< Figs. 14 to 16
+Claims tractions_on_meshes(const Results& r);       ///< Fig. 17
+Claims conclusions_on_steady_rolling(const Results& r);
+Claims stability_of_collocation(const Results& r);  ///< Figs. 18 and 19
+Claims stability_of_galerkin(const Results& r);     ///< Fig. 20
+Claims split_points(const Results& r);              ///< Fig. 21
+Claims claims_on_frequency(const Results& r);       ///< Fig. 22, Eqs. (24) to (26), and the last conclusion
+
+// --- texts
 
 inline std::string number(double value, int digits = 3) {
     std::array<char, 64> text;
@@ -50,5 +67,146 @@ inline std::string number(double value, int digits = 3) {
             std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits).ptr};
 }
 inline std::string percent(double value, int digits = 2) { return number(100 * value, digits) + " %"; }
+
+/// `text` with the values in place of its braces: numbers with three digits or, for {1}, one; {%} in percent, with two
+/// digits or, for {%1}, one; counts and texts as they are.
+template <class... Values>
+std::string say(const std::string& text, const Values&... values) {
+    std::string result;
+    std::size_t done = 0;
+    const auto add = [&](const auto& value) {
+        const std::size_t first = text.find('{', done), last = text.find('}', first);
+        result += text.substr(done, first - done);
+        done = last + 1;
+        using Value = std::decay_t<decltype(value)>;
+        if constexpr (std::is_floating_point_v<Value>) {
+            const bool share = text[first + 1] == '%';
+            const std::string digits = text.substr(first + 1 + share, last - first - 1 - share);
+            const int count = digits.empty() ? (share ? 2 : 3) : std::stoi(digits);
+            result += share ? percent(value, count) : number(value, count);
+        } else if constexpr (std::is_arithmetic_v<Value>) {
+            result += std::to_string(value);
+        } else {
+            result += value;
+        }
+    };
+    (add(values), ...);
+    return result + text.substr(done);
+}
+
+// --- what several claims are judged by
+
+inline const std::vector<Eigen::Index> fine{40, 60, 80}, coarse{20, 40, 60};
+
+/// "n = 40: a; n = 60: b" with text(k) for every number of elements.
+template <class Text>
+std::string for_each_n(const std::vector<Eigen::Index>& numbers, const Text& text) {
+    std::string result;
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        result += say(k > 0 ? "; n = {}: " : "n = {}: ", numbers[k]) + text(k);
+    }
+    return result;
+}
+
+/// Holds if judge(k) does for every one of the numbers of elements, all of whose texts follow `text`.
+template <class Each>
+Finding for_all_n(const std::vector<Eigen::Index>& numbers, const std::string& text, const Each& judge) {
+    bool holds = true;
+    const std::string all = for_each_n(numbers, [&](std::size_t k) {
+        const Finding one = judge(k);
+        holds = holds && one.holds;
+        return one.measured;
+    });
+    return {holds, text + all};
+}
+
+/// Holds if |value(n)| falls below `factor` times that before with every step of n; `shown` is the form of its text.
+template <class Value>
+Finding falls_with_n(const std::vector<Eigen::Index>& numbers, const std::string& text, const std::string& shown,
+                     const Value& value, double factor = 1) {
+    double before = 1;
+    return for_all_n(numbers, text, [&](std::size_t k) -> Finding {
+        const double here = value(numbers[k]);
+        const bool falls = std::abs(here) < factor * std::abs(before);
+        before = here;
+        return {falls, say(shown, here)};
+    });
+}
+
+/// Holds if the value is below the limit.
+inline Finding below(double limit, double value, const std::string& text) { return {value < limit, say(text, value)}; }
+
+/// alpha by 0.05, and 0.63: the finest grid that the paper's alphas show.
+inline std::vector<double> paper_alphas() {
+    std::vector<double> grid = fractions(0, 20, 20);
+    grid.push_back(0.63);
+    return grid;
+}
+
+/// The smallest error that the paper speaks of, 0.01 % of c11: schemes whose errors differ by less are equally good.
+inline constexpr double equal_errors = 1e-4;
+
+inline double ratio_at(Case c, Vary vary, double x) { return c11_ratio(at({"", c, vary}, x)); }
+
+/// The x between the ends of `search` at which c11 is nearest to its exact value.
+inline double optimum_of(Case c, Eigen::Index n, Vary vary, Range search) {
+    c.n = n;
+    return true_optimum([&](double x) { return ratio_at(c, vary, x); }, search.low, search.high);
+}
+
+/// Whether, for each number of elements, no x of the grid has a smaller error than `claimed` (by equal_errors).
+/// `curves` are those of the numbers; between the ends of `search` lies the true optimum, which is told but not judged.
+inline Finding optimum(const std::vector<Points>& curves, const std::vector<Eigen::Index>& numbers, double claimed,
+                       const Case& scheme, Vary vary, Range search) {
+    return for_all_n(numbers, "", [&](std::size_t k) -> Finding {
+        const auto [x, y] = best(curves[k]);
+        const double own = error_at(curves[k], claimed), best_error = y - 1;
+        const std::string least = std::abs(x - claimed) < 1e-9 ? ", the least of the grid"
+                                                               : say(", least of the grid {%} at {}", best_error, x);
+        return {std::abs(own) <= std::abs(best_error) + equal_errors,
+                say("error {%}{}, true optimum {4}", own, least, optimum_of(scheme, numbers[k], vary, search))};
+    });
+}
+
+/// The three curves of a panel; if their x are alphas, on the paper's grid.
+inline std::vector<Points> curves_of(const Results& r, const std::string& panel) {
+    return {r.curve(panel, 0), r.curve(panel, 1), r.curve(panel, 2)};
+}
+inline std::vector<Points> on_paper_alphas(const Results& r, const std::string& panel) {
+    std::vector<Points> curves = curves_of(r, panel);
+    for (Points& curve : curves) curve = on_grid(curve, paper_alphas());
+    return curves;
+}
+
+/// Holds if that way of varying alpha has the smallest, or the largest, of the least errors on the grid of a panel.
+inline Finding best_of(const Results& r, const std::string& panel, std::size_t way, bool worst = false) {
+    std::array<double, 3> errors;
+    for (std::size_t k = 0; k < 3; ++k) errors[k] = least_error(on_paper_alphas(r, panel)[k]);
+    bool holds = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+        holds = holds && (k == way || (worst ? errors[way] > errors[k] : errors[way] < errors[k]));
+    }
+    return {holds, say("least error on the grid: alpha_L = alpha_T {%}, alpha_L = 0 {%}, alpha_T = 0 {%}", errors[0],
+                       errors[1], errors[2])};
+}
+
+/// optimum() of curves `first`, ... of a panel over alpha, one for each of the numbers.
+inline Finding best_alpha(const Results& r, const std::string& panel, const std::vector<Eigen::Index>& numbers,
+                          double claimed, const Case& scheme, Vary vary, Range search, std::ptrdiff_t first = 0) {
+    const std::vector<Points> curves = on_paper_alphas(r, panel);
+    return optimum({curves.begin() + first, curves.end()}, numbers, claimed, scheme, vary, search);
+}
+
+/// Largest difference from Carter's traction at centres between two x/a, over the largest traction: what a plot shows.
+inline double visible_difference(const Tractions& t, double trailing, double leading) {
+    const Eigen::ArrayXd difference = (t.value - t.carter).abs() / t.value.abs().maxCoeff();
+    return (t.x > trailing && t.x < leading).select(difference, 0.0).maxCoeff();
+}
+
+/// Where a curve over alpha or lambda leaves 0.
+inline std::string onset(const Points& points) {
+    const std::optional<double> first = first_positive(points);
+    return first ? "from " + number(*first) : "none";
+}
 
 }  // namespace paper

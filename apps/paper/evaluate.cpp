@@ -153,12 +153,6 @@ std::vector<HarmonicResponse> harmonic_responses(const Case& c, const std::vecto
     return result;
 }
 
-std::vector<std::complex<double>> harmonic_c11(const Case& c, const std::vector<double>& z) {
-    std::vector<std::complex<double>> result;
-    for (const HarmonicResponse& response : harmonic_responses(c, z)) result.push_back(response.c11);
-    return result;
-}
-
 double steady_time_us(const Case& c) {
     return study::median_time_us([&] { return steady(c).c11(); });
 }

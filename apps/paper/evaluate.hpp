@@ -98,9 +98,6 @@ struct HarmonicResponse {
 };
 std::vector<HarmonicResponse> harmonic_responses(const Case& c, const std::vector<double>& z);
 
-/// The same without the status.
-std::vector<std::complex<double>> harmonic_c11(const Case& c, const std::vector<double>& z);
-
 /// Time to assemble and solve a steady problem [us].
 double steady_time_us(const Case& c);
 

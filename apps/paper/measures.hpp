@@ -88,6 +88,15 @@ inline double spread(const Points& points) {
     return high - low;
 }
 
+/// Largest difference of y from one point to the next.
+inline double largest_jump(const Points& points) {
+    double result = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        result = std::max(result, std::abs(points[i].second - points[i - 1].second));
+    }
+    return result;
+}
+
 /// Every x at which y passes through 1, interpolated linearly.
 inline std::vector<double> crossings(const Points& points) {
     std::vector<double> result;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -11,76 +13,51 @@ namespace paper {
 
 namespace {
 
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-            case '&': result += "&amp;"; break;
-            case '<': result += "&lt;"; break;
-            case '>': result += "&gt;"; break;
-            default: result += c;
-        }
-    }
-    return result;
-}
-
 /// Plain text as HTML: Greek letters, alpha_L and c11 with subscripts.
 std::string html(const std::string& text) {
-    std::string result = escaped(with_greek(text));
-    for (const auto& [plain, marked] : {std::pair{"α_L", "α<sub>L</sub>"},
+    std::string result = with_greek(text);
+    for (const auto& [plain, marked] : {std::pair{"&", "&amp;"},
+                                        {"<", "&lt;"},
+                                        {">", "&gt;"},
+                                        {"α_L", "α<sub>L</sub>"},
                                         {"α_T", "α<sub>T</sub>"},
                                         {"dx_T", "dx<sub>T</sub>"},
                                         {"dx_L", "dx<sub>L</sub>"},
                                         {"c11", "c<sub>11</sub>"},
                                         {"c_{11}", "c<sub>11</sub>"}}) {
-        for (std::size_t i = result.find(plain); i != std::string::npos; i = result.find(plain, i)) {
-            result.replace(i, std::string(plain).size(), marked);
+        const std::size_t size = std::string_view(marked).size();
+        for (std::size_t i = result.find(plain); i != std::string::npos; i = result.find(plain, i + size)) {
+            result.replace(i, std::string_view(plain).size(), marked);
         }
     }
     return result;
 }
 
-/// gnuplot's SVG as part of a page: without prologue, and with identifiers of its own.
-std::string inlined(std::string svg, const std::string& figure) {
-    svg.erase(0, std::min(svg.find("<svg"), svg.size()));
-    for (const std::string mark : {"gnuplot_", "gpDot", "gpPt", "textbox", "greybox", "white"}) {
-        for (const std::string before : {"id=\"", "id='", "#"}) {
-            const std::string from = before + mark, to = before + "fig" + figure + mark;
-            for (std::size_t i = svg.find(from); i != std::string::npos; i = svg.find(from, i + to.size())) {
-                svg.replace(i, from.size(), to);
-            }
-        }
+/// Those of the claims that are asked for.
+using Filter = std::function<bool(const Claim&)>;
+long count(const Claims& claims, const Filter& wanted) { return std::count_if(claims.begin(), claims.end(), wanted); }
+bool holds(const Claim& claim) { return claim.finding.holds; }
+bool is_statement(const Claim& claim) { return !claim.is_addition(); }
+bool fails(const Claim& claim) { return is_statement(claim) && !holds(claim); }
+
+std::string claim_table(const Claims& claims, const Filter& wanted) {
+    std::string rows;
+    for (const Claim& claim : claims) {
+        if (!wanted(claim)) continue;
+        const bool addition = claim.is_addition();
+        const std::string verdict = holds(claim) ? "yes" : addition ? "no" : "not as printed";
+        rows += say("<tr class=\"{}\"><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                    addition       ? "addition"
+                    : holds(claim) ? "yes"
+                                   : "no",
+                    html(claim.figure), addition ? "(our addition)" : "“" + html(claim.quote) + "”", html(claim.claim),
+                    html(claim.finding.measured), claim.as_expected() ? verdict : "<strong>" + verdict + "</strong>",
+                    html(reason(claim)));
     }
-    return svg;
-}
-
-/// Number of the figure that a claim is about; 0 for equations and sections.
-int figure_number(const std::string& figure) {
-    return std::isdigit(static_cast<unsigned char>(figure.front())) ? std::stoi(figure) : 0;
-}
-
-using Rows = std::vector<const Judged*>;
-
-std::string verdict(const Judged& judged) {
-    std::string text = judged.finding.holds ? "yes" : judged.claim.is_addition() ? "no" : "not as printed";
-    return judged.as_expected() ? text : "<strong>" + text + "</strong>";
-}
-
-std::string claim_table(const Rows& rows) {
-    if (rows.empty()) return "";
-    std::string text =
-        "<table><thead><tr><th>figure</th><th>the paper's words</th><th>what is judged</th><th>measured</th>"
-        "<th>holds</th><th>remark</th></tr></thead><tbody>\n";
-    for (const Judged* judged : rows) {
-        const Claim& claim = judged->claim;
-        const char* const kind = claim.is_addition() ? "addition" : judged->finding.holds ? "yes" : "no";
-        std::string quote = claim.is_addition() ? "(our addition)" : "“";
-        if (!claim.is_addition()) quote.append(html(claim.quote)).append("”");
-        text += "<tr class=\"" + std::string(kind) + "\"><td>" + html(claim.figure) + "</td><td>" + quote +
-                "</td><td>" + html(claim.claim) + "</td><td>" + html(judged->finding.measured) + "</td><td>" +
-                verdict(*judged) + "</td><td>" + html(judged->reason()) + "</td></tr>\n";
-    }
-    return text + "</tbody></table>\n";
+    return rows.empty() ? ""
+                        : "<table><thead><tr><th>figure</th><th>the paper's words</th><th>what is judged</th>"
+                          "<th>measured</th><th>holds</th><th>remark</th></tr></thead><tbody>\n" +
+                              rows + "</tbody></table>\n";
 }
 
 constexpr std::string_view head = R"(<!DOCTYPE html>
@@ -91,7 +68,7 @@ body { font: 16px/1.45 system-ui, sans-serif; max-width: 1200px; margin: 2em aut
        padding: 0 1em; color: #111; background: #fff; }
 h2 { margin-top: 2.5em; border-bottom: 1px solid #bbb; }
 figure { margin: 1.5em 0; }
-svg { width: 100%; height: auto; max-width: 900px; display: block; }
+img { width: 100%; height: auto; max-width: 900px; display: block; }
 figcaption, footer { color: #444; font-size: 0.9em; }
 table { border-collapse: collapse; width: 100%; font-size: 0.88em; }
 th, td { text-align: left; vertical-align: top; padding: 0.3em 0.5em; border-bottom: 1px solid #ddd; }
@@ -117,126 +94,90 @@ std::string conditions() {
            "results that the paper does not have; they are not counted among its statements.</p>\n";
 }
 
-/// A section with a link to it in the contents.
-struct Section {
-    std::string id, title, note, body;
-};
-
 /// "3 hold, 1 does not"
-std::string counts(const Rows& rows) {
-    std::size_t holding = 0, statements = 0;
-    for (const Judged* judged : rows) {
-        statements += !judged->claim.is_addition();
-        holding += !judged->claim.is_addition() && judged->finding.holds;
-    }
-    const std::size_t failing = statements - holding;
+std::string counts(const Claims& claims, const Filter& wanted) {
+    const long statements = count(claims, [&](const Claim& claim) { return wanted(claim) && is_statement(claim); });
+    const long failing = count(claims, [&](const Claim& claim) { return wanted(claim) && fails(claim); });
     if (statements == 0) return "";
-    return std::to_string(holding) + (holding == 1 ? " holds" : " hold") +
-           (failing == 0 ? "" : ", " + std::to_string(failing) + (failing == 1 ? " does not" : " do not"));
+    return say("{}{}", statements - failing, statements - failing == 1 ? " holds" : " hold") +
+           (failing == 0 ? "" : say(", {}{}", failing, failing == 1 ? " does not" : " do not"));
 }
 
-std::string panel_figure(const Panel& panel, const std::map<std::string, std::string>& drawings) {
-    std::string text = "<figure id=\"panel" + panel.figure + "\">\n";
-    const auto drawing = drawings.find(panel.figure);
-    if (drawing != drawings.end()) text += inlined(drawing->second, panel.figure);
-    return text + "<figcaption>" + html(panel.title) + ". Chosen: " + html(panel.choice) + ". Data: <a href=\"fig" +
-           panel.figure + ".csv\">fig" + panel.figure + ".csv</a></figcaption></figure>\n";
-}
+/// The page under its heading, and the list of its contents.
+struct Body {
+    std::string contents, sections;
+
+    void add(const std::string& id, const std::string& title, const std::string& note, const std::string& body) {
+        contents += say("<li><a href=\"#{}\">{}</a>{}</li>\n", id, title, note.empty() ? "" : " (" + note + ")");
+        sections += say("<h2 id=\"{}\">{}</h2>\n", id, title) + body;
+    }
+};
 
 }  // namespace
 
-std::string Judged::reason() const {
-    if (as_expected()) return claim.remark;
-    return finding.holds ? "expected not to hold" : "expected to hold";
+std::string reason(const Claim& claim) {
+    if (claim.as_expected()) return claim.remark;
+    return holds(claim) ? "expected not to hold" : "expected to hold";
 }
 
-Tallies tallies(const std::vector<Judged>& claims) {
-    Tallies result;
-    for (const Judged& judged : claims) {
-        const bool addition = judged.claim.is_addition();
-        ++(addition ? result.additions : result.statements);
-        if (judged.finding.holds) ++(addition ? result.additions_holding : result.holding);
-        if (!judged.as_expected()) ++result.unexpected;
-    }
-    return result;
+std::string summary(const Claims& claims) {
+    const long statements = count(claims, is_statement), failing = count(claims, fails);
+    const long additions = std::ssize(claims) - statements;
+    const long holding = count(claims, [](const Claim& claim) { return claim.is_addition() && holds(claim); });
+    return say(
+        "{} statements of the paper: {} hold, {} do not hold as printed; {} additions: {} hold; {} differ from "
+        "what is expected",
+        statements, statements - failing, failing, additions, holding == additions ? "all" : std::to_string(holding),
+        count(claims, [](const Claim& claim) { return !claim.as_expected(); }));
 }
 
-std::string summary(const Tallies& counted) {
-    return std::to_string(counted.statements) + " statements of the paper: " + std::to_string(counted.holding) +
-           " hold, " + std::to_string(counted.statements - counted.holding) + " do not hold as printed; " +
-           std::to_string(counted.additions) + " additions: " +
-           (counted.additions_holding == counted.additions ? "all" : std::to_string(counted.additions_holding)) +
-           " hold";
-}
-
-study::Row claim_row(const Judged& judged) {
+study::Row claim_row(const Claim& claim) {
     const auto word = [](bool yes) { return yes ? "yes" : "no"; };
-    return {judged.claim.claim,
-            judged.claim.figure,
-            judged.claim.quote,
-            judged.finding.measured,
-            word(judged.finding.holds),
-            word(judged.claim.expected),
-            judged.reason(),
-            judged.claim.is_addition() ? "addition" : "statement"};
+    return {claim.claim,        claim.figure,         claim.quote,   claim.finding.measured,
+            word(holds(claim)), word(claim.expected), reason(claim), claim.is_addition() ? "addition" : "statement"};
 }
 
-std::string page(const Results& results, const std::vector<Judged>& claims,
-                 const std::map<std::string, std::string>& drawings, const std::string& note) {
-    // 1. The claims by subject.
-    Rows failing, additions, general;
-    std::map<int, Rows> of_figure;
-    for (const Judged& judged : claims) {
-        if (judged.claim.is_addition()) {
-            additions.push_back(&judged);
-        } else if (!judged.finding.holds) {
-            failing.push_back(&judged);
-        }
-        const int number = figure_number(judged.claim.figure);
-        (number > 0 ? of_figure[number] : general).push_back(&judged);
-    }
-
-    // 2. The sections: what does not hold, additions, each figure with its claims, the rest.
-    std::vector<Section> sections;
-    sections.push_back({"not-as-printed", "Statements that do not hold as printed", std::to_string(failing.size()),
-                        claim_table(failing)});
-    sections.push_back({"additions", "Our additions", std::to_string(additions.size()), claim_table(additions)});
-    const std::size_t first_figure = sections.size();
+std::string page(const Results& results, const Claims& claims, const std::set<std::string>& drawn,
+                 const std::string& note) {
+    const auto add = [&](Body& body, const std::string& id, const std::string& title, const Filter& wanted) {
+        body.add(id, title, std::to_string(count(claims, wanted)), claim_table(claims, wanted));
+    };
+    // what does not hold, additions, each figure with its claims, the rest
+    Body body;
+    add(body, "not-as-printed", "Statements that do not hold as printed", fails);
+    add(body, "additions", "Our additions", std::mem_fn(&Claim::is_addition));
+    std::map<int, std::string> panels, titles;
     for (const PanelResult& result : results.panels()) {
-        const int number = std::stoi(result.panel.figure);
-        const std::string id = "fig" + std::to_string(number);
-        if (sections.back().id != id) {
-            sections.push_back({id, "Fig. " + std::to_string(number) + ": " + html(result.panel.title),
-                                counts(of_figure[number]), ""});
+        const Panel& panel = result.panel;
+        const int number = std::stoi(panel.figure);
+        titles.try_emplace(number, say("Fig. {}: ", number) + html(panel.title));
+        panels[number] += "<figure id=\"panel" + panel.figure + "\">\n";
+        if (drawn.count(panel.figure) > 0) {
+            panels[number] += say("<img src=\"fig{}.svg\" alt=\"{}\">\n", panel.figure, html(panel.title));
         }
-        sections.back().body += panel_figure(result.panel, drawings);
+        panels[number] +=
+            say("<figcaption>{}. Chosen: {}. Data: <a href=\"fig{}.csv\">fig{}.csv</a></figcaption></figure>\n",
+                html(panel.title), html(panel.choice), panel.figure, panel.figure);
     }
-    for (std::size_t i = first_figure; i < sections.size(); ++i) {
-        sections[i].body += claim_table(of_figure[std::stoi(sections[i].id.substr(3))]);
+    const auto number_of = [](const Claim& claim) {  // of its figure; 0 for equations and sections
+        return std::isdigit(static_cast<unsigned char>(claim.figure.front())) ? std::stoi(claim.figure) : 0;
+    };
+    for (const auto& [number, figures] : panels) {
+        const Filter of_figure = [&, own = number](const Claim& claim) { return number_of(claim) == own; };
+        body.add(say("fig{}", number), titles[number], counts(claims, of_figure),
+                 figures + claim_table(claims, of_figure));
     }
-    sections.push_back({"general", "Equations and conclusions", counts(general), claim_table(general)});
+    const Filter general = [&](const Claim& claim) { return number_of(claim) == 0; };
+    body.add("general", "Equations and conclusions", counts(claims, general), claim_table(claims, general));
 
-    // 3. The page.
-    const Tallies counted = tallies(claims);
-    std::string text(head);
-    text += "<h1>Figures and claims of Giménez, Alonso and Baeza (2018), reproduced</h1>\n";
-    if (!note.empty()) text += "<p class=\"note\">" + html(note) + "</p>\n";
-    text += "<p>" + summary(counted) + "; " + std::to_string(counted.unexpected) +
-            " differ from what is expected. All as a table: <a href=\"claims.csv\">claims.csv</a>.</p>\n";
-    text += "<nav><h2>Contents</h2>\n<ul>\n";
-    for (const Section& section : sections) {
-        text += "<li><a href=\"#" + section.id + "\">" + section.title + "</a>" +
-                (section.note.empty() ? "" : " (" + section.note + ")") + "</li>\n";
-    }
-    text += "</ul></nav>\n" + conditions();
-    for (const Section& section : sections) {
-        text += "<h2 id=\"" + section.id + "\">" + section.title + "</h2>\n" + section.body;
-    }
-    text += "<footer><p>reproduce_paper " + std::string(build_info::version) + " (" +
-            std::string(build_info::git_revision) + "), " + std::string(build_info::compiler) +
-            ". J.G. Giménez, A. Alonso, L. Baeza, Vehicle System Dynamics 57(12) (2019) 1822-1846, "
-            "doi:10.1080/00423114.2018.1552365.</p></footer>\n</body></html>\n";
-    return text;
+    return std::string(head) + "<h1>Figures and claims of Giménez, Alonso and Baeza (2018), reproduced</h1>\n" +
+           (note.empty() ? "" : "<p class=\"note\">" + html(note) + "</p>\n") + "<p>" + summary(claims) +
+           ". All as a table: <a href=\"claims.csv\">claims.csv</a>.</p>\n<nav><h2>Contents</h2>\n<ul>\n" +
+           body.contents + "</ul></nav>\n" + conditions() + body.sections + "<footer><p>reproduce_paper " +
+           std::string(build_info::version) + " (" + std::string(build_info::git_revision) + "), " +
+           std::string(build_info::compiler) +
+           ". J.G. Giménez, A. Alonso, L. Baeza, Vehicle System Dynamics 57(12) (2019) 1822-1846, "
+           "doi:10.1080/00423114.2018.1552365.</p></footer>\n</body></html>\n";
 }
 
 }  // namespace paper

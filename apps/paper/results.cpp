@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -37,24 +38,10 @@ std::complex<double> polynomial_c11(double z, Eigen::Index order) {
 
 namespace {
 
-bool has_case(Quantity quantity) { return quantity != Quantity::displacement && quantity != Quantity::slope; }
-
-std::string y_label(Quantity quantity) {
-    switch (quantity) {
-        case Quantity::displacement: return "u G / (p a)";
-        case Quantity::slope: return "(du/dx) G / p";
-        case Quantity::c11_ratio: return "c_{11}^* / c_{11}";
-        case Quantity::traction: return "p / (G ξ)";
-        case Quantity::unstable_fraction: return "proportion of unstable eigenvalues";
-        case Quantity::argand: return "Im c_{11}";
-        case Quantity::response: return "Re c_{11}, Im c_{11}";
-    }
-    return "";
-}
-
 template <class... Values>
-void append(study::Row& row, const Values&... values) {
+study::Row& append(study::Row& row, const Values&... values) {
     (row.emplace_back(values), ...);
+    return row;
 }
 
 /// A row of `result`: the curve, its case and the values computed.
@@ -62,13 +49,17 @@ template <class... Values>
 void add_row(CurveResult& result, const Curve& curve, const Case& c, const Values&... values) {
     study::Row row;
     append(row, curve.label, name(c.method), name(c.derivative), name(c.mesh));
-    c.mesh == Topology::uniform ? append(row, "") : append(row, c.grading);
+    append(row, c.mesh == Topology::uniform ? study::Cell("") : study::Cell(c.grading));
     append(row, c.n, c.alpha_L, c.alpha_T, c.lambda, values...);
     result.rows.push_back(std::move(row));
 }
 
+CurveResult line(const Panel& panel, const Curve& curve) {
+    return {{}, {{.label = with_greek(curve.label), .markers = panel.axes.markers}}};
+}
+
 CurveResult compute_field(const Panel& panel, const Curve& curve) {
-    CurveResult result{{}, {{.label = with_greek(curve.label), .markers = false}}};
+    CurveResult result = line(panel, curve);
     for (double x : panel.grid) {
         const bool displacement = panel.quantity == Quantity::displacement;
         if (!displacement && std::abs(std::abs(x) - 0.5) < 1e-9) x += x > 0 ? -1e-9 : 1e-9;
@@ -80,29 +71,34 @@ CurveResult compute_field(const Panel& panel, const Curve& curve) {
     return result;
 }
 
-CurveResult compute_over_grid(const Panel& panel, const Curve& curve) {
-    CurveResult result{{}, {{.label = with_greek(curve.label), .markers = panel.axes.markers}}};
+CurveResult compute_ratio(const Panel& panel, const Curve& curve) {
+    CurveResult result = line(panel, curve);
     for (const double x : panel.grid) {
         const Case c = at(curve, x);
-        if (panel.quantity == Quantity::c11_ratio) {
-            const SteadyRatio ratio = steady_ratio(c);
-            add_row(result, curve, c, ratio.value, ratio.value - 1, rollbem::name(ratio.status));
-            if (std::isfinite(ratio.value)) result.series[0].points.emplace_back(x, ratio.value);
-        } else {
-            const Eigen::Index count = unstable_count(c);
-            const double share = static_cast<double>(count) / static_cast<double>(c.n);
-            // stable eigenvalues do not make a scheme converge to full adhesion
-            const bool converges = steady_ratio(c).status != rollbem::Status::assists_creepage;
-            add_row(result, curve, c, count, share,
-                    rollbem::name(converges ? rollbem::Status::ok : rollbem::Status::assists_creepage));
-            result.series[0].points.emplace_back(x, share);
-        }
+        const SteadyRatio ratio = steady_ratio(c);
+        add_row(result, curve, c, ratio.value, ratio.value - 1, rollbem::name(ratio.status));
+        if (std::isfinite(ratio.value)) result.series[0].points.emplace_back(x, ratio.value);
+    }
+    return result;
+}
+
+CurveResult compute_stability(const Panel& panel, const Curve& curve) {
+    CurveResult result = line(panel, curve);
+    for (const double x : panel.grid) {
+        const Case c = at(curve, x);
+        const Eigen::Index count = unstable_count(c);
+        const double share = static_cast<double>(count) / static_cast<double>(c.n);
+        // stable eigenvalues do not make a scheme converge to full adhesion
+        const bool converges = steady_ratio(c).status != rollbem::Status::assists_creepage;
+        add_row(result, curve, c, count, share,
+                rollbem::name(converges ? rollbem::Status::ok : rollbem::Status::assists_creepage));
+        result.series[0].points.emplace_back(x, share);
     }
     return result;
 }
 
 CurveResult compute_traction(const Panel& panel, const Curve& curve) {
-    CurveResult result{{}, {{.label = with_greek(curve.label), .markers = panel.axes.markers}}};
+    CurveResult result = line(panel, curve);
     const Tractions traction = tractions(curve.at);
     for (Eigen::Index i = 0; i < traction.x.size(); ++i) {
         add_row(result, curve, curve.at, traction.x[i], traction.value[i], traction.carter[i], traction.carter_mean[i],
@@ -112,30 +108,63 @@ CurveResult compute_traction(const Panel& panel, const Curve& curve) {
     return result;
 }
 
+/// Adds c11 at z to its curve in the complex plane, or to those of real and imaginary part over frequency.
+void add_response(std::vector<study::Series>& series, double z, const std::complex<double>& c11) {
+    if (series.size() == 1) {
+        series[0].points.emplace_back(c11.real(), c11.imag());
+    } else {
+        series[0].points.emplace_back(z, c11.real());
+        series[1].points.emplace_back(z, c11.imag());
+    }
+}
+
+/// Those curves, empty.
+std::vector<study::Series> response_series(Quantity quantity, const std::string& label, const study::Series& form) {
+    std::vector<study::Series> series(quantity == Quantity::argand ? 1 : 2, form);
+    series[0].label = quantity == Quantity::argand ? label : "Re, " + label;
+    if (series.size() > 1) series[1].label = "Im, " + label;
+    return series;
+}
+
 CurveResult compute_response(const Panel& panel, const Curve& curve) {
-    CurveResult result;
-    const bool argand = panel.quantity == Quantity::argand;
-    const auto points_only = [](const std::string& label) {
-        return study::Series{.label = label, .markers = true, .line = false};
-    };
-    result.series.push_back(points_only(argand ? curve.label : "Re, " + curve.label));
-    if (!argand) result.series.push_back(points_only("Im, " + curve.label));
+    // open markers, since the points of all n nearly coincide
+    CurveResult result{
+        {}, response_series(panel.quantity, curve.label, {.label = {}, .markers = true, .line = false, .open = true})};
     const std::vector<HarmonicResponse> responses = harmonic_responses(curve.at, panel.grid);
     for (std::size_t i = 0; i < responses.size(); ++i) {
         const double z = panel.grid[i];
-        const std::complex<double> c11 = responses[i].c11;
-        const std::complex<double> polynomial = polynomial_c11(z);
+        const std::complex<double> c11 = responses[i].c11, polynomial = polynomial_c11(z);
         const std::complex<double> exact = rollbem::reference::plane_c11({0, z}, poisson_ratio, aspect);
         add_row(result, curve, curve.at, z, c11.real(), c11.imag(), polynomial.real(), polynomial.imag(), exact.real(),
                 exact.imag(), std::abs(c11 - exact) / std::abs(exact), rollbem::name(responses[i].status));
-        if (argand) {
-            result.series[0].points.emplace_back(c11.real(), c11.imag());
-        } else {
-            result.series[0].points.emplace_back(z, c11.real());
-            result.series[1].points.emplace_back(z, c11.imag());
-        }
+        add_response(result.series, z, c11);
     }
     return result;
+}
+
+/// What a panel shows: the label of its axis, its columns behind those of the case, and how a curve is computed.
+struct Kind {
+    std::string y_label;
+    std::vector<std::string> columns;
+    CurveResult (*compute)(const Panel&, const Curve&);
+    bool has_case = true;
+};
+
+const Kind& kind_of(Quantity quantity) {
+    static const std::vector<std::string> response{"omega",         "c11_re",         "c11_im",
+                                                   "polynomial_re", "polynomial_im",  "exact_re",
+                                                   "exact_im",      "relative_error", "status"};
+    static const std::map<Quantity, Kind> kinds{
+        {Quantity::displacement, {"u G / (p a)", {"x_over_width", "displacement"}, compute_field, false}},
+        {Quantity::slope, {"(du/dx) G / p", {"x_over_width", "slope"}, compute_field, false}},
+        {Quantity::c11_ratio, {"c_{11}^* / c_{11}", {"c11_ratio", "relative_error", "status"}, compute_ratio}},
+        {Quantity::traction,
+         {"p / (G ξ)", {"x_over_a", "traction", "carter", "carter_mean", "status"}, compute_traction}},
+        {Quantity::unstable_fraction,
+         {"proportion of unstable eigenvalues", {"unstable_count", "unstable_fraction", "status"}, compute_stability}},
+        {Quantity::argand, {"Im c_{11}", response, compute_response}},
+        {Quantity::response, {"Re c_{11}, Im c_{11}", response, compute_response}}};
+    return kinds.at(quantity);
 }
 
 /// Carter's traction as far as it does not exceed the computed ones.
@@ -154,67 +183,25 @@ study::Series carter_line(const PanelResult& result) {
     return line;
 }
 
-void add_polynomial(study::Plot& plot, const Panel& panel) {
-    const bool argand = panel.quantity == Quantity::argand;
-    const std::string label = "polynomial, order " + std::to_string(polynomial_order);
-    study::Series first{.label = argand ? label : "Re, " + label, .markers = false, .reference = true};
-    study::Series second{.label = "Im, " + label, .markers = false, .reference = true};
-    for (const double z : logarithmic(panel.grid.front(), panel.grid.back(), 301)) {
-        const std::complex<double> c11 = polynomial_c11(z);
-        if (argand) {
-            first.points.emplace_back(c11.real(), c11.imag());
-        } else {
-            first.points.emplace_back(z, c11.real());
-            second.points.emplace_back(z, c11.imag());
-        }
-    }
-    plot.series.push_back(first);
-    if (!argand) plot.series.push_back(second);
-}
-
 }  // namespace
 
 std::vector<std::string> columns(Quantity quantity) {
     std::vector<std::string> result;
-    if (has_case(quantity)) {
+    if (kind_of(quantity).has_case) {
         result = {"curve", "method", "derivative", "mesh", "grading", "n", "alpha_L", "alpha_T", "lambda"};
     }
-    const auto append = [&](const std::vector<std::string>& names) {
-        result.insert(result.end(), names.begin(), names.end());
-    };
-    switch (quantity) {
-        case Quantity::displacement: append({"x_over_width", "displacement"}); break;
-        case Quantity::slope: append({"x_over_width", "slope"}); break;
-        case Quantity::c11_ratio: append({"c11_ratio", "relative_error", "status"}); break;
-        case Quantity::traction: append({"x_over_a", "traction", "carter", "carter_mean", "status"}); break;
-        case Quantity::unstable_fraction: append({"unstable_count", "unstable_fraction", "status"}); break;
-        case Quantity::argand:
-        case Quantity::response:
-            append({"omega", "c11_re", "c11_im", "polynomial_re", "polynomial_im", "exact_re", "exact_im",
-                    "relative_error", "status"});
-            break;
-    }
+    const std::vector<std::string>& own = kind_of(quantity).columns;
+    result.insert(result.end(), own.begin(), own.end());
     return result;
 }
 
-CurveResult compute(const Panel& panel, const Curve& curve) {
-    switch (panel.quantity) {
-        case Quantity::displacement:
-        case Quantity::slope: return compute_field(panel, curve);
-        case Quantity::c11_ratio:
-        case Quantity::unstable_fraction: break;
-        case Quantity::traction: return compute_traction(panel, curve);
-        case Quantity::argand:
-        case Quantity::response: return compute_response(panel, curve);
-    }
-    return compute_over_grid(panel, curve);
-}
+CurveResult compute(const Panel& panel, const Curve& curve) { return kind_of(panel.quantity).compute(panel, curve); }
 
 study::Plot plot(const PanelResult& result) {
     const Panel& panel = result.panel;
     study::Plot plot{.title = "Fig. " + printed(panel.figure) + "  " + with_greek(panel.title),
                      .x_label = with_greek(panel.x_label),
-                     .y_label = y_label(panel.quantity),
+                     .y_label = kind_of(panel.quantity).y_label,
                      .log_x = panel.axes.log_base > 0};
     if (plot.log_x) plot.log_base = panel.axes.log_base;
     if (panel.axes.x) plot.x_range = study::PlotRange{panel.axes.x->low, panel.axes.x->high};
@@ -224,9 +211,13 @@ study::Plot plot(const PanelResult& result) {
     }
     if (panel.quantity == Quantity::traction) plot.series.push_back(carter_line(result));
     if (panel.quantity == Quantity::argand || panel.quantity == Quantity::response) {
-        // Open markers, since the points of all n nearly coincide.
-        for (study::Series& series : plot.series) series.open = true;
-        add_polynomial(plot, panel);
+        std::vector<study::Series> polynomial =
+            response_series(panel.quantity, "polynomial, order " + std::to_string(polynomial_order),
+                            {.label = {}, .markers = false, .open = true, .reference = true});
+        for (const double z : logarithmic(panel.grid.front(), panel.grid.back(), 301)) {
+            add_response(polynomial, z, polynomial_c11(z));
+        }
+        plot.series.insert(plot.series.end(), polynomial.begin(), polynomial.end());
     }
     return plot;
 }

@@ -4,7 +4,7 @@
 
 #include <rollbem/closed_form/carter.hpp>
 
-#include "lists.hpp"
+#include "paper/claims.hpp"
 
 namespace paper {
 
@@ -30,6 +30,16 @@ double elements_needed(const Points& curve) {
     return needed;
 }
 
+/// Order of convergence from n = 160 to 640.
+double order_of(Case c) {
+    Points errors;
+    for (const Eigen::Index n : {160, 320, 640}) {
+        c.n = n;
+        errors.emplace_back(double(n), c11_ratio(c) - 1);
+    }
+    return -power(errors);
+}
+
 /// Oscillation of a steady traction; Carter's is monotone. Anything above rounding counts.
 constexpr double oscillation_threshold = 1e-9;
 double oscillation_of(const Case& c) { return oscillation(tractions(c).value); }
@@ -43,295 +53,266 @@ double oscillation_onset(Derivative derivative) {
     return std::numeric_limits<double>::infinity();
 }
 
-std::vector<Claim> kernel_and_alpha() {
+}  // namespace
+
+Claims kernel_and_alpha(const Results& r) {
+    const double of_ellipse =
+        c11_ratio({.n = 160}) * rollbem::steady_c11(poisson_ratio) / rollbem::ellipse_limit_c11(poisson_ratio);
+    const auto slope = [](double distance) { return std::abs(element_field(0.5 + distance).slope); };
+    const double far = slope(1e-3), near = slope(1e-6), nearer = slope(1e-9);
     return {
-        {"Eq. 31", "closed form solution for the 2D problem", "c11 = pi^2/(4(1-nu)) belongs to Eq. (30)", false,
+        {"Eq. 31",
+         "closed form solution for the 2D problem",
+         "c11 = pi^2/(4(1-nu)) belongs to Eq. (30)",
          "pi^2/(4(1-nu)) is Kalker's limit for a long ellipse. Eq. (30) for a rectangle gives pi/(2(1-nu)), to which "
          "all ratios here refer",
-         [](const Results&) -> Finding {
-             const double ratio =
-                 c11_ratio({.n = 160}) * rollbem::steady_c11(poisson_ratio) / rollbem::ellipse_limit_c11(poisson_ratio);
-             return {std::abs(ratio - 1) < 0.01, "c11* at n = 160 is " + number(ratio, 5) + " of it (2/pi = 0.63662)"};
-         }},
-        {"3", "tends to infinity at the element border", "du/dx of one element is singular at its edges", true,
+         {std::abs(of_ellipse - 1) < 0.01, say("c11* at n = 160 is {5} of it (2/pi = 0.63662)", of_ellipse)},
+         false},
+        {"3",
+         "tends to infinity at the element border",
+         "du/dx of one element is singular at its edges",
          "logarithmic: the same increase for each factor of distance",
-         [](const Results&) -> Finding {
-             const double far = std::abs(element_field(0.5 + 1e-3).slope);
-             const double near = std::abs(element_field(0.5 + 1e-6).slope);
-             const double nearer = std::abs(element_field(0.5 + 1e-9).slope);
-             const bool grows = near > far && std::abs((nearer - near) / (near - far) - 1) < 0.01;
-             return {grows, "|du/dx| G/p at 1e-3, 1e-6, 1e-9 dx from it: " + number(far) + ", " + number(near) + ", " +
-                                number(nearer)};
-         }},
-        {"5A", "maximal accuracy for alpha = 0.5", "alpha_L = alpha_T is most accurate at 0.5 (n = 40)", true,
-         "Kalker's choice in CONTACT", best_alpha("05a", {40}, 0.5, {}, Vary::both_alphas, {0.4, 0.6})},
-        {"5A", "the less accurate strategy", "alpha_T = 0 is the least accurate of the three ways", true, "",
-         best_of("05a", 2, true)},
-        {"5A", "the more precise", "alpha_L = 0 is the most accurate of the three ways", true, "", best_of("05a", 1)},
-        {"5A", "an optimal result when alpha_T = 0.63", "alpha_L = 0 is most accurate at alpha_T = 0.63 (n = 40)", true,
-         "", best_alpha("05b", {40}, 0.63, {}, Vary::alpha_T, {0.5, 0.7})},
+         {near > far && std::abs((nearer - near) / (near - far) - 1) < 0.01,
+          say("|du/dx| G/p at 1e-3, 1e-6, 1e-9 dx from it: {}, {}, {}", far, near, nearer)}},
+        {"5A", "maximal accuracy for alpha = 0.5", "alpha_L = alpha_T is most accurate at 0.5 (n = 40)",
+         "Kalker's choice in CONTACT", best_alpha(r, "05a", {40}, 0.5, {}, Vary::both_alphas, {0.4, 0.6})},
+        {"5A", "the less accurate strategy", "alpha_T = 0 is the least accurate of the three ways", "",
+         best_of(r, "05a", 2, true)},
+        {"5A", "the more precise", "alpha_L = 0 is the most accurate of the three ways", "", best_of(r, "05a", 1)},
+        {"5A", "an optimal result when alpha_T = 0.63", "alpha_L = 0 is most accurate at alpha_T = 0.63 (n = 40)", "",
+         best_alpha(r, "05b", {40}, 0.63, {}, Vary::alpha_T, {0.5, 0.7})},
         {"5B", "independently of the number of elements",
-         "alpha_L = 0, alpha_T = 0.63 is optimal for n = 40, 60 and 80", true,
+         "alpha_L = 0, alpha_T = 0.63 is optimal for n = 40, 60 and 80",
          "optimal: no alpha_T of the grid (by 0.05, and 0.63) is better by more than 0.01 % of c11",
-         best_alpha("05b", fine, 0.63, {}, Vary::alpha_T, {0.5, 0.7})},
-        {"5B", "", "The alpha_T without error falls as n grows", true,
+         best_alpha(r, "05b", fine, 0.63, {}, Vary::alpha_T, {0.5, 0.7})},
+        {"5B", "", "The alpha_T without error falls as n grows",
          "it is a zero crossing of the error; from n = 60 on it is nearer to 0.6 than to 0.63",
-         falls_with_n(
-             {20, 40, 60, 80, 160, 320}, "",
-             [](Eigen::Index n) { return true_optimum(ratio_over({.n = n}, Vary::alpha_T), 0.5, 0.7); },
-             [](double alpha) { return number(alpha, 4); })},
+         falls_with_n({20, 40, 60, 80, 160, 320}, "", "{4}",
+                      [](Eigen::Index n) {
+                          return optimum_of({}, n, Vary::alpha_T, {0.5, 0.7});
+                      })},
     };
 }
 
-std::vector<Claim> convergence() {
+Claims convergence(const Results& r) {
+    const std::vector<Points> fd = curves_of(r, "06a"), closed = curves_of(r, "06b");
+    bool converges = true, worse = true;
+    std::string errors;
+    double least = 1, largest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double before = std::abs(error_at(fd[k], 80)), after = std::abs(error_at(fd[k], 160));
+        converges = converges && after < before && after < 2e-3;
+        errors += say(k > 0 ? "; {%} to {%}" : "{%} to {%}", before, after);
+        least = std::min(least, std::abs(error_at(closed[k], 40)));
+        largest = std::max(largest, std::abs(error_at(fd[k], 40)));
+        for (const Points& other : closed) worse = worse && smaller_everywhere(fd[k], other);
+    }
+    const double own = elements_needed(fd[2]), other = elements_needed(fd[0]);
+    const double order = order_of({}), equal_order = order_of({.alpha_L = 0.5, .alpha_T = 0.5});
+    const auto recommended = [&](double n) { return error_at(fd[2], n); };
     return {
-        {"6A", "all the cases converge to the exact solution", "The errors of the three schemes tend to 0", true, "",
-         [](const Results& r) -> Finding {
-             bool holds = true;
-             std::string text;
-             for (std::size_t k = 0; k < 3; ++k) {
-                 const Points& curve = r.curve("06a", k);
-                 const double before = std::abs(error_at(curve, 80)), after = std::abs(error_at(curve, 160));
-                 holds = holds && after < before && after < 2e-3;
-                 text += (k > 0 ? "; " : "") + percent(before) + " to " + percent(after);
-             }
-             return {holds, "from n = 80 to 160: " + text};
-         }},
-        {"6A", "the rate of convergence is bigger",
-         "alpha_L = 0, alpha_T = 0.63 comes close to the exact value with fewer elements than 0.5/0.5", true,
+        {"6A",
+         "all the cases converge to the exact solution",
+         "The errors of the three schemes tend to 0",
+         "",
+         {converges, "from n = 80 to 160: " + errors}},
+        {"6A",
+         "the rate of convergence is bigger",
+         "alpha_L = 0, alpha_T = 0.63 comes close to the exact value with fewer elements than 0.5/0.5",
          "judged by the n from which on the error stays below 0.1 %",
-         [](const Results& r) -> Finding {
-             const double own = elements_needed(r.curve("06a", 2)), other = elements_needed(r.curve("06a", 0));
-             return {own < other, "n = " + number(own) + " against " + number(other) + "; at n = 40 the error is " +
-                                      percent(error_at(r.curve("06a", 2), 40)) + " against " +
-                                      percent(error_at(r.curve("06a", 0), 40))};
-         }},
-        {"6A", "", "Its order of convergence is no larger: both schemes are of first order", true,
+         {own < other, say("n = {} against {}; at n = 40 the error is {%} against {%}", own, other, recommended(40),
+                           error_at(fd[0], 40))}},
+        {"6A",
+         "",
+         "Its order of convergence is no larger: both schemes are of first order",
          "the error of 0/0.63 passes zero near n = 20 and grows up to n = 40 before it decays",
-         [](const Results&) -> Finding {
-             const auto order = [](Case c) {
-                 Points errors;
-                 for (const Eigen::Index n : {160, 320, 640}) {
-                     c.n = n;
-                     errors.emplace_back(double(n), c11_ratio(c) - 1);
-                 }
-                 return -power(errors);
-             };
-             const double own = order({}), other = order({.alpha_L = 0.5, .alpha_T = 0.5});
-             return {own < other + 0.05,
-                     "order from n = 160 to 640: " + number(own, 2) + " against " + number(other, 2)};
-         }},
-        {"6A", "Errors smaller than 0.01%", "0/0.63 has an error below 0.01 % at n = 20", true, "",
-         [](const Results& r) -> Finding {
-             const Points& curve = r.curve("06a", 2);
-             return {std::abs(error_at(curve, 20)) < 1e-4, percent(error_at(curve, 20)) +
-                                                               " (n = 40: " + percent(error_at(curve, 40)) +
-                                                               ", n = 80: " + percent(error_at(curve, 80)) + ")"};
-         }},
-        {"6B", "less precise than the ones presented in Fig. 6.A",
-         "The analytic derivative (0/0.4, 0.4/0, 0.4/0.4) is less accurate than finite differences in Fig. 6A", true,
+         {order < equal_order + 0.05, say("order from n = 160 to 640: {2} against {2}", order, equal_order)}},
+        {"6A",
+         "Errors smaller than 0.01%",
+         "0/0.63 has an error below 0.01 % at n = 20",
+         "",
+         {std::abs(recommended(20)) < 1e-4,
+          say("{%} (n = 40: {%}, n = 80: {%})", recommended(20), recommended(40), recommended(80))}},
+        {"6B",
+         "less precise than the ones presented in Fig. 6.A",
+         "The analytic derivative (0/0.4, 0.4/0, 0.4/0.4) is less accurate than finite differences in Fig. 6A",
          "every scheme against every scheme, at every n",
-         [](const Results& r) -> Finding {
-             bool holds = true;
-             double least = 1, largest = 0;
-             for (std::size_t i = 0; i < 3; ++i) {
-                 least = std::min(least, std::abs(error_at(r.curve("06b", i), 40)));
-                 largest = std::max(largest, std::abs(error_at(r.curve("06a", i), 40)));
-                 for (std::size_t k = 0; k < 3; ++k) {
-                     holds = holds && smaller_everywhere(r.curve("06a", i), r.curve("06b", k));
-                 }
-             }
-             return {holds, "n = 40: at least " + percent(least) + " against at most " + percent(largest)};
-         }},
+         {worse, say("n = 40: at least {%} against at most {%}", least, largest)}},
     };
 }
 
-std::vector<Claim> analytic_derivative_over_alpha() {
-    return {
-        {"7A", "a minimum of precision at alpha = 0.5", "alpha_L = alpha_T is at its worst at 0.5", true, "",
-         [](const Results& r) -> Finding {
-             const Points& curve = r.curve("07a", 0);
-             const double here = std::abs(error_at(curve, 0.5));
-             const double below = std::abs(error_at(curve, 0.45)), above = std::abs(error_at(curve, 0.55));
-             return {here > below && here > above, "error " + percent(here) + " at 0.5, " + percent(below) +
-                                                       " at 0.45, " + percent(above) + " at 0.55"};
-         }},
-        {"7A", "more accurate in the range", "With alpha_L or alpha_T zero, [0.4, 0.6] is the best part of alpha", true,
-         "judged by the mean error inside, below and above",
-         [](const Results& r) -> Finding {
-             bool holds = true;
-             std::string text;
-             for (const std::size_t k : {std::size_t(1), std::size_t(2)}) {
-                 const Points grid = on_grid(r.curve("07a", k), paper_alphas());
-                 const double inside = mean_error(within(grid, 0.4, 0.6));
-                 const double below = mean_error(within(grid, 0.05, 0.35)), above = mean_error(within(grid, 0.65, 1));
-                 holds = holds && inside < below && inside < above;
-                 text += std::string(k == 1 ? "alpha_L = 0: " : "; alpha_T = 0: ") + percent(inside) + " (" +
-                         percent(below) + " below, " + percent(above) + " above)";
-             }
-             return {holds, text};
-         }},
-        {"7A", "When alpha > 0.7 the results are more accurate", "Above alpha = 0.7 alpha_L = 0 is the most accurate",
-         true, "",
-         [](const Results& r) -> Finding {
-             const auto part = [&](std::size_t k) { return within(r.curve("07a", k), 0.705, 1); };
-             const bool holds = smaller_everywhere(part(1), part(0)) && smaller_everywhere(part(1), part(2));
-             return {holds, "at 0.85: alpha_L = 0 " + percent(error_at(part(1), 0.85)) + ", equal " +
-                                percent(error_at(part(0), 0.85)) + ", alpha_T = 0 " + percent(error_at(part(2), 0.85))};
-         }},
-        {"7A", "fits the theoretical one c11 in two points", "The curve alpha_L = 0 meets 1 twice (n = 40)", true,
-         "counted where tractions are consistent with full adhesion; near alpha_T = 0, where they zigzag, c11* rises "
-         "from 0 through 1",
-         [](const Results& r) -> Finding {
-             std::string consistent, other;
-             int count = 0;
-             for (const double alpha : crossings(r.curve("07a", 1))) {
-                 const Case c{.derivative = analytic, .alpha_T = alpha};
-                 const bool counts = steady_ratio(c).status == rollbem::Status::ok;
-                 count += counts;
-                 (counts ? consistent : other) += " " + number(alpha);
-             }
-             return {count == 2, "at alpha_T =" + consistent + (other.empty() ? "" : "; not counted:" + other)};
-         }},
-        {"7B", "approximately alpha_T = 0.6", "One of the two stays there whatever n", true,
-         "approximately: within 0.02",
-         for_all_n(fine, "",
-                   [](const Results& r, std::size_t k) -> Finding {
-                       const std::vector<double> found = crossings(r.curve("07b", k));
-                       if (found.empty()) return {false, "none"};
-                       return {std::abs(found.back() - 0.6) <= 0.02, number(found.back())};
-                   })},
-        {"7B", "not very sensitive to the mesh density", "Near alpha_T = 0.5 the error hardly depends on n", true,
-         "judged by the spread over n = 40, 60, 80 against the error itself: less than half",
-         [](const Results& r) -> Finding {
-             Points at_half;
-             for (std::size_t k = 0; k < 3; ++k) {
-                 at_half.emplace_back(double(fine[k]), value_at(r.curve("07b", k), 0.5));
-             }
-             return {spread(at_half) < largest_error(at_half) / 2,
-                     "error " + for_each_n(fine, [&](std::size_t k) { return percent(at_half[k].second - 1); })};
-         }},
-    };
+namespace {
+
+/// Whether [0.4, 0.6] has the smallest mean errors of the curves with an alpha of zero.
+Finding best_in_the_middle(const Results& r) {
+    bool holds = true;
+    std::string text;
+    for (const std::size_t k : {std::size_t(1), std::size_t(2)}) {
+        const Points grid = on_paper_alphas(r, "07a")[k];
+        const double inside = mean_error(within(grid, 0.4, 0.6));
+        const double below = mean_error(within(grid, 0.05, 0.35)), above = mean_error(within(grid, 0.65, 1));
+        holds = holds && inside < below && inside < above;
+        text += say("{}: {%} ({%} below, {%} above)", k == 1 ? "alpha_L = 0" : "; alpha_T = 0", inside, below, above);
+    }
+    return {holds, text};
 }
 
-std::vector<Claim> analytic_derivative_over_n() {
-    return {
-        {"8A", "gives better results than the exact calculation",
-         "At alpha_L = alpha_T = 0.5 finite differences are better than the analytic derivative", true, "at every n",
-         [](const Results& r) -> Finding {
-             const Points &fd = r.curve("08a", 0), &closed = r.curve("08a", 1);
-             return {smaller_everywhere(fd, closed),
-                     "n = 40: " + percent(error_at(fd, 40)) + " against " + percent(error_at(closed, 40))};
-         }},
-        {"8B", "better than the results in Fig. 8.A",
-         "The analytic derivative with alpha_L = 0 is more accurate than with 0.5/0.5", true, "at every n",
-         [](const Results& r) -> Finding {
-             const Points& half = r.curve("08a", 1);
-             return {smaller_everywhere(r.curve("08b", 1), half) && smaller_everywhere(r.curve("08b", 2), half),
-                     "n = 40: " + percent(error_at(r.curve("08b", 1), 40)) + " (alpha_T = 0.47) and " +
-                         percent(error_at(r.curve("08b", 2), 40)) + " (0.6) against " + percent(error_at(half, 40))};
-         }},
-        {"8B", "the best precision is also obtained", "Of the three, finite differences with 0.63 are the best", true,
-         "best: none is better by more than 0.01 % of c11 at any n. At n = 35 and 40, where its error changes sign, "
-         "the "
-         "analytic derivative with 0.6 is better by less",
-         [](const Results& r) -> Finding {
-             const Points &fd = r.curve("08b", 0), &slow = r.curve("08b", 1), &other = r.curve("08b", 2);
-             return {smaller_everywhere(fd, slow, equal_errors) && smaller_everywhere(fd, other, equal_errors),
-                     for_each_n({20, 40, 80}, [&](std::size_t k) {
-                         const double n = std::array{20, 40, 80}[k];
-                         return percent(error_at(fd, n)) + " against " + percent(error_at(slow, n)) +
-                                " (analytic, 0.47) and " + percent(error_at(other, n)) + " (analytic, 0.6)";
-                     })};
-         }},
-        {"8B", "and alpha_T = 0.6 is acceptable", "The analytic derivative with 0.6 is acceptable above n = 30", true,
-         "acceptable: below 0.1 %",
-         below(
-             1e-3, [](const Results& r) { return largest_error(within(r.curve("08b", 2), 31, 160)); },
-             [](double largest) { return "largest error " + percent(largest); })},
-        {"8B", "convergence speed is, however, smaller",
-         "The analytic derivative with 0.47 needs more elements than the other two", true,
-         "judged by the n from which on the error stays below 0.1 %",
-         [](const Results& r) -> Finding {
-             const auto needed = [&](std::size_t k) { return elements_needed(r.curve("08b", k)); };
-             return {needed(1) > needed(0) && needed(1) > needed(2), "n = " + number(needed(1)) + " against " +
-                                                                         number(needed(2)) + " (analytic, 0.6) and " +
-                                                                         number(needed(0)) + " (fd, 0.63)"};
-         }},
-        {"8B", "", "No order of convergence can be read from it: its error passes zero and grows again", true,
-         "zero near n = 215",
-         [](const Results&) -> Finding {
-             const std::vector<Eigen::Index> numbers{80, 160, 200, 240, 320, 640};
-             std::vector<double> errors;
-             const std::string text = for_each_n(numbers, [&](std::size_t k) {
-                 errors.push_back(c11_ratio({.n = numbers[k], .derivative = analytic, .alpha_T = 0.47}) - 1);
-                 return percent(errors.back());
-             });
-             return {errors[2] > 0 && errors[3] < 0 && errors[5] < errors[4], "error " + text};
-         }},
-    };
-}
-
-std::vector<Claim> tractions_of_collocation() {
-    return {
-        {"9", "oscillates when alpha_L = alpha_T = 1", "1/1 oscillates with either derivative, 0.5/0.5 and 0/0.63 not",
-         true,
-         "oscillation: total variation over range, less 1, which is 0 for a monotone traction such as Carter's; any "
-         "excess above rounding (1e-9) counts",
-         [](const Results&) -> Finding {
-             const double closed = oscillation_of({.derivative = analytic, .alpha_L = 1, .alpha_T = 1});
-             const double fd = oscillation_of({.alpha_L = 1, .alpha_T = 1});
-             const double half = oscillation_of({.alpha_L = 0.5, .alpha_T = 0.5}), best_case = oscillation_of({});
-             const bool holds = closed > oscillation_threshold && fd > oscillation_threshold &&
-                                half < oscillation_threshold && best_case < oscillation_threshold;
-             return {holds, "analytic 1/1 " + percent(closed) + ", fd 1/1 " + percent(fd) + ", fd 0.5/0.5 " +
-                                percent(std::abs(half), 1) + ", fd 0/0.63 " + percent(std::abs(best_case), 1)};
-         }},
-        {"9", "values of parameter alpha greater than 0.9", "Oscillation sets in near alpha = 0.9 (alpha_L = alpha_T)",
-         true, "near: within 0.05, for either derivative; the first alpha, by 0.01, whose traction is not monotone",
-         [](const Results&) -> Finding {
-             const double fd = oscillation_onset(Derivative::finite_difference), closed = oscillation_onset(analytic);
-             return {std::abs(fd - 0.9) < 0.05 && std::abs(closed - 0.9) < 0.05,
-                     "from " + number(fd) + " (fd) and " + number(closed) + " (analytic) on"};
-         }},
-        {"9", "requires using coefficients alpha_L and alpha_T smaller than 0.9",
-         "A smooth traction needs both alphas below 0.9", false,
-         "true of equal alphas. With alpha_L = 0, alpha decreases along the contact, and even alpha_T = 1 is smooth",
-         [](const Results&) -> Finding {
-             const double fd = oscillation_of({.alpha_T = 1});
-             const double closed = oscillation_of({.derivative = analytic, .alpha_T = 1});
-             return {std::min(fd, closed) > oscillation_threshold,
-                     "oscillation of alpha_L = 0, alpha_T = 1: " + percent(std::abs(fd), 1) + " (fd), " +
-                         percent(std::abs(closed), 1) + " (analytic)"};
-         }},
-        {"9", "equivalent to the one used by Knothe",
-         "1/1 gives the tractions of Knothe and Gross-Thebing's boundary conditions", true,
-         "of the elements that carry traction: n with alpha = 1 against n + 1 with the boundary conditions",
-         [](const Results&) -> Finding {
-             const double fd = knothe_boundary_difference(40, Derivative::finite_difference);
-             const double closed = knothe_boundary_difference(40, analytic);
-             return {std::max(fd, closed) < 1e-9, "largest relative difference of tractions " + number(fd, 1) +
-                                                      " (fd), " + number(closed, 1) + " (analytic)"};
-         }},
-        {"10", "practically indistinguishable",
-         "Except near the trailing edge, Carter and collocation (fd, 0/0.63) coincide", true,
-         "near: the trailing tenth; indistinguishable: within 1 % of the largest traction, a line's width in the plot",
-         [](const Results&) -> Finding {
-             const Tractions t = tractions({});
-             const double visible = visible_difference(t, -0.8, 1);
-             return {visible < 0.01, percent(visible) + " of the largest traction; of the local one " +
-                                         percent(t.value[20] / t.carter[20] - 1) + " in the middle, " +
-                                         percent(t.value[39] / t.carter[39] - 1) + " on the leading element, " +
-                                         percent(t.value[0] / t.carter[0] - 1) + " on the trailing one"};
-         }},
-    };
+/// Whether the curve alpha_L = 0 meets 1 twice where the status says that tractions are those of full adhesion.
+Finding meets_one_twice(const Results& r) {
+    std::string consistent, other;
+    int count = 0;
+    for (const double alpha : crossings(r.curve("07a", 1))) {
+        const bool counts = steady_ratio({.derivative = analytic, .alpha_T = alpha}).status == rollbem::Status::ok;
+        count += counts;
+        (counts ? consistent : other) += " " + number(alpha);
+    }
+    return {count == 2, "at alpha_T =" + consistent + (other.empty() ? "" : "; not counted:" + other)};
 }
 
 }  // namespace
 
-std::vector<Claim> claims_of_collocation() {
-    return all_of({kernel_and_alpha, convergence, analytic_derivative_over_alpha, analytic_derivative_over_n,
-                   tractions_of_collocation});
+Claims analytic_derivative(const Results& r) {
+    const Points &over_alpha = r.curve("07a", 0), &half_fd = r.curve("08a", 0), &half = r.curve("08a", 1);
+    const Points &fd = r.curve("08b", 0), &slow = r.curve("08b", 1), &other = r.curve("08b", 2);
+    const double at_half = std::abs(error_at(over_alpha, 0.5)), before = std::abs(error_at(over_alpha, 0.45)),
+                 after = std::abs(error_at(over_alpha, 0.55));
+    std::vector<Points> high;
+    Points densities;
+    for (std::size_t k = 0; k < 3; ++k) {
+        high.push_back(within(r.curve("07a", k), 0.705, 1));
+        densities.emplace_back(double(fine[k]), value_at(r.curve("07b", k), 0.5));
+    }
+    const double own = elements_needed(slow), needed = elements_needed(other), needed_fd = elements_needed(fd);
+    std::vector<double> errors;
+    const std::string far = for_each_n({80, 160, 200, 240, 320, 640}, [&](std::size_t k) {
+        const Eigen::Index n = std::array{80, 160, 200, 240, 320, 640}[k];
+        errors.push_back(c11_ratio({.n = n, .derivative = analytic, .alpha_T = 0.47}) - 1);
+        return percent(errors.back());
+    });
+    return {
+        {"7A",
+         "a minimum of precision at alpha = 0.5",
+         "alpha_L = alpha_T is at its worst at 0.5",
+         "",
+         {at_half > before && at_half > after,
+          say("error {%} at 0.5, {%} at 0.45, {%} at 0.55", at_half, before, after)}},
+        {"7A", "more accurate in the range", "With alpha_L or alpha_T zero, [0.4, 0.6] is the best part of alpha",
+         "judged by the mean error inside, below and above", best_in_the_middle(r)},
+        {"7A",
+         "When alpha > 0.7 the results are more accurate",
+         "Above alpha = 0.7 alpha_L = 0 is the most accurate",
+         "",
+         {smaller_everywhere(high[1], high[0]) && smaller_everywhere(high[1], high[2]),
+          say("at 0.85: alpha_L = 0 {%}, equal {%}, alpha_T = 0 {%}", error_at(high[1], 0.85), error_at(high[0], 0.85),
+              error_at(high[2], 0.85))}},
+        {"7A", "fits the theoretical one c11 in two points", "The curve alpha_L = 0 meets 1 twice (n = 40)",
+         "counted where tractions are consistent with full adhesion; near alpha_T = 0, where they zigzag, c11* rises "
+         "from 0 through 1",
+         meets_one_twice(r)},
+        {"7B", "approximately alpha_T = 0.6", "One of the two stays there whatever n", "approximately: within 0.02",
+         for_all_n(fine, "",
+                   [&](std::size_t k) -> Finding {
+                       const std::vector<double> found = crossings(r.curve("07b", k));
+                       if (found.empty()) return {false, "none"};
+                       return {std::abs(found.back() - 0.6) <= 0.02, number(found.back())};
+                   })},
+        {"7B",
+         "not very sensitive to the mesh density",
+         "Near alpha_T = 0.5 the error hardly depends on n",
+         "judged by the spread over n = 40, 60, 80 against the error itself: less than half",
+         {spread(densities) < largest_error(densities) / 2,
+          "error " + for_each_n(fine, [&](std::size_t k) { return percent(densities[k].second - 1); })}},
+        {"8A",
+         "gives better results than the exact calculation",
+         "At alpha_L = alpha_T = 0.5 finite differences are better than the analytic derivative",
+         "at every n",
+         {smaller_everywhere(half_fd, half),
+          say("n = 40: {%} against {%}", error_at(half_fd, 40), error_at(half, 40))}},
+        {"8B",
+         "better than the results in Fig. 8.A",
+         "The analytic derivative with alpha_L = 0 is more accurate than with 0.5/0.5",
+         "at every n",
+         {smaller_everywhere(slow, half) && smaller_everywhere(other, half),
+          say("n = 40: {%} (alpha_T = 0.47) and {%} (0.6) against {%}", error_at(slow, 40), error_at(other, 40),
+              error_at(half, 40))}},
+        {"8B",
+         "the best precision is also obtained",
+         "Of the three, finite differences with 0.63 are the best",
+         "best: none is better by more than 0.01 % of c11 at any n. At n = 35 and 40, where its error changes sign, "
+         "the analytic derivative with 0.6 is better by less",
+         {smaller_everywhere(fd, slow, equal_errors) && smaller_everywhere(fd, other, equal_errors),
+          for_each_n({20, 40, 80},
+                     [&](std::size_t k) {
+                         const double n = std::array{20, 40, 80}[k];
+                         return say("{%} against {%} (analytic, 0.47) and {%} (analytic, 0.6)", error_at(fd, n),
+                                    error_at(slow, n), error_at(other, n));
+                     })}},
+        {"8B", "and alpha_T = 0.6 is acceptable", "The analytic derivative with 0.6 is acceptable above n = 30",
+         "acceptable: below 0.1 %", below(1e-3, largest_error(within(other, 31, 160)), "largest error {%}")},
+        {"8B",
+         "convergence speed is, however, smaller",
+         "The analytic derivative with 0.47 needs more elements than the other two",
+         "judged by the n from which on the error stays below 0.1 %",
+         {own > needed_fd && own > needed,
+          say("n = {} against {} (analytic, 0.6) and {} (fd, 0.63)", own, needed, needed_fd)}},
+        {"8B",
+         "",
+         "No order of convergence can be read from it: its error passes zero and grows again",
+         "zero near n = 215",
+         {errors[2] > 0 && errors[3] < 0 && errors[5] < errors[4], "error " + far}},
+    };
+}
+
+Claims tractions_of_collocation(const Results&) {
+    const double closed = oscillation_of({.derivative = analytic, .alpha_L = 1, .alpha_T = 1});
+    const double fd = oscillation_of({.alpha_L = 1, .alpha_T = 1});
+    const double half = oscillation_of({.alpha_L = 0.5, .alpha_T = 0.5}), best_case = oscillation_of({});
+    const double from_fd = oscillation_onset(Derivative::finite_difference), from = oscillation_onset(analytic);
+    const double ahead = oscillation_of({.alpha_T = 1});
+    const double ahead_closed = oscillation_of({.derivative = analytic, .alpha_T = 1});
+    const double knothe = knothe_boundary_difference(40, Derivative::finite_difference);
+    const double knothe_closed = knothe_boundary_difference(40, analytic);
+    const Tractions t = tractions({});
+    const auto from_carter = [&](Eigen::Index i) { return t.value[i] / t.carter[i] - 1; };
+    const double visible = visible_difference(t, -0.8, 1);
+    return {
+        {"9",
+         "oscillates when alpha_L = alpha_T = 1",
+         "1/1 oscillates with either derivative, 0.5/0.5 and 0/0.63 not",
+         "oscillation: total variation over range, less 1, which is 0 for a monotone traction such as Carter's; any "
+         "excess above rounding (1e-9) counts",
+         {std::min(closed, fd) > oscillation_threshold && std::max(half, best_case) < oscillation_threshold,
+          say("analytic 1/1 {%}, fd 1/1 {%}, fd 0.5/0.5 {%1}, fd 0/0.63 {%1}", closed, fd, std::abs(half),
+              std::abs(best_case))}},
+        {"9",
+         "values of parameter alpha greater than 0.9",
+         "Oscillation sets in near alpha = 0.9 (alpha_L = alpha_T)",
+         "near: within 0.05, for either derivative; the first alpha, by 0.01, whose traction is not monotone",
+         {std::abs(from_fd - 0.9) < 0.05 && std::abs(from - 0.9) < 0.05,
+          say("from {} (fd) and {} (analytic) on", from_fd, from)}},
+        {"9",
+         "requires using coefficients alpha_L and alpha_T smaller than 0.9",
+         "A smooth traction needs both alphas below 0.9",
+         "true of equal alphas. With alpha_L = 0, alpha decreases along the contact, and even alpha_T = 1 is smooth",
+         {std::min(ahead, ahead_closed) > oscillation_threshold,
+          say("oscillation of alpha_L = 0, alpha_T = 1: {%1} (fd), {%1} (analytic)", std::abs(ahead),
+              std::abs(ahead_closed))},
+         false},
+        {"9",
+         "equivalent to the one used by Knothe",
+         "1/1 gives the tractions of Knothe and Gross-Thebing's boundary conditions",
+         "of the elements that carry traction: n with alpha = 1 against n + 1 with the boundary conditions",
+         {std::max(knothe, knothe_closed) < 1e-9,
+          say("largest relative difference of tractions {1} (fd), {1} (analytic)", knothe, knothe_closed)}},
+        {"10",
+         "practically indistinguishable",
+         "Except near the trailing edge, Carter and collocation (fd, 0/0.63) coincide",
+         "near: the trailing tenth; indistinguishable: within 1 % of the largest traction, a line's width in the plot",
+         {visible < 0.01,
+          say("{%} of the largest traction; of the local one {%} in the middle, {%} on the leading element, {%} on "
+              "the trailing one",
+              visible, from_carter(20), from_carter(39), from_carter(0))}},
+    };
 }
 
 }  // namespace paper

@@ -4,11 +4,13 @@
 
 #include <gsl/gsl_integration.h>
 
-#include "lists.hpp"
+#include "paper/claims.hpp"
 
 namespace paper {
 
 namespace {
+
+constexpr Case seven_points{.method = Method::galerkin_7};
 
 /// Time of a steady problem over that of collocation.
 double cost_ratio(const Case& c) {
@@ -20,26 +22,24 @@ double cost_ratio(const Case& c) {
     return own / collocation;
 }
 
-std::string times(double ratio) { return number(ratio, 2) + " times the time of collocation"; }
-
 /// How many of the 7 coincidences of a Gauss point with an element's edge cause a dip of c11, and the deepest dip.
 Finding dips() {
     int dips = 0;
     double largest = 0;
+    gsl_integration_glfixed_table* const table = gsl_integration_glfixed_table_alloc(7);
     for (std::size_t i = 0; i < 7; ++i) {
         double node = 0, weight = 0;
-        gsl_integration_glfixed_table* const table = gsl_integration_glfixed_table_alloc(7);
         gsl_integration_glfixed_point(-1, 1, i, &node, &weight, table);
-        gsl_integration_glfixed_table_free(table);
-        const double alpha = 0.5 + node / 2;  // this point lies on the leading edge of its element
-        const auto ratio = ratio_over({.method = Method::galerkin_7, .derivative = analytic}, Vary::both_alphas);
-        const double left = ratio(alpha - 0.01), here = ratio(alpha), right = ratio(alpha + 0.01);
-        const double dip = std::abs(here - (left + right) / 2);
+        const auto ratio = [&](double off) {  // at off = 0 this point lies on the leading edge of its element
+            return ratio_at({.method = Method::galerkin_7, .derivative = analytic}, Vary::both_alphas,
+                            0.5 + node / 2 + off);
+        };
+        const double left = ratio(-0.01), right = ratio(0.01), dip = std::abs(ratio(0) - (left + right) / 2);
         if (dip > std::abs(right - left)) ++dips;
         largest = std::max(largest, dip);
     }
-    return {dips == 7, std::to_string(dips) + " dips at 7 coincidences (alpha_L = alpha_T), up to " + percent(largest) +
-                           " of c11"};
+    gsl_integration_glfixed_table_free(table);
+    return {dips == 7, say("{} dips at 7 coincidences (alpha_L = alpha_T), up to {%} of c11", dips, largest)};
 }
 
 /// Whether collocation with finite differences and Galerkin in closed form with the analytic derivative are the same.
@@ -56,57 +56,59 @@ Finding coincidence(const Results& r) {
     const double over_n = largest_difference(r.curve("13b", 0), r.curve("13b", 1));
     const double quadrature = gauss_galerkin_difference(1000);
     return {std::max({a, b, over_n}) < 1e-9 && quadrature < 1e-4,
-            "largest difference of c11*/c11: 12B and 5A " + number(a, 1) + ", 13A and 5B " + number(b, 1) +
-                " (alpha from 0.1 to 1), in 13B " + number(over_n, 1) + "; with 1000 Gauss points " +
-                number(quadrature, 1) + " (0/0.63)"};
+            say("largest difference of c11*/c11: 12B and 5A {1}, 13A and 5B {1} (alpha from 0.1 to 1), in 13B {1}; "
+                "with 1000 Gauss points {1} (0/0.63)",
+                a, b, over_n, quadrature)};
 }
 
 }  // namespace
 
-std::vector<Claim> claims_of_galerkin() {
+Claims galerkin_claims(const Results& r) {
+    const double G_prime = G_prime_difference(exact_galerkin, {}), G = G_difference(exact_galerkin, {});
     return {
-        {"11A", "obtains the best results", "Of the three ways alpha_L = 0 is the best (7 points, fd)", true, "",
-         best_of("11a", 1)},
-        {"11A", "minimum error for alpha_T = alpha = 1", "alpha_L = 0 errs least at alpha_T = 1 (n = 40)", true,
+        {"11A", "obtains the best results", "Of the three ways alpha_L = 0 is the best (7 points, fd)", "",
+         best_of(r, "11a", 1)},
+        {"11A", "minimum error for alpha_T = alpha = 1", "alpha_L = 0 errs least at alpha_T = 1 (n = 40)",
          "within [0, 1]; the true optimum lies beyond",
-         best_alpha("11b", {40}, 1, {.method = Method::galerkin_7}, Vary::alpha_T, {0.8, 1.2})},
-        {"11B", "this trend is maintained", "The same for n = 60 and 80", true, "",
-         best_alpha("11b", {60, 80}, 1, {.method = Method::galerkin_7}, Vary::alpha_T, {0.8, 1.2}, 1)},
-        {"12A", "characterised by dips", "Gauss points that meet element edges cause dips (7 points, analytic)", true,
-         "a dip: the error at the coincidence differs by more than twice the change expected from both sides",
-         [](const Results&) { return dips(); }},
+         best_alpha(r, "11b", {40}, 1, seven_points, Vary::alpha_T, {0.8, 1.2})},
+        {"11B", "this trend is maintained", "The same for n = 60 and 80", "",
+         best_alpha(r, "11b", {60, 80}, 1, seven_points, Vary::alpha_T, {0.8, 1.2}, 1)},
+        {"12A", "characterised by dips", "Gauss points that meet element edges cause dips (7 points, analytic)",
+         "a dip: the error at the coincidence differs by more than twice the change expected from both sides", dips()},
         {"12A", "observed in the curve alpha_T = 0",
-         "alpha_T = 0 is the most accurate of the three ways (7 points, analytic)", false,
-         "the indices are swapped, as in several captions: alpha_L = 0 is the most accurate", best_of("12a", 2)},
+         "alpha_T = 0 is the most accurate of the three ways (7 points, analytic)",
+         "the indices are swapped, as in several captions: alpha_L = 0 is the most accurate", best_of(r, "12a", 2),
+         false},
         {"12B", "Again the curve alpha_L = 0 presents the best precision",
-         "Of the three ways alpha_L = 0 is the best (closed form, analytic)", true, "", best_of("12b", 1)},
+         "Of the three ways alpha_L = 0 is the best (closed form, analytic)", "", best_of(r, "12b", 1)},
         {"13A", "reach 1 when alpha_T = 0.63",
-         "Galerkin in closed form, alpha_L = 0, is optimal at 0.63 for n = 40, 60 and 80", true,
+         "Galerkin in closed form, alpha_L = 0, is optimal at 0.63 for n = 40, 60 and 80",
          "optimal as in Fig. 5B, with whose curves these coincide",
-         best_alpha("13a", fine, 0.63, exact_galerkin, Vary::alpha_T, {0.5, 0.7})},
+         best_alpha(r, "13a", fine, 0.63, exact_galerkin, Vary::alpha_T, {0.5, 0.7})},
         {"12B, 13", "coincident with Figure 5.A",
-         "Galerkin in closed form with the analytic derivative is collocation with finite differences", true,
+         "Galerkin in closed form with the analytic derivative is collocation with finite differences",
          "the mean of the derivative over an element is the central difference: one formula gives both, and quadrature "
          "with 1000 points confirms it",
-         coincidence},
-        {"Sec. 7", "", "The equivalence concerns G': G differs, and with it stability and response in time", true, "",
-         [](const Results&) -> Finding {
-             const double G_prime = G_prime_difference(exact_galerkin, {}), G = G_difference(exact_galerkin, {});
-             return {G_prime < 1e-12 && G > 1e-3, "largest difference of G' " + number(G_prime, 1) + ", of G " +
-                                                      percent(G) + " of the largest entry"};
-         }},
-        {"Sec. 7", "much more computationally expensive", "Galerkin with 7 Gauss points costs much more (n = 40)", true,
+         coincidence(r)},
+        {"Sec. 7",
+         "",
+         "The equivalence concerns G': G differs, and with it stability and response in time",
+         "",
+         {G_prime < 1e-12 && G > 1e-3, say("largest difference of G' {1}, of G {%} of the largest entry", G_prime, G)}},
+    };
+}
+
+Claims costs_of_galerkin(const Results&) {
+    const double ratio = cost_ratio(seven_points);
+    const std::string times = "{2} times the time of collocation";
+    return {
+        {"Sec. 7",
+         "much more computationally expensive",
+         "Galerkin with 7 Gauss points costs much more (n = 40)",
          "much more: 3 times or above, assembly and solution of a steady problem",
-         [](const Results&) -> Finding {
-             const double ratio = cost_ratio({.method = Method::galerkin_7});
-             return {ratio >= 3, times(ratio)};
-         },
-         true},
-        {"Sec. 7", "", "With its integrals in closed form Galerkin costs about what collocation costs (n = 40)", true,
-         "about: less than twice",
-         below(
-             2, [](const Results&) { return cost_ratio(exact_galerkin); }, times),
-         true},
+         {ratio >= 3, say(times, ratio)}},
+        {"Sec. 7", "", "With its integrals in closed form Galerkin costs about what collocation costs (n = 40)",
+         "about: less than twice", below(2, cost_ratio(exact_galerkin), times)},
     };
 }
 
