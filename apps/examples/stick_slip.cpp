@@ -17,7 +17,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <numbers>
-#include <utility>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -25,6 +24,7 @@
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/friction/friction.hpp>
 #include <rollbem/normal/hertz.hpp>
+#include <rollbem/rolling/run.hpp>
 
 namespace {
 
@@ -59,20 +59,18 @@ struct State {
     double motor, wheel;  // w_m, w [rad/s]
     double twist = 0;     // [rad]
     double force = 0;     // F [N]
-    Model::State contact;
 };
 
 // 2. One step of the trapezoidal rule while the wheel rolls on by dq [m], by Newton's method with the tangent of the
-// contact. Its status is not ok if the contact refuses the step or Newton's method does not converge.
-Model::Step advance(const Model& model, double demand, double damping, double dq, const State& now, State& next,
-                    Model::Workspace& workspace) {
-    next.motor = now.motor;
-    next.wheel = now.wheel;
+// contact. False if the contact refuses the step or Newton's method does not converge.
+bool advance(rollbem::Run<Model>& contact, double demand, double damping, double dq, State& state) {
+    const State now = state;
+    State& next = state;
     const double dt = dq / speed;
     for (int trial = 0; trial < 30; ++trial) {
         const auto motion = rollbem::RigidMotion<double>::linear(creepage(now.wheel), creepage(next.wheel));
-        const Model::Step step = model.advance(now.contact, {dq, dt}, motion, next.contact, workspace);
-        if (step.status != rollbem::StepStatus::ok) return step;
+        const Model::Step step = contact.try_advance({dq, dt}, motion);
+        if (step.status != rollbem::StepStatus::ok) return false;
         next.force = step.force;
 
         const double motor = (now.motor + next.motor) / 2, wheel = (now.wheel + next.wheel) / 2;
@@ -90,9 +88,11 @@ Model::Step advance(const Model& model, double demand, double damping, double dq
         const Eigen::Vector2d change = -jacobian.inverse() * residual;
         next.motor += change[0];
         next.wheel += change[1];
-        if (change.cwiseAbs().maxCoeff() < 1e-12 * now.motor) return step;
+        if (change.cwiseAbs().maxCoeff() > 1e-12 * now.motor) continue;
+        contact.accept();
+        return true;
     }
-    return {};
+    return false;
 }
 
 // 3. The linear limit. About steady rolling at a slip velocity the contact is the slope of its creep curve, as long as
@@ -128,19 +128,17 @@ double least_damping(double slope) {
 }
 
 // 4. What the contact makes of it: growth and frequency of a small vibration about steady rolling, over eight periods.
-std::complex<double> simulated(const Model& model, const Model::State& rolling, double force, double slip_velocity,
-                               double damping, const Mode& mode, double dq) {
+std::complex<double> simulated(rollbem::Run<Model> contact, double force, double slip_velocity, double damping,
+                               const Mode& mode, double dq) {
     const double w = rotation(slip_velocity), demand = radius * force + droop * (w - speed / radius);
     const Eigen::Vector3d kick = mode.shape * (1e-5 * w / mode.shape.norm());
-    State now{w + kick[1], w + kick[2], radius * force / stiffness + kick[0], force, rolling}, next = now;
-    Model::Workspace workspace = model.workspace();
+    State state{w + kick[1], w + kick[2], radius * force / stiffness + kick[0], force};
     const double dt = dq / speed;
     const int period = int(2 * std::numbers::pi / mode.rate.imag() / dt), steps = 8 * period;
     Eigen::VectorXd turning(steps);
     for (int k = 0; k < steps; ++k) {
-        if (advance(model, demand, damping, dq, now, next, workspace).status != rollbem::StepStatus::ok) return NAN;
-        std::swap(now, next);
-        turning[k] = now.motor - now.wheel;
+        if (!advance(contact, demand, damping, dq, state)) return NAN;
+        turning[k] = state.motor - state.wheel;
     }
     // x_{k+2h} = t x_{k+h} - d x_k + constant by least squares, e^{2 growth h dt} = d
     const int h = period / 6, first = period, count = steps - first - 2 * h;
@@ -153,27 +151,25 @@ std::complex<double> simulated(const Model& model, const Model::State& rolling, 
 
 bool onset(Eigen::Index n) {
     const Model model = contact_model(n);
-    Model::Workspace workspace = model.workspace();
-    const double slip = 0.3, dq = 0.1 * model.at_rest().half_length;
-    Model::State now = model.at_rest(), next = now;
-    Model::Step step = model.steady(now, -slip / speed, speed, next, workspace);
+    rollbem::Run contact(model);
+    const double slip = 0.3, a = contact.now().half_length, dq = 0.1 * a;
+    Model::Step step = contact.steady(-slip / speed, speed);
     const double slope = -step.tangent / speed;
     for (int k = 0; k < 200 && step.status == rollbem::StepStatus::ok; ++k) {  // steady rolling in steps of this length
-        std::swap(now, next);
-        step = model.advance(now, {dq, dq / speed}, -slip / speed, next, workspace);
+        step = contact.advance({dq, dq / speed}, -slip / speed);
     }
     if (step.status != rollbem::StepStatus::ok) return false;
     const double limit = least_damping(slope);
     std::printf("at a slip velocity of %.1f m/s: F/N = %.4f, dF/d(slip velocity) = %.0f N s/m; least damping %.1f\n",
                 slip, step.force / load, slope, limit);
-    const double a = now.half_length, hertz = 1 / (2 * std::numbers::pi);
+    const double hertz = 1 / (2 * std::numbers::pi);
     std::printf("%16s %22s %22s %10s\n", "damping N m s/rad", "growth 1/s, linear", "frequency Hz, linear",
                 "a omega/V");
     bool agree = true;
     double growing = 0, decaying = 0;  // [1/s]
     for (const double part : {0.0, 0.8, 1.2, 2.0}) {
         const Mode mode = torsion(slope, part * limit);
-        const std::complex<double> rate = simulated(model, next, step.force, slip, part * limit, mode, dq);
+        const std::complex<double> rate = simulated(contact, step.force, slip, part * limit, mode, dq);
         std::printf("%17.1f %10.3f %11.3f %10.3f %11.3f %10.2f\n", part * limit, rate.real(), mode.rate.real(),
                     std::abs(rate.imag()) * hertz, mode.rate.imag() * hertz, a * mode.rate.imag() / speed);
         agree = agree && std::abs(rate.real() / mode.rate.real() - 1) < 0.03 &&
