@@ -69,29 +69,6 @@ TEST_CASE("Equal alphas turn unstable just above one half", "[stability]") {
     CHECK(before < 0.51);
 }
 
-TEST_CASE("Galerkin's method turns unstable at larger alphas than collocation", "[stability]") {
-    const auto fd = seven_points<Derivative::finite_difference>;
-    const auto analytic = seven_points<Derivative::analytic>;
-    CHECK(std::abs(critical_alpha_T(uniform_mesh(60), fd, strip(), {.first = 0.82}).value_or(-1) - 0.875) < 6e-3);
-    CHECK(std::abs(critical_alpha_T(uniform_mesh(60), analytic, strip(), {.first = 0.79}).value_or(-1) - 0.835) < 6e-3);
-    CHECK_FALSE(critical_alpha_T(uniform_mesh(20), fd, strip(), {.last = 1}).has_value());
-    CHECK_FALSE(critical_alpha_T(uniform_mesh(20), analytic, strip(), {.last = 1}).has_value());
-    // Galerkin in closed form, plane kernel
-    const PlaneKernel<double> kernel = plane(1000);
-    // for n >= 80, the first eigenvalues seem to cross where G is singular to round-off: their signs are open
-    for (const auto& [n, alpha_T] : {std::pair{80, 0.99}, std::pair{160, 0.82}}) {
-        const StabilityResult<double> open = solve_stability(rolling_system(uniform_mesh(n), galerkin(alpha_T), kernel),
-                                                             {.settle_signs = true, .condition = true});
-        CAPTURE(n, *open.cond_G, *open.uncertain_count);
-        CHECK(*open.cond_G > 1e16);
-        CHECK(*open.uncertain_count > n / 5);
-        CHECK(*open.settled_unstable_count == 0);
-        CHECK_FALSE(judge_stability(open).stable());
-    }
-    CHECK(critical_alpha_T(uniform_mesh(80), galerkin, kernel, {.first = 1.05}).value_or(-1) > 1.05);
-    CHECK(count_unstable(rolling_system(uniform_mesh(320), galerkin(0.63), kernel)).unstable_count == 0);
-}
-
 TEST_CASE("The search for a critical alpha_T respects its range and rejects invalid options", "[stability]") {
     const auto mesh = uniform_mesh(20);
     CHECK(critical_alpha_T(mesh, collocation, strip(), {.first = 0.95}) == 0.95);

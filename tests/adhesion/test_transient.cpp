@@ -303,24 +303,6 @@ TEST_CASE("Matrices whose first pivots vanish are solved correctly", "[transient
     }
 }
 
-TEST_CASE("Half-length, width and modulus only scale the force", "[transient]") {
-    const Contact<double> unit = Contact<double>::dimensionless(1.5, 0.28);
-    const Contact<double> real({.half_length = 6e-3, .half_width = 9e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
-    const auto force = [](const Contact<double>& contact) {
-        const Model model(contact,
-                          rolling_system(cosine_mesh<double>(16), halves, StripKernel<double>::longitudinal(contact)),
-                          unchecked);
-        const double a = contact.half_length();
-        return run(
-            model, 0.1 * a, 30, [](int k) { return Motion::linear(k * 1e-5, (k + 1) * 1e-5); }, model.at_rest());
-    };
-    const double a = 6e-3, G = 8e10;
-    CHECK(force(real).force == Approx(force(unit).force * G * a * a).epsilon(1e-12));
-    CHECK(force(real).force_per_width == Approx(force(unit).force_per_width * G * a).epsilon(1e-12));
-    CHECK(force(real).tangent == Approx(force(unit).tangent * G * a * a).epsilon(1e-12));
-    CHECK(force(real).force == Approx(force(real).force_per_width * 2 * 9e-3).epsilon(1e-14));
-}
-
 TEST_CASE("Every scheme keeps its number of unknowns", "[transient]") {
     const Contact<double> contact = plane_contact();
     const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);

@@ -439,43 +439,4 @@ TEST_CASE("patch_load: a fixed mesh resolves no ellipse shorter than three eleme
     }
 }
 
-TEST_CASE("patch_load: friction on a fixed mesh under a load that varies") {
-    const HertzEllipse<double> largest = ellipse(1.5 * N_0);
-    const PatchContact<double> contact = largest.contact();
-    const PatchMesh<double> mesh = patch_mesh(contact, 6, 6);
-    const auto hertz = HertzPatchLoad<double>::fixed(largest, contact, mesh);
-    const auto system = rolling_system(mesh, chebyshev, kernel);
-    const double unit = mu * N_0 / (G * contact.c() * contact.c()), a = contact.half_length();
-    const Creepage<double> creepage{0.14 * unit, 0.1 * unit, 0.2 * unit / a};
-    const auto run = [&](Integrator integrator, double dq) {
-        const Model model(contact, system, unchecked, {mu, hertz.at(N_0).normal_pressure}, integrator);
-        auto workspace = model.workspace();
-        auto now = model.at_rest(), next = now;
-        NormalLoad<double> load = hertz.at(N_0);
-        std::vector<Forces> result;
-        for (int k = 1; k <= std::lround(4 / dq); ++k) {
-            REQUIRE(hertz.set(N_0 * (1 + 0.5 * std::sin(std::numbers::pi / 2 * k * dq)), load) == StepStatus::ok);
-            const auto step = model.advance(now, dq * a, creepage, load, next, workspace);
-            REQUIRE(step.status == StepStatus::ok);
-            std::swap(now, next);
-            if (k % std::lround(1 / dq) == 0) {
-                result.push_back(
-                    {step.force.longitudinal / N_0, step.force.lateral / N_0, step.force.moment / N_0 / a});
-            }
-        }
-        return result;
-    };
-    for (const bool second : {false, true}) {
-        const Integrator integrator = second ? Integrator::sdirk2 : Integrator::implicit_euler;
-        const std::vector<double> steps{0.5, 0.25, 0.125};
-        std::vector<double> errors;
-        const auto fine = run(Integrator::sdirk2, 1.0 / 64);
-        for (const double dq : steps) errors.push_back(largest_difference(run(integrator, dq), fine));
-        const double order = support::observed_order({2, 4, 8}, errors);
-        CAPTURE(second, errors, order);
-        CHECK(order > (second ? 1.3 : 0.7));
-        CHECK(order < (second ? 2.8 : 1.3));
-    }
-}
-
 }  // namespace patch_load_tests

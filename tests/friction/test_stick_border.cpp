@@ -16,7 +16,6 @@
 
 #include "scene.hpp"
 #include "support/catch.hpp"
-#include "support/draw.hpp"
 #include "support/scalars.hpp"
 #include "support/strip_instances.hpp"
 
@@ -491,42 +490,6 @@ TEST_CASE("A contact without a single border is solved by elements", "[friction]
     by_elements(table({-1, -0.6, -0.6, 1}, {1, 1, 0.5, 0.5}), 0.4);
     by_elements(table({-1, 0.5, 0.5, 1}, {1, 1, 2, 2}), 0.1);
     by_elements(table({-1, -0.2, -0.2, 0.2, 0.2, 1}, {2, 2, 0, 0, 2, 2}), 0.3);
-}
-
-TEST_CASE("The force by the exact border always agrees with that by elements", "[friction]") {
-    support::Draw draw(20);
-    const auto random = [&] { return draw.uniform(-1, 1); };
-    int exact = 0, by_elements = 0;
-    for (int i = 0; i < 120; ++i) {
-        double a[4];
-        for (double& amplitude : a) amplitude = 0.3 * (i % 4) * random();
-        const Shaped pressure{[&](double x) {
-            double shape = 1;
-            for (int k = 0; k < 4; ++k) shape += a[k] * std::sin((k + 1) * 1.3 * x + k);
-            return std::max(shape, 0.0);
-        }};
-        const Contact<double> contact =
-            Contact<double>::dimensionless(std::pow(10, 0.5 + 1.2 * random()), 0.25 * (1 + random()));
-        const double xi = 2 * (1 - contact.poisson_ratio()) * peak * std::pow(10, random() - 0.7);
-        const Mesh<double> mesh = cosine_mesh<double>(120);
-        const double full = (pressure(mesh) * mesh.widths()).sum();
-        const auto check = [&](const auto& kernel) {
-            const auto solution = solve_stick_border(contact, kernel, 1.0, AnyPressure(pressure), xi, 120);
-            const double elements = plain_force(contact, kernel, mesh, pressure, xi);
-            CAPTURE(i, contact.aspect(), xi, solution.exact, solution.border, solution.force_error / full);
-            CHECK(solution.status == StepStatus::ok);
-            CHECK(std::abs(solution.force_per_width - elements) < 4e-4 * full);
-            ++(solution.exact ? exact : by_elements);
-        };
-        if (i % 2 == 0) {
-            check(PlaneKernel<double>::longitudinal(contact));
-        } else {
-            check(StripKernel<double>::longitudinal(contact));
-        }
-    }
-    CAPTURE(exact, by_elements);
-    CHECK(exact > 80);
-    CHECK(by_elements > 10);
 }
 
 #ifdef ROLLBEM_SLOW_CHECKS
