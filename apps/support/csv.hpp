@@ -7,7 +7,6 @@
 #include <concepts>
 #include <cstddef>
 #include <fstream>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -54,13 +53,6 @@ template <class Item>
 std::vector<Item> joined(std::vector<Item> first, const std::vector<Item>& second) {
     first.insert(first.end(), second.begin(), second.end());
     return first;
-}
-
-/// Several lists, one after the other.
-inline Row row_of(std::initializer_list<Row> parts) {
-    Row row;
-    for (const Row& part : parts) row.insert(row.end(), part.begin(), part.end());
-    return row;
 }
 
 /// The place of a column.

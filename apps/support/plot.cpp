@@ -80,8 +80,8 @@ bool has_place(const Plot& plot, const std::pair<double, double>& point) {
 /// Lines for gnuplot: points, rectangles by middle and half sides, or arrows by tail and components.
 std::string data_of(const Plot& plot, const Series& series) {
     std::string text;
-    const auto add = [&](std::initializer_list<double> numbers) {
-        for (const double number : numbers) text += Cell(number).text() + " ";
+    const auto add = [&](const Row& numbers) {
+        for (const Cell& number : numbers) text += number.text() + " ";
         text += "\n";
     };
     for (std::size_t i = 0; i < series.points.size(); ++i) {

@@ -29,7 +29,6 @@ table 'q_over_a;creepage\n0;0.5\n1;1.5\n'
 table 'q_over_a\tcreepage\n0\t0.5\n1\t1.5\n'
 table 'q_over_a,creepage\n0,0.5\n1,1.5\n\n \n\n'
 table '\n# comments\nq_over_a,creepage\n  # and\n0,+0.5\n\n+1,1.5\n'
-table 'q_over_a,creepage\r0,0.5\r1,1.5\r'
 table 'q_over_a,creepage\n"0","0.5"\n 1 , 1.5'
 # the rows of an interrupted run are kept: here its files may not grow beyond some kB
 set -- $study --n 10 --sine 1,1 --until 50
