@@ -6,7 +6,6 @@ import sys
 import numpy as np
 from fmpy import simulate_fmu
 from fmpy.sundials import CVodeSolver
-from fmpy.validation import validate_fmu
 
 from support import Fmu, Instance, close_to, discard, error, ok, run, status_of
 
@@ -52,10 +51,6 @@ def amplitude(q_over_a, response, z):
     waves = np.column_stack([np.sin(z * q_over_a), np.cos(z * q_over_a)])
     (in_phase, quadrature), *_ = np.linalg.lstsq(waves, response, rcond=None)
     return complex(in_phase, quadrature)
-
-
-def test_validation():
-    assert validate_fmu(file) == []
 
 
 def test_step_response():
@@ -278,87 +273,6 @@ def test_load_that_varies():
     assert errors[0] < 1e-3 and errors[2] < errors[1] / 3.4 < errors[0] / 11 and effect > 0.05
 
 
-def test_derivatives_of_a_step():
-    duration = 0.2 * a / V
-    base = {"slip_velocity": creepage * V, "rolling_speed": V, "normal_load": 1.05e5}
-
-    def force(inputs, length, change_of=None):
-        instance = Instance(fmu).start(**scene, contact_length=length, rolling_speed=V, slip_velocity=creepage * V)
-        instance.roll(duration, 5)
-        instance.set(**inputs)
-        assert instance.step(5 * duration, duration) == ok, instance.messages
-        result = instance.derivative("force", change_of) if change_of else instance.get("force")
-        instance.close()
-        return result
-
-    for length, speed, known, change in ((1, V, "slip_velocity", 1e-3), (1, V, "rolling_speed", 3e-3),
-                                         (1, 0.0, "slip_velocity", 1e-3), (1, 0.0, "rolling_speed", 3e-3),
-                                         (2, V, "slip_velocity", 1e-3), (2, V, "rolling_speed", 3e-3),
-                                         (2, V, "normal_load", 1.0)):
-        def moved(by):
-            inputs = {**base, "rolling_speed": speed}
-            inputs[known] += by
-            return force(inputs, length)
-
-        # a one-sided difference of second order where the speed cannot be reduced
-        difference = ((4 * moved(change / 2) - moved(change) - 3 * moved(0)) / change
-                      if speed == 0 and known == "rolling_speed" else (moved(change) - moved(-change)) / (2 * change))
-        close_to(force({**base, "rolling_speed": speed}, length, known), difference, 1e-6,
-                 f"contact_length {length}, V = {speed}: d force / d {known}")
-
-
-def test_save_step_restore_step():
-    duration = 0.1 * a / V
-    for length in (1, 2):
-        instance = Instance(fmu).start(**scene, contact_length=length, rolling_speed=V, slip_velocity=creepage * V)
-
-        def roll(one, first, steps):
-            forces = []
-            for i in range(first, first + steps):
-                one.set(normal_load=load_at(0.1 * (i + 1))[0])
-                assert one.step(i * duration, duration) == ok, one.messages
-                forces.append(one.get("force"))
-            return forces
-
-        roll(instance, 0, 7)
-        state = instance.calls.getFMUstate()
-        before, derivative = instance.get("force"), instance.derivative("force", "rolling_speed")
-        once = roll(instance, 7, 4)
-        instance.set(slip_velocity=0.3)
-        roll(instance, 11, 5)
-        instance.calls.setFMUstate(state)
-        assert instance.get("force") == before and instance.derivative("force", "rolling_speed") == derivative
-        assert roll(instance, 7, 4) == once
-
-        # in another instance that has never been started
-        bytes_of_it = instance.calls.serializeFMUstate(state)
-        other = Instance(fmu)
-        copy = other.calls.deSerializeFMUstate(bytes_of_it)
-        other.calls.setFMUstate(copy)
-        assert other.get("half_width") == b and other.get("force") == before
-        assert other.derivative("force", "rolling_speed") == derivative
-        assert roll(other, 7, 4) == once
-        if length == 1:
-            instance.calls.freeFMUstate(state)
-            instance.close()
-            other.calls.freeFMUstate(copy)
-            other.close()
-
-    # damaged, truncated, or from the other interface
-    for damaged in (bytes_of_it[:100], bytes_of_it[:200] + b"?" + bytes_of_it[201:], b""):
-        assert status_of(lambda: Instance(fmu).calls.deSerializeFMUstate(damaged)) == error
-    exchange = Instance(fmu, True)
-    wrong = exchange.calls.deSerializeFMUstate(bytes_of_it)
-    assert status_of(lambda: exchange.calls.setFMUstate(wrong)) == error
-    assert "other interface" in exchange.messages[-1]
-    exchange.calls.freeFMUstate(wrong)
-    exchange.close()
-    other.calls.freeFMUstate(copy)
-    other.close()
-    instance.calls.freeFMUstate(state)
-    instance.close()
-
-
 def test_model_exchange_state_is_saved():
     instance = Instance(fmu, True).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
     states = [1e-6 * (k + 1) for k in range(fmu.states)]
@@ -372,105 +286,6 @@ def test_model_exchange_state_is_saved():
     assert instance.states() == states and instance.rates() == rates
     instance.calls.freeFMUstate(state)
     instance.close()
-
-
-def test_two_instances_at_once():
-    narrow = {**scene, "half_length": 2e-3}
-    duration = 0.1 * a / V
-    alone = []
-    for parameters in (scene, narrow):
-        instance = Instance(fmu).start(**parameters, rolling_speed=V, slip_velocity=creepage * V)
-        alone.append(instance.roll(duration, 10))
-        instance.close()
-    assert alone[0] != alone[1]
-    both = [Instance(fmu).start(**parameters, rolling_speed=V, slip_velocity=creepage * V)
-            for parameters in (scene, narrow)]
-    together = [[], []]
-    for i in range(10):
-        for forces, instance in zip(together, both):
-            instance.step(i * duration, duration)
-            forces.append(instance.get("force"))
-    assert together == alone
-    for instance in both:
-        instance.close()
-
-
-def test_wrong_parameters():
-    for parameters, message in [
-        ({"poisson_ratio": 0.7}, "poisson_ratio = 0.7 must lie in [0, 0.5]"),
-        ({"shear_modulus": -1.0}, "shear_modulus = -1 must be positive and finite"),
-        ({"half_length": 0.0}, "half_length = 0 must be positive and finite"),
-        ({"half_length": math.nan}, "half_length = nan must be positive and finite"),
-        ({"half_width": math.inf}, "half_width = inf must be finite"),
-        ({"half_length_from": 2, "nominal_load": 0.0}, "nominal_load = 0 must be positive and finite"),
-        ({"half_length_from": 2, "combined_radius": -1.0}, "combined_radius = -1 must be positive and finite"),
-        ({"half_length_from": 3}, "half_length_from = 3 must lie in [1, 2]"),
-        ({"kernel": 0}, "kernel = 0 must lie in [1, 2]"),
-        ({"direction": 3}, "direction = 3 must lie in [1, 2]"),
-        ({"contact_length": 3}, "contact_length = 3 must lie in [1, 2]"),
-        ({"contact_length": 2, "kernel": 2}, "contact_length = 2 must be 1 (fixed) where kernel is strip"),
-        ({"contact_length": 2, "normal_load": 0.0}, "normal_load = 0 must be positive"),
-        ({"contact_length": 2, "nominal_load": 0.0}, "nominal_load = 0 must be positive"),
-        ({"initial_state": 3}, "initial_state = 3 must lie in [1, 2]"),
-        ({"initial_state": 2, "rolling_speed": 0.0}, "rolling_speed = 0 must be positive"),
-        ({"half_width": 1e-4}, "Lambda"),
-        ({"kernel": 2, "half_width": 1e-6}, "b/a"),
-    ]:
-        for exchange in (False, True):
-            instance = Instance(fmu, exchange)
-            instance.calls.setupExperiment()
-            instance.set(**parameters)
-            instance.calls.enterInitializationMode()
-            assert status_of(instance.calls.exitInitializationMode) == error, parameters
-            assert message in instance.messages[-1], instance.messages
-            instance.calls.reset()  # the instance can then start again
-            instance.start(**scene)
-            instance.close()
-
-
-def test_what_a_step_refuses():
-    duration = 0.1 * a / V
-    instance = Instance(fmu).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
-    assert instance.get("status") == instance.get("status_code") == 0
-    forces = instance.roll(duration, 5)
-    instance.set(rolling_speed=-1.0)
-    assert instance.step(5 * duration, duration) == discard
-    assert instance.last_successful_time() == 5 * duration and instance.wants_to_stop()
-    assert "refused" in instance.messages[-1] and "rolling_speed = -1 m/s" in instance.messages[-1]
-    assert instance.get("status") == 4 and instance.get("force") == forces[-1]
-    instance.set(rolling_speed=V)
-    assert instance.step(5 * duration, duration) == ok and instance.get("status") == 1 and not instance.wants_to_stop()
-    after = instance.get("force")
-
-    state = instance.calls.getFMUstate()
-    for values in ({"slip_velocity": math.nan}, {"rolling_speed": math.inf}, {"normal_load": math.nan}):
-        instance.set(**values)
-        assert instance.step(6 * duration, duration) == error
-        assert "needs finite numbers" in instance.messages[-1]
-        instance.calls.setFMUstate(state)
-    assert instance.get("force") == after
-    for wrong in (0.0, -duration, math.nan, math.inf):
-        assert instance.step(6 * duration, wrong) == error
-        instance.calls.setFMUstate(state)
-    reference_run = Instance(fmu).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
-    assert reference_run.roll(duration, 6)[-1] == after
-    reference_run.close()
-    instance.calls.freeFMUstate(state)
-    instance.close()
-
-
-def test_what_a_step_refuses_of_a_load():
-    duration = 0.1 * a / V
-    for values, status in (({"normal_load": 2e5}, "needs_fixed_mesh"), ({"normal_load": 0.0}, "invalid_load"),
-                           ({"normal_load": -1.0}, "invalid_load"),
-                           ({"normal_load": 1.001e5, "rolling_speed": 0.0}, "needs_fixed_mesh")):
-        instance = Instance(fmu).start(**scene, contact_length=2, rolling_speed=V, slip_velocity=creepage * V)
-        forces = instance.roll(duration, 5)
-        instance.set(**values)
-        assert instance.step(5 * duration, duration) == discard
-        assert f"status = {status}" in instance.messages[-1], instance.messages
-        assert instance.get("force") == forces[-1]
-        instance.close()
 
 
 def test_what_model_exchange_refuses():
@@ -492,48 +307,6 @@ def test_what_model_exchange_refuses_of_a_load():
         assert status_of(instance.rates) == discard
         assert f"status = {status}" in instance.messages[-1], instance.messages
         instance.close()
-
-
-def test_order_of_calls():
-    instance = Instance(fmu)
-    assert instance.step(0.0, 1e-3) == error
-    assert "fmi2DoStep must not be called now" in instance.messages[-1]
-    instance.calls.reset()
-    instance.start(**scene)
-    for values, message in (({"half_width": 1.0}, "fixed"), ({"force": 1.0}, "calculated")):
-        assert status_of(lambda: instance.set(**values)) == error
-        assert message in instance.messages[-1]
-        instance.calls.reset()
-        instance.start(**scene)
-    assert status_of(lambda: instance.calls.getReal([9999])) == error
-    instance.close()
-    try:
-        Instance(fmu, guid="{00000000-0000-0000-0000-000000000000}")
-        raise AssertionError("a wrong GUID was accepted")
-    except Exception as exception:
-        assert "instantiate" in str(exception)
-
-
-def test_reset_is_as_new():
-    duration = 0.1 * a / V
-    instance = Instance(fmu).start(**scene, rolling_speed=V, slip_velocity=creepage * V)
-    forces = instance.roll(duration, 5)
-    instance.calls.reset()
-    start = next(v.start for v in fmu.description.modelVariables if v.name == "half_width")
-    assert instance.get("half_width") == float(start)
-    assert instance.start(**scene, rolling_speed=V, slip_velocity=creepage * V).roll(duration, 5) == forces
-    instance.close()
-
-
-def test_debug_logging():
-    instance = Instance(fmu)
-    instance.calls.setDebugLogging(True, ["logStatusDiscard"])
-    assert instance.step(0.0, 1e-3) == error and instance.messages == []
-    instance.calls.reset()
-    instance.calls.setDebugLogging(False, [])
-    assert instance.step(0.0, 1e-3) == error and len(instance.messages) == 1
-    assert status_of(lambda: instance.calls.setDebugLogging(True, ["none"])) == error
-    instance.close()
 
 
 try:

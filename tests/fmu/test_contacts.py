@@ -1,0 +1,315 @@
+"""What the FMUs have in common: test_contacts.py FMU..."""
+import math
+import sys
+from dataclasses import dataclass
+
+import numpy as np
+from fmpy.validation import validate_fmu
+
+from support import Fmu, Instance, discard, error, ok, run, status_of
+
+V, N, duration = 20.0, 1e5, 2.5e-5  # of start values; a step rolls by a tenth of the half-length
+
+
+@dataclass
+class Kind:
+    """Steps and refusals of an FMU."""
+    variants: list  # parameters
+    slips: dict  # slip velocities, which vary during runs
+    outputs: list  # forces, which have derivatives, and what else a step gives
+    refused: list  # index of the variant, inputs, status of the step
+    wrong: list  # parameters, words
+    turn: float  # of tangents by slip and load: how far they leave out how the angles of turned slip follow
+
+    def inputs(self):
+        return [*self.slips, "rolling_speed", "normal_load"]
+
+    def forces(self):
+        return [name for name in self.outputs if name.endswith(("force", "moment"))]
+
+    def row(self, k):
+        """Inputs of step k."""
+        waves = {name: size * math.cos(0.1 * (i + 1) * k) for i, (name, size) in enumerate(self.slips.items())}
+        return {**waves, "rolling_speed": V * (1 + 0.1 * math.sin(0.04 * k)),
+                "normal_load": N * (1 + 0.5 * math.sin(0.04 * k))}
+
+    def outcome(self, instance):
+        return [instance.get(name) for name in self.outputs]
+
+    def roll(self, instance, first, count):
+        """Outcomes of `count` steps."""
+        found = []
+        for k in range(first, first + count):
+            instance.set(**self.row(k))
+            assert instance.step(k * duration, duration) == ok, instance.messages
+            found.append(self.outcome(instance))
+        return found
+
+
+finite = [({"poisson_ratio": 0.7}, "poisson_ratio = 0.7 must lie in [0, 0.5]"),
+          ({"shear_modulus": -1.0}, "shear_modulus = -1 must be positive and finite"),
+          ({"initial_state": 3}, "initial_state = 3 must lie in [1, 2]"),
+          ({"initial_state": 2, "rolling_speed": 0.0}, "rolling_speed = 0 must be positive")]
+friction = [({"friction_coefficient": -0.1}, "friction_coefficient = -0.1 must be finite and not negative"),
+            ({"largest_load": math.nan, "mesh_length": 2, "mesh_size": 2}, "largest_load = nan must be positive"),
+            ({"normal_load": 3e5, "mesh_length": 2, "mesh_size": 2}, "normal_load = 300000 must be at most largest_load"),
+            ({"normal_load": 0.0}, "normal_load = 0 must be positive where mesh_")]
+table = {"mode": 2}
+breathing = [(0, {"normal_load": 2 * N}, "needs_fixed_mesh"), (0, {"normal_load": 0.0}, "invalid_load"),
+             (0, {"rolling_speed": 0.0, "normal_load": 1.3 * N}, "needs_fixed_mesh")]
+fixed = [(1, {"normal_load": 2.1 * N}, "invalid_load"), (1, {"normal_load": -1.0}, "invalid_load"),
+         (1, {"rolling_speed": -1.0}, "invalid_step")]
+kinds = {
+    "rollbem_adhesion": Kind(
+        variants=[{"contact_length": 2}, {"contact_length": 1}],
+        slips={"slip_velocity": 2e-3}, outputs=["force", "contact_half_length"], turn=1e-6,
+        refused=[*breathing, (0, {"normal_load": -1.0}, "invalid_load"), fixed[2]],
+        wrong=[*finite,
+               ({"half_length": 0.0}, "half_length = 0 must be positive and finite"),
+               ({"half_length": math.nan}, "half_length = nan must be positive and finite"),
+               ({"half_width": math.inf}, "half_width = inf must be finite"),
+               ({"half_length_from": 2, "nominal_load": 0.0}, "nominal_load = 0 must be positive and finite"),
+               ({"half_length_from": 2, "combined_radius": -1.0}, "combined_radius = -1 must be positive and finite"),
+               ({"half_length_from": 3}, "half_length_from = 3 must lie in [1, 2]"),
+               ({"kernel": 0}, "kernel = 0 must lie in [1, 2]"),
+               ({"direction": 3}, "direction = 3 must lie in [1, 2]"),
+               ({"contact_length": 2, "kernel": 2}, "contact_length = 2 must be 1 (fixed) where kernel is strip"),
+               ({"contact_length": 2, "normal_load": 0.0}, "normal_load = 0 must be positive"),
+               ({"contact_length": 2, "nominal_load": 0.0}, "nominal_load = 0 must be positive"),
+               ({"half_width": 1e-4}, "Lambda"),
+               ({"kernel": 2, "half_width": 1e-6}, "b/a")]),
+    "rollbem_friction": Kind(
+        variants=[{"mesh_length": 1, "mesh": 1}, {"mesh_length": 2, "mesh": 2}],
+        slips={"longitudinal_slip_velocity": 0.02, "lateral_slip_velocity": 0.015},
+        outputs=["longitudinal_force", "lateral_force", "slip_work", "sticking_elements"], turn=1e-2,
+        refused=breathing + fixed,
+        wrong=[*finite, *friction,
+               ({"elements": 0}, "elements = 0 must lie in [1, 1000]"),
+               ({"elements": 1001}, "elements = 1001 must lie in [1, 1000]"),
+               ({"mesh": 3}, "mesh = 3 must lie in [1, 2]"),
+               ({"kernel": 2}, "mesh_length = 1 must be 2 (fixed) where kernel is strip"),
+               ({"nominal_load": 0.0}, "nominal_load = 0 must be positive and finite"),
+               ({"half_width": 1e-4}, "Lambda")]),
+    "rollbem_patch": Kind(
+        variants=[{"mesh_size": 1}, {"mesh_size": 2}, table],
+        slips={"longitudinal_slip_velocity": 0.04, "lateral_slip_velocity": 0.03, "spin_rate": 3.0},
+        outputs=["longitudinal_force", "lateral_force", "spin_moment", "slip_work", "sticking_elements"], turn=4e-2,
+        refused=[*breathing, *fixed, (2, {"normal_load": -1.0}, "invalid_load"),
+                 (2, {"rolling_speed": -1.0}, "invalid_step")],
+        wrong=[*finite, *friction,
+               ({"elements": 0}, "elements = 0 must lie in [1, 32]"),
+               ({"strips": 33}, "strips = 33 must lie in [1, 32]"),
+               ({"mesh_size_code": 3}, "mesh_size_code = 3 must lie in [0, 2]"),
+               ({"wheel_rolling_radius": 0.0}, "wheel_rolling_radius = 0 must be a number other than 0"),
+               ({"rail_lateral_radius": -0.3}, "smaller principal curvature of the gap"),
+               ({**table, "poisson_ratio": 0.26999}, "poisson_ratio = 0.26999 must be within 0.01 of 0.28"),
+               ({**table, "rail_lateral_radius": 0.002}, "must lie in [0.1"),
+               ({**table, "normal_load": -1.0}, "normal_load = -1 must not be negative"),
+               ({**table, "rolling_speed": -1.0}, "rolling_speed = -1 must not be negative"),
+               *(({**mode, name: math.inf}, f"{name} = inf must be finite")
+                 for mode in (table, {"initial_state": 2}) for name in ("lateral_slip_velocity", "spin_rate"))]),
+}
+
+
+def each():
+    """FMU, what is asked of it, and each variant of its parameters."""
+    for fmu in fmus:
+        kind = kinds[fmu.description.modelName]
+        for variant in kind.variants:
+            print(f"    {fmu.description.modelName}, {variant}")
+            yield fmu, kind, variant
+
+
+def test_validation():
+    for fmu in fmus:
+        assert validate_fmu(fmu.file) == []
+        if fmu.description.modelExchange is None:
+            assert not any(hasattr(Instance(fmu).calls.dll, name) for name in ("fmi2GetDerivatives", "fmi2SetTime"))
+
+
+def test_derivatives_of_a_step():
+    for fmu, kind, variant in each():
+        def after(changes, known=None):
+            instance = Instance(fmu).start(**variant)
+            kind.roll(instance, 0, 6)
+            instance.set(**{**kind.row(6), **changes})
+            assert instance.step(6 * duration, 2 * duration) == ok, instance.messages
+            found = [instance.derivative(name, known) if known else instance.get(name) for name in kind.forces()]
+            instance.close()
+            return np.array(found)
+
+        for known in kind.inputs():
+            if known == "normal_load" and kind is kinds["rollbem_adhesion"] and variant["contact_length"] == 1:
+                continue  # not an input of the force
+            value = kind.row(6)[known]
+            change = 1e-5 * abs(value)
+            difference = (after({known: value + change}) - after({known: value - change})) / (2 * change)
+            distance = np.abs(after({}, known) - difference).max() / np.abs(difference).max()
+            print(f"        by {known}: error {distance:.1e}")
+            assert distance < (1e-5 if known == "rolling_speed" or variant is table else kind.turn)
+
+
+def test_saved_in_one_instance_and_restored_in_another():
+    for fmu, kind, variant in each():
+        instance = Instance(fmu).start(**variant)
+        kind.roll(instance, 0, 20)
+        state = instance.calls.getFMUstate()
+        before = kind.outcome(instance)
+        derivatives = [instance.derivative(kind.forces()[0], name) for name in kind.slips]
+        once = kind.roll(instance, 20, 15)
+        kind.roll(instance, 35, 5)
+        instance.calls.setFMUstate(state)
+        saved = instance.calls.serializeFMUstate(state)
+        other = Instance(fmu)  # never started
+        copy = other.calls.deSerializeFMUstate(saved)
+        other.calls.setFMUstate(copy)
+        for one in (instance, other):
+            assert kind.outcome(one) == before
+            assert [one.derivative(kind.forces()[0], name) for name in kind.slips] == derivatives
+            assert kind.roll(one, 20, 15) == once
+        for damaged in (saved[:100], saved[:200] + b"?" + saved[201:], b""):
+            assert status_of(lambda: Instance(fmu).calls.deSerializeFMUstate(damaged)) == error
+        if fmu.description.modelExchange is not None:
+            exchange = Instance(fmu, True)
+            wrong = exchange.calls.deSerializeFMUstate(saved)
+            assert status_of(lambda: exchange.calls.setFMUstate(wrong)) == error
+            assert "other interface" in exchange.messages[-1]
+            exchange.calls.freeFMUstate(wrong)
+            exchange.close()
+        for one, which in ((instance, state), (other, copy)):
+            one.calls.freeFMUstate(which)
+            one.close()
+
+
+def test_two_instances_at_once():
+    for fmu, kind, variant in each():
+        def start():
+            return [Instance(fmu).start(**variant, poisson_ratio=nu) for nu in (0.28, 0.275)]
+
+        alone = [kind.roll(instance, 0, 10) for instance in start()]
+        assert alone[0] != alone[1]
+        both = start()
+        together = [[kind.roll(instance, k, 1)[0] for instance in both] for k in range(10)]
+        assert [list(found) for found in zip(*together)] == alone
+
+
+def test_what_a_step_refuses():
+    for fmu in fmus:
+        kind = kinds[fmu.description.modelName]
+        statuses = [item.name for item in next(v for v in fmu.description.modelVariables
+                                               if v.name == "status").declaredType.items]
+        for variant, values, status in kind.refused:
+            print(f"    {fmu.description.modelName}, {kind.variants[variant]}: {values}")
+            instance = Instance(fmu).start(**kind.variants[variant])
+            kind.roll(instance, 0, 5)
+            before = kind.outcome(instance)
+            instance.set(**values)
+            assert instance.step(5 * duration, duration) == discard
+            assert status in instance.messages[-1] and "refused" in instance.messages[-1], instance.messages
+            assert all(f"{name} = " in instance.messages[-1] for name in values), instance.messages
+            assert statuses[instance.get("status")] == statuses[instance.get("status_code")] == status
+            assert instance.last_successful_time() == 5 * duration and instance.wants_to_stop()
+            assert kind.outcome(instance) == before
+            # the next step is as if nothing had been asked
+            after = kind.roll(instance, 5, 1)
+            assert not instance.wants_to_stop()
+            other = Instance(fmu).start(**kind.variants[variant])
+            assert kind.roll(other, 0, 6)[-1:] == after
+            other.close()
+            # an importing program that goes on all the same would lose the distance of a step
+            instance.set(**values)
+            assert instance.step(6 * duration, duration) == discard
+            instance.set(**kind.row(7))
+            assert instance.step(7 * duration, duration) == error
+            instance.close()
+
+
+def test_what_is_not_a_number():
+    for fmu, kind, variant in each():
+        instance = Instance(fmu).start(**variant)
+        kind.roll(instance, 0, 3)
+        before, state = kind.outcome(instance), instance.calls.getFMUstate()
+        for name in kind.inputs():
+            for value in (math.nan, math.inf):
+                instance.set(**{name: value})
+                assert instance.step(3 * duration, duration) == error
+                assert "needs finite numbers" in instance.messages[-1]
+                assert status_of(lambda: instance.set(**{name: 1.0})) == error  # until a state is restored or a reset
+                instance.calls.setFMUstate(state)
+        for length in (0.0, -duration, math.nan, math.inf):
+            assert instance.step(3 * duration, length) == error
+            instance.calls.setFMUstate(state)
+        assert kind.outcome(instance) == before
+        kind.roll(instance, 3, 1)
+        instance.calls.freeFMUstate(state)
+        instance.close()
+
+
+def test_wrong_parameters():
+    for fmu in fmus:
+        for parameters, words in kinds[fmu.description.modelName].wrong:
+            parameters = {name: value for name, value in parameters.items() if name in fmu.references}
+            for exchange in (False, True):
+                if exchange and fmu.description.modelExchange is None:
+                    continue
+                instance = Instance(fmu, exchange)
+                instance.calls.setupExperiment()
+                instance.set(**parameters)
+                instance.calls.enterInitializationMode()
+                assert status_of(instance.calls.exitInitializationMode) == error, parameters
+                assert words in instance.messages[-1], instance.messages
+                instance.calls.reset()  # the instance can then start again
+                instance.start()
+                instance.close()
+
+
+def test_order_of_calls():
+    for fmu, kind, variant in each():
+        instance = Instance(fmu)
+        assert instance.step(0.0, duration) == error
+        assert "fmi2DoStep must not be called now" in instance.messages[-1]
+        instance.calls.reset()
+        instance.start(**variant)
+        for name, words in (("poisson_ratio", "fixed"), (kind.forces()[0], "calculated")):
+            assert status_of(lambda: instance.set(**{name: 0.25})) == error
+            assert words in instance.messages[-1]
+            instance.calls.reset()
+            instance.start(**variant)
+        assert status_of(lambda: instance.calls.getReal([9999])) == error
+        instance.close()
+        try:
+            Instance(fmu, guid="{00000000-0000-0000-0000-000000000000}")
+            raise AssertionError("a wrong GUID was accepted")
+        except Exception as exception:
+            assert "instantiate" in str(exception)
+
+
+def test_reset_is_as_new():
+    for fmu, kind, variant in each():
+        instance = Instance(fmu).start(**variant, poisson_ratio=0.275)
+        kind.roll(instance, 0, 5)
+        instance.calls.reset()
+        start = next(v.start for v in fmu.description.modelVariables if v.name == "poisson_ratio")
+        assert instance.get("poisson_ratio") == float(start)
+        assert kind.roll(instance.start(**variant), 0, 5) == kind.roll(Instance(fmu).start(**variant), 0, 5)
+        instance.close()
+
+
+def test_debug_logging():
+    for fmu in fmus:
+        instance = Instance(fmu)
+        instance.calls.setDebugLogging(True, ["logStatusDiscard"])
+        assert instance.step(0.0, duration) == error and instance.messages == []
+        instance.calls.reset()
+        instance.calls.setDebugLogging(False, [])
+        assert instance.step(0.0, duration) == error and len(instance.messages) == 1
+        assert status_of(lambda: instance.calls.setDebugLogging(True, ["none"])) == error
+        instance.close()
+
+
+fmus = [Fmu(file) for file in sys.argv[1:]]
+try:
+    run(globals())
+finally:
+    for one in fmus:
+        one.close()
