@@ -257,8 +257,8 @@ TEST_CASE("patch_load: shapes between the nodes") {
     for (const auto& [d, e] : {std::pair{0, 0}, {0, 1}, {1, 0}, {1, 1}}) {
         CAPTURE(d, e);
         const auto i = static_cast<std::size_t>(d), j = static_cast<std::size_t>(e);
-        CHECK((direct.G(i, j) - between.G(i, j)).norm() < 1e-4 * direct.G(0, 0).norm());
-        CHECK((direct.G_prime(i, j) - between.G_prime(i, j)).norm() < 1e-4 * direct.G_prime(0, 0).norm());
+        CHECK((direct.G(i, j) - between.G(i, j)).norm() < 6e-6 * direct.G(0, 0).norm());
+        CHECK((direct.G_prime(i, j) - between.G_prime(i, j)).norm() < 6e-6 * direct.G_prime(0, 0).norm());
     }
     CHECK((direct.elements().areas - between.elements().areas).abs().maxCoeff() < 1e-15);
 
@@ -290,6 +290,18 @@ TEST_CASE("patch_load: shapes between the nodes") {
     const auto two = own.steady(own.at_rest(), scene.creepage, then, second);
     REQUIRE(one.status == StepStatus::ok);
     CHECK(largest_difference({scene.ratios(one.force)}, {scene.ratios(two.force)}) < 3e-5);
+    // of another size
+    const PatchContact<double> small({.half_length = 0.9 * a_0,
+                                      .half_width = 0.9 * scene.contact.half_width(),
+                                      .shear_modulus = G,
+                                      .poisson_ratio = nu});
+    const FrictionModel alike(small, steady_system(scene.mesh, chebyshev, kernel), {mu, scene.pressure()});
+    const NormalLoad<double> shorter{scene.pressure(), small.half_length(), {}, small.half_width()};
+    auto third = alike.workspace();
+    const auto given = rolling.steady(rolling.at_rest(), scene.creepage, shorter, now, first);
+    const auto made = alike.steady(alike.at_rest(), scene.creepage, then, third);
+    REQUIRE(given.status == StepStatus::ok);
+    CHECK(largest_difference({scene.ratios(given.force)}, {scene.ratios(made.force)}) < 3e-5);
 
     // a system of many shapes that keeps its own is that of one
     const auto shaped = circle.friction(rolling, 0.4);
