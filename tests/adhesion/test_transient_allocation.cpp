@@ -250,14 +250,14 @@ TEST_CASE("A step of a patch of varying size and shape does not allocate", "[fri
 
 TEST_CASE("The combined solver does not allocate, whether it follows a path or fails", "[friction]") {
     constexpr Eigen::Index n = 6;
-    detail::CombinedSolver<double> uncoupled(n), coupled(n, true);
+    detail::BothSolver<double> uncoupled(n), coupled(n, true);
     const std::vector<Eigen::Index> behind{-1, 0, 1, -1, 3, 4};
     const std::vector<Zone> zones(n, Zone::stick);
     const ElementVectors<double> start = ElementVectors<double>::Zero(n, 2);
     support::Draw draw(11);
     int several = 0, unsolved = 0;
     for (int problem = 0; problem < 300; ++problem) {
-        detail::CombinedSolver<double>& solver = problem % 2 == 0 ? uncoupled : coupled;
+        detail::BothSolver<double>& solver = problem % 2 == 0 ? uncoupled : coupled;
         for (const std::size_t slip : {0, 1}) {
             for (const std::size_t by : {0, 1}) {
                 if (slip != by && !solver.coupled()) continue;

@@ -1,4 +1,4 @@
-// rollbem/friction/detail/combined_solver.hpp, combined_equations.hpp
+// rollbem/friction/detail/both_solver.hpp, both_equations.hpp
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace rollbem;
 
-using Solver = detail::CombinedSolver<double>;
+using Solver = detail::BothSolver<double>;
 
 std::vector<Zone> all_stick(Eigen::Index n) { return std::vector<Zone>(static_cast<std::size_t>(n), Zone::stick); }
 
@@ -280,14 +280,14 @@ TEST_CASE("A Newton step satisfies its equations, however many elements slip", "
         Problem problem = random_problem(draw, n, kind, coupled);
         // an element that sticks alone has no solution of its own, all together have
         if (trial % 10 == 0 && n > 3) problem.x(n - 1, n - 1) = 0;
-        detail::CombinedEquations<double> equations(n, coupled);
+        detail::BothEquations<double> equations(n, coupled);
         equations.new_matrix(0, 0) = problem.x;
         equations.new_matrix(1, 1) = problem.y;
         if (coupled) {
             equations.new_matrix(0, 1) = problem.x_by_y;
             equations.new_matrix(1, 0) = problem.y_by_x;
         }
-        detail::CombinedPartition<double> part(n);
+        detail::BothPartition<double> part(n);
         detail::SlipTurn<double> turn(n);
         ElementVectors<double> slip = random_problem(draw, n, kind).constant;
         const int stick = draw.integer(5), slide = 5 - stick;  // shares

@@ -1,5 +1,5 @@
 // rollbem/friction/detail/active_set.hpp, complementary_path.hpp, stick_equations.hpp,
-// falling_set.hpp
+// slip_dependent_set.hpp
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -9,7 +9,7 @@
 
 #include <rollbem/friction/detail/active_set.hpp>
 #include <rollbem/friction/detail/directions.hpp>
-#include <rollbem/friction/detail/falling_set.hpp>
+#include <rollbem/friction/detail/slip_dependent_set.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
@@ -203,7 +203,7 @@ TEST_CASE("Coefficients that depend on slip satisfy their equation, and their de
         const std::vector<Zone> stick(static_cast<std::size_t>(n), Zone::stick);
         const VectorX<double> rest = VectorX<double>::Zero(n);
         detail::ActiveSet<double> solver(n);
-        detail::FallingSet<detail::ActiveSetSlip<double>> set(n);
+        detail::SlipDependentSet<detail::ActiveSetSlip<double>> set(n);
         solver.new_matrix() = any * any.transpose() / n + MatrixX<double>::Identity(n, n);
         VectorX<double> friction;
         const auto solve = [&](const VectorX<double>& of) {

@@ -15,9 +15,9 @@
 #include "../detail/finite.hpp"
 #include "../detail/reciprocal_condition.hpp"
 #include "../detail/require.hpp"
-#include "../rolling/consistency.hpp"
 #include "../status.hpp"
 #include "../system/rolling_system.hpp"
+#include "dissipation.hpp"
 #include "response.hpp"
 
 namespace rollbem {

@@ -10,7 +10,6 @@
 #include "../detail/finite.hpp"
 #include "../detail/in_place_lu.hpp"
 #include "../detail/require.hpp"
-#include "../rolling/consistency.hpp"
 #include "../system/element_blocks.hpp"
 #include "../system/rolling_system.hpp"
 #include "../types.hpp"

@@ -14,11 +14,11 @@
 #include "../detail/finite.hpp"
 #include "../detail/reciprocal_condition.hpp"
 #include "../detail/require.hpp"
-#include "../rolling/consistency.hpp"
 #include "../status.hpp"
 #include "../system/response.hpp"
 #include "../system/rolling_system.hpp"
 #include "../types.hpp"
+#include "dissipation.hpp"
 
 namespace rollbem {
 

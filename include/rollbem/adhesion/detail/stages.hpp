@@ -8,8 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "../../rolling/shape_equations.hpp"
-#include "../../rolling/stage.hpp"
+#include "../../rolling/stage_equations.hpp"
 #include "../../scene/semi_axes.hpp"
 #include "../../types.hpp"
 #include "rational_exponential.hpp"

@@ -98,17 +98,16 @@ public:
     /// Solves for bounds >= 0, all finite, starting from `zones`.
     Outcome solve(const Vector& bound, const std::vector<Zone>& zones) noexcept;
 
-    /// dp caused by a change dc while no element changes its zone. Requires tangent_exists of the last outcome.
-    template <class Derived>
-    void respond(const Eigen::MatrixBase<Derived>& change, Vector& traction_change) {
+    /// dp caused by a change dc and, unless null, by `share` times that of the bounds, which slipping elements follow,
+    /// while no element changes its zone. Requires tangent_exists of the last outcome.
+    void respond(const Vector& change, Vector& traction_change, const Vector* bound_change = nullptr,
+                 Scalar share = 1) {
         right_ = -change;
-        equations_.solve(right_, traction_change);
-    }
-
-    /// The same if the bounds, which the slipping elements follow, also change, by `share` times bound_change.
-    void respond(const Vector& change, const Vector& bound_change, Vector& traction_change, Scalar share = 1) {
-        traction_change = -share * sign_.cwiseProduct(bound_change);
-        right_ = -change;
+        if (bound_change == nullptr) {
+            equations_.solve(right_, traction_change);
+            return;
+        }
+        traction_change = -share * sign_.cwiseProduct(*bound_change);
         right_.noalias() -= equations_.matrix() * traction_change;
         equations_.solve(right_, correction_);
         traction_change += correction_;

@@ -14,8 +14,8 @@
 #include "../law.hpp"
 #include "../state.hpp"
 #include "directions.hpp"
-#include "falling_set.hpp"
 #include "scratch.hpp"
+#include "slip_dependent_set.hpp"
 
 namespace rollbem::detail {
 
@@ -75,13 +75,7 @@ public:
     /// dp in the stage solved last caused by a change dc and by a change of the bounds, `share` times bound_change.
     void respond(Solver& solver, const Vectors& change, Vectors& traction_change, std::size_t,
                  const VectorX<Scalar>* bound_change = nullptr, Scalar share = 1) noexcept {
-        if constexpr (directions == 2) {
-            solver.respond(change, traction_change, bound_change, share);
-        } else if (bound_change == nullptr) {
-            solver.respond(change, traction_change);
-        } else {
-            solver.respond(change, *bound_change, traction_change, share);
-        }
+        solver.respond(change, traction_change, bound_change, share);
     }
     /// dp caused by the half-length at the end of the step, which changes the constants by `change`.
     void respond_to_half_length(Solver& solver, const Vectors& change, Vectors& traction_change,
@@ -98,20 +92,20 @@ public:
 /// mu is integrated along the path of each particle by the same stages as the tractions, implicit Euler or sdirk2.
 /// For one direction or two, depending on `Slip`.
 template <class Law, class Slip>
-class FallingBounds {
+class SlipDependentBounds {
 public:
     using Scalar = typename Slip::Scalar;
     using Solver = typename Slip::Solver;
     using Vectors = typename Slip::Vectors;
     using Vector = VectorX<Scalar>;
-    using Scratch = FallingScratch<Slip>;
+    using Scratch = SlipDependentScratch<Slip>;
     using State = FrictionState<Slip::directions, Scalar>;
     static constexpr bool are_given = false;
 
     /// A step; lengths in a_0 = `unit` [m]. `points` are the collocation points, used if there is a memory. Keeps
     /// references to all arguments that are not numbers.
-    FallingBounds(const Friction<Law, Scalar>& friction, const ArrayX<Scalar>& points, const State& from, Scalar unit,
-                  const rollbem::Travel<Scalar>& travel, Scratch& scratch) noexcept
+    SlipDependentBounds(const Friction<Law, Scalar>& friction, const ArrayX<Scalar>& points, const State& from,
+                        Scalar unit, const rollbem::Travel<Scalar>& travel, Scratch& scratch) noexcept
         : law_(friction.law),
           memory_(friction.memory),
           points_(friction.memory.distance > 0 ? &points : nullptr),
@@ -128,8 +122,8 @@ public:
     }
 
     /// Steady rolling at a speed [m/s]: particles arrive from the equation ahead. Ways in units of the half-length [m].
-    FallingBounds(const Friction<Law, Scalar>& friction, const Vector& ways, const State& from, Scalar half_length,
-                  Scalar speed, Scratch& scratch) noexcept
+    SlipDependentBounds(const Friction<Law, Scalar>& friction, const Vector& ways, const State& from,
+                        Scalar half_length, Scalar speed, Scratch& scratch) noexcept
         : law_(friction.law),
           memory_(friction.memory),
           start_(from.friction_coefficient),
@@ -174,7 +168,7 @@ public:
     }
 
     typename Slip::Outcome solve(Solver& solver, const Vector& pressure, const typename Slip::Start& from) noexcept {
-        typename FallingSet<Slip>::Outcome outcome =
+        typename SlipDependentSet<Slip>::Outcome outcome =
             scratch_.set.solve(law_, memory_, passage(pressure), from, solver, scratch_.friction);
         outcome.solution.residual = (std::max)(outcome.solution.residual, outcome.change);
         if (!is_finite(outcome.change)) outcome.solution.residual = outcome.change;
@@ -188,7 +182,7 @@ public:
     /// and in the second stage by the response of the first, kept by carry_response().
     void respond(Solver& solver, const Vectors& change, Vectors& traction_change, std::size_t parameter,
                  const Vector* pressure_change = nullptr, Scalar share = 1) noexcept {
-        FallingChange<Slip> changes{change};
+        SlipDependentChange<Slip> changes{change};
         if (second_ && points_ != nullptr) {
             scratch_.before_change.setZero();
             add_carried(parameter);
@@ -206,7 +200,7 @@ public:
     /// paths of the particles.
     void respond_to_half_length(Solver& solver, const Vectors& change, Vectors& traction_change,
                                 std::size_t parameter) noexcept {
-        FallingChange<Slip> changes{change};
+        SlipDependentChange<Slip> changes{change};
         moves_paths_ = points_ != nullptr;
         if (moves_paths_) {
             find_path_change();
@@ -265,7 +259,7 @@ private:
         }
     }
 
-    void respond(Solver& solver, const FallingChange<Slip>& changes, Vectors& traction_change) {
+    void respond(Solver& solver, const SlipDependentChange<Slip>& changes, Vectors& traction_change) {
         scratch_.set.respond(law_, memory_, passage(*pressure_), solver, scratch_.friction, changes, traction_change,
                              scratch_.change);
     }

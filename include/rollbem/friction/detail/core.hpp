@@ -176,7 +176,8 @@ private:
     using Place = StagePlace<Scalar>;
     using Shape = ShapeEquations<Scalar>;
     using Slip = typename Directions<directions, Scalar>::Slip;
-    using Bounds = std::conditional_t<slip_dependent, FallingBounds<Law, Slip>, ConstantBounds<directions, Scalar>>;
+    using Bounds =
+        std::conditional_t<slip_dependent, SlipDependentBounds<Law, Slip>, ConstantBounds<directions, Scalar>>;
     using By = TangentBy<directions>;
     using Tangent = StageTangent<directions, Scalar, Bounds>;
 

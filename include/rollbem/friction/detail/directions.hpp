@@ -17,11 +17,11 @@
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "active_set.hpp"
-#include "combined_solver.hpp"
+#include "both_solver.hpp"
 
 namespace rollbem::detail {
 
-/// The slip of the elements of a solver and its derivatives with respect to their bounds, the interface between FallingSet and
+/// The slip of the elements of a solver and its derivatives with respect to their bounds, the interface between SlipDependentSet and
 /// solvers: what both numbers of directions have in common. All memory is allocated by the constructors.
 template <class Scalar_>
 class SlippingElements {
@@ -83,14 +83,6 @@ public:
     /// 0 for a sticking element, else a sign.
     static const Vector& sense(const Solver& solver) { return solver.signs(); }
 
-    /// dp caused by the changes, and by those of the bounds unless null.
-    static void respond(Solver& solver, const Vector& change, const Vector* bound_change, Vector& traction_change) {
-        if (bound_change == nullptr) {
-            solver.respond(change, traction_change);
-        } else {
-            solver.respond(change, *bound_change, traction_change);
-        }
-    }
     /// Computes by_traction() for the zones of the solver's solution.
     void linearise(Solver& solver, bool) {
         if (this->revision_ == solver.revision()) return;
@@ -120,16 +112,16 @@ private:
 
 /// The same for two directions; d|s| of an element is the change of its slip against its traction.
 template <class Scalar>
-class CombinedSlip : public SlippingElements<Scalar> {
+class BothSlip : public SlippingElements<Scalar> {
 public:
     using typename SlippingElements<Scalar>::Index, typename SlippingElements<Scalar>::Vector;
     using Vectors = ElementVectors<Scalar>;
-    using Solver = CombinedSolver<Scalar>;
+    using Solver = BothSolver<Scalar>;
     using Outcome = typename Solver::Outcome;
     using Start = SolutionStart<2, Scalar>;
     static constexpr int directions = 2;
 
-    explicit CombinedSlip(Index n)
+    explicit BothSlip(Index n)
         : SlippingElements<Scalar>(n),
           traction_(Vectors::Zero(n, 2)),
           plain_traction_(Vectors::Zero(n, 2)),
@@ -157,16 +149,13 @@ public:
     static Scalar size(const Solver& solver, Index i) { return std::hypot(solver.slip()(i, 0), solver.slip()(i, 1)); }
     static const Vector& sense(const Solver& solver) { return solver.slides(); }
 
-    static void respond(Solver& solver, const Vectors& change, const Vector* bound_change, Vectors& traction_change) {
-        solver.respond(change, traction_change, bound_change);
-    }
     /// If there is no tangent, the derivatives are those without slip. Angles of turned slip follow if it has to be
     /// `exact`.
     void linearise(Solver& solver, bool exact) {
         const unsigned long revision = 2 * solution_ + (exact && solver.angles_follow() ? 1 : 0);
         if (this->revision_ == revision) return;
         this->revision_ = revision;
-        CombinedEquations<Scalar>& equations = solver.equations();
+        BothEquations<Scalar>& equations = solver.equations();
         this->count_ = is_regular_ ? equations.slipping_count() : 0;
         for (Index k = 0; k < this->count_; ++k) {
             this->slipping_[static_cast<std::size_t>(k)] = equations.slipping(k);
@@ -195,8 +184,8 @@ private:
 template <int directions, class Scalar>
 struct Directions {
     static_assert(directions == 1 || directions == 2);
-    using Solver = ByDirections<directions, ActiveSet<Scalar>, CombinedSolver<Scalar>>;
-    using Slip = ByDirections<directions, ActiveSetSlip<Scalar>, CombinedSlip<Scalar>>;
+    using Solver = ByDirections<directions, ActiveSet<Scalar>, BothSolver<Scalar>>;
+    using Slip = ByDirections<directions, ActiveSetSlip<Scalar>, BothSlip<Scalar>>;
     using Value = ByDirections<directions, Scalar, Creepage<Scalar>>;
     using System = ElementSystem<Scalar, directions>;
     using Gradient = ByDirections<directions, MatrixX<Scalar>, DirectionBlocks<Scalar>>;  // G'

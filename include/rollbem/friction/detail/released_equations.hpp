@@ -16,7 +16,7 @@
 
 namespace rollbem::detail {
 
-/// CombinedEquations from dp = B ds with B = M^-1, which is found once for a matrix M of all elements in both
+/// BothEquations from dp = B ds with B = M^-1, which is found once for a matrix M of all elements in both
 /// directions. Where elements stick, ds = -s. Each other element has two unknowns and two equations: with t across its
 /// traction and n along it, w and v the same turned back,
 ///     ds = beta v - (w.s + kappa gamma) w,   n.dp = 0,   t.dp = sigma gamma,

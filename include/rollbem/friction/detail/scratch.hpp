@@ -12,7 +12,7 @@
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "directions.hpp"
-#include "falling_set.hpp"
+#include "slip_dependent_set.hpp"
 #include "slip_work.hpp"
 
 namespace rollbem::detail {
@@ -27,10 +27,10 @@ struct TangentBy {
 
 /// For a coefficient that depends on slip; for one direction or two, depending on `Slip`. All memory is allocated by the constructor.
 template <class Slip>
-struct FallingScratch {
+struct SlipDependentScratch {
     using Vector = VectorX<typename Slip::Scalar>;
 
-    explicit FallingScratch(Eigen::Index n)
+    explicit SlipDependentScratch(Eigen::Index n)
         : set(n),
           friction(Vector::Zero(n)),
           duration(friction),
@@ -44,7 +44,7 @@ struct FallingScratch {
         carried_change.fill(friction);
     }
 
-    FallingSet<Slip> set;
+    SlipDependentSet<Slip> set;
     Vector friction;  // mu in the present stage
     Vector duration, before;
     Vector rise;            // change of mu in the first stage along the paths of the particles
@@ -87,7 +87,7 @@ struct FrictionScratch {
     }
 
     Solver solver;
-    FallingScratch<typename Directions<directions, Scalar>::Slip> falling;
+    SlipDependentScratch<typename Directions<directions, Scalar>::Slip> falling;
     std::uint64_t system = 0;  // the solver's matrices are those of this system and stage
     RollingStage<Scalar> stage{.distance = std::numeric_limits<Scalar>::quiet_NaN()};
     Vectors slip, stage_slip;                 // of all stages so far; of the present one

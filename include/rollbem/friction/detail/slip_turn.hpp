@@ -33,7 +33,8 @@ public:
         : behind_(static_cast<std::size_t>(n)),
           ahead_(behind_),
           rotation_(Vectors::Zero(n, 2)),
-          slip_(rotation_),
+          along_slip_(rotation_),
+          along_centre_(rotation_),
           share_(VectorX<Scalar>::Zero(n)),
           rate_(share_) {}
 
@@ -59,7 +60,6 @@ public:
         if (!is_known_) return false;
         rotation_.col(0).setOnes();
         rotation_.col(1).setZero();
-        slip_ = slip;
         rate_.setZero();
         for (std::size_t k = 0; k < behind_.size(); ++k) {
             const auto i = static_cast<Index>(k);
@@ -74,6 +74,8 @@ public:
             const Scalar along = slip(i, 0) / size, across = slip(i, 1) / size;
             const Scalar cosine = (along * x + across * y) / centre, sine = (along * y - across * x) / centre;
             if (!is_finite(cosine)) continue;
+            along_slip_.row(i) << along / size, across / size;
+            along_centre_.row(i) << x / centre / centre, y / centre / centre;
             const bool cut = cosine < Scalar(0.5);
             rate_[i] = cut ? 0 : 1;
             follows_ = follows_ || !cut;
@@ -97,17 +99,13 @@ public:
 
     /// The derivatives of the angles by those of the slip that find() was called with.
     void follow(const Vectors& slip_change, VectorX<Scalar>& angle_change) const {
-        const auto turning = [](Scalar x, Scalar y, Scalar dx, Scalar dy) {
-            const Scalar size = length(x, y);
-            return x / size * (dy / size) - y / size * (dx / size);
-        };
         angle_change.setZero();
         for (Index i = 0; i < rate_.size(); ++i) {
             if (rate_[i] == 0) continue;
-            const auto [x, y] = at_centre(i, slip_);
             const auto [dx, dy] = at_centre(i, slip_change);
-            angle_change[i] = rate_[i] * (turning(x, y, dx, dy) -
-                                          turning(slip_(i, 0), slip_(i, 1), slip_change(i, 0), slip_change(i, 1)));
+            const Scalar centre = along_centre_(i, 0) * dy - along_centre_(i, 1) * dx;
+            const Scalar own = along_slip_(i, 0) * slip_change(i, 1) - along_slip_(i, 1) * slip_change(i, 0);
+            angle_change[i] = rate_[i] * (centre - own);
         }
     }
 
@@ -140,10 +138,10 @@ private:
     }
 
     std::vector<Index> behind_, ahead_;
-    Vectors rotation_;       // cosine and sine of the angles
-    Vectors slip_;           // of which they are the angles
-    VectorX<Scalar> share_;  // of the partner's slip in m_i
-    VectorX<Scalar> rate_;   // 0 for angles that do not follow the slip, half for those that are halved
+    Vectors rotation_;                   // cosine and sine of the angles
+    Vectors along_slip_, along_centre_;  // s_i and m_i of which they are the angles, over the squares of their lengths
+    VectorX<Scalar> share_;              // of the partner's slip in m_i
+    VectorX<Scalar> rate_;               // 0 for angles that do not follow the slip, half for those that are halved
     bool is_known_ = false, turns_ = false, follows_ = false;
 };
 

@@ -8,7 +8,6 @@
 
 #include "../../rolling/stage_equations.hpp"
 #include "../../types.hpp"
-#include "bounds.hpp"
 #include "directions.hpp"
 #include "scratch.hpp"
 

@@ -13,14 +13,14 @@
 #include "../../detail/length.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
-#include "combined_equations.hpp"
+#include "both_equations.hpp"
 #include "slip_turn.hpp"
 
 namespace rollbem::detail {
 
 /// Follows the solutions (z, t) of
 ///     z - p + rho R (M p + c + (1 - t) d) = 0,   p = P_t(z),
-/// from t = 0, where p = 0, to t = 1, where p is a solution of the problem that CombinedSolver describes. P_t projects
+/// from t = 0, where p = 0, to t = 1, where p is a solution of the problem that BothSolver describes. P_t projects
 /// onto circles of t times the bounds and is rounded off in proportion to 1 - t, so that it is smooth below t = 1.
 ///
 /// As p is bounded, for almost every d the path is one smooth curve that ends at t = 1, whatever M (Chow, Mallet-Paret
@@ -28,21 +28,21 @@ namespace rollbem::detail {
 /// the elements' areas is positive definite, each t has one solution, and the path does not turn back. d points in
 /// directions that differ by an irrational angle from element to element. All memory is allocated by the constructor.
 template <class Scalar>
-class CombinedPath {
+class BothPath {
 public:
     using Index = Eigen::Index;
     using Vector = VectorX<Scalar>;
     using Vectors = ElementVectors<Scalar>;
 
     struct Problem {
-        const CombinedEquations<Scalar>& equations;  ///< M
-        const Vectors& constant;                     ///< c
+        const BothEquations<Scalar>& equations;  ///< M
+        const Vectors& constant;                 ///< c
         const Vector& bound;
         const Vector& reach;  ///< rho
         const SlipTurn<Scalar>& turn;
     };
 
-    explicit CombinedPath(Index n)
+    explicit BothPath(Index n)
         : matrix_(2 * n + 1, 2 * n + 1),
           swaps_(static_cast<std::size_t>(2 * n + 1)),
           at_(2 * n + 1),
@@ -154,7 +154,7 @@ private:
 
     // The equations' residual at trial_ into change_, their derivatives into matrix_.
     void set_up(const Problem& problem) {
-        const CombinedEquations<Scalar>& equations = problem.equations;
+        const BothEquations<Scalar>& equations = problem.equations;
         const Index n = scale_.size();
         find_tractions(problem);
         const auto put_into = [&](auto target, Scalar factor) {  // rho R column_

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -13,14 +14,93 @@
 
 #include "../../detail/finite.hpp"
 #include "../../detail/in_place_lu.hpp"
+#include "../../detail/length.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
-#include "combined_partition.hpp"
 #include "released_equations.hpp"
 #include "slip_turn.hpp"
 #include "stick_equations.hpp"
 
 namespace rollbem::detail {
+
+/// The zones assumed in a Newton step. An element sticks, or slips, or has no pressure and does neither.
+template <class Scalar>
+struct BothPartition {
+    using Index = Eigen::Index;
+    using Vector = VectorX<Scalar>;
+    using Vectors = ElementVectors<Scalar>;
+
+    explicit BothPartition(Index n)
+        : stick(Vector::Ones(n)), slide(Vector::Zero(n)), stiffness(Vector::Zero(n)), direction(Vectors::Zero(n, 2)) {}
+
+    void let_stick(Index i) { set(i, 1); }
+    void let_go(Index i) { set(i, 0); }
+    /// The traction points along (x, y), whose length is `norm`; k is the slip against it over its size.
+    void let_slide(Index i, Scalar x, Scalar y, Scalar norm, Scalar k) {
+        stick[i] = 0;
+        slide[i] = 1;
+        direction(i, 0) = x / norm;
+        direction(i, 1) = y / norm;
+        // finite, however small the bound
+        stiffness[i] = (std::min)(k, (std::numeric_limits<Scalar>::max)() / 1000);
+    }
+
+    /// Zone from the natural map, (x, y) = p - reach s. `margin`: round-off relative to the bound.
+    void place(Index i, Scalar x, Scalar y, Scalar bound, Scalar reach, Scalar margin) {
+        const Scalar norm = length(x, y);
+        if (bound == 0) {
+            let_go(i);
+        } else if (norm > (1 + margin) * bound) {
+            let_slide(i, x, y, norm, (norm - bound) / (bound * reach));
+        } else {
+            let_stick(i);
+        }
+    }
+
+    /// Whether tractions and slip satisfy all conditions, to `margin` relative to each bound and to `creep` in the
+    /// slip.
+    bool holds(const Vector& bound, const Vectors& p, const Vectors& s, Scalar margin, Scalar creep) const {
+        for (Index i = 0; i < bound.size(); ++i) {
+            const Scalar x = p(i, 0), y = p(i, 1), u = s(i, 0), v = s(i, 1), norm = length(x, y);
+            if (stick[i] != 0) {
+                if (!(norm <= (1 + margin) * bound[i])) return false;
+                if (!(length(u, v) <= creep)) return false;
+            } else if (slide[i] != 0) {
+                if (!(std::abs(norm - bound[i]) <= margin * bound[i])) return false;
+                if (!(std::abs(x * v - y * u) <= creep * bound[i])) return false;
+                if (!(x * u + y * v <= creep * bound[i])) return false;
+            }
+        }
+        return true;
+    }
+
+    Vector stick, slide;  // 1 for the elements that do
+    Vector stiffness;     // of elements that slip; 0 for others, as is the direction
+    Vectors direction;
+
+private:
+    void set(Index i, Scalar sticks) {
+        stick[i] = sticks;
+        slide[i] = 0;
+        direction.row(i).setZero();
+        stiffness[i] = 0;
+    }
+};
+
+/// Sum of |p - P(p - reach s)| over the elements with pressure, P the projection onto the circle of the bound: zero at
+/// solutions alone.
+template <class Scalar>
+Scalar natural_residual(const VectorX<Scalar>& bound, const VectorX<Scalar>& reach, const ElementVectors<Scalar>& p,
+                        const ElementVectors<Scalar>& s) {
+    Scalar sum = 0;
+    for (Eigen::Index i = 0; i < bound.size(); ++i) {
+        if (bound[i] == 0) continue;
+        const Scalar x = p(i, 0) - reach[i] * s(i, 0), y = p(i, 1) - reach[i] * s(i, 1), norm = length(x, y);
+        const Scalar share = norm > bound[i] ? bound[i] / norm : Scalar(1);
+        sum += length(p(i, 0) - share * x, p(i, 1) - share * y);
+    }
+    return sum;
+}
 
 /// Finds the change dp of tractions that satisfies, with ds = M dp,
 /// - where elements stick:  s + ds = 0;
@@ -33,7 +113,7 @@ namespace rollbem::detail {
 /// are singular, as for a leading element without influence on its own slip. All memory is allocated by the
 /// constructor.
 template <class Scalar>
-class CombinedEquations {
+class BothEquations {
 public:
     using Index = Eigen::Index;
     using Vector = VectorX<Scalar>;
@@ -41,7 +121,7 @@ public:
 
     /// `coupled`: traction in one direction causes slip in the other, too. Without `matrices` only exchange_factors()
     /// gives it factors.
-    explicit CombinedEquations(Index n, bool coupled = false, bool matrices = true)
+    explicit BothEquations(Index n, bool coupled = false, bool matrices = true)
         : size_(n),
           coupled_(coupled),
           side_{Side(coupled ? 0 : n), Side(coupled ? 0 : n)},
@@ -74,7 +154,7 @@ public:
         return coupled_ ? block_[2 * slip + by] : side_[slip].sticking.new_matrix();
     }
     /// Exchanges the factors for those kept in `other`; M stays.
-    void exchange_factors(CombinedEquations& other) {
+    void exchange_factors(BothEquations& other) {
         std::swap(*this, other);
         block_.swap(other.block_);
         released_.exchange_matrix(other.released_);
@@ -90,10 +170,10 @@ public:
 
     /// Factorises for the elements that stick and slip; the stiffness is k. False if the equations are singular to
     /// working precision.
-    bool factorise(const CombinedPartition<Scalar>& part, const SlipTurn<Scalar>& turn);
+    bool factorise(const BothPartition<Scalar>& part, const SlipTurn<Scalar>& turn);
 
     /// Takes the directions of traction and slip from `part`, with the same elements slipping, but keeps the factors.
-    void aim(const CombinedPartition<Scalar>& part, const SlipTurn<Scalar>& turn) {
+    void aim(const BothPartition<Scalar>& part, const SlipTurn<Scalar>& turn) {
         for (Index k = 0; k < slipping_.count; ++k) {
             tangent_(k, 0) = -part.direction(slipping_[k], 1);
             tangent_(k, 1) = part.direction(slipping_[k], 0);
@@ -108,11 +188,11 @@ public:
     void solve(const ElementVectors<Scalar>& s, ElementVectors<Scalar>& change);
     /// The same to working precision for `part`, at which the factors have been aimed; those of coupled directions may be
     /// of an earlier Newton step near the solution. `slip_change`, unless null, becomes ds.
-    void solve(const ElementVectors<Scalar>& s, const CombinedPartition<Scalar>& part, ElementVectors<Scalar>& change,
+    void solve(const ElementVectors<Scalar>& s, const BothPartition<Scalar>& part, ElementVectors<Scalar>& change,
                ElementVectors<Scalar>* slip_change);
 
     /// Whether the present factors are for the same elements that slip.
-    bool slips_as(const CombinedPartition<Scalar>& part) const {
+    bool slips_as(const BothPartition<Scalar>& part) const {
         Index slips = 0;
         for (Index k = 0; k < slipping_.count; ++k) slips += part.slide[slipping_[k]] != 0 ? 1 : 0;
         return slips == slipping_.count && static_cast<Scalar>(slips) == part.slide.sum();
@@ -139,7 +219,7 @@ public:
     }
     /// Calls use(i, ds) with the change of slip due to the same increase for each element i that slips, as in `part`.
     template <class Use>
-    void couple(const CombinedPartition<Scalar>& part, ElementVectors<Scalar>& slip_change, const Use& use) {
+    void couple(const BothPartition<Scalar>& part, ElementVectors<Scalar>& slip_change, const Use& use) {
         const Index count = slipping_.count;
         if (way_ == Way::reduced) find_across();
         slip_change.setZero();
@@ -241,7 +321,7 @@ private:
     }
 
     // If it is less work than all equations together.
-    bool release(const CombinedPartition<Scalar>& part) {
+    bool release(const BothPartition<Scalar>& part) {
         Index sticks = 0;
         for (Index i = 0; i < size_; ++i) sticks += part.stick[i] != 0 ? 1 : 0;
         const Index slips = slipping_.count, frees = size_ - sticks - slips;
@@ -414,7 +494,7 @@ private:
 };
 
 template <class Scalar>
-bool CombinedEquations<Scalar>::factorise(const CombinedPartition<Scalar>& part, const SlipTurn<Scalar>& turn) {
+bool BothEquations<Scalar>::factorise(const BothPartition<Scalar>& part, const SlipTurn<Scalar>& turn) {
     slipping_.take(part.slide);
     aim(part, turn);
     if (coupled_) {
@@ -427,7 +507,7 @@ bool CombinedEquations<Scalar>::factorise(const CombinedPartition<Scalar>& part,
 }
 
 template <class Scalar>
-void CombinedEquations<Scalar>::solve(const ElementVectors<Scalar>& s, ElementVectors<Scalar>& change) {
+void BothEquations<Scalar>::solve(const ElementVectors<Scalar>& s, ElementVectors<Scalar>& change) {
     change.setZero();
     if (way_ == Way::whole) solve_whole(s, change);
     if (way_ == Way::reduced) solve_reduced(s, change);
@@ -435,8 +515,8 @@ void CombinedEquations<Scalar>::solve(const ElementVectors<Scalar>& s, ElementVe
 }
 
 template <class Scalar>
-void CombinedEquations<Scalar>::solve(const ElementVectors<Scalar>& s, const CombinedPartition<Scalar>& part,
-                                      ElementVectors<Scalar>& change, ElementVectors<Scalar>* slip_change) {
+void BothEquations<Scalar>::solve(const ElementVectors<Scalar>& s, const BothPartition<Scalar>& part,
+                                  ElementVectors<Scalar>& change, ElementVectors<Scalar>* slip_change) {
     if (way_ == Way::released) {
         released_.solve(s, part.stiffness, change, slip_change);
         return;

@@ -16,9 +16,8 @@
 #include "../../status.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
-#include "combined_equations.hpp"
-#include "combined_partition.hpp"
-#include "combined_path.hpp"
+#include "both_equations.hpp"
+#include "both_path.hpp"
 #include "slip_turn.hpp"
 
 namespace rollbem::detail {
@@ -29,7 +28,7 @@ namespace rollbem::detail {
 /// Newton's method on the natural map p_i = P(p_i - rho_i s_i), P the projection onto the circle of the bound
 /// (semismooth: Qi and Sun 1993; for friction Alart and Curnier 1991). An element with |p - rho s| within its bound
 /// sticks in the next step; any other keeps its traction on the circle and turns it, so that it has one unknown, not
-/// two. A step is halved while the residual of the map would grow. That can get stuck; then CombinedPath leads to a
+/// two. A step is halved while the residual of the map would grow. That can get stuck; then BothPath leads to a
 /// point near a solution, from which Newton's method finishes. If that fails, too, the best point is returned together
 /// with its violation.
 ///
@@ -40,7 +39,7 @@ namespace rollbem::detail {
 /// The result depends on M, c, the bounds and the starting point alone, to the last bit, and not on earlier
 /// solutions. All memory is allocated by the constructor.
 template <class Scalar>
-class CombinedSolver {
+class BothSolver {
 public:
     using Index = Eigen::Index;
     using Vector = VectorX<Scalar>;
@@ -49,7 +48,7 @@ public:
     using Zones = std::vector<Zone>;
 
     struct Outcome {
-        int rounds = 0;  ///< Newton steps, those along CombinedPath not counted
+        int rounds = 0;  ///< Newton steps, those along BothPath not counted
         /// Largest violation of a bound, or traction below it where an element slips (relative to the largest bound),
         /// or wrong slip: of a sticking element, across the traction or along it (relative to the largest |c|).
         Scalar residual = 0;
@@ -58,7 +57,7 @@ public:
     };
 
     /// `coupled`: traction in one direction causes slip in the other, too.
-    explicit CombinedSolver(Index n, bool coupled = false)
+    explicit BothSolver(Index n, bool coupled = false)
         : equations_(n, coupled),
           kept_(n, coupled, false),
           zones_(static_cast<std::size_t>(n), Zone::stick),
@@ -150,13 +149,13 @@ public:
     /// dc of the equations for slip that is not turned, to be filled before respond().
     Vectors& plain_change() { return plain_change_; }
 
-    /// Derivatives of slip by bounds, as CombinedEquations::couple(), with angles that follow.
+    /// Derivatives of slip by bounds, as BothEquations::couple(), with angles that follow.
     void couple(Matrix& coupling) {
         const Index count = equations_.slipping_count();
         coupling.leftCols(count).setZero();
         if (turn_.follows()) {
             exchange_plain();
-            const CombinedEquations<Scalar>& turned = is_apart_ ? kept_ : equations_;
+            const BothEquations<Scalar>& turned = is_apart_ ? kept_ : equations_;
             equations_.couple(plain_part_, trial_slip_, [&](Index i, const Vectors& slip_change) {
                 Index k = 0;
                 while (k < count && turned.slipping(k) != i) ++k;
@@ -176,7 +175,7 @@ public:
     /// 1 for each element that slips under pressure, zero for others.
     const Vector& slides() const { return part_.slide; }
     /// The factors behind respond().
-    CombinedEquations<Scalar>& equations() { return equations_; }
+    BothEquations<Scalar>& equations() { return equations_; }
 
 private:
     static constexpr int longest = 60;  // Newton steps; rolling takes at most 16
@@ -228,7 +227,7 @@ private:
     }
 
     // dp by the present factors, those of `part`, at constant angles; ds, if asked for, into plain_slip_change_.
-    void answer(const CombinedPartition<Scalar>& part, const Vectors& change, const Vector* bound_change, Scalar share,
+    void answer(const BothPartition<Scalar>& part, const Vectors& change, const Vector* bound_change, Scalar share,
                 Vectors& traction_change, bool with_slip) {
         trial_slip_ = change;
         if (bound_change != nullptr) {
@@ -260,7 +259,7 @@ private:
     }
 
     bool follow_path(const Vector& bound, Outcome& outcome) {
-        const typename CombinedPath<Scalar>::Problem problem{equations_, constant_, bound, reach_, turn_};
+        const typename BothPath<Scalar>::Problem problem{equations_, constant_, bound, reach_, turn_};
         path_.begin(problem, imposed_);
         while (path_.advance(problem)) {
             for (const bool careful : {true, false}) {
@@ -327,7 +326,7 @@ private:
         }
     }
     // Slip along the present traction, of size `norm`.
-    void slide_on(Index i, Scalar norm, CombinedPartition<Scalar>& part) const {
+    void slide_on(Index i, Scalar norm, BothPartition<Scalar>& part) const {
         const Scalar x = traction_(i, 0), y = traction_(i, 1), against = -(x * slip_(i, 0) + y * slip_(i, 1));
         part.let_slide(i, x, y, norm, (std::max)(against, Scalar(0)) / (norm * norm));
     }
@@ -451,11 +450,11 @@ private:
         return (std::max)(imposed_ > 0 ? slip / imposed_ : slip, largest > 0 ? excess / largest : excess);
     }
 
-    CombinedEquations<Scalar> equations_;
-    CombinedEquations<Scalar> kept_;  // factors for slip that is not turned, if it is and tangents are wanted
+    BothEquations<Scalar> equations_;
+    BothEquations<Scalar> kept_;  // factors for slip that is not turned, if it is and tangents are wanted
     Zones zones_;
-    CombinedPartition<Scalar> part_, plain_part_;  // plain: with the same slip
-    Vector reach_;                                 // rho
+    BothPartition<Scalar> part_, plain_part_;  // plain: with the same slip
+    Vector reach_;                             // rho
     Vectors traction_, slip_, constant_, trial_, trial_slip_, change_, best_;
     Vectors against_slip_;
     Vectors begin_;  // where the search with turned slip begins
@@ -464,7 +463,7 @@ private:
     Vectors turned_change_, plain_change_, plain_slip_change_;
     Vector angle_change_;
     SlipTurn<Scalar> turn_;
-    CombinedPath<Scalar> path_;
+    BothPath<Scalar> path_;
     bool has_tangent_ = false;    // the factors are those of the solution
     bool slip_is_known_ = false;  // trial_slip_ is that of traction_, not turned
     Scalar imposed_ = 0;          // max |c|
@@ -478,8 +477,8 @@ private:
 };
 
 template <class Scalar>
-typename CombinedSolver<Scalar>::Outcome CombinedSolver<Scalar>::solve(const Vector& bound,
-                                                                       const SolutionStart<2, Scalar>& start) noexcept {
+typename BothSolver<Scalar>::Outcome BothSolver<Scalar>::solve(const Vector& bound,
+                                                               const SolutionStart<2, Scalar>& start) noexcept {
     const auto impose = [&] {
         imposed_ = 0;
         for (Index i = 0; i < size(); ++i) imposed_ = (std::max)(imposed_, length(constant_(i, 0), constant_(i, 1)));

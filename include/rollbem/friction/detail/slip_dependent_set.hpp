@@ -30,7 +30,7 @@ struct FrictionPassage {
 
 /// Derivatives with respect to the parameter of a tangent.
 template <class Slip>
-struct FallingChange {
+struct SlipDependentChange {
     using Vector = VectorX<typename Slip::Scalar>;
 
     const typename Slip::Vectors& constant;  ///< dc
@@ -47,7 +47,7 @@ struct FallingChange {
 ///
 /// `Slip` represents the solver, in one direction or two: see ActiveSetSlip.
 template <class Slip>
-class FallingSet {
+class SlipDependentSet {
 public:
     using Scalar = typename Slip::Scalar;
     using Solver = typename Slip::Solver;
@@ -62,7 +62,7 @@ public:
         Scalar change = 0;                ///< largest residual of the equation above
     };
 
-    explicit FallingSet(Index n)
+    explicit SlipDependentSet(Index n)
         : slip_(n),
           start_(n),
           residual_(n),
@@ -126,8 +126,8 @@ public:
     /// `traction_change` must not be vectors in `change`.
     template <class Law>
     void respond(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
-                 Solver& solver, const Vector& friction, const FallingChange<Slip>& change, Vectors& traction_change,
-                 Vector& friction_change) {
+                 Solver& solver, const Vector& friction, const SlipDependentChange<Slip>& change,
+                 Vectors& traction_change, Vector& friction_change) {
         factorise(law, memory, passage, solver, friction, true);
         const bool constant_only = Slip::directions == 1 && change.before == nullptr && change.bound == nullptr;
         if (constant_only && answered_ && same_bits(change.constant, asked_)) {
@@ -135,7 +135,7 @@ public:
             friction_change = friction_answer_;
             return;
         }
-        Slip::respond(solver, change.constant, change.bound, traction_change);
+        solver.respond(change.constant, traction_change, change.bound);
         slip_.change_size(solver, change.constant, traction_change, response_);
         Scalar ahead = 0;
         for (Index i = size() - 1; i >= 0; --i) {
@@ -148,7 +148,7 @@ public:
         spread(friction_change);
         tried_ = friction_change.cwiseProduct(passage.pressure);
         if (change.bound != nullptr) tried_ += *change.bound;
-        Slip::respond(solver, change.constant, &tried_, traction_change);
+        solver.respond(change.constant, traction_change, &tried_);
         if (!constant_only) return;
         answered_ = true;
         asked_ = change.constant;
