@@ -1,5 +1,5 @@
-// Kalker's creep coefficients of a contact patch in full adhesion, and its steady rolling, by halves where the strips are
-// mirrored.
+// Kalker's creep coefficients of a contact patch in full adhesion, and its steady rolling, by halves where the strips
+// are mirrored.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +22,8 @@
 
 namespace rollbem {
 
-/// Kalker's coefficients from the 3 x 3 of a response in units of a (outlines: c), steady or harmonic: entry (i, j) minus
-/// the force F_x, F_y, M_z per xi, eta, phi. Throws std::invalid_argument if they are not 3 x 3.
+/// Kalker's coefficients from the 3 x 3 of a response in units of a (outlines: c), steady or harmonic: entry (i, j)
+/// minus the force F_x, F_y, M_z per xi, eta, phi. Throws std::invalid_argument if they are not 3 x 3.
 template <class Value, class Scalar>
 CreepCoefficients<Value> creep_coefficients(const PatchContact<Scalar>& contact, const Response<Value>& response) {
     const MatrixX<Value>& coefficients = response.coefficients;
@@ -37,8 +37,8 @@ CreepCoefficients<Value> creep_coefficients(const PatchContact<Scalar>& contact,
 /// 0.28 and 0.5, 8 x 8 to 100 x 8 and 32 x 32 elements.
 inline constexpr double largest_mesh_change = 0.07;
 
-/// The forces on body 1 [N] and the moment about the origin [N m] of steady rolling, also of an outline without symmetry.
-/// Throws std::invalid_argument if the coefficients are not 3 x 3.
+/// The forces on body 1 [N] and the moment about the origin [N m] of steady rolling, also of an outline without
+/// symmetry. Throws std::invalid_argument if the coefficients are not 3 x 3.
 template <class Scalar>
 TangentialForce<Scalar> creep_force(const PatchContact<Scalar>& contact, const Response<Scalar>& steady,
                                     const Creepage<Scalar>& creepage) {
@@ -111,11 +111,11 @@ void compare_meshes(const MatrixX<Scalar>& other, Response<Scalar>& response) {
 /// Steady rolling at unit creepages xi, eta and phi a; needs no G. `mesh` must be in units of the contact's a,
 /// as patch_mesh makes it. Status::assists_creepage if a force or the moment assists its own creepage.
 ///
-/// A patch more than ten times longer than wide is solved on two cosine meshes more, each half as fine in one direction:
-/// error_estimates are by how much each coefficient changes, the larger of both over the coefficient; of an ellipse c23
-/// and c32 at least by |c23 + c32|, which tends to 0. Status::not_converged: one is larger than largest_mesh_change, and
-/// that coefficient may be wrong. Throws std::invalid_argument unless the scheme takes differences of u and fits the
-/// strips' mesh.
+/// A patch more than ten times longer than wide is solved on two cosine meshes more, each half as fine in one
+/// direction: error_estimates are by how much each coefficient changes, the larger of both over the coefficient; of an
+/// ellipse c23 and c32 at least by |c23 + c32|, which tends to 0. Status::not_converged: one is larger than
+/// largest_mesh_change, and that coefficient may be wrong. Throws std::invalid_argument unless the scheme takes
+/// differences of u and fits the strips' mesh.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 Response<Scalar> solve_steady(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh, const Scheme& scheme,
                               const Kernel& kernel) {

@@ -18,10 +18,10 @@ namespace rollbem {
 /// Whether S = -(W A + (W A)^T)/2 is positive definite beyond rounding, W the elements' areas (widths on a line). A is
 /// G' with the unknowns of each direction one after the other, or any matrix of a step with this sign.
 ///
-/// In steady rolling, G' p = creepage, p^T S p is the work of the creepage: if S is positive definite, the force opposes
-/// the creepage. Friction, slip = creepage - A p with |p_i| bounded, then has exactly one solution whatever the bounds,
-/// as it is strongly monotone in the inner product of the areas. The converse does not hold: patches 20 times longer
-/// than wide may have the right force though S is indefinite. One Cholesky decomposition.
+/// In steady rolling, G' p = creepage, p^T S p is the work of the creepage: if S is positive definite, the force
+/// opposes the creepage. Friction, slip = creepage - A p with |p_i| bounded, then has exactly one solution whatever the
+/// bounds, as it is strongly monotone in the inner product of the areas. The converse does not hold: patches 20 times
+/// longer than wide may have the right force though S is indefinite. One Cholesky decomposition.
 template <class Scalar>
 bool is_dissipative(MatrixX<Scalar> A, const ArrayX<Scalar>& areas) {
     const Eigen::Index size = A.rows();

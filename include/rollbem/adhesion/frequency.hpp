@@ -27,8 +27,8 @@ namespace rollbem {
 /// frequency. If rcond(G') is too small to rely on M, each frequency has its own LU decomposition; see reduced(). Const
 /// objects may be shared by threads.
 ///
-/// Responses have no unknowns. Their residual is that of the reduced equations, and rcond, from one more right-hand side,
-/// says that coefficients are accurate to eps/rcond; of several parts they are the worse.
+/// Responses have no unknowns. Their residual is that of the reduced equations, and rcond, from one more right-hand
+/// side, says that coefficients are accurate to eps/rcond; of several parts they are the worse.
 template <class Scalar_>
 class FrequencySweep {
 public:

@@ -66,8 +66,8 @@ StageTable<Scalar> stage_table(Integrator integrator) {
 struct Unchecked {};
 inline constexpr Unchecked unchecked{};
 
-/// What a model checks when it is made: in the time domain the verdict on its system's eigenvalues, and always that its scheme
-/// converges to full adhesion; or nothing.
+/// What a model checks when it is made: in the time domain the verdict on its system's eigenvalues, and always that its
+/// scheme converges to full adhesion; or nothing.
 struct Checks {
     bool wanted = true;
     StabilityVerdict verdict;  ///< in the time domain
@@ -115,9 +115,9 @@ void require_convergent(const char* who, const VectorX<Scalar>& steady, const Ar
             share, rule.c_str());
 }
 
-/// True if G' is dissipative. Otherwise false if the tractions of full adhesion at unit creepages, G' p = inputs, assist
-/// the creepage by more than the `allowed` share. True also if G' is so nearly singular that nothing follows from them.
-/// The first n unknowns are tractions along the first input, and so on.
+/// True if G' is dissipative. Otherwise false if the tractions of full adhesion at unit creepages, G' p = inputs,
+/// assist the creepage by more than the `allowed` share. True also if G' is so nearly singular that nothing follows
+/// from them. The first n unknowns are tractions along the first input, and so on.
 template <class Scalar>
 bool converges(MatrixX<Scalar> G_prime, const ArrayX<Scalar>& areas, double allowed = largest_assisting_share) {
     if (is_dissipative(G_prime, areas)) return true;

@@ -180,12 +180,12 @@ VectorX<Scalar> uncertainty_of_eigenvalues(const QuasiTriangularPair<Scalar>& pa
     return uncertainty;
 }
 
-/// Whether all eigenvalues have Re(nu) < 0 for every perturbation of G' and G by n eps of their norms; `middle` is about
-/// the geometric mean of |nu|. Single eigenvalues may be too ill-conditioned to tell, y^H G x being small.
+/// Whether all eigenvalues have Re(nu) < 0 for every perturbation of G' and G by n eps of their norms; `middle` is
+/// about the geometric mean of |nu|. Single eigenvalues may be too ill-conditioned to tell, y^H G x being small.
 ///
-/// The step A = (G - tau G')^-1 (G + tau G') of the trapezoidal rule has the eigenvalues (1 + tau nu)/(1 - tau nu), inside
-/// the unit circle if and only if all Re(nu) < 0. That is proved by an energy that each step diminishes: Y and
-/// R = Y - A^T Y A both positive definite, the latter by more than rounding. Y, the sum of |A^j p|^2 until powers are
+/// The step A = (G - tau G')^-1 (G + tau G') of the trapezoidal rule has the eigenvalues (1 + tau nu)/(1 - tau nu),
+/// inside the unit circle if and only if all Re(nu) < 0. That is proved by an energy that each step diminishes: Y and R
+/// = Y - A^T Y A both positive definite, the latter by more than rounding. Y, the sum of |A^j p|^2 until powers are
 /// small, is found by doubling their number; how accurately does not matter.
 template <class Scalar>
 bool all_decay(const RollingSystem<Scalar>& system, Scalar middle, Scalar norm_G_prime, Scalar norm_G) {

@@ -13,8 +13,8 @@ namespace rollbem {
 /// Signs of the real parts of the n eigenvalues nu a of G' p = nu G p; a mode grows like e^{nu V t}.
 ///
 /// An eigenvalue is uncertain if rounding of G and G' alone could change the sign of its real part, to first order;
-/// otherwise its sign is settled. Infinite eigenvalues are uncertain. Where eigenvalues are too ill-conditioned for that,
-/// all of them together may be proved to decay.
+/// otherwise its sign is settled. Infinite eigenvalues are uncertain. Where eigenvalues are too ill-conditioned for
+/// that, all of them together may be proved to decay.
 struct StabilityVerdict {
     Eigen::Index n = 0;
     Eigen::Index unstable_count = 0;          ///< real part > 0 as computed

@@ -19,10 +19,10 @@
 
 namespace rollbem {
 
-/// d x/d(q/a) = A x + B v, C x + D v = -forces: the k inputs are creepages and spin times a, the outputs forces over a G
-/// per unit width, of a patch over G a^2, and the moment over a more, as of the system from which it was made; q = V t is
-/// the distance rolled, x are its unknowns, x = 0 at rest. The coefficients at s, in V/a, are C (s I - A)^-1 B + D; c11
-/// if k = 1.
+/// d x/d(q/a) = A x + B v, C x + D v = -forces: the k inputs are creepages and spin times a, the outputs forces over a
+/// G per unit width, of a patch over G a^2, and the moment over a more, as of the system from which it was made; q = V
+/// t is the distance rolled, x are its unknowns, x = 0 at rest. The coefficients at s, in V/a, are C (s I - A)^-1 B +
+/// D; c11 if k = 1.
 template <class Scalar>
 struct StateSpace {
     MatrixX<Scalar> A;     ///< n x n
@@ -30,8 +30,8 @@ struct StateSpace {
     MatrixX<Scalar> D;     ///< k x k; zero, but for a reduced system
 };
 
-/// dx/dt = A x + B v, F = C x + D v: one creepage [-] and force [N] on body 1, of a line over the width 2b, negative for
-/// positive creepage; or xi, eta [-] and spin [1/m], F_x, F_y [N] and M_z [N m]. The states remain dimensionless
+/// dx/dt = A x + B v, F = C x + D v: one creepage [-] and force [N] on body 1, of a line over the width 2b, negative
+/// for positive creepage; or xi, eta [-] and spin [1/m], F_x, F_y [N] and M_z [N m]. The states remain dimensionless
 /// (Chebyshev states: displacement coefficients over a; elements: p/G).
 template <class Scalar>
 struct StateSpaceSI {
@@ -99,9 +99,9 @@ StateSpaceSI<Scalar> in_si(const StateSpace<Scalar>& dimensionless, Scalar lengt
 
 }  // namespace detail
 
-/// In SI units, for a contact that rolls at `speed` V [m/s]: A V/a, B V/a, -2b a G C, -2b a G D, and times a for spin and
-/// for the moment. Throws std::invalid_argument unless V is positive and finite, the contact's half-width is finite, and
-/// there is one input or three.
+/// In SI units, for a contact that rolls at `speed` V [m/s]: A V/a, B V/a, -2b a G C, -2b a G D, and times a for spin
+/// and for the moment. Throws std::invalid_argument unless V is positive and finite, the contact's half-width is
+/// finite, and there is one input or three.
 template <class Scalar>
 StateSpaceSI<Scalar> in_si(const StateSpace<Scalar>& dimensionless, const Contact<Scalar>& contact,
                            std::type_identity_t<Scalar> speed) {

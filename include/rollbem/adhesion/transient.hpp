@@ -45,8 +45,8 @@ namespace rollbem {
 /// on state and arguments alone, to the last bit, and never on what the workspace was used for.
 ///
 /// The half-length of a line contact, or the semi-axes of a patch, may change from step to step if can_breathe(): the
-/// unknowns then live on x = a zeta, y = b upsilon, and the state at one half-length is carried over to the next. b of a
-/// line is constant.
+/// unknowns then live on x = a zeta, y = b upsilon, and the state at one half-length is carried over to the next. b of
+/// a line is constant.
 ///
 /// Invariant: the half-width is finite, and the scheme is stable according to the verdict.
 ///

@@ -1,4 +1,5 @@
-// Matrix factors and scratch memory of full adhesion in the time domain. They make steps fast and never change a result.
+// Matrix factors and scratch memory of full adhesion in the time domain. They make steps fast and never change a
+// result.
 #pragma once
 
 #include <Eigen/Core>

@@ -77,9 +77,9 @@ struct FrictionMemory {
 };
 
 /// |p| <= mu p_n on the elements of a mesh. Where they slip, |p| = mu p_n and p opposes the slip. With two directions,
-/// and if the equations of the system hold half an element ahead of the elements' centres (Elements::half_element_ahead),
-/// slip is turned to the direction that it has at the centres, where the tractions act: results are then of second order
-/// in 1/n, otherwise of first where the direction of slip varies.
+/// and if the equations of the system hold half an element ahead of the elements' centres
+/// (Elements::half_element_ahead), slip is turned to the direction that it has at the centres, where the tractions act:
+/// results are then of second order in 1/n, otherwise of first where the direction of slip varies.
 ///
 ///     Friction{0.3, pressure}                              // Coulomb's law
 ///     Friction{ExponentialFall<>{0.3, 0.18, 0.1}, pressure}
@@ -89,9 +89,9 @@ struct Friction {
     ArrayX<Scalar> normal_pressure;  ///< p_n [Pa], mean over each of the mesh's n elements, trailing to leading edge;
                                      ///< finite, not negative, not all zero
     FrictionMemory<Scalar> memory{};
-    /// Whether results include tangents. Tangents left out are NaN, which saves time with two directions and if mu depends
-    /// on slip: then each stage otherwise factorises a matrix of the slipping elements, at a cost of order n^3, unless the
-    /// slip velocities are those of the stage before.
+    /// Whether results include tangents. Tangents left out are NaN, which saves time with two directions and if mu
+    /// depends on slip: then each stage otherwise factorises a matrix of the slipping elements, at a cost of order n^3,
+    /// unless the slip velocities are those of the stage before.
     bool with_tangents = true;
 };
 

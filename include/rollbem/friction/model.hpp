@@ -27,19 +27,20 @@
 namespace rollbem {
 
 /// The contact as a force element with friction, stepped like AdhesionModel. Immutable: threads may share it if they
-/// may share the law. One direction costs less than two. A creepage xi > 0 gives a negative force in steady rolling. With
-/// two directions, slip and traction are vectors. In full sliding the force opposes the creepage exactly, otherwise only
-/// approximately, because the bodies are more compliant across the rolling direction.
+/// may share the law. One direction costs less than two. A creepage xi > 0 gives a negative force in steady rolling.
+/// With two directions, slip and traction are vectors. In full sliding the force opposes the creepage exactly,
+/// otherwise only approximately, because the bodies are more compliant across the rolling direction.
 ///
-/// For steady rolling alone a system of G' is enough, steady_system(): no kernel must be integrated for G, no eigenvalue
-/// judged, and the half-width may be infinite. Such a model refuses to advance and to shift (StepStatus::invalid_step) and
-/// knows no elastic energy (NaN). Its states are those of a model with the same contact, G' and pressures, and so start
-/// a time-domain run. If the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1), forces would be wrong
-/// wherever elements stick: the status of every solution is then StepStatus::assists_creepage, with the residual but
-/// without numbers, unless the model is made `unchecked`. Collocation at the centres (alpha = 0) is a special case: its
-/// tractions assist the creepage in full adhesion, but are correct with friction. It dissipates no energy, whereas full
-/// adhesion loses energy at the singular trailing edge; the force of full adhesion is therefore zero. Dissipation by
-/// slip is represented: the force converges, with first order, once several elements slip at the trailing edge.
+/// For steady rolling alone a system of G' is enough, steady_system(): no kernel must be integrated for G, no
+/// eigenvalue judged, and the half-width may be infinite. Such a model refuses to advance and to shift
+/// (StepStatus::invalid_step) and knows no elastic energy (NaN). Its states are those of a model with the same contact,
+/// G' and pressures, and so start a time-domain run. If the scheme does not converge to full adhesion (alpha <= 0, or
+/// alpha > 1), forces would be wrong wherever elements stick: the status of every solution is then
+/// StepStatus::assists_creepage, with the residual but without numbers, unless the model is made `unchecked`.
+/// Collocation at the centres (alpha = 0) is a special case: its tractions assist the creepage in full adhesion, but
+/// are correct with friction. It dissipates no energy, whereas full adhesion loses energy at the singular trailing
+/// edge; the force of full adhesion is therefore zero. Dissipation by slip is represented: the force converges, with
+/// first order, once several elements slip at the trailing edge.
 ///
 ///     const FrictionModel model(contact, steady_system(mesh, scheme, kernel), {0.3, pressure});
 ///     Run run(model);
@@ -55,9 +56,9 @@ namespace rollbem {
 /// gains energy. Transitions between stick and slip within a step do not reduce the order; a memory of falling friction
 /// does, to about 1.8 for forces and 1.35 for slip work.
 ///
-/// In time the scheme must meet the requirements of AdhesionModel: a verdict that its eigenvalues decay, and convergence
-/// in full adhesion. With any other scheme friction bounds the tractions, but they are wrong, unless alpha = 0 and
-/// several elements slip at the trailing edge.
+/// In time the scheme must meet the requirements of AdhesionModel: a verdict that its eigenvalues decay, and
+/// convergence in full adhesion. With any other scheme friction bounds the tractions, but they are wrong, unless alpha
+/// = 0 and several elements slip at the trailing edge.
 ///
 /// If mu depends on slip, steps have a duration, and v = |slip in a stage| / its duration. With a memory, mu belongs to
 /// the particles of the surfaces, which roll through the contact: each element starts from the coefficient of the
@@ -116,12 +117,12 @@ public:
     using Travel = std::conditional_t<Core::slip_dependent, rollbem::Travel<Scalar>, detail::UntimedTravel<Scalar>>;
 
     /// A line contact, or a patch (PatchContact, in whose half_length() the system measures lengths); `checks` is the
-    /// verdict on the system, or `unchecked`. Throws std::invalid_argument if the verdict does not belong to this system
-    /// or does not establish that no eigenvalue grows, if steady rolling shows that the scheme does not converge
+    /// verdict on the system, or `unchecked`. Throws std::invalid_argument if the verdict does not belong to this
+    /// system or does not establish that no eigenvalue grows, if steady rolling shows that the scheme does not converge
     /// (Status::assists_creepage), if the contact's half-width is infinite or not that of the system's kernel, if the
-    /// law does not meet the requirements of Friction (one pressure per element of the mesh) or has a memory although the
-    /// points of the system's equations are unknown, and for Integrator::matrix_exponential, which cannot treat friction.
-    /// A system without G needs no verdict, finite half-width or points.
+    /// law does not meet the requirements of Friction (one pressure per element of the mesh) or has a memory although
+    /// the points of the system's equations are unknown, and for Integrator::matrix_exponential, which cannot treat
+    /// friction. A system without G needs no verdict, finite half-width or points.
     template <class AnyContact>
     FrictionModel(const AnyContact& contact, System system, const Checks& checks, const Friction<Law, Scalar>& friction,
                   Integrator integrator = Integrator::sdirk2)
@@ -214,11 +215,11 @@ public:
     /// Rolls by travel.dq [m], positive and finite, or 0 for a rigid shift without rolling, in travel.duration [s],
     /// positive and finite if mu depends on slip, under the load of `from`. `to` must be another state with the same
     /// number of elements. It is not written if the status is invalid_step, wrong_state, invalid_load,
-    /// needs_fixed_mesh or needs_places (spin, but the places of the equations are unknown) or the motion is not finite;
-    /// if the result is not finite, it becomes a copy of `from`. The status is wrong_state also if a coefficient of
-    /// `from` is negative or not finite, and no_solution also if coefficients and slip do not come to agree. Tangents
-    /// are at constant dq and duration. The result depends on `from`, the travel and the motion alone, to the last bit.
-    /// Does not allocate; a new dq costs a factorisation.
+    /// needs_fixed_mesh or needs_places (spin, but the places of the equations are unknown) or the motion is not
+    /// finite; if the result is not finite, it becomes a copy of `from`. The status is wrong_state also if a
+    /// coefficient of `from` is negative or not finite, and no_solution also if coefficients and slip do not come to
+    /// agree. Tangents are at constant dq and duration. The result depends on `from`, the travel and the motion alone,
+    /// to the last bit. Does not allocate; a new dq costs a factorisation.
     Step advance(const State& from, const Travel& travel, const Motion& motion, State& to,
                  Workspace& workspace) const noexcept {
         return roll(from, travel, motion, Core::load_of(from), to, workspace);

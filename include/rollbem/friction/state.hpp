@@ -46,8 +46,8 @@ struct FrictionState {
     /// p on body 1 of each unknown element [Pa], trailing to leading: a vector, or with two directions a row each.
     ElementVectors<Scalar, directions> traction;
     std::vector<Zone> zones;  ///< stick or slip of each element, at the end of the step
-    /// The present load: p_n [Pa] of each unknown element, the half-length a and the half-width b of the contact [m]; on
-    /// a line b does not vary and is not read. A step without a load keeps them.
+    /// The present load: p_n [Pa] of each unknown element, the half-length a and the half-width b of the contact [m];
+    /// on a line b does not vary and is not read. A step without a load keeps them.
     ArrayX<Scalar> normal_pressure;
     Scalar half_length = 0, half_width = 0;
     std::uint64_t system = 0;  ///< fingerprint() of the model that the state belongs to
@@ -55,8 +55,8 @@ struct FrictionState {
     /// and the next solution is sought from it. After StepStatus::no_solution these are not coefficients to go on with.
     ArrayX<Scalar> friction_coefficient;
     SolverRecord<Scalar> solver;
-    /// The tractions if slip had never been turned (see Friction) [Pa], on whose slip the angles of the next step depend:
-    /// like traction where slip is turned, or empty, as if they were the same.
+    /// The tractions if slip had never been turned (see Friction) [Pa], on whose slip the angles of the next step
+    /// depend: like traction where slip is turned, or empty, as if they were the same.
     ElementVectors<Scalar, directions> plain_traction;
 };
 
@@ -110,19 +110,21 @@ struct FrictionStep {
     Force force = detail::nothing<Force>();  ///< on body 1 [N]
     /// d force / d creepage at the end of the step [N]; for a rigid shift, by the shift [N/m].
     Tangent tangent = detail::nothing<Tangent>();
-    /// Derivatives with respect to the load at the end of a step, at constant half-length and half-width, and by these; if they
-    /// depend on the load, the total derivative is tangent_by_load + tangent_by_half_length da/d load +
-    /// tangent_by_half_width db/d load. NaN for steps without a load of their own; by the load also if NormalLoad has no
-    /// pressure_rate, by the others also if the system cannot breathe and for a rigid shift. A patch of constant a/b has
-    /// a tangent by the half-length at that a/b, and none by the half-width: 0. On a line that by the half-width is NaN.
+    /// Derivatives with respect to the load at the end of a step, at constant half-length and half-width, and by these;
+    /// if they depend on the load, the total derivative is tangent_by_load + tangent_by_half_length da/d load +
+    /// tangent_by_half_width db/d load. NaN for steps without a load of their own; by the load also if NormalLoad has
+    /// no pressure_rate, by the others also if the system cannot breathe and for a rigid shift. A patch of constant a/b
+    /// has a tangent by the half-length at that a/b, and none by the half-width: 0. On a line that by the half-width is
+    /// NaN.
     Force tangent_by_load = detail::nothing<Force>();         ///< [N per unit of the load]
     Force tangent_by_half_length = detail::nothing<Force>();  ///< [N/m]
     Force tangent_by_half_width = detail::nothing<Force>();   ///< of a patch [N/m]
-    /// Frictional heat [J]; of a steady solution per distance rolled [J/m]. It is the sum over elements and directions of traction times slip at the centre, of second
-    /// order in 1/n at alpha = 0.5 (steady rolling, cosine mesh, n = 40, against -F xi: 1.5e-3 at a creepage ratio
-    /// of 0.5). For user-supplied matrices the slip is that of each element's own equation: first order. Never negative,
-    /// but with two directions and equations half an element ahead: an element that sticks ahead of one that slips then
-    /// contributes a value of either sign, 2 % of the whole at most on 8 elements.
+    /// Frictional heat [J]; of a steady solution per distance rolled [J/m]. It is the sum over elements and directions
+    /// of traction times slip at the centre, of second order in 1/n at alpha = 0.5 (steady rolling, cosine mesh, n =
+    /// 40, against -F xi: 1.5e-3 at a creepage ratio of 0.5). For user-supplied matrices the slip is that of each
+    /// element's own equation: first order. Never negative, but with two directions and equations half an element
+    /// ahead: an element that sticks ahead of one that slips then contributes a value of either sign, 2 % of the whole
+    /// at most on 8 elements.
     Scalar slip_work = detail::unknown<Scalar>;
     /// Elastic energy that jumps of the tractions release in a step [J], as friction that falls with slip lets them:
     ///

@@ -35,9 +35,9 @@ public:
     /// slid [m] in a step or a rigid shift, the slip velocity over the rolling velocity, s/V [-], in a steady solution.
     const ElementVectors<Scalar, directions>& slip() const { return scratch_.slip; }
 
-    /// Contribution of each element to FrictionStep::slip_work, where it is said when one may be negative: [J], or [J/m]
-    /// for a steady solution. Divided by the element's area (on a line its width times Contact::width()) it is the work
-    /// per area of contact, on which wear depends.
+    /// Contribution of each element to FrictionStep::slip_work, where it is said when one may be negative: [J], or
+    /// [J/m] for a steady solution. Divided by the element's area (on a line its width times Contact::width()) it is
+    /// the work per area of contact, on which wear depends.
     const VectorX<Scalar>& slip_work() const { return scratch_.work; }
 
     Scratch& scratch() { return scratch_; }  ///< for the models

@@ -40,9 +40,9 @@ Influence<Scalar> influence(const ElementSystem<Scalar, 2>& system, std::size_t 
 /// The equations of a stage where the length alone may vary, as in LengthScale. They refer to the system.
 ///
 /// For Chebyshev states the unknowns are the coefficients of u for a = 1, and represent the traction that causes it,
-/// whatever a is. Their equations are again those of the tau method: both sides of the equation are polynomials of degree
-/// at most m, and the tau method lets them differ by a multiple of T_m, which vanishes at the m Chebyshev points; m
-/// equations at these points allow exactly that difference. The T_m in U itself also vanishes there.
+/// whatever a is. Their equations are again those of the tau method: both sides of the equation are polynomials of
+/// degree at most m, and the tau method lets them differ by a multiple of T_m, which vanishes at the m Chebyshev
+/// points; m equations at these points allow exactly that difference. The T_m in U itself also vanishes there.
 template <class System>
 class LineEquations {
 public:
@@ -206,8 +206,8 @@ public:
         add(&ShapeNode<Scalar>::G, coefficients, factor, p, sum);
     }
 
-    /// Adds the derivative with respect to a semi-axis at the end of a step of the matrix of a stage times p. The stage takes `part`
-    /// of the step, `progress` of which is done at its end.
+    /// Adds the derivative with respect to a semi-axis at the end of a step of the matrix of a stage times p. The stage
+    /// takes `part` of the step, `progress` of which is done at its end.
     template <class Tractions, class Scratch, class Result>
     void add_rates(Axis axis, Scalar part, Scalar progress, const Tractions& p, Scratch&& scratch, Result&& sum) const {
         add_displacement_rates(axis, progress, p, scratch, sum);
@@ -323,8 +323,8 @@ bool can_breathe(const ElementSystem<Scalar, 2>& system) {
     return system.shapes() || (system.log_strength(0) && system.log_strength(1) && !system.coupled());
 }
 
-/// Whether the semi-axes of a contact can change from `from` to `to`, in its own, while it rolls by `distance` in a_0: ok
-/// or needs_fixed_mesh. Where the half-length changes by `distance` or more an edge overtakes the particles, and the
+/// Whether the semi-axes of a contact can change from `from` to `to`, in its own, while it rolls by `distance` in a_0:
+/// ok or needs_fixed_mesh. Where the half-length changes by `distance` or more an edge overtakes the particles, and the
 /// equations of elements that move with the edge are no longer upwind. On a line the half-width is 1. `shapes` unless
 /// null are those of a patch whose a/b is `a_over_b` at its own semi-axes.
 template <class Scalar>

@@ -132,7 +132,8 @@ public:
                         G_[0][1].rows(), "be that of G_prime_xy");
     }
 
-    /// The same for a patch of the given a/b; unless null, `shapes` cover it, and the patch may change its size and shape.
+    /// The same for a patch of the given a/b; unless null, `shapes` cover it, and the patch may change its size and
+    /// shape.
     ElementSystem(Blocks G, Blocks G_prime, Elements<Scalar> elements,
                   std::shared_ptr<const detail::ShapeSet<Scalar>> shapes, Scalar a_over_b)
         : ElementSystem(std::move(G), std::move(G_prime), std::move(elements)) {

@@ -1,5 +1,5 @@
-// What a linear problem in full adhesion has found, steady, G' p = inputs, Eq. (15), or under creepages e^{st}, Eq. (16).
-// Lines, patches and Chebyshev states, real or complex, have this one result, and one rule for when to trust it.
+// What a linear problem in full adhesion has found, steady, G' p = inputs, Eq. (15), or under creepages e^{st}, Eq.
+// (16). Lines, patches and Chebyshev states, real or complex, have this one result, and one rule for when to trust it.
 #pragma once
 
 #include <limits>

@@ -151,8 +151,8 @@ public:
     using Scalar = Scalar_;
 
     /// From ready matrices and the widths of the elements; for steady friction alone G may be empty. Throws
-    /// std::invalid_argument if they break the invariant, or if the signs of both diagonals show that G and G' have been
-    /// exchanged.
+    /// std::invalid_argument if they break the invariant, or if the signs of both diagonals show that G and G' have
+    /// been exchanged.
     ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths)
         : ElementSystem(std::move(G), std::move(G_prime), Elements<Scalar>::unplaced(widths), widths.size(), {}) {}
 

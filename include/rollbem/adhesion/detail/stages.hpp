@@ -28,14 +28,15 @@ auto in_columns(Unknowns&& unknowns) requires(!std::is_const_v<std::remove_refer
     return Eigen::Map<Columns>(unknowns.data(), unknowns.rows() / columns, columns);
 }
 
-/// Solves a step of implicit_euler or sdirk2 for k creepages. Lengths are in units of a_0, the half-length for which the
-/// system was made; everything else is in the unit of the unknowns y.
+/// Solves a step of implicit_euler or sdirk2 for k creepages. Lengths are in units of a_0, the half-length for which
+/// the system was made; everything else is in the unit of the unknowns y.
 ///
 /// With dU/dq = (1 + a' zeta) du/dx - inputs v on a line, and U = M(a) y, each stage, of the fraction g of the step, is
 ///
 ///     M(a_k) y_k - g (dq + da zeta) G' y_k = U_old + carried - g inputs v dq,    carried = ((1-g)/g) (U_1 - U_old)
 ///
-/// where `carried` occurs in the last of two stages. It is solved for y_k - y_old, so that short steps keep their digits.
+/// where `carried` occurs in the last of two stages. It is solved for y_k - y_old, so that short steps keep their
+/// digits.
 template <int k, class Scalar>
 class AdhesionStages {
 public:
@@ -56,8 +57,8 @@ public:
 
     /// From the unknowns `old` at the semi-axes `from`. at(part, progress) are the equations of the stage that takes
     /// `part` of the step and ends when `progress` of it is done; `varies`: the semi-axes change. `inputs` times the
-    /// travel is in the unit of y. Of the derivatives with respect to the semi-axes at the end `axes` are computed: 0, 1
-    /// (by the half-length) or 2.
+    /// travel is in the unit of y. Of the derivatives with respect to the semi-axes at the end `axes` are computed: 0,
+    /// 1 (by the half-length) or 2.
     template <class EquationsAt>
     void solve(std::uint64_t model, const EquationsAt& at, const MatrixX<Scalar>& inputs,
                const RationalExponential<Scalar>& integrator, const SemiAxes<Scalar>& from, bool varies,

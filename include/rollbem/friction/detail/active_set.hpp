@@ -359,8 +359,8 @@ public:
         return steps == enough_ ? Effort::transform_check : Effort::transform;
     }
 
-    /// Updates the count at the end of a step whose stages rolled by `distance`; `unchanged` if no element changed its zone,
-    /// at constant half-length.
+    /// Updates the count at the end of a step whose stages rolled by `distance`; `unchanged` if no element changed its
+    /// zone, at constant half-length.
     void count(const SolverRecord<Scalar>& from, Scalar distance, bool unchanged, SolverRecord<Scalar>& to) const {
         to.unchanged_steps = 0;
         to.unchanged_distance = 0;

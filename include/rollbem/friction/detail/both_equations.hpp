@@ -186,8 +186,8 @@ public:
 
     /// dp for the slip s.
     void solve(const ElementVectors<Scalar>& s, ElementVectors<Scalar>& change);
-    /// The same to working precision for `part`, at which the factors have been aimed; those of coupled directions may be
-    /// of an earlier Newton step near the solution. `slip_change`, unless null, becomes ds.
+    /// The same to working precision for `part`, at which the factors have been aimed; those of coupled directions may
+    /// be of an earlier Newton step near the solution. `slip_change`, unless null, becomes ds.
     void solve(const ElementVectors<Scalar>& s, const BothPartition<Scalar>& part, ElementVectors<Scalar>& change,
                ElementVectors<Scalar>* slip_change);
 
@@ -201,10 +201,10 @@ public:
     Index slipping_count() const { return slipping_.count; }
     Index slipping(Index k) const { return slipping_[k]; }
 
-    /// Derivatives with respect to the size of tractions: entry (i, k) becomes the slip of element i, against its present slip, due
-    /// to a unit increase of the traction of the k-th slipping element, the sizes of the others fixed. Rows of elements
-    /// that do not slip are left unchanged.
-    /// With `turning`, those entries hold before what the increase adds to the slip across, by turning it.
+    /// Derivatives with respect to the size of tractions: entry (i, k) becomes the slip of element i, against its
+    /// present slip, due to a unit increase of the traction of the k-th slipping element, the sizes of the others
+    /// fixed. Rows of elements that do not slip are left unchanged. With `turning`, those entries hold before what the
+    /// increase adds to the slip across, by turning it.
     void couple(Matrix& coupling, bool turning = false) {
         if (way_ == Way::reduced) find_across();
         for (Index k = 0; k < slipping_.count; ++k) {

@@ -33,8 +33,8 @@ namespace rollbem::detail {
 /// with its violation.
 ///
 /// If the rows behind are known (turn_slip), slip is then turned once as SlipTurn says, and s_i replaced by R_i s_i in
-/// the conditions of a second solution, which begins at the first. Sticking still means s_i = 0. Where that is not found,
-/// all angles are halved.
+/// the conditions of a second solution, which begins at the first. Sticking still means s_i = 0. Where that is not
+/// found, all angles are halved.
 ///
 /// The result depends on M, c, the bounds and the starting point alone, to the last bit, and not on earlier
 /// solutions. All memory is allocated by the constructor.
@@ -242,8 +242,8 @@ private:
 
     Zone zone(Index i) const { return part_.stick[i] != 0 ? Zone::stick : Zone::slip; }
 
-    // For the present turn of the slip; `solves_unturned`: the present point is the solution for slip as it is. False if
-    // there is no success; then the best point remains.
+    // For the present turn of the slip; `solves_unturned`: the present point is the solution for slip as it is. False
+    // if there is no success; then the best point remains.
     bool search(const Vector& bound, const Vectors& traction, const Zones& zones, bool solves_unturned,
                 Outcome& outcome) {
         least_ = (std::numeric_limits<Scalar>::max)();

@@ -243,7 +243,8 @@ private:
         }
     }
 
-    // Derivatives with respect to the half-length at the end of the step; that of a stage changes by `progress` times as much.
+    // Derivatives with respect to the half-length at the end of the step; that of a stage changes by `progress` times
+    // as much.
     void find_path_change() {
         AlongContact<Scalar> start = at_start();
         for (Index i = 0; i < size(); ++i) {

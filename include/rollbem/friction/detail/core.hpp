@@ -1,5 +1,5 @@
-// Common core of friction in steady rolling and in the time domain: one or two stages of a step, between the units of the contact
-// and dimensionless equations s = M p + c.
+// Common core of friction in steady rolling and in the time domain: one or two stages of a step, between the units of
+// the contact and dimensionless equations s = M p + c.
 #pragma once
 
 #include <algorithm>
@@ -71,9 +71,9 @@ public:
     };
     using Axes = SemiAxes<Scalar>;
 
-    /// For the unknown elements of a mesh of `element_count`. States are recognised by the fingerprint of G', factors by
-    /// that of the whole `system`, which is that of G' in steady rolling. Throws std::invalid_argument, in the name of
-    /// `who`, if the law is invalid.
+    /// For the unknown elements of a mesh of `element_count`. States are recognised by the fingerprint of G', factors
+    /// by that of the whole `system`, which is that of G' in steady rolling. Throws std::invalid_argument, in the name
+    /// of `who`, if the law is invalid.
     FrictionCore(const char* who, const ContactUnits<Scalar>& units, const Elements<Scalar>& elements,
                  Eigen::Index element_count, const Friction<Law, Scalar>& friction, const Gradient& G_prime,
                  std::optional<std::uint64_t> system = std::nullopt);
@@ -86,8 +86,8 @@ public:
         return units_.axes(loaded);
     }
     static Load load_of(const State& state) { return {state.normal_pressure, state.half_length, state.half_width}; }
-    /// A given load, which has been checked, at the end of a step from `from`: its half-width is that of the state where
-    /// it is not given.
+    /// A given load, which has been checked, at the end of a step from `from`: its half-width is that of the state
+    /// where it is not given.
     Load load_after(const State& from, const NormalLoad<Scalar>& load) const {
         const Scalar b = load.half_width == 0 ? from.half_width : load.half_width;
         return {load.normal_pressure, load.half_length, b, &load.pressure_rate};
@@ -533,7 +533,8 @@ private:
     ContactUnits<Scalar> units_;
     VectorX<Scalar> areas_, intervals_;
     ArrayX<Scalar> points_;
-    // With two directions, and empty where places are not known: rigid slip of unit spin, and moments of unit tractions.
+    // With two directions, and empty where places are not known: rigid slip of unit spin, and moments of unit
+    // tractions.
     Vectors spin_, moments_;
     std::vector<Eigen::Index> behind_;  // the row behind each; empty if slip is not turned
     SlipWork<Scalar> slip_work_;

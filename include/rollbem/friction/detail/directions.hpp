@@ -21,8 +21,9 @@
 
 namespace rollbem::detail {
 
-/// The slip of the elements of a solver and its derivatives with respect to their bounds, the interface between SlipDependentSet and
-/// solvers: what both numbers of directions have in common. All memory is allocated by the constructors.
+/// The slip of the elements of a solver and its derivatives with respect to their bounds, the interface between
+/// SlipDependentSet and solvers: what both numbers of directions have in common. All memory is allocated by the
+/// constructors.
 template <class Scalar_>
 class SlippingElements {
 public:

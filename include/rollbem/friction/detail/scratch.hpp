@@ -25,7 +25,8 @@ struct TangentBy {
     static constexpr std::size_t count = directions == 1 ? half_width : half_width + 1;
 };
 
-/// For a coefficient that depends on slip; for one direction or two, depending on `Slip`. All memory is allocated by the constructor.
+/// For a coefficient that depends on slip; for one direction or two, depending on `Slip`. All memory is allocated by
+/// the constructor.
 template <class Slip>
 struct SlipDependentScratch {
     using Vector = VectorX<typename Slip::Scalar>;

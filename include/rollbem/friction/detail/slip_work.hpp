@@ -42,7 +42,8 @@ public:
         find_run();
     }
 
-    /// On a line or, in strips, on a patch. There the slip of each element's own equation is used unless slip is turned.
+    /// On a line or, in strips, on a patch. There the slip of each element's own equation is used unless slip is
+    /// turned.
     SlipWork(const Elements<Scalar>& elements, bool turned)
         : SlipWork(elements.areas, elements.is_one_strip() ? elements.x : ArrayX<Scalar>()) {
         if (!turned) return;

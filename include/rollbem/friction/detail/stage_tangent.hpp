@@ -13,8 +13,8 @@
 
 namespace rollbem::detail {
 
-/// Derivatives with respect to one parameter of the stage that `bounds` have solved last in scratch.solver, while no element changes
-/// its zone. Each leaves dp in scratch.response.
+/// Derivatives with respect to one parameter of the stage that `bounds` have solved last in scratch.solver, while no
+/// element changes its zone. Each leaves dp in scratch.response.
 template <int directions, class Scalar, class Bounds>
 class StageTangent {
     // Columns of an angle of turn; empty where places are not known, and then the angle is 0.
