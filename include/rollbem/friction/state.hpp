@@ -126,7 +126,7 @@ struct FrictionStep {
     /// ahead: an element that sticks ahead of one that slips then contributes a value of either sign, 2 % of the whole
     /// at most on 8 elements.
     Scalar slip_work = detail::unknown<Scalar>;
-    /// Elastic energy that jumps of the tractions release in a step [J], as friction that falls with slip lets them:
+    /// Elastic energy released by jumps of the tractions within a step [J], which slip-dependent friction permits:
     ///
     ///     work of the rigid bodies = slip work + jump work + change of elastic energy
     ///
