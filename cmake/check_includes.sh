@@ -53,7 +53,7 @@ function forbid(file, pattern, reason,  target) {
 }
 
 BEGIN {
-    count = split("detail root closed_form scene system discretisation normal elasticity assembly spectral rolling adhesion friction accuracy vehicle studies reference compiled umbrella", order, " ")
+    count = split("detail root scene closed_form system discretisation normal elasticity assembly spectral rolling adhesion friction accuracy vehicle studies reference compiled umbrella", order, " ")
     for (i = 1; i <= count; ++i) rank[order[i]] = i
 }
 
