@@ -63,7 +63,6 @@ TEST_CASE("Carter's friction solution sticks, slips and carries its force", "[fr
         // N = pi p0/2
         CHECK(std::abs(-integrate(traction, {-1, border, 1}) * 2 / std::numbers::pi / carter_force_ratio(delta) - 1) <
               1e-12);
-        CHECK(std::abs(carter_creepage_ratio(carter_force_ratio(delta)) / delta - 1) < 1e-14);
         // in stick du/dx = xi with G = 1, mu p0 = 1, xi = 2 (1-nu) delta and the plane kernel's
         // du/dx = 2 (1-nu)/pi PV int p(alpha)/(alpha - x) dalpha; behind it the slip opposes the traction
         const auto slope_at = [&](double x, double from, double to) {  // the pole x lies between from and to
@@ -94,7 +93,6 @@ TEST_CASE("Carter's friction solution has the limits of full sliding and full ad
     const double delta = 1e-12;
     CHECK(carter_friction_traction(0.4, delta) / (delta * 1.5 * carter_traction(0.4, 0.25)) ==
           Approx(1).epsilon(1e-11));
-    CHECK(carter_creepage_ratio(carter_force_ratio(delta)) == Approx(delta).epsilon(1e-15));
 }
 
 TEST_CASE("Cattaneo's shift agrees with adaptive quadrature of the plane kernel", "[friction]") {
@@ -127,7 +125,6 @@ TEST_CASE("Cattaneo's shift agrees with adaptive quadrature of the plane kernel"
                     CHECK(std::abs(displacement + shift) < 1e-10 * (1 + std::abs(shift)));
                 }
                 CHECK(std::abs(cattaneo_force_ratio(shift, nu, aspect) / force_ratio - 1) < 1e-14);
-                CHECK(cattaneo_force_ratio_from_stick(c) == Approx(std::abs(force_ratio)).epsilon(1e-13));
             }
         }
     }
@@ -150,7 +147,6 @@ TEMPLATE_TEST_CASE("Closed forms of friction hold in every scalar type", "[frict
     using Scalar = TestType;
     const Scalar eps = std::numeric_limits<Scalar>::epsilon();
     CHECK(std::abs(carter_force_ratio(Scalar(0.5)) - Scalar(0.75)) <= eps);
-    CHECK(std::abs(carter_creepage_ratio(Scalar(0.75)) - Scalar(0.5)) <= eps);
     CHECK(std::abs(cattaneo_stick_half_length(Scalar(0.75)) - Scalar(0.5)) <= eps);
     CHECK(std::abs(cattaneo_traction(Scalar(0), Scalar(0.75)) + Scalar(0.5)) <= eps);
     CHECK(std::abs(carter_friction_traction(Scalar(28) / 100, Scalar(0.5)) + Scalar(96) / 100 -
@@ -161,7 +157,6 @@ TEMPLATE_TEST_CASE("Closed forms of friction hold in every scalar type", "[frict
 
 TEST_CASE("Closed forms of friction reject invalid input and name the quantity", "[friction]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK_THROWS_WITH(carter_creepage_ratio(1.5), "carter_creepage_ratio: force_ratio = 1.5 must lie in [-1, 1]");
     CHECK_THROWS_AS(carter_force_ratio(nan), std::invalid_argument);
     CHECK_THROWS_AS(carter_friction_traction(2.0, 0.5), std::invalid_argument);
     CHECK_THROWS_AS(cattaneo_shift(1.1, 0.25, 10.0), std::invalid_argument);

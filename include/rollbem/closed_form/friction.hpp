@@ -24,15 +24,6 @@ Scalar carter_force_ratio(Scalar creepage_ratio) {
     return std::copysign(delta * (2 - delta), creepage_ratio);
 }
 
-/// The creepage ratio delta at a force ratio -F/(mu N): the inverse of carter_force_ratio. Throws std::invalid_argument
-/// unless |force_ratio| <= 1.
-template <std::floating_point Scalar>
-Scalar carter_creepage_ratio(Scalar force_ratio) {
-    detail::require(detail::is_finite(force_ratio) && std::abs(force_ratio) <= Scalar(1), "carter_creepage_ratio",
-                    "force_ratio", force_ratio, "lie in [-1, 1]");
-    return force_ratio / (1 + std::sqrt(1 - std::abs(force_ratio)));
-}
-
 /// x/a at which stick begins in Carter's steady solution: min(2 |delta|, 2) - 1. The stick zone extends from there to
 /// the leading edge; slip lies behind it. Throws std::invalid_argument if the ratio is NaN.
 template <std::floating_point Scalar>
@@ -66,15 +57,6 @@ Scalar cattaneo_stick_half_length(Scalar force_ratio) {
     detail::require(detail::is_finite(force_ratio) && std::abs(force_ratio) <= Scalar(1), "cattaneo_stick_half_length",
                     "force_ratio", force_ratio, "lie in [-1, 1]");
     return std::sqrt(1 - std::abs(force_ratio));
-}
-
-/// Cattaneo: |force_ratio| = 1 - c^2/a^2 from the half-length c/a of the stick zone. Throws std::invalid_argument
-/// unless 0 <= c/a <= 1.
-template <std::floating_point Scalar>
-Scalar cattaneo_force_ratio_from_stick(Scalar stick_half_length) {
-    detail::require(stick_half_length >= Scalar(0) && stick_half_length <= Scalar(1), "cattaneo_force_ratio_from_stick",
-                    "stick_half_length", stick_half_length, "lie in [0, 1]");
-    return (1 - stick_half_length) * (1 + stick_half_length);
 }
 
 /// Traction p/(mu p0) of Cattaneo's solution at x/a for force_ratio = -F/(mu N); its sign is opposite to force_ratio.

@@ -14,6 +14,7 @@
 
 #include "../assembly/rolling_system.hpp"
 #include "../closed_form/carter.hpp"
+#include "../detail/circle_table.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/reciprocal_condition.hpp"
 #include "../detail/require.hpp"

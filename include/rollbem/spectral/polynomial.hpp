@@ -223,21 +223,4 @@ PolynomialSolution<Scalar> solve_polynomial(std::type_identity_t<std::complex<Sc
     return solve_polynomial(s, poisson_ratio, aspect, default_polynomial_order(s));
 }
 
-/// The homogeneous problem in the Chebyshev basis as a standard eigenproblem M P = (1/s) P, P = (P_1, ..., P_order),
-/// P_0 = -sum P_n: order x order, upper Hessenberg. 1/eigenvalue converges to the exact nu_k a of G' p = nu G p with
-/// the plane kernel, the smallest first. Throws std::invalid_argument unless order >= 1, 0 <= poisson_ratio <= 0.5,
-/// 0 < aspect < inf and Lambda > 0.
-template <std::floating_point Scalar>
-MatrixX<Scalar> chebyshev_pencil(Eigen::Index order, Scalar poisson_ratio, Scalar aspect) {
-    const Scalar lambda =
-        detail::polynomial_lambda("chebyshev_pencil", std::complex<Scalar>(1), poisson_ratio, aspect, order);
-    MatrixX<Scalar> matrix = MatrixX<Scalar>::Zero(order, order);
-    matrix.row(0).setConstant(-lambda);
-    for (Eigen::Index k = 0; k < order; ++k) {  // row k is that of U_k, column j of P_{j+1}
-        if (k > 0) matrix(k, k - 1) = Scalar(0.5) / static_cast<Scalar>(k);
-        if (k + 1 < order) matrix(k, k + 1) -= Scalar(0.5) / static_cast<Scalar>(k + 2);
-    }
-    return matrix;
-}
-
 }  // namespace rollbem

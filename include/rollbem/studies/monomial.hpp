@@ -109,23 +109,21 @@ PolynomialSolution<Scalar> solve_monomial_once(std::complex<Scalar> s, const Eig
 
 }  // namespace detail
 
-/// The polynomial approach in monomials with a given B (from displacement_matrix, or fitted to Eq. (20)), which
-/// determines the order: Eqs. (25)-(27) with the factors 1 and l+1 due to the derivative. The error estimate is the
-/// difference from order + 10 with the exact B, plus rounding. The status is ill_conditioned above a condition of 1e12,
-/// not_converged where the difference is more than a part of 16 million; monomials break down by cancellation before the matrix looks singular. Throws std::invalid_argument
-/// unless B is square and at least 2 x 2, and s, poisson_ratio and aspect are as in polynomial_c11.
+/// The polynomial approach in monomials: Eqs. (25)-(27) with the factors 1 and l+1 due to the derivative. The error
+/// estimate is the difference from order + 10, plus rounding. The status is ill_conditioned above a condition of 1e12,
+/// not_converged where the difference is more than a part of 16 million; monomials break down by cancellation before the
+/// matrix looks singular. Throws std::invalid_argument unless s, poisson_ratio, aspect and order are as in
+/// polynomial_c11.
 template <std::floating_point Scalar>
 PolynomialSolution<Scalar> solve_monomial(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
-                                          std::type_identity_t<Scalar> aspect,
-                                          const Eigen::Ref<const MatrixX<Scalar>>& b) {
-    detail::require(b.rows() == b.cols(), "solve_monomial", "columns of B", b.cols(), "equal its rows");
-    const Eigen::Index order = b.rows() - 1;
+                                          std::type_identity_t<Scalar> aspect, Eigen::Index order) {
     detail::polynomial_lambda("solve_monomial", s, poisson_ratio, aspect, order);
-    PolynomialSolution<Scalar> solution = detail::solve_monomial_once<Scalar>(s, b);
-    const PolynomialSolution<Scalar> higher =
-        detail::solve_monomial_once<Scalar>(s, displacement_matrix(order + 10, poisson_ratio, aspect));
+    const auto of_order = [&](Eigen::Index highest) {
+        return detail::solve_monomial_once<Scalar>(s, displacement_matrix(highest, poisson_ratio, aspect));
+    };
+    PolynomialSolution<Scalar> solution = of_order(order);
     const Scalar rounding = 4 * std::numeric_limits<Scalar>::epsilon();  // both orders may round alike
-    solution.error_estimate = std::abs(solution.c11 - higher.c11) / std::abs(solution.c11) + rounding;
+    solution.error_estimate = std::abs(solution.c11 - of_order(order + 10).c11) / std::abs(solution.c11) + rounding;
     const Scalar tolerance = std::cbrt(std::numeric_limits<Scalar>::epsilon()) / 100;
     solution.status = detail::polynomial_status(solution.c11, solution.error_estimate, tolerance);
     if (solution.status != Status::not_finite &&
@@ -133,14 +131,6 @@ PolynomialSolution<Scalar> solve_monomial(std::type_identity_t<std::complex<Scal
         solution.status = Status::ill_conditioned;
     }
     return solution;
-}
-
-/// The same with the exact B of a given order.
-template <std::floating_point Scalar>
-PolynomialSolution<Scalar> solve_monomial(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
-                                          std::type_identity_t<Scalar> aspect, Eigen::Index order) {
-    detail::polynomial_lambda("solve_monomial", s, poisson_ratio, aspect, order);
-    return solve_monomial<Scalar>(s, poisson_ratio, aspect, displacement_matrix(order, poisson_ratio, aspect));
 }
 
 }  // namespace rollbem

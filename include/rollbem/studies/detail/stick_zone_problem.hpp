@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
-#include "../../detail/array_functions.hpp"
+#include "../../detail/circle_table.hpp"
 #include "../../detail/gauss_legendre.hpp"
 #include "../../types.hpp"
 #include "angular_points.hpp"
@@ -81,59 +81,26 @@ public:
 private:
     /// h_n from the values. A long series belongs to a pressure with kinks: the terms left out are of the size of the
     /// kinks over their order squared, and decay ahead of the border.
-    ///
-    /// As long as the number of points is even, both phi and pi - phi are among them: odd n need the differences of
-    /// their values, even n the sums, which are values at 2 phi. This takes a third of the work of a plain sum.
     void transform() {
         const Eigen::Index M = values_.size(), count = std::min<Eigen::Index>(M, 1024);
+        const CircleTable<Scalar> circle(M);
         ArrayX<Scalar>& h = zone_.h;
         h.resize(count);
-        sums_ = values_;
-        Eigen::Index stride = 1, points = M;
-        for (; points % 2 == 0; points /= 2, stride *= 2) add_odd_coefficients(points, stride);
-        for (Eigen::Index n = 0; n < points && n * stride < count; ++n) {
-            h[n * stride] = 0;
-            for (Eigen::Index j = 0; j < points; ++j) {
-                h[n * stride] += sums_[j] * std::cos(static_cast<Scalar>(n) * angle_of_point(j, points));
-            }
-        }
         Scalar largest = 0;
         for (Eigen::Index n = 0; n < count; ++n) {
-            h[n] *= (n == 0 ? 1 : 2) / static_cast<Scalar>(M);
+            Scalar sum = 0;
+            Eigen::Index angle = n;  // n (2 j + 1)
+            for (Eigen::Index j = 0; j < M; ++j) {
+                sum += values_[j] * circle.cosine(angle);
+                angle += 2 * n;
+                if (angle >= circle.size()) angle -= circle.size();
+            }
+            h[n] = sum * static_cast<Scalar>(n == 0 ? 1 : 2) / static_cast<Scalar>(M);
             largest = (std::max)(largest, std::abs(h[n]));
         }
         Eigen::Index kept = count;
         while (kept > 1 && std::abs(h[kept - 1]) <= 4 * std::numeric_limits<Scalar>::epsilon() * largest) --kept;
         h.conservativeResize(kept);
-    }
-
-    static Scalar angle_of_point(Eigen::Index j, Eigen::Index points) {
-        return (Scalar(2 * j + 1) / Scalar(2 * points)) * std::numbers::pi_v<Scalar>;
-    }
-
-    /// The sums for h_n, n = stride, 3 stride ..., of an even number of values; leaves half as many values for the
-    /// other n.
-    void add_odd_coefficients(Eigen::Index points, Eigen::Index stride) {
-        const Eigen::Index half = points / 2;
-        differences_.resize(half);
-        twice_.resize(half);
-        now_.resize(half);
-        for (Eigen::Index j = 0; j < half; ++j) {
-            const Scalar value = sums_[j], mirrored = sums_[points - 1 - j], angle = angle_of_point(j, points);
-            differences_[j] = value - mirrored;
-            sums_[j] = value + mirrored;
-            now_[j] = std::cos(angle);
-            twice_[j] = 2 * std::cos(2 * angle);
-        }
-        before_ = now_;  // cos(-phi)
-        for (Eigen::Index n = stride; n < zone_.h.size(); n += 2 * stride) {
-            zone_.h[n] = dot(differences_.data(), now_.data(), half);
-            for (Eigen::Index j = 0; j < half; ++j) {
-                const Scalar next = twice_[j] * now_[j] - before_[j];
-                before_[j] = now_[j];
-                now_[j] = next;
-            }
-        }
     }
 
     /// With p_2 = sqrt((1-t)/(1+t)) [D + (1+t) sum q_k U_k(t)] the slope in stick due to all tractions is imposed at N
@@ -227,7 +194,7 @@ private:
     const Kernel& kernel_;
     const Bound& bound_;
     StickZone<Scalar> zone_;
-    ArrayX<Scalar> values_, sums_, differences_, twice_, now_, before_;
+    ArrayX<Scalar> values_;
 };
 
 }  // namespace rollbem::detail
