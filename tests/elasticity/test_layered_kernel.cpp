@@ -333,6 +333,8 @@ TEST_CASE("Layers reject invalid compliances and analytic derivatives", "[layer]
     CHECK(refusal([&] { rolling_system(mesh, Galerkin{0.5, 0.5, Derivative::analytic, 1, 7}, layered); }) == why);
     CHECK_NOTHROW(rolling_system(mesh, Galerkin{0.5, 0.5, Derivative::analytic}, layered));
     CHECK_NOTHROW(solve_steady(mesh, analytic, LayeredKernel(plane, 0)));
+    CHECK(rolling_system(mesh, halves, plane).log_strength().has_value());
+    CHECK_FALSE(rolling_system(mesh, halves, layered).log_strength().has_value());  // it cannot breathe
     const std::string states = "Chebyshev: compliance of the kernel's delta = 0.5 must be 0: use elements for a layer";
     CHECK(refusal([&] { rolling_system(Chebyshev{}, layered); }) == states);
     CHECK(refusal([&] { solve_steady(Chebyshev{}, layered); }) == states);

@@ -107,8 +107,11 @@ TEST_CASE("patch_mesh: an outline is cut as given, in units of c, and mirrored o
     CHECK(mesh.middles_y().isApprox(array({0.875, 1.375})));
     CHECK(mesh.half_lengths().isApprox(array({0.6875, 0.9375})));
     CHECK_FALSE(mesh.is_mirrored());
-    CHECK(outline_mesh<double>(outline({-1, 0, 1}, {-1, -2, -1}, {1, 3, 1}), 1, cosine_mesh(3), cosine_mesh(5))
-              .is_mirrored());
+    const PatchMesh<double> bulge =
+        outline_mesh<double>(outline({-1, 0, 1}, {-1, -2, -1}, {1, 3, 1}), 2, cosine_mesh(3), cosine_mesh(5));
+    CHECK(bulge.is_mirrored());
+    CHECK(bulge.middles_x()[2] == 0.25);
+    CHECK(bulge.half_lengths()[2] == 1.25);
     CHECK_THAT(refusal([] {
                    PatchMesh<double>({cosine_mesh(2), array({0, 1}), array({0.5}), array({0}), array({0})});
                }),
