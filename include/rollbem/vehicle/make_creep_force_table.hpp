@@ -155,8 +155,8 @@ struct CreepForceRange {
 };
 
 /// The grid of a range, with the creep coefficients of its ellipses; `jobs` threads share the work. Throws
-/// std::invalid_argument if the range is not a grid's, or the patches of an ellipse have no coefficients (n is too small,
-/// or a/b too far from 1).
+/// std::invalid_argument if the range is not a grid's, or the patches of an ellipse have no coefficients or no force under
+/// large spin (n is too small, or a/b too far from 1).
 inline CreepForceGrid make_creep_force_grid(const CreepForceRange& range, std::size_t jobs = 1) {
     constexpr const char* who = "make_creep_force_grid";
     detail::require(range.shapes >= 4 && range.shapes <= 1000, who, "shapes", range.shapes, "lie in [4, 1000]");
@@ -164,9 +164,15 @@ inline CreepForceGrid make_creep_force_grid(const CreepForceRange& range, std::s
     detail::parallel_for(coefficients.size(), jobs, [&](std::size_t i) {
         const double a_over_b = CreepForceGrid::a_over_b_of(static_cast<Eigen::Index>(i), range.shapes,
                                                             range.smallest_a_over_b, range.largest_a_over_b);
-        const CreepForceSource source(a_over_b, range.poisson_ratio, range.n);
+        CreepForceSource source(a_over_b, range.poisson_ratio, range.n);
         const Response<double> found = source.in_adhesion();
-        detail::require(found.status == Status::ok, who, "status of the patch at a/b", name(found.status), "be ok");
+        // with a spin so large that both meshes count
+        const StepStatus sliding = source.solve({0, 0, 10}, true).step.status;
+        if (found.status != Status::ok || sliding != StepStatus::ok) {
+            throw std::invalid_argument(std::string(who) + ": a/b = " + detail::to_text(a_over_b) +
+                                        " with n = " + detail::to_text(range.n) + " must have the status ok, not " +
+                                        (found.status != Status::ok ? name(found.status) : name(sliding)));
+        }
         coefficients[i] = creep_coefficients(source.contact(), found);
     });
     return {range.poisson_ratio, range.smallest_a_over_b, range.largest_a_over_b, range.levels, coefficients};
