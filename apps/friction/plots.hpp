@@ -1,41 +1,30 @@
-// The pictures of friction_study.
+// What the pictures of friction_study share.
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "steady.hpp"
+#include "support/options.hpp"
 #include "support/plot.hpp"
 
 namespace friction {
 
+inline constexpr int line_points = 400;  ///< of an exact curve
+inline const std::vector<std::string> scheme_columns{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T"};
+
+/// Carter's creep curve between two ratios, 0 included.
+study::Series carter_curve(double from, double to);
+
+/// Range of forces up to full sliding, for the signs that occur.
+study::PlotRange force_range(const study::Plot& plot);
+
+/// What forces and tractions are drawn in units of.
+std::string coefficient(bool falling);
+std::string creepage_label(bool falling, const std::string& ratio);
+std::string force_label(bool falling, const std::string& force = "-F", const std::string& load = "N");
+
 /// What options say of pressure, law, layer, load and, in the time domain, creepage, for a title; empty for Hertz's
 /// pressure and a constant mu. Begins with ", " otherwise.
 std::string scene_in_title(const study::Options& options);
-
-/// The creep curve, with the other branches of a sweep, and beside it the tractions at the creepage nearest to half of
-/// full sliding, for the last mesh.
-study::Plot creep_picture(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
-                          const Curve& curve, const Tractions& tractions,
-                          const std::vector<std::vector<std::pair<double, double>>>& others);
-
-/// Both forces over the creepage ratio, a panel each, one line for each lateral ratio.
-study::Plot combined_creep(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
-                           const Curve& curve);
-
-/// What a picture of a time-domain run shows in addition to the force.
-struct TimePicture {
-    bool creepage_changes, load_changes;
-    bool falling;         ///< mu falls with slip
-    bool carter;          ///< his force in steady rolling
-    double ratio;         ///< largest creepage ratio
-    double end;           ///< distance rolled in the run [a_0]
-    std::string scene{};  ///< for the title
-};
-
-/// The forces over the distance, with the load if it changes; in a second panel over the creepage if that changes.
-study::Plot force_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
-                          const TimePicture& shown);
 
 }  // namespace friction

@@ -1,6 +1,8 @@
 #include "steady.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <rollbem/closed_form/friction.hpp>
 
@@ -131,6 +133,104 @@ const study::Sheet<CreepRow>& traction_sheet() {
           if_ok([](const R& r) { return r.line.falling ? study::Cell(r.of.friction[r.i]) : study::Cell(); })}},
         study::settings};
     return columns;
+}
+
+// --- pictures ------------------------------------------------------------------------------------------------------
+
+/// The tractions of the last scene with a result at the creepage nearest to half of full sliding; no panel if there are
+/// none.
+std::vector<study::Plot> draw_tractions(const Tractions& tractions, const Line& line) {
+    std::optional<double> shown;
+    const std::vector<study::Row>* of_task = nullptr;
+    for (const std::vector<study::Row>& rows : tractions.rows) {
+        for (const study::Row& row : rows) {
+            if (!tractions.number(row, "traction")) continue;
+            const double ratio = *tractions.number(row, "creepage_ratio");
+            const auto distance = [](double one) { return std::abs(std::abs(one) - 0.5); };
+            if (of_task != &rows || distance(ratio) < distance(*shown)) shown = ratio;
+            of_task = &rows;
+        }
+    }
+    if (!shown) return {};
+    const bool falling = line.falling.has_value();
+    const double sign = *shown < 0 ? -1 : 1;
+    study::Series exact{.label = "Carter", .markers = false, .reference = true};
+    study::Series bound{.label = "bound " + coefficient(falling) + " p_n", .markers = false, .reference = true};
+    // other colours than those of the first creep curves
+    study::Series slip{.label = "slip", .line = false, .style = 7};
+    study::Series stick{.label = "stick", .line = false, .style = 6};
+    double highest = 0;
+    for (const study::Row& row : *of_task) {
+        if (tractions.number(row, "creepage_ratio") != shown) continue;
+        const double x = *tractions.number(row, "x_over_a"), most = *tractions.number(row, "bound");
+        highest = std::max(highest, 1.05 * most);
+        bound.points.emplace_back(x, sign * most);
+        auto& zone = *tractions.number(row, "stick") > 0 ? stick : slip;
+        zone.points.emplace_back(x, -*tractions.number(row, "traction"));
+    }
+    for (int i = 0; i <= line_points && line.carter(); ++i) {
+        const double x = -std::cos(std::numbers::pi * i / line_points);
+        exact.points.emplace_back(x, -rollbem::carter_friction_traction(x, *shown));
+    }
+    study::Plot panel{
+        .title = "Traction, δ = " + study::Cell(*shown).text(6) + ", n = " + std::to_string(bound.points.size()),
+        .x_label = "x / a (leading edge at 1)",
+        .y_label = force_label(falling, "-p", "p_0"),
+        .x_range = study::PlotRange{-1, 1},
+        .y_range = study::PlotRange{std::min(0.0, sign * highest), std::max(0.0, sign * highest)}};
+    panel.series = {std::move(exact), std::move(bound), std::move(slip), std::move(stick)};
+    return {std::move(panel)};
+}
+
+/// With the other branches of a sweep, and beside it the tractions at the creepage nearest to half of full sliding, for the
+/// last mesh.
+study::Plot creep_picture(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
+                          const Curve& curve, const Tractions& tractions,
+                          const std::vector<std::vector<std::pair<double, double>>>& others) {
+    const bool falling = curve.line.falling.has_value();
+    study::Plot plot{.title = "Creep curve" + scene_in_title(curve.options),
+                     .x_label = creepage_label(falling, "δ = ξ"),
+                     .y_label = force_label(falling),
+                     .beside = draw_tractions(tractions, curve.line)};
+    study::add_series(
+        plot, columns, rows,
+        {.by = scheme_columns, .x = "creepage_ratio", .y = "force_ratio", .apart = study::columns_of(study::settings)});
+    for (study::Series& series : plot.series) {
+        series.line = false;
+        series.open = true;
+        if (plot.series.size() == 1) series.label = curve.sweep.empty() ? "computed" : "sweep " + curve.sweep;
+    }
+    plot.y_range = force_range(plot);
+    for (const auto& points : others) {
+        if (points.empty()) continue;
+        plot.series.push_back(
+            {.label = curve.sweep == "up" ? "sweep down" : "sweep up", .points = points, .markers = false});
+    }
+    const auto [least, most] = std::minmax_element(
+        curve.points.begin(), curve.points.end(),
+        [](const CreepPoint& one, const CreepPoint& other) { return one.longitudinal < other.longitudinal; });
+    if (curve.line.carter()) plot.series.push_back(carter_curve(least->longitudinal, most->longitudinal));
+    return plot;
+}
+
+/// Both forces over the creepage ratio, a panel each, one line for each lateral ratio.
+study::Plot combined_creep(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
+                           const Curve& curve) {
+    const bool falling = curve.line.falling.has_value();
+    const auto panel = [&](const std::string& title, const char* force, const char* y) {
+        study::Plot plot{
+            .title = title, .x_label = creepage_label(falling, "δ_x = ξ_x"), .y_label = force_label(falling, force)};
+        study::add_series(plot, columns, rows,
+                          {.by = study::joined(scheme_columns, {"lateral_ratio", "spin_ratio"}),
+                           .x = "creepage_ratio",
+                           .y = y,
+                           .apart = study::columns_of(study::settings)});
+        plot.y_range = force_range(plot);
+        return plot;
+    };
+    study::Plot plot = panel("Longitudinal force" + scene_in_title(curve.options), "-F_x", "force_ratio");
+    plot.beside.push_back(panel("Lateral force", "-F_y", "lateral_force_ratio"));
+    return plot;
 }
 
 // --- points --------------------------------------------------------------------------------------------------------

@@ -1,5 +1,6 @@
 #include "transient.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -195,6 +196,58 @@ const study::Sheet<TimeRow>& time_sheet() {
     return columns;
 }
 
+// --- pictures ------------------------------------------------------------------------------------------------------
+
+/// The forces over the distance, with the load if it changes; in a second panel over the creepage if that changes.
+study::Plot force_in_time(const std::vector<study::Row>& rows, const History& history, const std::string& scene) {
+    const std::vector<std::string> columns = time_sheet().names();
+    const bool lateral = history.line.both, load_changes = history.load.has_value();
+    const bool carter = history.line.carter() && !lateral && !load_changes;
+    const double ratio = history.point.longitudinal, end = double(history.steps.count) * history.steps.dq;
+    study::Selection selection{
+        .by = study::joined(scheme_columns, {"lambda"}), .x = "", .y = "", .apart = study::columns_of(study::settings)};
+    // the column y over x; the prefix of the label says which
+    const auto add = [&](study::Plot& plot, const char* x, const char* y, const std::string& prefix) {
+        selection.x = x;
+        selection.y = y;
+        study::Plot more{.title = plot.title};
+        study::add_series(more, columns, rows, selection);
+        if (plot.series.empty()) plot.title = more.title;
+        for (study::Series& series : more.series) {
+            if (series.points.empty()) continue;
+            series.markers = false;
+            if (!prefix.empty()) series.label = series.label.empty() ? prefix : prefix + ", " + series.label;
+            plot.series.push_back(std::move(series));
+        }
+        if (plot.series.size() == 1 && plot.series[0].label.empty()) plot.series[0].label = "computed";
+    };
+    study::Plot plot{.title = "Rolling with friction" + scene,
+                     .x_label = "distance rolled q/a",
+                     .y_label = force_label(history.line.falling.has_value(), "-F", load_changes ? "N_0" : "N"),
+                     .x_range = study::PlotRange{0, end}};
+    if (rows.empty()) return plot;  // of a shard
+    add(plot, "q_over_a", "force_ratio", lateral ? "longitudinal" : load_changes ? "force" : "");
+    if (lateral) add(plot, "q_over_a", "lateral_force_ratio", "lateral");
+    if (load_changes) {
+        selection.y = "load_ratio";
+        study::add_reference(plot, columns, rows, selection, "load N/N_0");
+    }
+    if (history.omega) {
+        study::Plot loop{.x_label = "creepage ratio δ", .y_label = plot.y_label};
+        add(loop, "creepage_ratio", "force_ratio", "");
+        loop.title = "Hysteresis";
+        const double most = std::abs(ratio);
+        if (carter) loop.series.push_back(carter_curve(-most, most));
+        if (!load_changes) loop.y_range = force_range(loop);
+        plot.beside.push_back(std::move(loop));
+    } else if (carter) {
+        const double force = rollbem::carter_force_ratio(ratio);
+        plot.series.push_back(
+            {.label = "Carter, steady", .points = {{0, force}, {end, force}}, .markers = false, .reference = true});
+    }
+    return plot;
+}
+
 }  // namespace
 
 std::string transient_help() { return time_sheet().help(); }
@@ -215,17 +268,9 @@ void run_transient(const study::Options& options) {
     const auto row = [&](const study::Scene& scene, const Moment& moment) {
         return time_sheet().row(scene, {history, history.line, scene, moment, mu_N * scene.contact.width()});
     };
-    write_rolling(options, time_sheet().names(), scenes, history.steps.count + (history.shift ? 1 : 0), prepare, row,
-                  [&](const std::vector<study::Row>& rows) {
-                      return force_in_time(time_sheet().names(), rows,
-                                           {.creepage_changes = history.omega.has_value(),
-                                            .load_changes = history.load.has_value(),
-                                            .falling = history.line.falling.has_value(),
-                                            .carter = history.line.carter() && !history.line.both && !history.load,
-                                            .ratio = history.point.longitudinal,
-                                            .end = double(history.steps.count) * history.steps.dq,
-                                            .scene = scene_in_title(options)});
-                  });
+    write_rolling(
+        options, time_sheet().names(), scenes, history.steps.count + (history.shift ? 1 : 0), prepare, row,
+        [&](const std::vector<study::Row>& rows) { return force_in_time(rows, history, scene_in_title(options)); });
 }
 
 }  // namespace friction
