@@ -120,7 +120,7 @@ Eigen::Array3Xd read_forces(const Job& job, const std::vector<std::string>& line
         const auto require = [&](bool holds, const std::string& what) {
             if (!holds) throw study::BadInput(where(i) + ": " + what);
         };
-        if (node == 0) source.emplace(job.source(shape));
+        if (node == 0) source.emplace(grid.a_over_b(shape), grid.poisson_ratio(), job.n);
         const study::Row expected = node_cells(*source, grid.creepage(shape, node));
         for (std::size_t k = 0; k < expected.size(); ++k) {
             const auto found = study::number_of(cells[k], ',');
