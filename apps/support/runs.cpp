@@ -87,8 +87,8 @@ void add_run_options(Options& options, const std::string& load, const std::strin
     options.add_input("load", "CSV file with the columns q_over_a,load_ratio" + load)
         .only_with({"transient"})
         .not_with("load-sine");
-    options.add_flag("breathing", breathing).only_with({"load-sine", "load"}, ": the contact does not change");
     options.only_with({"breathing"}, {"transient"});
+    options.add_flag("breathing", breathing).only_with({"load-sine", "load"}, ": the contact does not change");
     options.add("from", "rest|steady", "the state that the run starts from", "rest").only_with({"transient"});
     add_steps(options, "transient");
     options.add("integrator", "NAME", "sdirk2 (second order) or implicit-euler (first)", "sdirk2")
