@@ -158,6 +158,14 @@ TEST_CASE("normal_contact: two equal lobes share a load, and what does not touch
     CHECK(apart.normal.carry(apart.grid, apart.h, 1).status == NormalStatus::not_finite);
 }
 
+TEST_CASE("patch_shape: outlines interpolate lines exactly, and keep what grows growing", "[normal]") {
+    const detail::MonotoneCubic line({0, 1, 3, 4, 6}, {1, 3, 7, 9, 13}), growing({0, 1, 2, 3, 4}, {0, 0.1, 2, 2.1, 5});
+    for (int k = 0; k <= 60; ++k) {
+        CHECK(line(0.1 * k) == Approx(1 + 0.2 * k).epsilon(1e-14));
+        if (k <= 39) CHECK(growing(0.1 * k + 0.1) > growing(0.1 * k));
+    }
+}
+
 TEST_CASE("patch_shape: pieces that rows cut once", "[normal]") {
     // two arms that join in a bridge, and a cell apart
     const Eigen::ArrayXXd p = (Eigen::ArrayXXd(7, 5) << 1, 1, 2, 0, 0,  //

@@ -287,6 +287,18 @@ TEST_CASE("wheelset_forces: mirrored motions are mirror images; a wheel without 
     CHECK(derailed.on_wheelset.force[2] == Approx(-8e4).epsilon(2e-4));
 }
 
+TEST_CASE("profile: the curve goes through its points, smoothly", "[profiles]") {
+    const Profile profile(Eigen::ArrayXd{{0, 1, 2, 4, 5, 5.5}}, Eigen::ArrayXd{{0, 0.5, 0, 1, 0.8, 1.5}});
+    for (Eigen::Index i = 0; i < profile.size(); ++i) {
+        const double s = profile.s()[i], h = 1e-9;
+        CAPTURE(i);
+        CHECK(profile.at(s).y == Approx(profile.y()[i]).margin(1e-14));
+        CHECK(profile.at(s).z == Approx(profile.z()[i]).margin(1e-14));
+        CHECK(profile.at(s + h).slope[1] == Approx(profile.at(s - h).slope[1]).margin(1e-7));
+        CHECK(profile.at(s + h).bend[1] == Approx(profile.at(s - h).bend[1]).margin(1e-7));
+    }
+}
+
 TEST_CASE("profile: points must follow a curve; smoothing leaves the deviation it was given", "[profiles]") {
     const auto refused = [](const std::vector<double>& y, const std::vector<double>& z) {
         return refusal([&] {
