@@ -360,6 +360,10 @@ std::optional<std::string> Options::parse(int argc, const char* const* argv) {
         throw BadInput((unknown.empty() ? join(app_->remaining(), " ") + " was not expected" : unknown) +
                        "; see --help");
     } catch (const CLI::ParseError& error) {
+        for (const auto& [name, entry] : entries_) {  // of an option that is not shown CLI11 does not say the name
+            if (entry.refusal.empty() || !contains(words_, "--" + name)) continue;
+            throw BadInput("--" + name + " cannot be used here: " + entry.refusal);
+        }
         throw BadInput(std::string(error.what()) + "; see --help");
     }
     for (const auto& [name, entry] : entries_) {  // CLI11 takes the next word for a value that is missing
