@@ -39,12 +39,14 @@ public:
         }
         // a single element as long as the intervals of the rows: all means may be taken over it
         const int of_rows = entries_.equal_widths && result.cols() == 1 ? 0 : entries_.averages;
-        const Points rows(entries_.rows.from_trailing + entries_.rows.offset, entries_.rows.half, of_rows),
+        const Points rows((entries_.rows.from_trailing + entries_.rows.offset).head(result.rows()), entries_.rows.half,
+                          of_rows),
             columns(entries_.columns.from_trailing, entries_.columns.half, 1 + entries_.averages - of_rows);
         const Scalar row_terms = terms(rows.reach), column_terms = terms(columns.reach);
-        const Scalar size = static_cast<Scalar>(result.size()), width = static_cast<Scalar>(result.cols());
+        const Scalar size = static_cast<Scalar>(result.size()), width = static_cast<Scalar>(result.cols()),
+                     height = static_cast<Scalar>(result.rows());
         const Scalar products =
-            row_terms * column_terms * (20 + row_terms + column_terms + width) + row_terms * size / 4;
+            row_terms * column_terms * (20 + row_terms + column_terms + width) + row_terms * (height + size / 4);
         if (products <= 220 * size) {  // an integral takes as long as some 220 products, and a sample as 20
             interpolate(rows, static_cast<Eigen::Index>(row_terms), columns, static_cast<Eigen::Index>(column_terms),
                         result);
@@ -112,7 +114,8 @@ private:
                 shift += rule.nodes[digits % order];
                 weight *= rule.weights[digits % order] / 2;
             }
-            const ArrayX<Scalar> x = (points.places - points.middle + shift * points.half) / points.reach;
+            const ArrayX<Scalar> x =
+                (points.places - points.middle + shift * points.half.head(points.places.size())) / points.reach;
             means += weight * polynomials(x, count);
         }
         const Scalar step = std::numbers::pi_v<Scalar> / static_cast<Scalar>(2 * count);
@@ -137,8 +140,7 @@ private:
         coefficients.col(0) /= 2;
         MatrixX<Scalar> integrals = product(coefficients, across.means.transpose());
         for (Eigen::Index m = 0; m < integrals.cols(); ++m) integrals.col(m) *= 2 * columns.half[m];
-        const MatrixX<Scalar> sum = product(along.means, integrals);
-        for (Eigen::Index m = 0; m < result.cols(); ++m) result.col(m) += sum.col(m).head(result.rows());
+        result.noalias() += along.means * integrals;
     }
 
     // Of plain matrices, so that it is compiled once.
