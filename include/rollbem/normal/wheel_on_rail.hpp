@@ -18,6 +18,7 @@
 #include "../detail/require.hpp"
 #include "../scene/outline.hpp"
 #include "../scene/patch_contact.hpp"
+#include "../scene/wheelset.hpp"
 #include "detail/patch_shape.hpp"
 #include "normal_contact.hpp"
 #include "pressure_grid.hpp"
@@ -34,14 +35,6 @@ struct TrackDimensions {
     double radius = 0.46;                       ///< of the tape circle r0 [m]
     double shear_modulus = 8.2e10;              ///< G [Pa] of both bodies
     double poisson_ratio = 0.28;                ///< nu [-] of both bodies
-};
-
-/// Of a wheelset: its middle at (0, lateral, height - r0), rolled about x, then yawed about z.
-struct WheelsetPosition {
-    double lateral = 0;  ///< y_ws [m]
-    double height = 0;   ///< z_ws [m], positive down; 0 where profiles with z = 0 at the tape circle and the top touch
-    double roll = 0;     ///< phi [rad]
-    double yaw = 0;      ///< psi [rad]
 };
 
 namespace detail {

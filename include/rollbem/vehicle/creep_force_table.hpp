@@ -6,21 +6,19 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <istream>
 #include <ostream>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "../closed_form/full_sliding.hpp"
+#include "../detail/checked_stream.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../scene/creepage.hpp"
@@ -90,10 +88,6 @@ private:
     static constexpr const char* magic = "rollbem creep forces";
     static constexpr std::uint32_t version = 4;
     static constexpr double most = 100;
-
-    /// Bytes with their checksum.
-    class Writer;
-    class Reader;
 
     explicit BasicCreepForceTable(CreepForceGrid grid) : grid_(std::move(grid)), n_(grid_.levels()) {
         scales_ = with_ends(grid_.scales());
@@ -516,68 +510,8 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
 }
 
 template <std::same_as<double> Real>
-class BasicCreepForceTable<Real>::Writer {
-public:
-    explicit Writer(std::ostream& stream) : stream_(stream) {}
-
-    void bytes(const char* data, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) {
-            checksum_ = (checksum_ ^ static_cast<unsigned char>(data[i])) * 0x100000001b3U;
-        }
-        stream_.write(data, static_cast<std::streamsize>(count));
-    }
-    template <class Integer>
-    void integer(Integer value) {
-        std::array<char, sizeof value> data;
-        for (std::size_t i = 0; i < sizeof value; ++i) data[i] = static_cast<char>(value >> 8 * i & 0xff);
-        bytes(data.data(), data.size());
-    }
-    void number(double value) { integer(std::bit_cast<std::uint64_t>(value)); }
-    void number(float value) { integer(std::bit_cast<std::uint32_t>(value)); }
-    std::uint64_t checksum() const { return checksum_; }
-
-private:
-    std::ostream& stream_;
-    std::uint64_t checksum_ = 0xcbf29ce484222325U;
-};
-
-template <std::same_as<double> Real>
-class BasicCreepForceTable<Real>::Reader {
-public:
-    explicit Reader(std::istream& stream) : stream_(stream) {}
-
-    void bytes(char* data, std::size_t count) {
-        if (!stream_) throw std::invalid_argument("CreepForceTable: the stream must be readable: is the file there?");
-        if (!stream_.read(data, static_cast<std::streamsize>(count))) {
-            throw std::invalid_argument("CreepForceTable: the stream must not end within the table");
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            checksum_ = (checksum_ ^ static_cast<unsigned char>(data[i])) * 0x100000001b3U;
-        }
-    }
-    template <class Integer>
-    Integer integer() {
-        std::array<char, sizeof(Integer)> data;
-        bytes(data.data(), data.size());
-        Integer value = 0;
-        for (std::size_t i = 0; i < data.size(); ++i) {
-            value |= static_cast<Integer>(static_cast<unsigned char>(data[i])) << 8 * i;
-        }
-        return value;
-    }
-    double number() { return std::bit_cast<double>(integer<std::uint64_t>()); }
-    float single() { return std::bit_cast<float>(integer<std::uint32_t>()); }
-    std::uint64_t checksum() const { return checksum_; }
-
-private:
-    std::istream& stream_;
-    std::uint64_t checksum_ = 0xcbf29ce484222325U;
-};
-
-template <std::same_as<double> Real>
 void BasicCreepForceTable<Real>::write(std::ostream& stream) const {
-    Writer writer(stream);
-    writer.bytes(magic, std::char_traits<char>::length(magic));
+    detail::CheckedWriter writer(stream, magic);
     writer.integer(version);
     writer.integer(static_cast<std::uint32_t>(n_));
     writer.integer(static_cast<std::uint32_t>(grid_.shapes()));
@@ -590,19 +524,15 @@ void BasicCreepForceTable<Real>::write(std::ostream& stream) const {
     for (std::size_t i = 0; i < coefficients_.size(); ++i) {
         if (i % width < 3) writer.number(coefficients_[i]);
     }
-    writer.integer(writer.checksum());
+    writer.finish();
 }
 
 template <std::same_as<double> Real>
 BasicCreepForceTable<Real> BasicCreepForceTable<Real>::read(std::istream& stream) {
-    Reader reader(stream);
-    std::string text(std::char_traits<char>::length(magic), ' ');
-    reader.bytes(text.data(), text.size());
-    if (text != magic)
-        throw std::invalid_argument("CreepForceTable: the stream must begin with \"rollbem creep forces\"");
-    const auto found = reader.template integer<std::uint32_t>();
+    detail::CheckedReader reader(stream, name, magic);
+    const auto found = reader.integer<std::uint32_t>();
     detail::require(found == version, name, "version", found, "be 4");
-    const auto levels = reader.template integer<std::uint32_t>(), shapes = reader.template integer<std::uint32_t>();
+    const auto levels = reader.integer<std::uint32_t>(), shapes = reader.integer<std::uint32_t>();
     detail::require(levels <= 64, name, "levels", levels, "be at most 64");
     detail::require(shapes <= 1000, name, "number of ellipses", shapes, "be at most 1000");
     const double nu = reader.number(), smallest = reader.number(), largest = reader.number();
@@ -620,10 +550,7 @@ BasicCreepForceTable<Real> BasicCreepForceTable<Real>::read(std::istream& stream
         table.coefficients_[i] = value;
     }
     table.look_at_rest();
-    const std::uint64_t checksum = reader.checksum();
-    if (reader.template integer<std::uint64_t>() != checksum) {
-        throw std::invalid_argument("CreepForceTable: the numbers must agree with their checksum");
-    }
+    reader.finish();
     return table;
 }
 

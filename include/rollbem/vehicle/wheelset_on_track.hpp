@@ -14,16 +14,9 @@
 #include "../normal/wheel_on_rail.hpp"
 #include "../scene/creepage.hpp"
 #include "../scene/patch_contact.hpp"
+#include "../scene/wheelset.hpp"
 
 namespace rollbem {
-
-/// Speeds of a wheelset: the middle of its axle moves by `forward` along x.
-struct WheelsetSpeeds {
-    double forward = 1;                  ///< V [m/s]
-    double pitch_rate = 0;               ///< about the axle [rad/s], negative when rolling forward
-    double lateral = 0, vertical = 0;    ///< of the middle [m/s]
-    double roll_rate = 0, yaw_rate = 0;  ///< [rad/s]
-};
 
 namespace detail {
 
@@ -110,7 +103,7 @@ public:
 
     const WheelOnRail& wheel() const { return wheel_; }
 
-    enum class Side { left, right };
+    using Side = WheelsetSide;
     static constexpr std::array<Side, 2> sides{Side::left, Side::right};
 
     struct Workspace {

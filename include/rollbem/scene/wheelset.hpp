@@ -1,0 +1,27 @@
+// Position and speeds of a wheelset on its track.
+#pragma once
+
+#include "../detail/language.hpp"
+
+namespace rollbem {
+
+enum class WheelsetSide { left, right };
+
+/// Track axes: x forward, y to the right, z down, the origin between the rails at the height of their tops. The middle of
+/// the axle is at (0, lateral, height - r0), rolled about x, then yawed about z.
+struct WheelsetPosition {
+    double lateral = 0;  ///< y_ws [m]
+    double height = 0;   ///< z_ws [m], positive down; 0 where profiles with z = 0 at the tape circle and the top touch
+    double roll = 0;     ///< phi [rad]
+    double yaw = 0;      ///< psi [rad]
+};
+
+/// Speeds of a wheelset: the middle of its axle moves by `forward` along x.
+struct WheelsetSpeeds {
+    double forward = 1;                  ///< V [m/s]
+    double pitch_rate = 0;               ///< about the axle [rad/s], negative when rolling forward
+    double lateral = 0, vertical = 0;    ///< of the middle [m/s]
+    double roll_rate = 0, yaw_rate = 0;  ///< [rad/s]
+};
+
+}  // namespace rollbem
