@@ -4,6 +4,7 @@
 // Sample run: ./bench_normal --benchmark_filter=/20$
 #include <cmath>
 #include <cstdint>
+#include <fstream>
 #include <limits>
 
 #include <benchmark/benchmark.h>
@@ -11,6 +12,7 @@
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/normal_contact.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
+#include <rollbem/vehicle/contact_table.hpp>
 
 namespace {
 
@@ -61,6 +63,25 @@ void BM_ProfilePatch(benchmark::State& state) {
     state.counters["n"] = double(n);
 }
 BENCHMARK(BM_ProfilePatch)->Arg(0)->Arg(10)->Arg(20)->Arg(40)->Unit(benchmark::kMillisecond);
+
+void BM_WheelsetLookUp(benchmark::State& state) {
+    std::ifstream forces(ROLLBEM_TABLES "/steel.creep", std::ios::binary),
+        places(ROLLBEM_TABLES "/s1002_60e1.contact", std::ios::binary);
+    const CreepForceTable creep = CreepForceTable::read(forces);
+    const ContactTable contact = ContactTable::read(places);
+    int k = 0;
+    for (auto _ : state) {
+        const double lateral = 6e-3 * ((k++ * 7919 % 1001) / 500.0 - 1);
+        const WheelsetSpeeds speeds{.forward = 30, .pitch_rate = -30 / 0.46, .lateral = 0.01, .yaw_rate = 0.01};
+        for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
+            const WheelForces now =
+                contact.look_up(creep, side, {.lateral = lateral, .yaw = lateral / 2}, speeds, 1e5, 0.3);
+            if (now.status != StepStatus::ok) state.SkipWithError(name(now.status));
+            benchmark::DoNotOptimize(now.force[1]);
+        }
+    }
+}
+BENCHMARK(BM_WheelsetLookUp)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 

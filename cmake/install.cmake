@@ -9,8 +9,9 @@ set(package_dir "${CMAKE_INSTALL_DATADIR}/cmake/rollbem")
 set(pkgconfig_dir "${CMAKE_INSTALL_DATADIR}/pkgconfig")
 
 install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
-# The table of creep forces of steel.
-install(FILES apps/creep/steel.creep DESTINATION "${CMAKE_INSTALL_DATADIR}/rollbem")
+# The tables of creep forces of steel, and of the contact geometry of S1002 on 60E1.
+install(FILES apps/creep/steel.creep apps/creep/s1002_60e1.contact
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/rollbem")
 install(FILES LICENSE DESTINATION "${CMAKE_INSTALL_DATADIR}/licenses/rollbem")
 
 install(TARGETS rollbem EXPORT rollbem_targets INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
