@@ -199,10 +199,10 @@ inline ContactTable make_contact_table(
             for (Eigen::Index i = 0; i < grid.shifts; ++i) {
                 start.lateral = grid.shift(i);
                 start.yaw = grid.yaw(k);
-                const auto contacts = track.carry(start, {load, load}, workspace, {0, 0}, options);
+                const auto contacts = track.carry(start, {load, load}, workspace, {}, {}, options);
                 const bool carries = std::all_of(contacts.wheels.begin(), contacts.wheels.end(), [](const auto& wheel) {
                     return !wheel.patches.empty() &&
-                           (wheel.status <= NormalStatus::doubtful_plane || wheel.status == NormalStatus::few_cells);
+                           (has_numbers(wheel.status) || wheel.status == NormalStatus::few_cells);
                 });
                 if (!carries) {
                     workspace = {};
