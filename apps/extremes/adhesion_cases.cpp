@@ -8,10 +8,12 @@
 #include <rollbem/closed_form/plane_lambda.hpp>
 #include <rollbem/compiled/frequency.hpp>
 #include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
 #include <rollbem/compiled/transient.hpp>
 #include <rollbem/elasticity/any_kernel.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
+#include <rollbem/spectral/polynomial.hpp>
 
 #include "cases.hpp"
 #include "support/runs.hpp"

@@ -12,6 +12,8 @@
 #include <rollbem/discretisation/any_scheme.hpp>
 #include <rollbem/discretisation/mesh.hpp>
 #include <rollbem/elasticity/any_kernel.hpp>
+#include <rollbem/friction/law.hpp>
+#include <rollbem/normal/hertz.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
 #include "comparison.hpp"
