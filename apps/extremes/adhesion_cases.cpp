@@ -191,10 +191,12 @@ void add_frequencies(Cases& cases) {
 // --- the time domain
 
 /// cosine 0.5/0.5, strip kernel: stable by its eigenvalues.
+rollbem::AdhesionModel<> stable_model(const rollbem::Contact<double>& contact, Integrator integrator) {
+    const rollbem::ElementSystem<double> system = Problem{{Topology::cosine, 40}, equal, contact.aspect()}.system();
+    return {contact, system, rollbem::judge_stability<double>(system), integrator};
+}
 rollbem::AdhesionModel<> stable_model(double aspect, Integrator integrator) {
-    const rollbem::ElementSystem<double> system = Problem{{Topology::cosine, 40}, equal, aspect}.system();
-    return {rollbem::Contact<double>::dimensionless(aspect, steel), system, rollbem::judge_stability<double>(system),
-            integrator};
+    return stable_model(rollbem::Contact<double>::dimensionless(aspect, steel), integrator);
 }
 
 void add_steps(Cases& cases) {
@@ -229,6 +231,17 @@ void add_steps(Cases& cases) {
                          const auto model = stable_model(1000, Integrator::matrix_exponential);
                          return rolled(model, 1, 5, -exact.step(5), 5e-5);
                      }});
+    // a wheel of a = 0.1 mm in steps of 10 microseconds
+    for (const double speed : {0.01, 1.0, 150.0}) {
+        cases.push_back(
+            {"a = 1e-4 m, G = 8e10 Pa, V = " + shown(speed) + " m/s", "force against dimensionless", [=] {
+                 const rollbem::Contact<double> si(
+                     {.half_length = 1e-4, .half_width = 1e-3, .shear_modulus = 8e10, .poisson_ratio = steel});
+                 const double dq = speed * 1e-5;
+                 const Outcome unit = rolled(stable_model(10, Integrator::sdirk2), dq / 1e-4, 20, 1, 1);
+                 return rolled(stable_model(si, Integrator::sdirk2), dq, 20, unit.value * 1e-4 * 8e10, 1e-11);
+             }});
+    }
     for (const double dq : {-1.0, infinity, nothing}) {
         cases.push_back({"dq = " + shown(dq), "force",
                          [=] { return rolled(stable_model(1000, Integrator::sdirk2), dq, 1, nothing, 0); },
