@@ -241,8 +241,8 @@ inline ContactTable::ContactTable(const ContactTableGrid& grid, double nominal_l
         }
         const Eigen::ArrayXd before = values_.col(node) - values_.col(node - 1),
                              after = values_.col(node + 1) - values_.col(node), mean = (before + after) / 2;
-        const Eigen::ArrayXd most = 3 * before.abs().min(after.abs());
-        slopes_.col(node) = (before * after > 0).select(mean.min(most).max(-most), 0);
+        const Eigen::ArrayXd most = 3 * before.abs().cwiseMin(after.abs());
+        slopes_.col(node) = (before * after > 0).select(mean.cwiseMin(most).cwiseMax(-most), 0);
     }
 }
 
