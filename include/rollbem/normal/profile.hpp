@@ -89,9 +89,10 @@ public:
 
 private:
     static void check(Eigen::Index i, bool holds, const char* rule) {
-        if (!holds)
-            detail::require(false, "Profile", "number of the point", i + 1,
-                            ("be that of a point that must " + std::string(rule)).c_str());
+        if (holds) return;
+        std::string text = "be that of a point that must ";
+        text += rule;
+        detail::require(false, "Profile", "number of the point", i + 1, text.c_str());
     }
     double step(std::size_t k, Eigen::Index i) const { return values_[k][i] - values_[k][i - 1]; }
 
