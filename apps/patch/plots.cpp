@@ -117,7 +117,8 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const f
         auto& zone = (*number(row, "stick") > 0 ? stick : slip).points;
         zone.emplace_back(x - dx, y - dy);
         zone.emplace_back(x + dx, y + dy);
-        shows_pole = shows_pole || (std::abs(pole_x - x) <= dx && std::abs(pole_y - y) <= dy);
+        // it may lie on an edge between two elements
+        shows_pole = shows_pole || (std::abs(pole_x - x) <= 1.001 * dx && std::abs(pole_y - y) <= 1.001 * dy);
         arrows.points.emplace_back(x, y);
         arrows.points.emplace_back(*traction_x, *traction_y);
         longest = std::max(longest, std::hypot(*traction_x, *traction_y));
