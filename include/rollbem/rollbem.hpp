@@ -42,6 +42,7 @@
 #include "scene/outline.hpp"
 #include "scene/patch_contact.hpp"
 #include "scene/rigid_motion.hpp"
+#include "scene/rolling_ellipse.hpp"
 #include "scene/semi_axes.hpp"
 #include "spectral/chebyshev.hpp"
 #include "spectral/polynomial.hpp"

@@ -14,6 +14,7 @@
 #include "../detail/gauss_legendre.hpp"
 #include "../detail/require.hpp"
 #include "../scene/patch_contact.hpp"
+#include "../scene/rolling_ellipse.hpp"
 #include "../types.hpp"
 #include "hertz.hpp"
 
@@ -204,11 +205,22 @@ public:
     Scalar turn() const { return turn_; }
     Scalar peak_pressure() const { return 3 * load_ / (2 * std::numbers::pi_v<Scalar> * a_ * b_); }  ///< p0 [Pa]
 
+    /// The ellipse of the same load, area and pressures that rolls along its axis a, which takes the place of a turned one
+    /// in contact(), HertzPatchLoad and CreepForceTable: see rolling_ellipse(), which has its derivatives.
+    HertzEllipse along_rolling() const {
+        HertzEllipse other = *this;
+        const SemiAxes<Scalar> axes = rolling_ellipse<Scalar>({a_, b_}, turn_).axes;
+        other.a_ = axes.half_length;
+        other.b_ = axes.half_width;
+        other.turn_ = 0;
+        return other;
+    }
+
     /// The contact that rolls along a, with the combined constants of HertzLine::contact. Throws std::invalid_argument
-    /// if the ellipse is turned from the rolling direction.
+    /// if the ellipse is turned from the rolling direction: then take that of along_rolling().
     PatchContact<Scalar> contact() const {
         detail::require(std::abs(turn_) <= std::sqrt(std::numeric_limits<Scalar>::epsilon()), "HertzEllipse", "turn",
-                        turn_, "be 0: a PatchContact rolls along one of its axes");
+                        turn_, "be 0: a PatchContact rolls along one of its axes; take along_rolling()");
         return PatchContact<Scalar>({a_, b_, bodies_.shear_modulus, bodies_.poisson_ratio});
     }
 

@@ -33,7 +33,8 @@ SemiAxes<Scalar> least_resolved(const PatchContact<Scalar>& contact, const Patch
     return {a * rounding * half_of_three(mesh.along().edges()), a * rounding * half_of_three(mesh.edges())};
 }
 
-/// Makes the NormalLoad of a load N [N] for the bodies of a HertzEllipse, whose axes must lie along x and y.
+/// Makes the NormalLoad of a load N [N] for the bodies of a HertzEllipse, whose axes must lie along x and y, as those of
+/// HertzEllipse::along_rolling() do.
 ///
 ///     const HertzPatchLoad<double> hertz = HertzPatchLoad<double>::breathing(ellipse, contact, mesh);
 ///     NormalLoad<double> load = hertz.at(ellipse.load());
@@ -108,7 +109,7 @@ private:
           shape_(hertz_pressures(contact, mesh, 1) * (contact.half_length() * contact.half_width())),
           fixed_(fixed) {
         detail::require(ellipse.turn() == 0, "HertzPatchLoad", "turn of the ellipse", ellipse.turn(),
-                        "be 0: strips lie along x");
+                        "be 0: strips lie along x; take along_rolling()");
     }
 
     Eigen::Index size() const { return shape_.size(); }

@@ -1,0 +1,219 @@
+// rollbem/scene/rolling_ellipse.hpp, HertzEllipse::along_rolling: what takes the place of a turned ellipse, in tables and
+// patches, and how near it comes to friction on the outline of the turned one.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/patch.hpp>
+#include <rollbem/normal/hertz_patch_load.hpp>
+#include <rollbem/scene/rolling_ellipse.hpp>
+
+#include "support/catch.hpp"
+#include "support/refusal.hpp"
+#include "vehicle/creep_force_scene.hpp"
+
+namespace turned_axes_tests {
+
+using namespace rollbem;
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr double mu = 0.3, load = 8e4, modulus = 8e10, nu = 0.28, c = 5e-3, pi = std::numbers::pi;
+
+SemiAxes<double> axes_of(double a_over_b) { return {c * std::sqrt(a_over_b), c / std::sqrt(a_over_b)}; }
+
+Eigen::Vector3d vector(const TangentialForce<double>& force) {
+    return {force.longitudinal, force.lateral, force.moment};
+}
+
+/// A wheel and a rail whose planes are turned by a yaw.
+HertzEllipse<double> with_yaw(double yaw, double rail = 0.3) {
+    const ElasticBody<double> steel{2.1e11, nu};
+    return HertzEllipse<double>(
+        {.load = load, .radii_1 = {0.46, -1}, .radii_2 = {1e9, rail}, .angle = yaw, .body_1 = steel, .body_2 = steel});
+}
+
+/// Steady force over mu N, moment over mu N c.
+Eigen::Vector3d rolled(const PatchContact<double>& contact, const PatchMesh<double>& mesh,
+                       const Eigen::ArrayXd& pressure, const Eigen::Vector3d& creepage) {
+    const FrictionModel model(contact, steady_system(mesh, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(nu)),
+                              {mu, pressure});
+    auto workspace = model.workspace();
+    auto state = model.at_rest();
+    const Creepage<double> motion{creepage[0], creepage[1], creepage[2]};
+    const auto step = model.steady(model.at_rest(), RigidMotion<Creepage<double>>(motion), 1, state, workspace);
+    REQUIRE(step.status == StepStatus::ok);
+    return vector(step.force).cwiseQuotient(mu * load * Eigen::Vector3d(1, 1, c));
+}
+
+Eigen::Vector3d rolled(const SemiAxes<double>& axes, const Eigen::Vector3d& creepage) {
+    const PatchContact<double> contact({axes.half_length, axes.half_width, modulus, nu});
+    const PatchMesh<double> mesh = patch_mesh(contact, cosine_mesh(8), uniform_mesh(9));
+    return rolled(contact, mesh, hertz_pressures(contact, mesh, load), creepage);
+}
+
+/// On the outline of the turned ellipse, under its pressures at 16 x 16 points of each element.
+Eigen::Vector3d rolled_as_outline(const SemiAxes<double>& axes, double turn, const Eigen::Vector3d& creepage) {
+    const auto [a, b] = axes;
+    const double cosine = std::cos(turn), sine = std::sin(turn), height = std::hypot(a * sine, b * cosine);
+    const Eigen::Index lines = 401;
+    const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(lines, 0, pi), y = -height * t.cos();
+    Eigen::ArrayXd half = a * b / height * t.sin();
+    half[0] = half[lines - 1] = 0;
+    const Eigen::ArrayXd middle = (a * a - b * b) * sine * cosine / (height * height) * y;
+    const PatchContact<double> contact(Outline<double>(y, middle - half, middle + half), modulus, nu);
+    const PatchMesh<double> mesh = patch_mesh(contact, cosine_mesh(8), uniform_mesh(9));
+    Eigen::ArrayXd pressure(mesh.size());
+    double carried = 0;
+    for (Eigen::Index i = 0; const auto& [x_1, x_2, y_1, y_2] : rectangles(mesh, contact.half_length())) {
+        double sum = 0;
+        for (int k = 0; k < 256; ++k) {
+            const double px = x_1 + (x_2 - x_1) * (k % 16 + 0.5) / 16, py = y_1 + (y_2 - y_1) * (k / 16 + 0.5) / 16;
+            const double u = (cosine * px + sine * py) / a, v = (cosine * py - sine * px) / b;
+            sum += std::sqrt(std::max(0.0, 1 - u * u - v * v));
+        }
+        pressure[i++] = sum;
+        carried += sum * (x_2 - x_1) * (y_2 - y_1);
+    }
+    return rolled(contact, mesh, pressure * (load / carried), creepage);
+}
+
+}  // namespace
+
+TEST_CASE("turned_axes: no turn changes nothing, a quarter exchanges the axes, a circle has no turn") {
+    for (const double a_over_b : {0.1, 0.5, 1.0, 3.0, 10.0}) {
+        const SemiAxes<double> axes = axes_of(a_over_b);
+        CHECK(rolling_ellipse(axes, 0.0).axes == axes);
+        const SemiAxes<double> quarter = rolling_ellipse(axes, pi / 2).axes;
+        CHECK_THAT(quarter.half_length, WithinRel(axes.half_width, 1e-14));
+        CHECK_THAT(quarter.half_width, WithinRel(axes.half_length, 1e-14));
+        for (const double turn : {-0.7, 0.01, 0.4, 1.3}) {
+            CAPTURE(a_over_b, turn);
+            const auto [a, b] = rolling_ellipse(axes, turn).axes;
+            CHECK_THAT(a * b, WithinRel(c * c, 1e-14));
+            // roots of the second moments of points of the turned ellipse
+            const auto extent = [&](double by_a, double by_b) {
+                double sum = 0;
+                for (int k = 0; k < 8; ++k) {
+                    const double p = axes.half_length * std::cos(pi * k / 4),
+                                 q = axes.half_width * std::sin(pi * k / 4);
+                    sum += (by_a * p + by_b * q) * (by_a * p + by_b * q);
+                }
+                return std::sqrt(sum);
+            };
+            CHECK_THAT(
+                a / b,
+                WithinRel(extent(std::cos(turn), -std::sin(turn)) / extent(std::sin(turn), std::cos(turn)), 1e-13));
+        }
+    }
+    for (const double turn : {-1.0, 0.3, 2.0}) {
+        CHECK_THAT(rolling_ellipse(axes_of(1), turn).axes.half_length, WithinRel(c, 1e-15));
+        CHECK_THAT(rolling_ellipse(axes_of(1), turn).axes.half_width, WithinRel(c, 1e-15));
+    }
+}
+
+TEST_CASE("turned_axes: derivatives, and those of a look-up with respect to the turn") {
+    const CreepForceTable table = creep_forces::table(6, 5);
+    const Creepage<double> creepage{3e-4, -5e-4, 0.1};
+    const auto force_at = [&](const SemiAxes<double>& axes) {
+        return table.look_up(PatchContact<double>({axes.half_length, axes.half_width, modulus, nu}), mu, load,
+                             creepage);
+    };
+    for (const double turn : {-0.6, 0.0, 0.2, 1.1}) {
+        const SemiAxes<double> axes = axes_of(1.6);
+        const RollingEllipse<double> at = rolling_ellipse(axes, turn);
+        const auto [a, b] = axes;
+        const double h = 1e-4;
+        const auto check = [&](const SemiAxes<double>& slope, const SemiAxes<double>& more,
+                               const SemiAxes<double>& less, double step, double unit) {
+            CHECK_THAT((more.half_length - less.half_length) / (2 * step) / unit,
+                       WithinAbs(slope.half_length / unit, 3e-8));
+            CHECK_THAT((more.half_width - less.half_width) / (2 * step) / unit,
+                       WithinAbs(slope.half_width / unit, 3e-8));
+        };
+        CAPTURE(turn);
+        const SemiAxes<double> more = rolling_ellipse(axes, turn + h).axes, less = rolling_ellipse(axes, turn - h).axes;
+        check(at.by_turn, more, less, h, c);
+        check(at.by_half_length, rolling_ellipse<double>({a * (1 + h), b}, turn).axes,
+              rolling_ellipse<double>({a * (1 - h), b}, turn).axes, a * h, 1);
+        check(at.by_half_width, rolling_ellipse<double>({a, b * (1 + h)}, turn).axes,
+              rolling_ellipse<double>({a, b * (1 - h)}, turn).axes, b * h, 1);
+
+        const TabulatedForce now = force_at(at.axes);
+        REQUIRE(now.status == StepStatus::ok);
+        const Eigen::Vector3d by_turn = vector(at.by_turn.half_length * now.tangent_by_half_length +
+                                               at.by_turn.half_width * now.tangent_by_half_width);
+        const Eigen::Vector3d difference = (vector(force_at(more).force) - vector(force_at(less).force)) / (2 * h);
+        const Eigen::Vector3d units = mu * load * Eigen::Vector3d(1, 1, c);
+        CHECK((difference - by_turn).cwiseQuotient(units).cwiseAbs().maxCoeff() < 3e-8);
+        if (turn != 0) CHECK(by_turn.cwiseQuotient(units).cwiseAbs().maxCoeff() > 3e-3);
+    }
+}
+
+TEST_CASE("turned_axes: contacts and loads of patches take a turned ellipse by along_rolling") {
+    const HertzEllipse<double> turned = with_yaw(0.02), along = turned.along_rolling();
+    REQUIRE(std::abs(turned.turn()) > 0.01);
+    CHECK_THAT(refusal([&] { (void)turned.contact(); }), ContainsSubstring("along_rolling"));
+    CHECK(along.turn() == 0);
+    CHECK_THAT(along.peak_pressure(), WithinRel(turned.peak_pressure(), 1e-14));
+    CHECK(along.approach() == turned.approach());
+    const SemiAxes<double> expected =
+        rolling_ellipse<double>({turned.half_length(), turned.half_width()}, turned.turn()).axes;
+    const PatchContact<double> contact = along.contact();
+    CHECK(contact.half_length() == expected.half_length);
+    CHECK(contact.half_width() == expected.half_width);
+    const HertzEllipse<double> straight = with_yaw(0);
+    CHECK(straight.along_rolling().half_length() == straight.half_length());
+    CHECK(straight.along_rolling().half_width() == straight.half_width());
+
+    const PatchMesh<double> mesh = patch_mesh(contact, 6, 6);
+    CHECK_THAT(refusal([&] { HertzPatchLoad<double>::breathing(turned, contact, mesh); }),
+               ContainsSubstring("along_rolling"));
+    const auto hertz = HertzPatchLoad<double>::breathing(along, contact, mesh);
+    NormalLoad<double> now = hertz.at(load);
+    CHECK(hertz.set(with_yaw(0.03), now) == StepStatus::invalid_load);
+    CHECK(hertz.set(with_yaw(0.03).along_rolling(), now) == StepStatus::ok);
+    CHECK(now.half_length == with_yaw(0.03).along_rolling().half_length());
+
+    // a nearly round ellipse may be turned far, but remains nearly round, to the second order
+    const HertzEllipse<double> round = with_yaw(1e-3, 1 / (1 + 1 / 0.46));
+    REQUIRE(std::abs(round.turn()) > 0.7);
+    CHECK(std::abs(round.half_length() / round.half_width() - 1) > 5e-4);
+    CHECK_THAT(round.along_rolling().contact().a_over_b(), WithinAbs(1, 1e-5));
+}
+
+// docs/vehicle.md has the errors in the mean of more creepages, on finer meshes.
+TEST_CASE("turned_axes: along the rolling axes is nearer to the outline than in those of the ellipse") {
+    const Eigen::Vector3d unit = mu * load / (modulus * c * c) * Eigen::Vector3d(1 / 4.2, 1 / 3.7, 1 / (1.5 * c));
+    const std::vector<Eigen::Vector3d> creepages = {{0.5, 0, 0},      {0, 0.5, 0},    {0, 0, 0.5},
+                                                    {0.7, -0.7, 0.7}, {-1, 0.5, 1.5}, {0.1, 0.2, 0.2}};
+    struct Limit {
+        double a_over_b, turn, most;
+    };
+    for (const auto& [a_over_b, turn, most] : {Limit{0.5, 0.2, 0.012}, Limit{2, 0.05, 0.006}, Limit{2, 0.5, 0.05}}) {
+        const SemiAxes<double> axes = axes_of(a_over_b), along = rolling_ellipse(axes, turn).axes;
+        Eigen::Matrix3d into = Eigen::Matrix3d::Identity();
+        into.topLeftCorner<2, 2>() << std::cos(turn), std::sin(turn), -std::sin(turn), std::cos(turn);
+        double error = 0, in_own_axes = 0;
+        for (const Eigen::Vector3d& creepage : creepages) {
+            const Eigen::Vector3d v = creepage.cwiseProduct(unit), outline = rolled_as_outline(axes, turn, v);
+            const auto n = static_cast<double>(creepages.size());
+            error += (rolled(along, v) - outline).head<2>().norm() / n;
+            in_own_axes += (into.transpose() * rolled(axes, into * v) - outline).head<2>().norm() / n;
+        }
+        CAPTURE(a_over_b, turn, error, in_own_axes);
+        CHECK(error < most);
+        CHECK(in_own_axes > 2.5 * error);
+    }
+    const SemiAxes<double> axes = axes_of(2);
+    const Eigen::Vector3d v = creepages[4].cwiseProduct(unit);
+    CHECK((rolled(axes, v) - rolled_as_outline(axes, 0, v)).norm() < 1e-3);
+}
+
+}  // namespace turned_axes_tests
