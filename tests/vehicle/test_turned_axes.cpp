@@ -129,13 +129,13 @@ TEST_CASE("turned_axes: derivatives, and those of a look-up with respect to the 
         const SemiAxes<double> axes = axes_of(1.6);
         const RollingEllipse<double> at = rolling_ellipse(axes, turn);
         const auto [a, b] = axes;
-        const double h = 1e-4;
+        const double h = 2e-5;
         const auto check = [&](const SemiAxes<double>& slope, const SemiAxes<double>& more,
                                const SemiAxes<double>& less, double step, double unit) {
             CHECK_THAT((more.half_length - less.half_length) / (2 * step) / unit,
-                       WithinAbs(slope.half_length / unit, 3e-8));
+                       WithinAbs(slope.half_length / unit, 1e-8));
             CHECK_THAT((more.half_width - less.half_width) / (2 * step) / unit,
-                       WithinAbs(slope.half_width / unit, 3e-8));
+                       WithinAbs(slope.half_width / unit, 1e-8));
         };
         CAPTURE(turn);
         const SemiAxes<double> more = rolling_ellipse(axes, turn + h).axes, less = rolling_ellipse(axes, turn - h).axes;
@@ -151,7 +151,7 @@ TEST_CASE("turned_axes: derivatives, and those of a look-up with respect to the 
                                                at.by_turn.half_width * now.tangent_by_half_width);
         const Eigen::Vector3d difference = (vector(force_at(more).force) - vector(force_at(less).force)) / (2 * h);
         const Eigen::Vector3d units = mu * load * Eigen::Vector3d(1, 1, c);
-        CHECK((difference - by_turn).cwiseQuotient(units).cwiseAbs().maxCoeff() < 3e-8);
+        CHECK((difference - by_turn).cwiseQuotient(units).cwiseAbs().maxCoeff() < 1e-8);
         if (turn != 0) CHECK(by_turn.cwiseQuotient(units).cwiseAbs().maxCoeff() > 3e-3);
     }
 }

@@ -21,8 +21,8 @@ struct RollingEllipse {
 /// the roots of its second moments. Creepages and forces stay in rolling axes. Without a turn it is the ellipse itself,
 /// exactly.
 ///
-/// Rolling in the axes of the turned ellipse instead, with creepages turned into them and forces back, has several times
-/// the error, since that turns the rolling direction as well: even a circle under spin would then get a longitudinal
+/// Rolling in the axes of the turned ellipse instead, with creepages turned into them and forces back, has up to five
+/// times the error, since that turns the rolling direction as well: even a circle under spin would then get a longitudinal
 /// force. Neglected here are the forces along x by lateral creepage and spin, and those across by longitudinal creepage,
 /// that the lack of symmetry makes; they grow with the turn, docs/vehicle.md has the errors.
 template <class Scalar>
