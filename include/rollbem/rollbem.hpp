@@ -50,3 +50,4 @@
 #include "system/element_blocks.hpp"
 #include "types.hpp"
 #include "vehicle/creep_force_table.hpp"
+#include "vehicle/reduced_friction.hpp"

@@ -45,6 +45,15 @@ struct TabulatedForce {
     StepStatus status = StepStatus::not_finite;
 };
 
+/// |X| mu N, the size of the linear forces that scale the lattice of a table (see CreepForceGrid), in the units of the
+/// contact.
+struct LinearForceSize {
+    double value;                  ///< [N]
+    Creepage<double> by_creepage;  ///< its derivatives [N], by spin [N m]; 0 where creepage and spin vanish
+    double by_half_length;         ///< at constant half-width [N/m]
+    double by_half_width;          ///< at constant half-length [N/m]
+};
+
 /// Steady creep forces of ellipses under Hertz's pressure by interpolation in log(a/b), xi, eta and phi (see
 /// CreepForceGrid): cubic splines, so that forces have two continuous derivatives, but where creepage and spin vanish
 /// one. There the force is 0, exactly; forces are exactly symmetric, too. For creepages beyond all bounds they tend to
@@ -83,6 +92,10 @@ public:
     TabulatedForce look_up(const PatchContact<double>& contact, double friction_coefficient, double load,
                            const Creepage<double>& creepage) const noexcept;
 
+    /// How far a contact that look_up() takes is from rest: full sliding begins at 1 to 3 mu N. Does not allocate.
+    LinearForceSize linear_force_size(const PatchContact<double>& contact,
+                                      const Creepage<double>& creepage) const noexcept;
+
 private:
     static constexpr const char* name = "CreepForceTable";
     static constexpr const char* magic = "rollbem creep forces";
@@ -113,6 +126,22 @@ private:
         Eigen::Array3d value, by_x, by_y, by_spin, by_shape;
     };
     Sample sample(double shape, double x, double y, double spin) const noexcept;
+
+    /// An ellipse between those of the table.
+    struct Ellipse {
+        bool on_table;
+        double shape;  ///< coordinate of the lattice
+        double
+            shape_per_log;  ///< its derivative by log(a/b); beyond the table the shape stays that of its last ellipse
+        Eigen::Index cell;  ///< of the shape
+        detail::SplineWeights by_shape;
+        Eigen::Array4d linear, linear_by_shape;  ///< the scales of the grid
+    };
+    Ellipse ellipse(const PatchContact<double>& contact) const noexcept;
+    /// X mu N/(G a b) by scales of the grid.
+    static Eigen::Array3d linear_law(const Eigen::Array4d& scales, double c, const Creepage<double>& v) noexcept {
+        return {scales[0] * v.longitudinal, scales[1] * v.lateral + scales[2] * c * v.spin, scales[3] * c * v.spin};
+    }
 
     /// Fills at_rest_ from the coefficients of the splines.
     void look_at_rest();
@@ -383,6 +412,43 @@ auto BasicCreepForceTable<Real>::sample(double shape, double x, double y, double
 }
 
 template <std::same_as<double> Real>
+auto BasicCreepForceTable<Real>::ellipse(const PatchContact<double>& contact) const noexcept -> Ellipse {
+    const double first = std::log(grid_.smallest_a_over_b()), last = std::log(grid_.largest_a_over_b());
+    const double position = (std::log(contact.a_over_b()) - first) / (last - first);
+    const bool on_table = position >= -1e-12 && position <= 1 + 1e-12;
+    const double shape = std::clamp(position, 0.0, 1.0) * static_cast<double>(grid_.shapes() - 1);
+    const auto cell = (std::min)(static_cast<Eigen::Index>(shape), grid_.shapes() - 2);
+    const detail::SplineWeights by_shape(shape - static_cast<double>(cell));
+    const double shape_per_log = on_table ? static_cast<double>(grid_.shapes() - 1) / (last - first) : 0;
+    Eigen::Array4d linear = Eigen::Array4d::Zero(), linear_by_shape = linear;
+    for (Eigen::Index k = 0; k < 4; ++k) {
+        const Eigen::Array4d of = scales_.col(cell + k).head<4>();
+        linear += by_shape.value[static_cast<std::size_t>(k)] * of;
+        linear_by_shape += by_shape.slope[static_cast<std::size_t>(k)] * of;
+    }
+    return {on_table, shape, shape_per_log, cell, by_shape, linear, linear_by_shape};
+}
+
+template <std::same_as<double> Real>
+LinearForceSize BasicCreepForceTable<Real>::linear_force_size(const PatchContact<double>& contact,
+                                                              const Creepage<double>& creepage) const noexcept {
+    const Ellipse on = ellipse(contact);
+    const double c = contact.c(), stiffness = contact.shear_modulus() * c * c;
+    const Eigen::Vector3d w = linear_law(on.linear, c, creepage);
+    const double size = w.stableNorm();
+    if (!(size > 0)) return {0, {}, 0, 0};
+    const Eigen::Vector3d along = w * (stiffness / size);
+    const Eigen::Vector3d spins(0, on.linear[2] * c, on.linear[3] * c);
+    // by the logarithm of c at constant a/b, and by that of a/b
+    const double by_size = 2 * stiffness * size + along.dot(spins) * creepage.spin;
+    const double by_shape = on.shape_per_log * along.dot(linear_law(on.linear_by_shape, c, creepage).matrix());
+    return {stiffness * size,
+            {along[0] * on.linear[0], along[1] * on.linear[1], along.dot(spins)},
+            (by_size / 2 + by_shape) / contact.half_length(),
+            (by_size / 2 - by_shape) / contact.half_width()};
+}
+
+template <std::same_as<double> Real>
 TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& contact, double friction_coefficient,
                                                    double load, const Creepage<double>& creepage) const noexcept {
     TabulatedForce result;
@@ -399,24 +465,13 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     if (!detail::is_finite(creepage)) return ended(StepStatus::not_finite);
 
     const double bound = friction_coefficient * load, c = contact.c(), stiffness = contact.shear_modulus() * c * c;
-    const double first = std::log(grid_.smallest_a_over_b()), last = std::log(grid_.largest_a_over_b());
-    const double position = (std::log(contact.a_over_b()) - first) / (last - first);
-    result.a_over_b_on_table = position >= -1e-12 && position <= 1 + 1e-12;
-    const double shape = std::clamp(position, 0.0, 1.0) * static_cast<double>(grid_.shapes() - 1);
-    const auto cell = (std::min)(static_cast<Eigen::Index>(shape), grid_.shapes() - 2);
-    const detail::SplineWeights by_shape(shape - static_cast<double>(cell));
-    // beyond the table the shape stays that of its last ellipse
-    const double shape_per_log =
-        result.a_over_b_on_table ? static_cast<double>(grid_.shapes() - 1) / (last - first) : 0;
-    Eigen::Array4d linear = Eigen::Array4d::Zero(), linear_by_shape = linear;
-    for (Eigen::Index k = 0; k < 4; ++k) {
-        const Eigen::Array4d of = scales_.col(cell + k).head<4>();
-        linear += by_shape.value[static_cast<std::size_t>(k)] * of;
-        linear_by_shape += by_shape.slope[static_cast<std::size_t>(k)] * of;
-    }
+    const Ellipse on = ellipse(contact);
+    const Eigen::Index cell = on.cell;
+    const detail::SplineWeights& by_shape = on.by_shape;
+    const Eigen::Array4d &linear = on.linear, &linear_by_shape = on.linear_by_shape;
+    result.a_over_b_on_table = on.on_table;
     const Eigen::Array4d unit = linear * Eigen::Array4d(1, 1, c, c);  // of creepages in coordinates X mu N/(G a b)
-    const Eigen::Array3d w(unit[0] * creepage.longitudinal, unit[1] * creepage.lateral + unit[2] * creepage.spin,
-                           unit[3] * creepage.spin);
+    const Eigen::Array3d w = linear_law(linear, c, creepage);
     const double size = w.matrix().stableNorm();
     const CreepForceGrid::Stretch stretch = CreepForceGrid::stretch(bound / stiffness, size);
     if (!detail::is_finite(stretch.factor)) {  // no creepage, and no friction or too little to divide by
@@ -428,7 +483,7 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     const auto sign = [](double value) { return value > 0 ? 1.0 : value < 0 ? -1.0 : 0.0; };
     const double x_sign = sign(u[0]), sign_of_pair = u[2] != 0 ? sign(u[2]) : sign(u[1]);
     const double turn = sign_of_pair < 0 ? -1 : 1;
-    Sample at = sample(shape, std::abs(u[0]), turn * u[1], turn * u[2]);
+    Sample at = sample(on.shape, std::abs(u[0]), turn * u[1], turn * u[2]);
     // Second differences do not exist where creepage vanishes (forces are like xi - xi |xi|/3), so that the spline misses
     // the linear law by some percent there. What it lacks, over the first step only.
     const double distance = u.matrix().norm();
@@ -487,13 +542,11 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     // Forces over c are homogeneous of degree 1 in mu N and w. By mu N; by the logarithm of c, at constant a/b, in w, in
     // G a b and in the arm of the moment; and by that of a/b, in w and in the table.
     const Eigen::Array3d along = slope * w.matrix(), by_bound = -force - along / (bound > 0 ? bound : 1);
-    const Eigen::Vector3d w_by_shape(linear_by_shape[0] * creepage.longitudinal,
-                                     linear_by_shape[1] * creepage.lateral + linear_by_shape[2] * c * creepage.spin,
-                                     linear_by_shape[3] * c * creepage.spin);
+    const Eigen::Vector3d w_by_shape = linear_law(linear_by_shape, c, creepage);
     Eigen::Array3d by_size = slope.rightCols<2>() * Eigen::Vector2d(unit[2] * creepage.spin, w[2]);
     by_size += 2 * along;
     by_size[2] -= bound * force[2];
-    const Eigen::Array3d by_a_over_b = shape_per_log * ((slope * w_by_shape).array() - bound * at.by_shape * signs);
+    const Eigen::Array3d by_a_over_b = on.shape_per_log * ((slope * w_by_shape).array() - bound * at.by_shape * signs);
     slope.col(2) = unit[2] * slope.col(1) + unit[3] * slope.col(2);
     slope.col(1) *= unit[1];
     slope.col(0) *= unit[0];

@@ -1,0 +1,275 @@
+// rollbem/vehicle/reduced_friction.hpp: limits, tangents, what it refuses, and its distance from patches whose friction
+// falls with the slip of each element.
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <numbers>
+
+#include <rollbem/compiled/creep_force_table.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/patch.hpp>
+#include <rollbem/vehicle/reduced_friction.hpp>
+
+#include "support/catch.hpp"
+#include "support/draw.hpp"
+#include "support/refusal.hpp"
+
+namespace reduced_friction_tests {
+
+using namespace rollbem;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr double mu_0 = 0.5, load = 8e4, modulus = 8e10;
+constexpr ReducedFriction::Parameters wet{
+    .adhesion_factor = 0.6, .slip_factor = 0.25, .friction_ratio = 0.4, .fall = 0.6};
+
+const CreepForceTable& steel() {
+    static const CreepForceTable table = [] {
+        std::ifstream file(ROLLBEM_STEEL_CREEP, std::ios::binary);
+        return CreepForceTable::read(file);
+    }();
+    return table;
+}
+
+PatchContact<double> ellipse(double a_over_b) {
+    return PatchContact<double>({5e-3 * std::sqrt(a_over_b), 5e-3 / std::sqrt(a_over_b), modulus, 0.28});
+}
+
+Eigen::Array3d array(const TangentialForce<double>& force) { return {force.longitudinal, force.lateral, force.moment}; }
+
+bool same(const TangentialForce<double>& one, const TangentialForce<double>& other) {
+    return (array(one) == array(other)).all();
+}
+
+/// Creepages near saturation times `level`, in a random direction.
+Creepage<double> creepage(const PatchContact<double>& patch, double level, support::Draw& draw) {
+    const double unit = level * mu_0 * load / (4 * modulus * patch.c() * patch.c());
+    return {unit * draw.normal(), unit * draw.normal(), unit / patch.c() * draw.normal()};
+}
+
+}  // namespace
+
+TEST_CASE("reduced_friction: without reduction and fall, the numbers of the table") {
+    support::Draw draw(1);
+    for (const ReducedFriction& none : {ReducedFriction({}), ReducedFriction({.fall = 0.7})}) {
+        for (int i = 0; i < 50; ++i) {
+            const PatchContact<double> patch = ellipse(draw.decades(-0.9, 1.1));
+            const Creepage<double> v = creepage(patch, i == 0 ? 0 : draw.decades(-2, 2), draw);
+            const ReducedForce now = none.look_up(steel(), patch, mu_0, load, 30, v);
+            const TabulatedForce table = steel().look_up(patch, mu_0, load, v);
+            REQUIRE(now.status == StepStatus::ok);
+            CHECK(now.a_over_b_on_table == table.a_over_b_on_table);
+            CHECK(now.friction_coefficient == mu_0);
+            CHECK(same(now.force, table.force));
+            CHECK(same(now.tangent.by_longitudinal, table.tangent.by_longitudinal));
+            CHECK(same(now.tangent.by_lateral, table.tangent.by_lateral));
+            CHECK(same(now.tangent.by_spin, table.tangent.by_spin));
+            CHECK(same(now.tangent_by_load, table.tangent_by_load));
+            CHECK(same(now.tangent_by_friction_coefficient, table.tangent_by_friction_coefficient));
+            CHECK(same(now.tangent_by_half_length, table.tangent_by_half_length));
+            CHECK(same(now.tangent_by_half_width, table.tangent_by_half_width));
+            CHECK(same(now.tangent_by_speed, {0, 0, 0}));
+        }
+    }
+}
+
+TEST_CASE("reduced_friction: the initial slope, full sliding, and Polach's share between them") {
+    const ReducedFriction friction(wet);
+    const PatchContact<double> patch = ellipse(1.7);
+    const double slope = (wet.adhesion_factor + wet.slip_factor) / 2, stiffness = modulus * patch.c() * patch.c();
+    const TabulatedForce rest = steel().look_up(patch, mu_0, load, {});
+    for (const double size : {0.0, 1e-9}) {  // beside rest as at it
+        const ReducedForce now = friction.look_up(steel(), patch, mu_0, load, 20, {size, size, size});
+        const auto scaled = [&](const TangentialForce<double>& one, const TangentialForce<double>& by) {
+            const Eigen::Array3d expected = slope * array(by);
+            CHECK(((array(one) - expected).abs() <= 1e-4 * expected.abs().maxCoeff()).all());
+        };
+        scaled(now.tangent.by_longitudinal, rest.tangent.by_longitudinal);
+        scaled(now.tangent.by_lateral, rest.tangent.by_lateral);
+        scaled(now.tangent.by_spin, rest.tangent.by_spin);
+        CHECK_THAT(now.force.longitudinal, WithinAbs(slope * size * rest.tangent.by_longitudinal.longitudinal, 1e-6));
+    }
+    // full sliding at a slip velocity of 1.5 m/s, to the error of the table there
+    const double mu = mu_0 * (0.6 * std::exp(-0.6 * 1.5) + 0.4);
+    for (const double xi : {1e4, 1e6}) {
+        const ReducedForce now = friction.look_up(steel(), patch, mu_0, load, 1.5 / xi, {0.6 * xi, -0.8 * xi, 0});
+        CHECK_THAT(now.friction_coefficient, WithinRel(mu, 1e-12));
+        CHECK_THAT(now.force.longitudinal, WithinRel(-0.6 * mu * load, 1e-4));
+        CHECK_THAT(now.force.lateral, WithinRel(0.8 * mu * load, 1e-4));
+    }
+    // by spin alone: the slip velocity is V |phi| r, r^2 = x^2 + y^2, under Hertz's pressure
+    const double a = patch.half_length(), b = patch.half_width();
+    double mean = 0, all = 0;
+    for (int i = 0; i < 400; ++i) {
+        for (int k = 0; k < 16; ++k) {
+            const double r = (i + 0.5) / 400, angle = (k + 0.5) * std::numbers::pi / 8,
+                         weight = r * std::sqrt(1 - r * r);
+            mean += weight * r * r * (std::pow(a * std::cos(angle), 2) + std::pow(b * std::sin(angle), 2));
+            all += weight;
+        }
+    }
+    const ReducedForce turning = friction.look_up(steel(), patch, mu_0, load, 30, {0, 0, 4});
+    const double w = 30 * 4 * std::sqrt(mean / all);
+    CHECK_THAT(turning.friction_coefficient, WithinRel(mu_0 * (0.6 * std::exp(-0.6 * w) + 0.4), 1e-4));
+    // the ratio to the table's forces at the same mu
+    for (const double level : {0.2, 1.0, 5.0}) {
+        const double c11 = -rest.tangent.by_longitudinal.longitudinal / stiffness, xi = level * mu_0 * load / stiffness;
+        const ReducedForce now = friction.look_up(steel(), patch, mu_0, load, 10, {xi, 0, 0});
+        const double clean = steel().look_up(patch, now.friction_coefficient, load, {xi, 0, 0}).force.longitudinal,
+                     eps = std::numbers::pi / 4 * c11 * stiffness * xi / (now.friction_coefficient * load);
+        const auto polach = [eps](double k_A, double k_S) {
+            return k_A * eps / (1 + std::pow(k_A * eps, 2)) + std::atan(k_S * eps);
+        };
+        CHECK_THAT(
+            now.force.longitudinal / clean,
+            WithinRel(polach(wet.adhesion_factor, wet.slip_factor) / polach(1, 1), 2e-3));  // c11 between ellipses
+    }
+}
+
+TEST_CASE("reduced_friction: tangents are derivatives") {
+    const ReducedFriction friction(wet);
+    support::Draw draw(4);
+    double worst = 0;
+    for (int i = 0; i < 200; ++i) {
+        const PatchContact<double> patch = ellipse(draw.decades(-0.9, 0.9));
+        const double level = draw.decades(-1, 1), speed = draw.uniform(1, 40);
+        const Creepage<double> v = creepage(patch, level, draw);
+        const double a = patch.half_length(), b = patch.half_width();
+        const ReducedForce at = friction.look_up(steel(), patch, mu_0, load, speed, v);
+        const auto force = [&](double mu, double N, double V, const Creepage<double>& w) {
+            return array(friction.look_up(steel(), patch, mu, N, V, w).force);
+        };
+        const auto compare = [&](const auto& moved, double size, const TangentialForce<double>& tangent) {
+            constexpr double step = 1e-5;
+            const Eigen::Array3d difference = (moved(step * size) - moved(-step * size)) / (2 * step);
+            const Eigen::Array3d scale = Eigen::Array3d(1, 1, patch.c()) * mu_0 * load;
+            const double error = ((difference - size * array(tangent)) / scale).abs().maxCoeff();
+            worst = std::max(worst, error / std::max(1.0, level));
+        };
+        const Creepage<double> unit = [&] {
+            const double of = level * mu_0 * load / (4 * modulus * patch.c() * patch.c());
+            return Creepage<double>{of, of, of / patch.c()};
+        }();
+        const auto by_creepage = [&](double Creepage<double>::*which, const TangentialForce<double>& tangent) {
+            const auto moved = [&](double step) {
+                Creepage<double> changed = v;
+                changed.*which += step;
+                return force(mu_0, load, speed, changed);
+            };
+            compare(moved, unit.*which, tangent);
+        };
+        by_creepage(&Creepage<double>::longitudinal, at.tangent.by_longitudinal);
+        by_creepage(&Creepage<double>::lateral, at.tangent.by_lateral);
+        by_creepage(&Creepage<double>::spin, at.tangent.by_spin);
+        compare([&](double step) { return force(mu_0, load + step, speed, v); }, load, at.tangent_by_load);
+        compare([&](double step) { return force(mu_0 + step, load, speed, v); }, mu_0,
+                at.tangent_by_friction_coefficient);
+        compare([&](double step) { return force(mu_0, load, speed + step, v); }, speed, at.tangent_by_speed);
+        const auto sized = [&](double x, double y) {
+            return array(
+                friction.look_up(steel(), PatchContact<double>({x, y, modulus, 0.28}), mu_0, load, speed, v).force);
+        };
+        compare([&](double step) { return sized(a + step, b); }, a, at.tangent_by_half_length);
+        compare([&](double step) { return sized(a, b + step); }, b, at.tangent_by_half_width);
+    }
+    CHECK(worst < 1e-6);
+}
+
+TEST_CASE("reduced_friction: what it refuses, and contacts without creepage, load or friction") {
+    CHECK(refusal([] { ReducedFriction({.adhesion_factor = 1.5}); }) ==
+          "ReducedFriction: adhesion_factor = 1.5 must lie in (0, 1]");
+    CHECK(refusal([] { ReducedFriction({.adhesion_factor = 0.0, .slip_factor = 0.0}); }) ==
+          "ReducedFriction: adhesion_factor = 0 must lie in (0, 1]");
+    CHECK(refusal([] { ReducedFriction({.adhesion_factor = 0.3, .slip_factor = 0.4}); }) ==
+          "ReducedFriction: slip_factor = 0.4 must be positive and at most adhesion_factor");
+    CHECK(refusal([] { ReducedFriction({.slip_factor = 0}); }) ==
+          "ReducedFriction: slip_factor = 0 must be positive and at most adhesion_factor");
+    CHECK(refusal([] { ReducedFriction({.friction_ratio = -0.1}); }) ==
+          "ReducedFriction: friction_ratio = -0.1 must lie in [0, 1]");
+    const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+    CHECK(refusal([&] { ReducedFriction({.friction_ratio = nan}); }) ==
+          "ReducedFriction: friction_ratio = nan must lie in [0, 1]");
+    CHECK(refusal([] { ReducedFriction({.fall = -1}); }) ==
+          "ReducedFriction: fall = -1 must be finite and not negative");
+
+    const ReducedFriction friction(wet);
+    const PatchContact<double> patch = ellipse(1);
+    const CreepForceTable& table = steel();
+    static_assert(noexcept(friction.look_up(table, patch, mu_0, load, 1.0, Creepage<double>{})));
+    const auto at = [&](double mu, double N, double V, const Creepage<double>& v) {
+        return friction.look_up(table, patch, mu, N, V, v);
+    };
+    CHECK(at(mu_0, load, -1, {}).status == StepStatus::invalid_step);
+    CHECK(at(mu_0, load, nan, {}).status == StepStatus::not_finite);
+    CHECK(at(mu_0, load, inf, {}).status == StepStatus::not_finite);
+    CHECK(at(mu_0, load, 1, {0, nan, 0}).status == StepStatus::not_finite);
+    CHECK(at(mu_0, -1, 1, {}).status == StepStatus::invalid_load);
+    CHECK(at(-0.1, load, 1, {}).status == StepStatus::invalid_load);
+    CHECK(std::isnan(at(mu_0, load, -1, {}).force.lateral));
+    CHECK(friction.look_up(table, PatchContact<double>({5e-3, 5e-3, modulus, 0.4}), mu_0, load, 1, {}).status ==
+          StepStatus::wrong_table);
+    for (const ReducedForce& nothing :
+         {at(0, load, 1, {1e-3, 0, 0}), at(mu_0, 0, 1, {1e-3, 0, 0}), at(mu_0, load, 1, {}), at(mu_0, load, 0, {})}) {
+        CHECK(nothing.status == StepStatus::ok);
+        CHECK(same(nothing.force, {0, 0, 0}));
+        for (const TangentialForce<double>& by :
+             {nothing.tangent.by_longitudinal, nothing.tangent.by_lateral, nothing.tangent.by_spin,
+              nothing.tangent_by_load, nothing.tangent_by_friction_coefficient, nothing.tangent_by_half_length,
+              nothing.tangent_by_half_width, nothing.tangent_by_speed}) {
+            CHECK(array(by).allFinite());
+        }
+    }
+}
+
+TEST_CASE("reduced_friction: beside patches whose friction falls with the slip of each element") {
+    constexpr ReducedFriction::Parameters dry{.friction_ratio = 0.4, .fall = 0.6};
+    const ReducedFriction friction(dry);
+    const PatchContact<double> patch = ellipse(1.3);
+    const PatchMesh<double> mesh = patch_mesh(patch, cosine_mesh(16), uniform_mesh(16));
+    const auto system = steady_system(mesh, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(0.28));
+    const Eigen::ArrayXd pressure = hertz_pressures(patch, mesh, load);
+    const ExponentialFall<double> law{mu_0, dry.friction_ratio * mu_0, std::numbers::ln2 / dry.fall};
+    const FrictionModel model(patch, system, Friction{law, pressure});
+    const FrictionModel constant(patch, system, {mu_0, pressure});
+    auto workspace = model.workspace();
+    auto constant_workspace = constant.workspace();
+    auto state = model.at_rest();
+    auto constant_state = constant.at_rest();
+    const Eigen::Array3d scale = Eigen::Array3d(1, 1, patch.c()) * mu_0 * load;
+    support::Draw draw(11);
+    Eigen::Array3d sum = Eigen::Array3d::Zero(), largest = sum, table_sum = sum, table_largest = sum;
+    double fallen = 0, lowest = 1, ignored = 0;
+    constexpr int count = 50;
+    for (int i = 0; i < count; ++i) {
+        const double level = draw.decades(-1, 1.3), speed = draw.uniform(1, 40);
+        const Creepage<double> v = creepage(patch, level, draw);
+        const auto solved = model.steady(model.at_rest(), v, speed, state, workspace);
+        const auto clean = constant.steady(constant.at_rest(), v, constant_state, constant_workspace);
+        REQUIRE(solved.status == StepStatus::ok);
+        REQUIRE(clean.status == StepStatus::ok);
+        const ReducedForce now = friction.look_up(steel(), patch, mu_0, load, speed, v);
+        const TabulatedForce table = steel().look_up(patch, mu_0, load, v);
+        const Eigen::Array3d error = ((array(now.force) - array(solved.force)) / scale).abs();
+        const Eigen::Array3d of_table = ((array(table.force) - array(clean.force)) / scale).abs();
+        ignored = std::max(ignored, ((array(table.force) - array(solved.force)) / scale).abs().maxCoeff());
+        sum += error / count;
+        table_sum += of_table / count;
+        largest = largest.max(error);
+        table_largest = table_largest.max(of_table);
+        fallen += now.friction_coefficient / mu_0 / count;
+        lowest = std::min(lowest, now.friction_coefficient / mu_0);
+    }
+    INFO("mean " << sum.transpose() << ", largest " << largest.transpose() << "; of the table under constant friction "
+                 << table_sum.transpose() << ", " << table_largest.transpose() << "; mu/mu_0 in the mean " << fallen
+                 << ", at least " << lowest << "; largest difference if the fall is ignored " << ignored);
+    CHECK((table_sum < 5e-4).all());
+    CHECK((sum < Eigen::Array3d(0.003, 0.0045, 0.006)).all());
+    CHECK((largest < Eigen::Array3d(0.026, 0.051, 0.034)).all());
+    CHECK(ignored > 0.4);
+}
+
+}  // namespace reduced_friction_tests
