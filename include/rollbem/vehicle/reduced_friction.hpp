@@ -1,5 +1,5 @@
-// ReducedFriction: creep forces on wet or dirty rails, by two factors and a falling coefficient of friction that transform
-// those of a table.
+// ReducedFriction: creep forces on wet or dirty rails, by two factors and a falling coefficient of friction that
+// transform those of a table.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -19,8 +19,8 @@
 
 namespace rollbem {
 
-/// As of the table; tangents by creepage, load, a and b are at constant speed and mu_0, that by the friction coefficient
-/// is by mu_0. Status not_finite also if the speed is, invalid_step if it is negative.
+/// As of the table; tangents by creepage, load, a and b are at constant speed and mu_0, that by the friction
+/// coefficient is by mu_0. Status not_finite also if the speed is, invalid_step if it is negative.
 struct ReducedForce : TabulatedForce {
     TangentialForce<double> tangent_by_speed;                                ///< [N s/m], [N s]
     double friction_coefficient = std::numeric_limits<double>::quiet_NaN();  ///< mu(w) [-]
@@ -31,8 +31,8 @@ struct ReducedForce : TabulatedForce {
 ///
 ///     mu(w) = mu_0 ((1 - A) exp(-B w) + A),    w = V sqrt(xi^2 + eta^2 + phi^2 (a^2 + b^2)/5),
 ///
-/// and is the same all over the contact; here w is the root of the mean square of the rigid slip under Hertz's pressure,
-/// which adds spin. His force for a gradient eps [-] of the tangential stress is mu N p(eps; k_A, k_S), with
+/// and is the same all over the contact; here w is the root of the mean square of the rigid slip under Hertz's
+/// pressure, which adds spin. His force for a gradient eps [-] of the tangential stress is mu N p(eps; k_A, k_S), with
 ///
 ///     p(eps; k_A, k_S) = 2/pi (k_A eps/(1 + (k_A eps)^2) + atan(k_S eps)).
 ///
