@@ -1,16 +1,11 @@
-// A wheelset with coned wheels hunts: Klingel's wave, the speed at which it becomes unstable, and the limit cycle
-// above, with longitudinal, lateral and spin creepage on elliptic contacts, in SI units.
+// A wheelset with S1002 profiles hunts on rails 60E1: equivalent conicity, the speed at which it becomes unstable, and limit
+// cycles with flange contact, with the forces of tables, in a time step of its own choice.
 //
-//     ./examples/hunting [number of speeds]
+//     ./examples/hunting [number of speeds] [seconds of each]
 //
-//     contact: a = 6.294 mm, b = 4.754 mm, c11, c22, c23, c33 = 4.5477 4.1259 1.8619 1.0001
-//     wavelength at walking pace: 16.07717 m, Klingel 16.07698 m
-//     critical speed by the table without spin: 71.0601 m/s
-//       with the spin of the cones: +1.4e-03 of it
-//     growth at 72.58 m/s: 0.1332 1/s in time, 0.1332 by the eigenvalue
-//
-// Wheelset, track and flange are those of Cooperrider's bogie (C. Kaas-Petersen, Acta Mechanica 61 (1986) 89-107), on a
-// frame that does not move and with a suspension a fifth as stiff, so that it hunts at a speed of trains.
+// The wheelset is that of the passenger vehicle of the Manchester benchmarks (S. Iwnicki, Vehicle System Dynamics 30 (1998)
+// 295-313), on a frame that does not move, with a softer suspension, so that it hunts at a speed of trains. Height and roll
+// follow the rails without inertia; the wheels' loads are those that balance the moment about the track.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,252 +13,266 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
+#include <fstream>
 #include <limits>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 
-#include <rollbem/adhesion/creep_coefficients.hpp>
-#include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/assembly/patch_system.hpp>
-#include <rollbem/friction/model.hpp>
-#include <rollbem/normal/hertz_ellipse.hpp>
-#include <rollbem/normal/patch_pressure.hpp>
-#include <rollbem/vehicle/creep_force_table.hpp>
+#include <rollbem/vehicle/contact_table.hpp>
 
 namespace {
 
 using namespace rollbem;
-using Complex = std::complex<double>;
+
+template <class Table>
+Table read(const char* path) {
+    std::ifstream file(path, std::ios::binary);
+    return Table::read(file);
+}
+
+const ContactTable& s1002_on_60e1() {
+    static const auto table = read<ContactTable>(ROLLBEM_TABLES "/s1002_60e1.contact");
+    return table;
+}
+
+const CreepForceTable& steel() {
+    static const auto table = read<CreepForceTable>(ROLLBEM_TABLES "/steel.creep");
+    return table;
+}
 
 struct Wheelset {
-    double mass = 1022;              // m [kg]
-    double inertia = 678;            // of yaw, I [kg m^2]
-    double radius = 0.4572;          // r_0 [m]
-    double half_gauge = 0.716;       // s [m], between the contacts
-    double conicity = 0.05;          // lambda
-    double load = 66674;             // N of each wheel [N]: half a car body, frame and two wheelsets on four wheels
-    double friction = 0.15;          // mu
-    double lateral_spring = 0.73e6;  // [N/m]
-    double yaw_spring = 0.56e6;      // [N m/rad]
-    double flange_spring = 14.6e6;   // [N/m] once the play is used up
-    double play = 9.1e-3;            // [m]
+    double mass = 1813;                         // [kg]
+    double inertia = 1120, axle_inertia = 112;  // of yaw and of pitch [kg m^2]
+    double lateral_spring = 1e6;                // [N/m]
+    double yaw_spring = 1.5e6;                  // [N m/rad]
+    double load = 1e5;                          // of each wheel [N]
+    double friction = 0.3;
+    double track_mass = 500, track_spring = 2e7,
+           track_damper = 5e4;  // under the wheelset, lateral [kg], [N/m], [N s/m]
 };
 
-/// y to the right and yaw psi clockwise from above, as z points down, and their rates.
-using State = Eigen::Vector4d;  // y, psi, dy/dt, dpsi/dt
+// y to the right, yaw clockwise from above as z points down, their rates, the pitch rate, and the lateral motion of the
+// track; the integrals of what the drive puts in, of the heat, and of the power of the normal forces [J], which would be
+// none on rigid bodies without gaps
+enum { y, yaw, lateral_speed, yaw_rate, pitch_rate, track, track_speed, motion, drive = motion, heat, normal, states };
+using State = Eigen::Matrix<double, states, 1>;
+using Matrix = Eigen::Matrix<double, motion, motion>;
 
-// 1. Creepages of the right (side = 1) and the left wheel (-1), which roll with omega = V/r_0 on radii r_0 +- lambda y.
-// The cone turns the axis of rotation out of the plane of contact: spin.
-Creepage<double> creepage(const Wheelset& w, double speed, const State& x, int side) {
-    return {-side * (w.half_gauge * x[3] / speed + w.conicity * x[0] / w.radius), x[2] / speed - x[1],
-            x[3] / speed - side * w.conicity / w.radius};
-}
-
-/// d(creepage)/d(state): xi, eta, phi per y, psi, dy/dt, dpsi/dt.
-Eigen::Matrix<double, 3, 4> creepage_rates(const Wheelset& w, double speed, int side) {
-    Eigen::Matrix<double, 3, 4> rates = Eigen::Matrix<double, 3, 4>::Zero();
-    rates(0, 0) = -side * w.conicity / w.radius;
-    rates(0, 3) = -side * w.half_gauge / speed;
-    rates(1, 1) = -1;
-    rates(1, 2) = rates(2, 3) = 1 / speed;
-    return rates;
-}
-
-/// What F_x, F_y, M_z of a wheel contribute to the force along y and the moment about z.
-Eigen::Matrix<double, 2, 3> force_arms(const Wheelset& w, int side) {
-    Eigen::Matrix<double, 2, 3> arms;
-    arms << 0, 1, 0, -side * w.half_gauge, 0, 1;
-    return arms;
-}
-
-/// Spring of the suspension, and of the flange beyond the play [N].
-double guiding_force(const Wheelset& w, double y) {
-    const double beyond = std::max(std::abs(y) - w.play, 0.0);
-    return -w.lateral_spring * y - std::copysign(w.flange_spring * beyond, y);
-}
-
-// 2. Linear: [mass] x'' = force; the state matrix from what the forces of each wheel lose per xi, eta, phi.
-using CreepMatrix = Eigen::Matrix3d;
-
-Eigen::Matrix4d state_matrix(const Wheelset& w, double speed, const std::array<CreepMatrix, 2>& by_creepage) {
-    Eigen::Matrix4d A = Eigen::Matrix4d::Zero();
-    A(0, 2) = A(1, 3) = 1;
-    for (const int side : {1, -1}) {
-        A.bottomRows<2>() += force_arms(w, side) * by_creepage[side == 1 ? 0 : 1] * creepage_rates(w, speed, side);
+class Vehicle {
+public:
+    Vehicle(const Wheelset& wheelset, double speed, const ContactTable& geometry = s1002_on_60e1())
+        : w_(wheelset), speed_(speed), geometry_(geometry) {
+        middle_[pitch_rate] = -speed / 0.46;
+        for (int k = 0; k < 20; ++k) {  // rolls freely in the middle of the track
+            const State change = rate(middle_);
+            middle_[pitch_rate] -= change[pitch_rate] / matrix_(pitch_rate, pitch_rate);
+        }
+        rate(middle_);
     }
-    A(2, 0) -= w.lateral_spring;
-    A(3, 1) -= w.yaw_spring;
-    A.row(2) /= w.mass;
-    A.row(3) /= w.inertia;
-    return A;
+
+    const State& middle() const { return middle_; }
+
+    /// d(state)/dt; leaves its derivatives, right where the wheelset is in the middle, in matrix().
+    State rate(const State& x) {
+        const double shift = x[y] - x[track], shift_rate = x[lateral_speed] - x[track_speed];
+        const WheelsetOnRails rails = geometry_.on_rails(shift, x[yaw]);
+        const double fall = rails.height_by_lateral * shift_rate + rails.height_by_yaw * x[yaw_rate],
+                     roll_rate = rails.roll_by_lateral * shift_rate + rails.roll_by_yaw * x[yaw_rate],
+                     gyro = w_.axle_inertia * x[pitch_rate], tilt = std::sin(rails.roll) * std::cos(x[yaw]);
+        const WheelsetSpeeds speeds{speed_, x[pitch_rate], shift_rate, fall, roll_rate, x[yaw_rate]};
+        Eigen::Matrix<double, WheelForces::inputs, motion> inputs = decltype(inputs)::Zero();
+        const auto input = [&](WheelInput which, int column) -> double& { return inputs(int(which), column); };
+        input(WheelInput::lateral, y) = input(WheelInput::yaw, yaw) = input(WheelInput::pitch_rate, pitch_rate) = 1;
+        input(WheelInput::lateral_speed, lateral_speed) = input(WheelInput::yaw_rate, yaw_rate) = 1;
+        input(WheelInput::vertical_speed, lateral_speed) = rails.height_by_lateral;
+        input(WheelInput::vertical_speed, yaw_rate) = rails.height_by_yaw;
+        input(WheelInput::roll_rate, lateral_speed) = rails.roll_by_lateral;
+        input(WheelInput::roll_rate, yaw_rate) = rails.roll_by_yaw;
+        inputs.col(track) = -inputs.col(y);
+        inputs.col(track_speed) = -inputs.col(lateral_speed);
+
+        State change = State::Zero();
+        Eigen::Matrix<double, 6, 1> force, by_transfer;
+        Eigen::Matrix<double, 6, motion> by_state;
+        for (int round = 0; round < 10; ++round) {  // which load goes over from the left wheel to the right one
+            force.setZero();
+            by_transfer.setZero();
+            by_state.setZero();
+            change.setZero();
+            for (const double side : {-1.0, 1.0}) {
+                const WheelForces now =
+                    geometry_.look_up(steel(), side < 0 ? WheelsetSide::left : WheelsetSide::right,
+                                      {shift, 0, 0, x[yaw]}, speeds, w_.load + side * transfer_, w_.friction);
+                status_ = std::max(status_, now.status);
+                force += now.force;
+                by_transfer += side * now.derivative(WheelInput::load);
+                by_state += now.tangent * inputs;
+                change[heat] += now.heat;
+                for (const PointForces& point : now.points) {
+                    if (point.load_share == 0) continue;
+                    const double w_x = roll_rate - x[pitch_rate] * std::sin(x[yaw]),
+                                 w_y = x[pitch_rate] * std::cos(rails.roll) * std::cos(x[yaw]),
+                                 w_z = x[yaw_rate] + x[pitch_rate] * tilt;
+                    const double r_x = point.arm[0], r_y = side * point.arm[1], r_z = point.arm[2];
+                    const double across = shift_rate + w_z * r_x - w_x * r_z, down = fall + w_x * r_y - w_y * r_x;
+                    change[normal] +=
+                        point.normal_load * (side * across * std::sin(point.angle) - down * std::cos(point.angle));
+                }
+            }
+            const double step = (force[3] + gyro * x[yaw_rate]) / by_transfer[3];
+            if (!(std::abs(step) > 1e-7 * w_.load)) break;
+            transfer_ -= step;
+        }
+        Eigen::Matrix<double, 1, motion> transfer = -by_state.row(3) / by_transfer[3];
+        transfer[yaw_rate] -= gyro / by_transfer[3];
+        by_state += by_transfer * transfer;
+        matrix_.setZero();
+        matrix_.row(track_speed) = -by_state.row(1) / w_.track_mass;
+        matrix_(track_speed, track) -= w_.track_spring / w_.track_mass;
+        matrix_(track_speed, track_speed) -= w_.track_damper / w_.track_mass;
+        by_state(1, y) -= w_.lateral_spring;
+        by_state(5, yaw) -= w_.yaw_spring;
+        by_state.row(5) -= gyro * inputs.row(int(WheelInput::roll_rate));
+        matrix_(y, lateral_speed) = matrix_(yaw, yaw_rate) = matrix_(track, track_speed) = 1;
+        matrix_.row(lateral_speed) = by_state.row(1) / w_.mass;
+        matrix_.row(yaw_rate) = by_state.row(5) / w_.inertia;
+        matrix_.row(pitch_rate) = by_state.row(4) / w_.axle_inertia;
+
+        change[y] = x[lateral_speed];
+        change[yaw] = x[yaw_rate];
+        change[lateral_speed] = (force[1] - w_.lateral_spring * x[y]) / w_.mass;
+        change[yaw_rate] = (force[5] - w_.yaw_spring * x[yaw] - gyro * roll_rate) / w_.inertia;
+        change[pitch_rate] =
+            (force[4] * std::cos(rails.roll) * std::cos(x[yaw]) - force[3] * std::sin(x[yaw]) + force[5] * tilt) /
+            w_.axle_inertia;
+        change[track] = x[track_speed];
+        change[track_speed] =
+            (-force[1] - w_.track_spring * x[track] - w_.track_damper * x[track_speed]) / w_.track_mass;
+        change[drive] = -force[0] * speed_;
+        change[heat] += w_.track_damper * x[track_speed] * x[track_speed];
+        return change;
+    }
+
+    const Matrix& matrix() const { return matrix_; }
+
+    /// Kinetic energy, that of the springs and of the height [J].
+    double energy(const State& x) const {
+        return (w_.mass * x[lateral_speed] * x[lateral_speed] + w_.inertia * x[yaw_rate] * x[yaw_rate] +
+                w_.axle_inertia * x[pitch_rate] * x[pitch_rate] + w_.lateral_spring * x[y] * x[y] +
+                w_.yaw_spring * x[yaw] * x[yaw] + w_.track_mass * x[track_speed] * x[track_speed] +
+                w_.track_spring * x[track] * x[track]) /
+                   2 -
+               2 * w_.load * geometry_.on_rails(x[y] - x[track], x[yaw]).height;
+    }
+
+    /// `seconds` by the method of Bogacki and Shampine, orders 3 and 2; returns the largest shift of the last third
+    /// [m]; NaN if a wheel lifts off or leaves the table.
+    double roll(double seconds, State& x, double tolerance) {
+        double time = 0, largest = 0;
+        State first = rate(x);
+        while (time < seconds) {
+            const double h = std::min(step_, seconds - time);
+            const State second = rate(x + h / 2 * first), third = rate(x + h * 3 / 4 * second);
+            const State next = x + h / 9 * (2 * first + 3 * second + 4 * third), last = rate(next);
+            const State error = h * (-5 * first + 6 * second + 8 * third - 9 * last) / 72;
+            Eigen::Array<double, motion, 1> scale;
+            scale << 1e-3, 1e-3, 1e-2, 1e-2, 1e-1, 1e-3, 1e-2;
+            const double share = (error.head<motion>().array() / scale).abs().maxCoeff() / tolerance;
+            if (std::exchange(status_, StepStatus::ok) != StepStatus::ok) {
+                if (h < 1e-7) return std::numeric_limits<double>::quiet_NaN();
+                step_ = h / 4;
+                transfer_ = 0;
+                first = rate(x);
+                continue;
+            }
+            if (h == step_) step_ = h * std::clamp(0.9 / std::cbrt(share), 0.3, 2.0);
+            if (share > 1) continue;
+            time += h;
+            x = next;
+            first = last;
+            if (3 * time > 2 * seconds) largest = std::max(largest, std::abs(x[y] - x[track]));
+        }
+        return largest;
+    }
+
+private:
+    Wheelset w_;
+    double speed_, transfer_ = 0, step_ = 1e-4;
+    const ContactTable& geometry_;
+    StepStatus status_ = StepStatus::ok;
+    State middle_ = State::Zero();
+    Matrix matrix_;
+};
+
+/// The eigenvalue of hunting that decays least [1/s].
+std::complex<double> least_damped(const Matrix& A) {
+    const auto values = Eigen::EigenSolver<Matrix>(A, false).eigenvalues().eval();
+    return *std::max_element(values.begin(), values.end(), [](auto p, auto q) { return p.real() < q.real(); });
 }
 
-/// The eigenvalue that decays least [1/s].
-Complex least_damped(const Eigen::MatrixXd& A) {
-    const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(A, false).eigenvalues();
-    return *std::max_element(values.begin(), values.end(), [](Complex p, Complex q) { return p.real() < q.real(); });
-}
-
-/// -d(F_x, F_y, M_z)/d(xi, eta, phi) by Kalker's linear law.
-template <class Value>
-Eigen::Matrix<Value, 3, 3> linear_law(const PatchContact<double>& contact, const CreepCoefficients<Value>& k) {
-    const double c = contact.c(), unit = contact.shear_modulus() * c * c;
-    Eigen::Matrix<Value, 3, 3> law;
-    law << k.c11, 0, 0, 0, k.c22, c * k.c23, 0, c * k.c32, c * c * k.c33;
-    return unit * law;
-}
-
-/// The smallest speed at which an eigenvalue no longer decays, by bisection.
-template <class LeastDamped>
-double critical_speed(double low, double high, const LeastDamped& eigenvalue) {
-    while (high - low > 1e-10 * high) {
+/// The smallest speed at which hunting no longer decays, by bisection [m/s].
+double critical_speed(const Wheelset& w, double low, double high) {
+    while (high - low > 1e-9 * high) {
         const double middle = (low + high) / 2;
-        (eigenvalue(middle).real() > 0 ? high : low) = middle;
+        (least_damped(Vehicle(w, middle).matrix()).real() > 0 ? high : low) = middle;
     }
-    return (low + high) / 2;
+    return low;
 }
 
-/// The same with creep coefficients that depend on the frequency: V and omega at which i omega solves the equations, by
-/// Newton's method from those of steady coefficients.
-double critical_speed(const Wheelset& w, const PatchContact<double>& contact, const FrequencySweep<double>& sweep,
-                      double speed, double omega) {
-    const auto determinant = [&](double V, double frequency) {
-        const auto law =
-            linear_law<Complex>(contact, creep_coefficients(contact, sweep(frequency * contact.half_length() / V)));
-        Eigen::Matrix4cd A = Eigen::Matrix4cd::Zero();
-        for (const int side : {1, -1}) {
-            A.bottomRows<2>() -= force_arms(w, side).cast<Complex>() * law * creepage_rates(w, V, side).cast<Complex>();
-        }
-        const Complex s(0, frequency);
-        Eigen::Matrix2cd stiffness = -A.bottomLeftCorner<2, 2>() - s * A.bottomRightCorner<2, 2>();
-        stiffness(0, 0) += w.lateral_spring + s * s * w.mass;
-        stiffness(1, 1) += w.yaw_spring + s * s * w.inertia;
-        return stiffness.determinant();
-    };
-    for (int k = 0; k < 20; ++k) {
-        const double dV = 1e-5 * speed, dw = 1e-5 * omega;
-        const Complex value = determinant(speed, omega), by_speed = (determinant(speed + dV, omega) - value) / dV,
-                      by_omega = (determinant(speed, omega + dw) - value) / dw;
-        Eigen::Matrix2d jacobian;
-        jacobian << by_speed.real(), by_omega.real(), by_speed.imag(), by_omega.imag();
-        const Eigen::Vector2d change = -jacobian.inverse() * Eigen::Vector2d(value.real(), value.imag());
-        speed += change[0];
-        omega += change[1];
-        if (std::abs(change[0]) < 1e-9 * speed) break;
-    }
-    return speed;
-}
+constexpr double half_spacing = 0.75, radius = 0.46;  // of the tape circles [m]
 
-// 3. With saturation: a table of the ellipses near that of the wheels, from 8 x 8 elements.
-CreepForceTable make_table(const PatchContact<double>& wheel) {
-    const int shapes = 4, levels = 20;
-    const double smallest = wheel.a_over_b() / 1.1, largest = wheel.a_over_b() * 1.1, nu = wheel.poisson_ratio();
-    const double bound = 0.01, load = bound / 0.3;  // mu N/(G a b) of the contacts below, where G a b = 1
-    const NodeDifference scheme{Nodes::chebyshev};
-    const HalfSpace<double> kernel(nu);
-    std::vector<CreepCoefficients<double>> coefficients;
-    std::vector<PatchContact<double>> ellipses;
-    for (int i = 0; i < shapes; ++i) {
-        const double a = std::sqrt(CreepForceGrid::a_over_b_of(i, shapes, smallest, largest));
-        ellipses.push_back(
-            PatchContact<double>({.half_length = a, .half_width = 1 / a, .shear_modulus = 1, .poisson_ratio = nu}));
-        const Response<double> steady = solve_steady(ellipses.back(), patch_mesh(ellipses.back(), 8, 8), scheme);
-        coefficients.push_back(creep_coefficients(ellipses.back(), steady));
-    }
-    CreepForceGrid grid(nu, smallest, largest, levels, coefficients);
-    Eigen::Array3Xd forces(3, shapes * grid.nodes());
-    for (int i = 0; i < shapes; ++i) {
-        const PatchContact<double>& ellipse = ellipses[static_cast<std::size_t>(i)];
-        const PatchMesh<double> mesh = patch_mesh(ellipse, 8, 8);
-        const FrictionModel model(ellipse, steady_system(mesh, scheme, kernel),
-                                  {0.3, hertz_pressures(ellipse, mesh, load)});
-        auto workspace = model.workspace();
-        auto now = model.at_rest(), next = now;
-        for (Eigen::Index node = 0; node < grid.nodes(); ++node) {
-            const Creepage<double> v = grid.creepage(i, node);
-            const auto step =
-                model.steady(now, {bound * v.longitudinal, bound * v.lateral, bound * v.spin}, next, workspace);
-            if (step.status != StepStatus::ok) return {grid, Eigen::Array3Xd(3, 0)};  // refused
-            forces.col(i * grid.nodes() + node) << -step.force.longitudinal, -step.force.lateral, -step.force.moment;
-            std::swap(now, next);
+double klingel(double conicity) { return 2 * std::numbers::pi * std::sqrt(half_spacing * radius / conicity); }
+
+/// Equivalent conicity of EN 15302 over the amplitude [m]: the cone whose Klingel wave is as long as the solution of
+/// y'' = -Delta r(y)/(2 s r_0), where Delta r is the difference of rolling radii, of two points their mean by load.
+class Conicity {
+public:
+    Conicity() {
+        double last = 0;
+        for (std::size_t i = 1; i < potential_.size(); ++i) {
+            const double now = difference(step * double(i));
+            potential_[i] = potential_[i - 1] + step * (last + now) / (4 * half_spacing * radius);
+            last = now;
         }
     }
-    forces /= bound;
-    return {grid, forces};
-}
 
-struct Wheels {
-    const CreepForceTable& table;
-    PatchContact<double> contact;
-
-    TabulatedForce operator()(const Wheelset& w, const Creepage<double>& creepage) const {
-        return table.look_up(contact, w.friction, w.load, creepage);
+    /// By the time of a quarter of the wave from the energy of this oscillator; sines as they are 0 at its ends.
+    double operator()(double amplitude) const {
+        constexpr int points = 400;
+        double quarter = 0;
+        for (int i = 0; i < points; ++i) {
+            const double angle = std::numbers::pi / 2 * (i + 0.5) / points;
+            quarter += std::numbers::pi / 2 / points * amplitude * std::cos(angle) /
+                       std::sqrt(2 * (at(amplitude) - at(amplitude * std::sin(angle))));
+        }
+        return half_spacing * radius * std::pow(std::numbers::pi / (2 * quarter), 2);
     }
+
+private:
+    static constexpr double step = 1e-5;
+
+    static double difference(double shift) {
+        double sum = 0;
+        for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
+            const WheelForces now = s1002_on_60e1().look_up(steel(), side, {.lateral = shift},
+                                                            {.forward = 1, .pitch_rate = -1 / radius}, 1e5, 0.3);
+            for (const PointForces& point : now.points) {
+                sum += (side == WheelsetSide::right ? 1 : -1) * point.load_share * point.rolling_radius;
+            }
+        }
+        return sum;
+    }
+    double at(double shift) const {
+        const auto i = std::min(static_cast<std::size_t>(shift / step), potential_.size() - 2);
+        const double part = shift / step - double(i);
+        return potential_[i] + part * (potential_[i + 1] - potential_[i]);
+    }
+
+    std::array<double, 651> potential_{};
 };
-
-/// d(F_x, F_y, M_z)/d(xi, eta, phi) of both wheels in the middle of the track, where they spin against each other.
-std::array<CreepMatrix, 2> tangents(const Wheelset& w, const Wheels& wheels, double spin) {
-    std::array<CreepMatrix, 2> matrices;
-    for (const int side : {1, -1}) {
-        const auto t = wheels(w, {0, 0, -side * spin}).tangent;
-        Eigen::Index column = 0;
-        for (const auto& by : {t.by_longitudinal, t.by_lateral, t.by_spin}) {
-            matrices[side == 1 ? 0 : 1].col(column++) << by.longitudinal, by.lateral, by.moment;
-        }
-    }
-    return matrices;
-}
-
-/// State, and what the drive that keeps V and omega has put in and creepage has turned into heat [J].
-struct Ride {
-    State x = State::Zero();
-    double work = 0, heat = 0;
-};
-
-Ride rate(const Wheelset& w, const Wheels& wheels, double speed, const Ride& at) {
-    const State& x = at.x;
-    Ride d;
-    Eigen::Vector2d force(guiding_force(w, x[0]), -w.yaw_spring * x[1]);
-    for (const int side : {1, -1}) {
-        const Creepage<double> v = creepage(w, speed, x, side);
-        const auto f = wheels(w, v).force;
-        const Eigen::Vector3d forces(f.longitudinal, f.lateral, f.moment);
-        force += force_arms(w, side) * forces;
-        d.heat -= speed * forces.dot(Eigen::Vector3d(v.longitudinal, v.lateral, v.spin));
-        d.work += speed *
-                  forces.dot(Eigen::Vector3d(side * w.conicity * x[0] / w.radius, x[1], side * w.conicity / w.radius));
-    }
-    d.x << x[2], x[3], force[0] / w.mass, force[1] / w.inertia;
-    return d;
-}
-
-double energy(const Wheelset& w, const State& x) {
-    const double beyond = std::max(std::abs(x[0]) - w.play, 0.0);
-    return (w.mass * x[2] * x[2] + w.inertia * x[3] * x[3] + w.lateral_spring * x[0] * x[0] +
-            w.yaw_spring * x[1] * x[1] + w.flange_spring * beyond * beyond) /
-           2;
-}
-
-/// `seconds` by the classic Runge-Kutta method; returns the largest |y| of the last third [m].
-double roll(const Wheelset& w, const Wheels& wheels, double speed, double seconds, double dt, Ride& ride) {
-    const auto moved = [](const Ride& from, double by, const Ride& along) {
-        return Ride{from.x + by * along.x, from.work + by * along.work, from.heat + by * along.heat};
-    };
-    double largest = 0;
-    const int steps = static_cast<int>(std::lround(seconds / dt));
-    for (int k = 0; k < steps; ++k) {
-        const Ride k1 = rate(w, wheels, speed, ride), k2 = rate(w, wheels, speed, moved(ride, dt / 2, k1)),
-                   k3 = rate(w, wheels, speed, moved(ride, dt / 2, k2)),
-                   k4 = rate(w, wheels, speed, moved(ride, dt, k3));
-        ride = moved(moved(moved(moved(ride, dt / 6, k1), dt / 3, k2), dt / 3, k3), dt / 6, k4);
-        if (3 * k > 2 * steps) largest = std::max(largest, std::abs(ride.x[0]));
-    }
-    return largest;
-}
 
 }  // namespace
 
@@ -273,82 +282,70 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "hunting: number of speeds = %s must be an integer in [2, 1000]\n", argv[1]);
         return 2;
     }
-    const Wheelset w;
-    const ElasticBody<double> steel{.young_modulus = 2.07e11, .poisson_ratio = 0.28};
-    const HertzEllipse<double> hertz({.load = w.load,
-                                      .radii_1 = {w.radius, std::numeric_limits<double>::infinity()},
-                                      .radii_2 = {std::numeric_limits<double>::infinity(), 0.3},
-                                      .body_1 = steel,
-                                      .body_2 = steel});
-    const PatchContact<double> contact = hertz.contact();
-    const PatchMesh<double> mesh = patch_mesh(contact, 12, 12);
-    const NodeDifference scheme{Nodes::chebyshev};
-    const auto kalker = creep_coefficients(contact, solve_steady(contact, mesh, scheme));
-    std::printf("contact: a = %.3f mm, b = %.3f mm, c11, c22, c23, c33 = %.4f %.4f %.4f %.4f\n",
-                1e3 * contact.half_length(), 1e3 * contact.half_width(), kalker.c11, kalker.c22, kalker.c23,
-                kalker.c33);
+    const double seconds = argc > 2 ? std::atof(argv[2]) : 4;
+    if (!(seconds > 0)) {
+        std::fprintf(stderr, "hunting: seconds = %s must be positive\n", argv[2]);
+        return 2;
+    }
+    const Conicity conicity;
+    std::printf("%12s %12s\n", "amplitude mm", "conicity");
+    for (int i = 1; i <= 26; ++i) std::printf("%12.2f %12.4f\n", 0.25 * i, conicity(0.25e-3 * i));
 
-    // without inertia and springs, slowly: Klingel's wave
+    // slowly and without springs: Klingel's wave, on ellipses and on the patches that they stand for
+    const Wheelset w;
     Wheelset free = w;
     free.lateral_spring = free.yaw_spring = 0;
-    const CreepMatrix law = -linear_law<double>(contact, kalker);
-    const double crawl = 0.1, klingel = 2 * std::numbers::pi * std::sqrt(w.radius * w.half_gauge / w.conicity);
-    const double wave =
-        2 * std::numbers::pi * crawl / std::abs(least_damped(state_matrix(free, crawl, {law, law})).imag());
-    std::printf("wavelength at walking pace: %.5f m, Klingel %.5f m\n", wave, klingel);
+    Eigen::ArrayXXd values = s1002_on_60e1().values();
+    for (const Eigen::Index point : {0, int(ContactRow::point_rows)}) {
+        values.middleRows(point + ContactRow::correction, 9).setZero();
+    }
+    const ContactTable ellipses(s1002_on_60e1().grid(), 1e5, s1002_on_60e1().shear_modulus(), 0.28, values);
+    const auto wavelength = [&](const ContactTable& geometry) {
+        constexpr double crawl = 0.1;
+        return 2 * std::numbers::pi * crawl / std::abs(least_damped(Vehicle(free, crawl, geometry).matrix()).imag());
+    };
+    const double wave = wavelength(ellipses);
+    std::printf("wavelength at walking pace: %.4f m on ellipses, Klingel %.4f m; %.4f m on patches\n", wave,
+                klingel(conicity(1e-4)), wavelength(s1002_on_60e1()));
 
-    const auto by_kalker = [&](double speed) { return least_damped(state_matrix(w, speed, {law, law})); };
-    const double linear = critical_speed(5, 300, by_kalker);
-    const double omega = std::abs(by_kalker(linear).imag());
-    const FrequencySweep<double> sweep(patch_parts(mesh, scheme, HalfSpace<double>(0.28)));
-    const double unsteady = critical_speed(w, contact, sweep, linear, omega);
-    const Wheels wheels{make_table(contact), contact};
-    const std::array<CreepMatrix, 2> at_rest = tangents(w, wheels, 0),
-                                     at_spin = tangents(w, wheels, w.conicity / w.radius);
-    const auto by_table = [&](double speed) { return least_damped(state_matrix(w, speed, at_spin)); };
-    const double critical = critical_speed(5, 300, by_table);
-    const double without_spin =
-        critical_speed(5, 300, [&](double speed) { return least_damped(state_matrix(w, speed, at_rest)); });
-    std::printf("critical speed by Kalker's coefficients: %.4f m/s\n", linear);
-    std::printf("  by those of its frequency, omega a/V = %.5f: %+.1e of it\n", omega * contact.half_length() / linear,
-                unsteady / linear - 1);
-    std::printf("critical speed by the table without spin: %.4f m/s\n", without_spin);
-    std::printf("  with the spin of the cones: %+.1e of it\n", critical / without_spin - 1);
-
-    // 4. A small deviation grows as the eigenvalue says.
-    const double faster = 1.02 * critical, dt = 2e-4;
-    const Complex eigenvalue = by_table(faster);
+    // a small deviation grows as the eigenvalue says
+    const double critical = critical_speed(w, 20, 100);
+    Vehicle faster(w, 1.02 * critical);
+    const std::complex<double> eigenvalue = least_damped(faster.matrix());
     const double period = 2 * std::numbers::pi / std::abs(eigenvalue.imag());
-    Ride ride;
-    ride.x[0] = 1e-7;
-    roll(w, wheels, faster, 3, dt, ride);
-    const double before = roll(w, wheels, faster, 3 * period, dt, ride);
-    roll(w, wheels, faster, 17 * period, dt, ride);
-    const double after = roll(w, wheels, faster, 3 * period, dt, ride);
-    const double growth = std::log(after / before) / (20 * period);
-    std::printf("growth at %.2f m/s: %.4f 1/s in time, %.4f by the eigenvalue\n", faster, growth, eigenvalue.real());
+    State x = faster.middle();
+    x[y] = 1e-7;
+    faster.roll(5 * period, x, 1e-9);
+    const double before = faster.roll(3 * period, x, 1e-9);
+    faster.roll(7 * period, x, 1e-9);
+    const double growth = std::log(faster.roll(3 * period, x, 1e-9) / before) / (10 * period);
+    std::printf("critical speed: %.3f m/s; growth at 1.02 of it: %.4f 1/s in time, %.4f by the eigenvalue\n", critical,
+                growth, eigenvalue.real());
 
-    // 5. Amplitudes that last, from a small and a large deviation.
-    std::printf("%10s %16s %16s %12s\n", "V m/s", "|y| small mm", "|y| large mm", "gap/heat");
-    bool right = std::abs(wave / klingel - 1) < 1e-4 && std::abs(unsteady / linear - 1) < 1e-3 &&
-                 std::abs(without_spin / linear - 1) < 2e-4 && std::abs(growth / eigenvalue.real() - 1) < 5e-3;
+    // amplitudes that last, from a small and a large deviation
+    bool right = std::abs(wave / klingel(conicity(1e-4)) - 1) < 0.01 && std::abs(growth / eigenvalue.real() - 1) < 0.01;
+    std::printf("%8s %14s %14s %10s %12s %10s\n", "V m/s", "|y| small mm", "|y| large mm", "gap/heat", "normal/heat",
+                "s per s");
     for (int i = 0; i < speeds; ++i) {
-        const double share = 0.9 + 0.3 * i / (speeds - 1), speed = share * critical;
+        const double share = 0.8 + 0.35 * i / (speeds - 1);
         std::array<double, 2> lasting{};
-        double worst = 0;
+        double gap = 0, lost = 0, slowest = 0;
         for (std::size_t k = 0; k < 2; ++k) {
-            Ride start;
-            start.x[0] = k == 0 ? 1e-3 : 10e-3;
-            const double energy_before = energy(w, start.x);
-            lasting[k] = roll(w, wheels, speed, 60, 5e-4, start);
-            const double gap = start.work - start.heat - energy(w, start.x) + energy_before;
-            worst = std::max(worst, std::abs(gap) / start.heat);
+            Vehicle vehicle(w, share * critical);
+            State now = vehicle.middle();
+            now[y] = k == 0 ? 1e-3 : 6e-3;
+            const double start = vehicle.energy(now);
+            const std::clock_t clock = std::clock();
+            lasting[k] = vehicle.roll(seconds, now, 4e-5);
+            slowest = std::max(slowest, double(std::clock() - clock) / CLOCKS_PER_SEC / seconds);
+            const double change = vehicle.energy(now) - start;
+            gap = std::max(gap, std::abs(now[drive] - now[heat] + now[normal] - change) / now[heat]);
+            lost = std::max(lost, std::abs(now[normal]) / now[heat]);
         }
-        std::printf("%10.3f %16.5f %16.5f %12.1e\n", speed, 1e3 * lasting[0], 1e3 * lasting[1], worst);
-        // above the critical speed the play is used up, from any deviation
-        const bool hunts = lasting[0] > w.play && std::abs(lasting[0] / lasting[1] - 1) < 1e-3;
-        const bool calm = lasting[0] < 1e-3 && lasting[1] < 1e-3;
-        right = right && worst < 1e-4 && (share < 0.98 ? calm : share < 1.03 || hunts);
+        std::printf("%8.3f %14.5f %14.5f %10.1e %12.1e %10.2f\n", share * critical, 1e3 * lasting[0], 1e3 * lasting[1],
+                    gap, lost, slowest);
+        right = right && gap < 2e-5 && (share > 0.96 || lasting[0] < 1e-3) &&
+                (share < 1.04 || (lasting[1] > 6.2e-3 && lasting[0] < 1.01 * lasting[1]));
     }
     return right ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,11 +1,15 @@
-set terminal svg size 720,430 enhanced font 'sans,14' background '#ffffff'
-set key top left
+set terminal svg size 860,400 enhanced font 'sans,14' background '#ffffff'
+set multiplot layout 1,2
 set grid
+set xlabel 'amplitude, mm'
+set ylabel 'equivalent conicity'
+set yrange [0:0.5]
+plot "< awk 'NF == 2 && $1 > 0' hunting.txt" using 1:2 with lines lw 2 lc rgb '#0072b2' notitle
+set key bottom right
 set xlabel 'speed, m/s'
-set ylabel 'largest |y| after 40 to 60 s, mm'
-set yrange [0:12]
-rows = "< awk 'NF == 4 && $1 > 0' hunting.txt"
-set arrow from graph 0, first 9.1 to graph 1, first 9.1 nohead dt 2 lc rgb '#555555'
-set label 'play of the flange' at graph 0.03, first 8.6 textcolor rgb '#555555'
+set ylabel 'largest |y| of the last third, mm'
+set yrange [0:7]
+rows = "< awk 'NF == 6 && $1 > 0' hunting.txt"
 plot rows using 1:2 with linespoints lw 2 pt 7 ps 0.6 lc rgb '#0072b2' title 'from 1 mm', \
-     rows using 1:3 with lines lw 2 dt 2 lc rgb '#d55e00' title 'from 10 mm'
+     rows using 1:3 with linespoints lw 2 dt 2 pt 6 ps 0.6 lc rgb '#d55e00' title 'from 6 mm'
+unset multiplot
