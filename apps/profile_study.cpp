@@ -8,6 +8,8 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,11 +17,12 @@
 
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
-#include <rollbem/vehicle/wheelset_forces.hpp>
+#include <rollbem/vehicle/wear.hpp>
 
 #include "profile/files.hpp"
 #include "profile/plots.hpp"
 #include "profile/settings.hpp"
+#include "support/csv.hpp"
 #include "support/options.hpp"
 #include "support/table.hpp"
 
@@ -156,11 +159,63 @@ std::vector<Column> columns(bool friction) {
                             f.settings.speed + std::abs(f.contacts.of.pitch_rate) * f.patch()->rolling_radius;
                         return study::Cell(f.solved()->slip_work * rolling / 2);
                     }});
+    add("t_gamma", &Found::solved, false, [](const PatchForce& p) { return t_gamma(p); });
+    list.push_back({"fatigue_index", [=](const Found& f) {
+                        if (f.solved() == nullptr) return none;
+                        return study::Cell(surface_fatigue_index(*f.patch(), *f.solved(), f.settings.shear_yield));
+                    }});
     list.push_back(
         {"elements", [=](const Found& f) { return f.force() != nullptr ? study::Cell(f.force()->elements) : none; }});
     list.push_back({"pitch_rate", [](const Found& f) { return f.contacts.of.pitch_rate; }});
     return list;
 }
+
+// --- wear ------------------------------------------------------------------------------------------------------------
+
+/// Frictional work on the profiles of both sides, summed in the order of the positions, whatever thread finds them.
+class WearFile {
+public:
+    explicit WearFile(const Settings& settings) : settings_(settings) {}
+
+    void add(std::size_t position, const rollbem::WheelsetForces& forces) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        positions_[position] = forces;
+    }
+
+    void write(const std::string& path) const {
+        std::string text = "side,profile,s,y,z,work\n";
+        for (const Side side : settings_.sides) {
+            for (const bool rail : {true, false}) {
+                const rollbem::WheelOnRail& wheel = settings_.wheelset.wheel();
+                const rollbem::Profile& profile = rail ? wheel.rail() : wheel.wheel();
+                constexpr double cell = 2e-4;  // [m]
+                rollbem::ProfileWear wear(profile, Eigen::Index(profile.length() / cell) + 1);
+                for (const auto& [position, forces] : positions_) {
+                    const auto k = static_cast<std::size_t>(side);
+                    for (std::size_t i = 0; i < forces.patches[k].size(); ++i) {
+                        const RailPatch& patch = forces.contacts.wheels[k].patches[i];
+                        wear.add(rail ? patch.rail_s : patch.wheel_s, forces.patches[k][i],
+                                 1 / double(positions_.size()));
+                    }
+                }
+                for (Eigen::Index i = 0; i < wear.work().size(); ++i) {
+                    const double s = (double(i) + 0.5) * wear.width();
+                    const rollbem::Profile::Point at = profile.at(s);
+                    text += std::string(side == Side::left ? "left," : "right,") + (rail ? "rail," : "wheel,") +
+                            study::csv_line({s, at.y, at.z, wear.work()[i]});
+                }
+            }
+        }
+        study::OutputFile file(path, "--wear");
+        file.write(text);
+        file.commit();
+    }
+
+private:
+    const Settings& settings_;
+    std::mutex mutex_;
+    std::map<std::size_t, rollbem::WheelsetForces> positions_;
+};
 
 }  // namespace
 
@@ -173,6 +228,7 @@ int main(int argc, char** argv) {
         const std::vector<Case> cases = profile::read_cases(given);
         std::optional<profile::PatchFiles> files;
         if (given.given("outline")) files.emplace(given);
+        WearFile wear(settings);
         std::vector<profile::Drawn> drawn;  // patches of a single position
         const std::vector<Column> sheet = columns(settings.friction.has_value());
         std::vector<std::string> names;
@@ -182,6 +238,7 @@ int main(int argc, char** argv) {
         study::Table table = study::table_of(names, cases, settings.sides.size());
         table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
             const Contacts contacts = find_contacts(settings, cases[task]);
+            if (given.given("wear")) wear.add(task, contacts.of);
             for (std::size_t k = range.first; k < range.last; ++k) {
                 Found found{settings, cases[task], contacts, settings.sides[k], std::nullopt, study::has_times(given)};
                 const std::size_t count = rollbem::has_numbers(found.wheel().status) ? found.wheel().patches.size() : 0;
@@ -199,6 +256,7 @@ int main(int argc, char** argv) {
         };
         table.written = [&] {
             if (files) files->write();
+            if (given.given("wear")) wear.write(given.text("wear"));
         };
         // 3. The patches of one position, or the contact points of several.
         table.plot = [&](const std::vector<study::Row>& rows) {

@@ -21,7 +21,11 @@ of the rail on the wheel, over the mean of V and the circumferential speed: a dr
 creepage. longitudinal_force, lateral_force (along s) and spin_moment, about n at the reference point, act on the wheel
 (CONTACT's FX, FS, MN on the rail are minus these). Besides the creepages, slip is that of the curved surfaces, unless
 --slip linear. slip_power [W] is what friction turns into heat, minus the power of
-forces and moment on the creepages; elements those of each patch. The loads are vertical: the normal forces are found
+forces and moment on the creepages; t_gamma [N] that power per metre rolled, for wear; fatigue_index the force of
+friction over the normal force, less --shear-yield over the peak pressure (surface fatigue where positive); elements
+those of each patch. --wear FILE has, for right rail and right wheel (of left ones in their mirror images) of each side,
+s, the length along the profile, y, z, and work [J/m^2]: frictional work per metre rolled and metre of profile, the mean
+over all positions. The loads are vertical: the normal forces are found
 together with those of friction. Status may then be that of friction, with the forces empty.
 --outline writes files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P and patch K, e.g. for
   patch_study --n 12 --outline DIR/1_right_1.outline.csv --pressure DIR/1_right_1.pressure.csv --longitudinal 0.1

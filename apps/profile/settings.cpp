@@ -52,9 +52,11 @@ void add_options(study::Options& options) {
         "with --friction: curved, of both surfaces in each row of cells, or linear, of three creepages alone, as "
         "CONTACT has it",
         "curved");
+    options.add("shear-yield", "K", "with --friction: yield stress in shear, for the fatigue index [Pa]", "3e8");
     options.group("Result");
     options.add_folder("outline", "also write outlines and pressures of all patches into this folder, for patch_study",
                        {});
+    options.add("wear", "FILE", "with --friction: also write frictional work over both profiles to this CSV file");
     options.footer(help);
     options.set_conventions(
         "axes = \"track axes: x forward, y to the right, z down; patches: x, s along y turned by the angle, n into the "
@@ -133,7 +135,7 @@ Settings read_settings(const study::Options& options) {
                     Eigen::Index(options.integer("strips", 1, 100)),
                     options.choice("slip", {"curved", "linear"}) == "curved"};
     } else {
-        for (const char* name : {"speed", "pitch-rate", "n", "strips", "slip"})
+        for (const char* name : {"speed", "pitch-rate", "n", "strips", "slip", "shear-yield", "wear"})
             options.ignored(name, "without --friction");
     }
     const double load = positive("load"), speed = positive("speed");
@@ -144,7 +146,8 @@ Settings read_settings(const study::Options& options) {
                 load,
                 {.cells_x = Eigen::Index(cells->first), .cells_s = Eigen::Index(cells->second)},
                 friction,
-                speed};
+                speed,
+                positive("shear-yield")};
     } catch (const std::invalid_argument& error) {
         throw study::BadInput(options.said("rail") + ": " + error.what());
     }

@@ -26,7 +26,8 @@ struct Settings {
     double load;
     rollbem::WheelOnRail::Options grid;
     std::optional<rollbem::RollingFriction> friction;
-    double speed;  ///< V [m/s]
+    double speed;        ///< V [m/s]
+    double shear_yield;  ///< [Pa]
 };
 
 /// Declares the options of profile_study.

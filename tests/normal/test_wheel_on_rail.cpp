@@ -13,6 +13,7 @@
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
+#include <rollbem/vehicle/wear.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
 
 #include "support/catch.hpp"
@@ -242,6 +243,22 @@ TEST_CASE("wheelset_forces: a braked wheelset is held back and its axle turned f
                  patch.creepage.lateral * patch.force.lateral - patch.creepage.spin * patch.force.moment)
               .epsilon(2e-2));
     CHECK(patch.strip_work.sum() == Approx(patch.slip_work).epsilon(1e-12));
+    CHECK(t_gamma(patch) == Approx(patch.slip_work).epsilon(2e-2));
+    // all of it is found on the profile, where the patch lies
+    const RailPatch& place = free.contacts.wheels[1].patches[0];
+    const Profile& rail = wheelset.wheel().rail();
+    ProfileWear wear(rail, 500);
+    wear.add(place.rail_s, patch, 3);
+    wear.add(place.rail_s, PatchForce{});
+    CHECK(wear.work().sum() * wear.width() == Approx(3 * patch.slip_work).epsilon(1e-12));
+    const Eigen::ArrayXd s = (Eigen::ArrayXd::LinSpaced(500, 0, 499) + 0.5) * wear.width();
+    const double low = place.rail_s + place.outline->low(), high = place.rail_s + place.outline->high();
+    CHECK(((wear.work() > 0) == (s > low - wear.width() && s < high + wear.width())).count() >= 498);
+    CHECK(rail.at(place.rail_s).y == Approx(place.rail_y));
+    // the index vanishes where friction over the load is k/p_max
+    const double rubs = std::hypot(patch.force.longitudinal, patch.force.lateral) / place.load;
+    CHECK(surface_fatigue_index(place, patch, rubs * place.peak_pressure) == Approx(0).margin(1e-12));
+    CHECK(surface_fatigue_index(place, patch, 0) == Approx(rubs));
 
     rolling.free_pitch = false;
     for (const double share : {0.995, 1.005}) {

@@ -63,6 +63,7 @@ struct LateralFriction {
 struct RailPatch {
     double x = 0, y = 0, z = 0;      ///< reference point, on the rail, in track axes [m]
     double rail_y = 0, wheel_y = 0;  ///< of it in both profiles [m]
+    double rail_s = 0, wheel_s = 0;  ///< lengths along them up to it [m]
     double angle = 0;                ///< delta of the plane [rad]: s = (0, cos delta, sin delta)
     double rolling_radius = 0;       ///< r0 + z of the wheel there [m]
     double load = 0;                 ///< normal force [N]
@@ -456,6 +457,8 @@ inline void WheelOnRail::add_patches(const Part& part, double lower, const Norma
     patch.x = plane.x;
     patch.y = plane.y;
     patch.z = plane.z;
+    patch.rail_s = plane.rail_s;
+    patch.wheel_s = plane.wheel_s;
     patch.rail_y = rail.y;
     patch.wheel_y = wheel.y;
     patch.angle = plane.angle;
