@@ -19,8 +19,8 @@ unbalanced, loads and friction did not settle to 1e-4; and without numbers: no_c
 --friction: longitudinal_creepage, lateral_creepage and spin [1/m] are numbers as CONTACT's CKSI, CETA and CPHI, those
 of the rail on the wheel, over the mean of V and the circumferential speed: a driven wheel has a positive longitudinal
 creepage. longitudinal_force, lateral_force (along s) and spin_moment, about n at the reference point, act on the wheel
-(CONTACT's FX, FS, MN on the rail are minus these). Besides the creepages, slip is that of the curved surfaces, unless
---slip linear. slip_power [W] is what friction turns into heat, minus the power of
+(CONTACT's FX, FS, MN on the rail are minus these). Slip is that of the three creepages, or of the curved surfaces with
+--slip curved. slip_power [W] is what friction turns into heat, minus the power of
 forces and moment on the creepages; t_gamma [N] that power per metre rolled, for wear; fatigue_index the force of
 friction over the normal force, less --shear-yield over the peak pressure (surface fatigue where positive); elements
 those of each patch. --wear FILE has, for right rail and right wheel (of left ones in their mirror images) of each side,

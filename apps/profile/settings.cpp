@@ -51,7 +51,7 @@ void add_options(study::Options& options) {
         "slip", "NAME",
         "with --friction: curved, of both surfaces in each row of cells, or linear, of three creepages alone, as "
         "CONTACT has it",
-        "curved");
+        "linear");
     options.add("shear-yield", "K", "with --friction: yield stress in shear, for the fatigue index [Pa]", "3e8");
     options.group("Result");
     options.add_folder("outline", "also write outlines and pressures of all patches into this folder, for patch_study",

@@ -31,7 +31,7 @@ struct RollingFriction {
     Eigen::Index elements = 12;  ///< of each strip along x
     Eigen::Index strips = 13;    ///< of a patch; fewer where the scheme would gain energy on these, as on some flanges
     /// Whether slip is that of the curved surfaces (curved_slip_of), or that of three creepages, as in CONTACT's planes.
-    bool curved_slip = true;
+    bool curved_slip = false;
 };
 
 /// Friction on one patch of a right wheel, in the axes (x, s, n) of its plane.
