@@ -125,8 +125,8 @@ std::array<Scalar, 3> ellipse_creepages(const std::array<Scalar, 3>& creepage, c
                                         double shear_modulus, const Scalar& bound, const Rows& of) {
     using std::sqrt;
     using enum ContactRow::Of;
-    const auto& [xi, eta, phi] = creepage;
-    const Scalar c = sqrt(a * b), spin = phi * c;
+    const Scalar &xi = creepage[0], &eta = creepage[1];
+    const Scalar c = sqrt(a * b), spin = creepage[2] * c;
     const Scalar along = of(c11) * xi, across = of(c22) * eta + of(c23) * spin;
     const Scalar turning = of(c11) * of(c22) * spin * spin, square = along * along + across * across + turning;
     const Scalar slip = sqrt(square + Scalar(1e-200)) * (shear_modulus * a * b);  // no division by 0 in its derivative
@@ -359,15 +359,15 @@ inline WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetS
             Dual size(root, Gradient::Zero());
             size.derivatives()[WheelForces::inputs] = root / (3 * normal_load);
             const Dual a = point(length) * size, b = point(width) * size;
-            const auto [xi_1, eta_1, phi_1] = detail::ellipse_creepages<Dual>(
+            const std::array<Dual, 3> own = detail::ellipse_creepages<Dual>(
                 {xi, eta, phi}, a, b, shear_modulus_, mu * N, [&](Eigen::Index row) { return point(row); });
             found.ellipse = PatchContact<double>({a.value(), b.value(), shear_modulus_, poisson_ratio_});
             const TabulatedForce now = creep.look_up(found.ellipse, friction_coefficient, normal_load,
-                                                     {xi_1.value(), eta_1.value(), phi_1.value()});
+                                                     {own[0].value(), own[1].value(), own[2].value()});
             const auto combine = [&](auto part_of) {
-                return Dual(part_of(now.force), part_of(now.tangent.by_longitudinal) * xi_1.derivatives() +
-                                                    part_of(now.tangent.by_lateral) * eta_1.derivatives() +
-                                                    part_of(now.tangent.by_spin) * phi_1.derivatives() +
+                return Dual(part_of(now.force), part_of(now.tangent.by_longitudinal) * own[0].derivatives() +
+                                                    part_of(now.tangent.by_lateral) * own[1].derivatives() +
+                                                    part_of(now.tangent.by_spin) * own[2].derivatives() +
                                                     part_of(now.tangent_by_load) * N.derivatives() +
                                                     part_of(now.tangent_by_friction_coefficient) * mu.derivatives() +
                                                     part_of(now.tangent_by_half_length) * a.derivatives() +
