@@ -113,8 +113,9 @@ void solve_on_elements(const Contact<Scalar>& contact, const Kernel& kernel, Sca
                        const Pressure& pressure, Scalar creepage, Eigen::Index count,
                        StickBorderSolution<Scalar>& result) {
     const Mesh<Scalar> mesh = cosine_mesh<Scalar>(count);
-    const FrictionModel model(contact, steady_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel),
-                              {friction_coefficient, pressure(mesh)});
+    const FrictionModel model(
+        contact, steady_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel),
+        Friction<ConstantFriction<Scalar>, Scalar>{.law = {friction_coefficient}, .normal_pressure = pressure(mesh)});
     const FrictionState<1, Scalar> rest = model.at_rest();
     FrictionState<1, Scalar> state = rest;
     FrictionWorkspace<1, Scalar> workspace = model.workspace();
