@@ -10,6 +10,7 @@
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/vehicle/make_contact_table.hpp>
+#include <rollbem/vehicle/wheelset_forces.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
@@ -201,6 +202,34 @@ TEST_CASE("a table agrees with the patches at its nodes, and has their forces be
         CHECK_THAT(force.lateral / bound, WithinAbs(patch_force.lateral / bound, 0.015));
         CHECK_THAT(force.moment / (bound * outline.c()), WithinAbs(patch_force.moment / (bound * outline.c()), 0.015));
     }
+}
+
+TEST_CASE("a shifted wheelset is turned back as by its patches, less than by ellipses", "[contact_table]") {
+    // Both patches cross the joint of two arcs of the rail. Where their longitudinal forces vanish moves less with the
+    // shift than where their pressures act, which lengthens Klingel's wave.
+    const WheelsetOnTrack track(WheelOnRail(rollbem::s1002(), rail_60e1()));
+    WheelsetOnTrack::Workspace workspace;
+    WheelsetRolling shifted;
+    shifted.position.lateral = 1e-4;
+    const WheelsetForces patches = rolling_forces(track, shifted, {.coefficient = mu}, workspace);
+    REQUIRE(patches.contacts.status == NormalStatus::ok);
+    Eigen::ArrayXXd values = s1002().values();
+    for (const Eigen::Index point : {Eigen::Index(0), Eigen::Index(ContactRow::point_rows)}) {
+        values.middleRows(point + ContactRow::correction, 9).setZero();
+    }
+    const ContactTable ellipses(s1002().grid(), 1e5, s1002().shear_modulus(), s1002().poisson_ratio(), values);
+    const auto turning = [&](const ContactTable& table) {
+        double moment = 0;
+        for (const WheelsetSide side : WheelsetOnTrack::sides) {
+            const WheelForces wheel = table.look_up(creep(), side, shifted.position,
+                                                    {.forward = 1, .pitch_rate = patches.pitch_rate}, 1e5, mu);
+            REQUIRE(wheel.status == StepStatus::ok);
+            moment += wheel.force[5];
+        }
+        return moment;
+    };
+    CHECK_THAT(turning(s1002()), WithinRel(patches.on_wheelset.moment[2], 0.02));
+    CHECK(turning(ellipses) / patches.on_wheelset.moment[2] > 1.2);
 }
 
 TEST_CASE("a table of contact geometry is read as it was written", "[contact_table]") {
