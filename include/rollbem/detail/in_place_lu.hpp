@@ -75,6 +75,41 @@ void solve_in_place(const MatrixRef<Scalar>& A, const Eigen::Index* swaps, Vecto
     }
 }
 
+/// The same for each column of X. Eigen's products copy pieces of their arguments, up to 128 kB on the stack; no more is
+/// given to them at a time, as steps must not allocate.
+template <class Scalar>
+void solve_columns_in_place(const MatrixRef<Scalar>& A, const Eigen::Index* swaps, MatrixRef<Scalar> X) {
+    constexpr Eigen::Index most = 64;
+    const Eigen::Index n = A.rows();
+    for (Eigen::Index left = 0; left < X.cols(); left += most) {
+        auto columns = X.middleCols(left, (std::min)(most, X.cols() - left));
+        for (Eigen::Index k = 0; k < n; ++k) {
+            if (swaps[k] != k) columns.row(k).swap(columns.row(swaps[k]));
+        }
+        const auto subtract = [&](Eigen::Index from, Eigen::Index count, Eigen::Index first, Eigen::Index rest) {
+            for (Eigen::Index j = 0; rest > 0 && j < columns.cols(); ++j) {
+                columns.col(j).segment(first, rest).noalias() -=
+                    A.block(first, from, rest, count) * columns.col(j).segment(from, count);
+            }
+        };
+        for (Eigen::Index k = 0; k < n; k += most) {
+            const Eigen::Index count = (std::min)(most, n - k);
+            A.block(k, k, count, count)
+                .template triangularView<Eigen::UnitLower>()
+                .solveInPlace(columns.middleRows(k, count));
+            subtract(k, count, k + count, n - k - count);
+        }
+        for (Eigen::Index last = n; last > 0;) {
+            const Eigen::Index k = (last - 1) / most * most, count = last - k;
+            A.block(k, k, count, count)
+                .template triangularView<Eigen::Upper>()
+                .solveInPlace(columns.middleRows(k, count));
+            subtract(k, count, 0, k);
+            last = k;
+        }
+    }
+}
+
 /// The inverse of the matrix whose factors factorise_in_place has left in A and swaps.
 template <class Scalar>
 void invert_factors(const MatrixRef<Scalar>& A, const Eigen::Index* swaps, MatrixRef<Scalar> inverse) {

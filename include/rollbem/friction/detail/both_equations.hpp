@@ -129,6 +129,7 @@ public:
           factors_(coupled ? 0 : n, coupled ? 0 : n),
           whole_(2 * n, 2 * n),
           right_(2 * n),
+          directions_(n),
           tangent_(ElementVectors<Scalar>::Zero(n, 2)),
           test_(ElementVectors<Scalar>::Zero(n, 2)),
           slip_(ElementVectors<Scalar>::Zero(n, 2)),
@@ -155,10 +156,18 @@ public:
     }
     /// Exchanges the factors for those kept in `other`; M stays.
     void exchange_factors(BothEquations& other) {
-        std::swap(*this, other);
-        block_.swap(other.block_);
-        released_.exchange_matrix(other.released_);
-        for (std::size_t d = 0; d < 2; ++d) side_[d].sticking.exchange_matrix(other.side_[d].sticking);
+        for (std::size_t d = 0; d < 2; ++d) side_[d].exchange_factors(other.side_[d]);
+        if (coupled_) released_.exchange_factors(other.released_);
+        factors_.swap(other.factors_);
+        whole_.swap(other.whole_);
+        tangent_.swap(other.tangent_);
+        test_.swap(other.test_);
+        slipping_.swap(other.slipping_);
+        sticking_.swap(other.sticking_);
+        eliminated_for_.swap(other.eliminated_for_);
+        swaps_.swap(other.swaps_);
+        std::swap(way_, other.way_);
+        eliminated_revisions_.swap(other.eliminated_revisions_);
     }
     /// s = M p
     void multiply(const ElementVectors<Scalar>& p, ElementVectors<Scalar>& s) const {
@@ -191,6 +200,16 @@ public:
     void solve(const ElementVectors<Scalar>& s, const BothPartition<Scalar>& part, ElementVectors<Scalar>& change,
                ElementVectors<Scalar>* slip_change);
 
+    /// The same without products with M, the tractions of slipping elements growing by `share` times `sizes`, too. Null:
+    /// no slip, no growth. `slip_change`, unless null, becomes s + ds. False if these factors do not give that.
+    bool respond(const ElementVectors<Scalar>* s, const Vector* sizes, Scalar share, ElementVectors<Scalar>& change,
+                 ElementVectors<Scalar>* slip_change) {
+        if (!knows_all_slip()) return false;
+        change.setZero();
+        solve_reduced(s, sizes, share, change, slip_change);
+        return true;
+    }
+
     /// Whether the present factors are for the same elements that slip.
     bool slips_as(const BothPartition<Scalar>& part) const {
         Index slips = 0;
@@ -206,36 +225,44 @@ public:
     /// fixed. Rows of elements that do not slip are left unchanged. With `turning`, those entries hold before what the
     /// increase adds to the slip across, by turning it.
     void couple(Matrix& coupling, bool turning = false) {
-        if (way_ == Way::reduced) find_across();
-        for (Index k = 0; k < slipping_.count; ++k) {
-            for (Index l = 0; l < slipping_.count; ++l) right_[l] = turning ? coupling(slipping_[l], k) : Scalar(0);
-            if (way_ == Way::reduced) {
-                couple_reduced(k);
-            } else {
-                couple_whole(k);
+        const Index count = slipping_.count;
+        if (way_ == Way::reduced) {
+            Corner along = corner(0, size_), turn = corner(size_, 0);
+            for (Index k = 0; turning && k < count; ++k) {
+                for (Index l = 0; l < count; ++l) turn(l, k) = coupling(slipping_[l], k);
             }
-            for (Index l = 0; l < slipping_.count; ++l) coupling(slipping_[l], k) = right_[l];
+            couple_reduced(turning);
+            for (Index k = 0; k < count; ++k) {
+                for (Index l = 0; l < count; ++l) coupling(slipping_[l], k) = along(l, k);
+            }
+            return;
+        }
+        for (Index k = 0; k < count; ++k) {
+            for (Index l = 0; l < count; ++l) right_[l] = turning ? coupling(slipping_[l], k) : Scalar(0);
+            couple_whole(k);
+            for (Index l = 0; l < count; ++l) coupling(slipping_[l], k) = right_[l];
         }
     }
     /// Calls use(i, ds) with the change of slip due to the same increase for each element i that slips, as in `part`.
     template <class Use>
     void couple(const BothPartition<Scalar>& part, ElementVectors<Scalar>& slip_change, const Use& use) {
         const Index count = slipping_.count;
-        if (way_ == Way::reduced) find_across();
+        const bool is_reduced = knows_all_slip();
+        if (is_reduced) couple_reduced(false);
+        const Corner along = corner(0, size_), turn = corner(size_, 0);
         slip_change.setZero();
         for (Index k = 0; k < count; ++k) {
-            right_.head(count).setZero();
-            if (way_ != Way::reduced) {
+            if (!is_reduced) {
+                right_.head(count).setZero();
                 couple_whole(k);
                 use(slipping_[k], slip_);
                 continue;
             }
-            couple_reduced(k);
             for (Index l = 0; l < count; ++l) {
-                const Scalar across = part.stiffness[slipping_[l]] * right_[count + l];
+                const Scalar across = part.stiffness[slipping_[l]] * turn(l, k);
                 for (Index d = 0; d < 2; ++d) {
-                    const Scalar along = against(l, static_cast<std::size_t>(d)) * right_[l];
-                    slip_change(slipping_[l], d) = along + across * test_(l, d);
+                    slip_change(slipping_[l], d) =
+                        against(l, static_cast<std::size_t>(d)) * along(l, k) + across * test_(l, d);
                 }
             }
             use(slipping_[k], slip_change);
@@ -254,6 +281,10 @@ private:
             for (Index i = 0; i < chosen.size(); ++i) {
                 if (chosen[i] != 0) elements[static_cast<std::size_t>(count++)] = i;
             }
+        }
+        void swap(List& other) {
+            elements.swap(other.elements);
+            std::swap(count, other.count);
         }
         Index operator[](Index k) const { return elements[static_cast<std::size_t>(k)]; }
         friend bool operator==(const List& one, const List& other) {
@@ -287,17 +318,35 @@ private:
                     across.topLeftCorner(slips, sticks) * answer.col(l).head(sticks);
             }
         }
-        // dp of S at fixed tractions of L, and the slip that it induces on L
-        template <class Column>
-        void start(const Column& s, Index slips) {
-            const Index sticks = sticking.count();
+        // dp of S at fixed tractions of L, and the slip of L then; null: s is zero
+        void start(const Scalar* s, const List& slipping) {
+            const Index sticks = sticking.count(), slips = slipping.count;
+            amplitude.head(slips).setZero();
+            if (s == nullptr) {
+                stuck.head(sticks).setZero();
+                induced.head(slips).setZero();
+                return;
+            }
             for (Index k = 0; k < sticks; ++k) stuck[k] = -s[sticking.listed(k)];
             sticking.solve_listed(stuck.head(sticks));
-            induced.head(slips).noalias() = across.topLeftCorner(slips, sticks) * stuck.head(sticks);
+            for (Index k = 0; k < slips; ++k) induced[k] = s[slipping[k]];
+            induced.head(slips).noalias() += across.topLeftCorner(slips, sticks) * stuck.head(sticks);
+        }
+        // amplitudes of L grow by `more`; the slip that this induces on L
+        template <class Column>
+        void grow(const Column& more, Index slips) {
+            amplitude.head(slips) += more;
+            induced.head(slips).noalias() += reduced.topLeftCorner(slips, slips) * more;
         }
         void finish(Index slips) {
             const Index sticks = sticking.count();
             stuck.head(sticks).noalias() -= answer.topLeftCorner(sticks, slips) * amplitude.head(slips);
+        }
+        void exchange_factors(Side& other) {
+            sticking.exchange_factors(other.sticking);
+            answer.swap(other.answer);
+            reduced.swap(other.reduced);
+            across.swap(other.across);
         }
 
         StickEquations<Scalar> sticking;
@@ -307,6 +356,8 @@ private:
         Vector stuck, amplitude, induced;
     };
 
+    // Reduced equations give no slip of elements without pressure.
+    bool knows_all_slip() const { return way_ == Way::reduced && side_[0].sticking.count() + slipping_.count == size_; }
     static Index column(std::size_t direction) { return static_cast<Index>(direction); }
     bool eliminate(const Vector& stick) {
         for (Side& side : side_) {
@@ -352,19 +403,35 @@ private:
         return factorise_first(factors_, count);
     }
 
-    void solve_reduced(const ElementVectors<Scalar>& s, ElementVectors<Scalar>& change) {
+    // See respond().
+    void solve_reduced(const ElementVectors<Scalar>* s, const Vector* sizes, Scalar share,
+                       ElementVectors<Scalar>& change, ElementVectors<Scalar>* slip_change) {
         const Index count = slipping_.count;
-        right_.head(count).setZero();
-        for (std::size_t d = 0; d < 2; ++d) {
-            side_[d].start(s.col(column(d)), count);
-            for (Index k = 0; k < count; ++k) {
-                right_[k] -= test_(k, column(d)) * (s(slipping_[k], column(d)) + side_[d].induced[k]);
-            }
+        const auto grow = [&](std::size_t d, const auto& directions) {
+            directions_.head(count) = directions.head(count).cwiseProduct(right_.head(count));
+            side_[d].grow(directions_.head(count), count);
+        };
+        for (std::size_t d = 0; d < 2; ++d)
+            side_[d].start(s == nullptr ? nullptr : s->col(column(d)).data(), slipping_);
+        if (sizes != nullptr) {
+            for (Index k = 0; k < count; ++k) right_[k] = share * (*sizes)[slipping_[k]];
+            grow(0, tangent_.col(1));
+            right_.head(count) = -right_.head(count);
+            grow(1, tangent_.col(0));
+        }
+        for (Index k = 0; k < count; ++k) {
+            right_[k] = -(test_(k, 0) * side_[0].induced[k] + test_(k, 1) * side_[1].induced[k]);
         }
         solve_in_place<Scalar>(factors_.topLeftCorner(count, count), swaps_.data(), right_.head(count));
+        if (slip_change != nullptr) slip_change->setZero();
         for (std::size_t d = 0; d < 2; ++d) {
             Side& side = side_[d];
-            side.amplitude.head(count) = tangent_.col(column(d)).head(count).cwiseProduct(right_.head(count));
+            if (slip_change == nullptr) {
+                side.amplitude.head(count) += tangent_.col(column(d)).head(count).cwiseProduct(right_.head(count));
+            } else {
+                grow(d, tangent_.col(column(d)));
+                for (Index k = 0; k < count; ++k) (*slip_change)(slipping_[k], column(d)) = side.induced[k];
+            }
             for (Index k = 0; k < count; ++k) change(slipping_[k], column(d)) = side.amplitude[k];
             side.finish(count);
             for (Index k = 0; k < side.sticking.count(); ++k) {
@@ -430,29 +497,27 @@ private:
     // Unit vector against the slip of that element: along its traction, turned back.
     Scalar against(Index k, std::size_t direction) const { return direction == 0 ? test_(k, 1) : -test_(k, 0); }
 
-    // Slip along its own line due to tractions across theirs, into whole_, which is not in use.
-    void find_across() {
+    // A part of whole_, which is not in use, for the elements that slip.
+    using Corner = Eigen::Block<Matrix>;
+    Corner corner(Index row, Index column) { return whole_.block(row, column, slipping_.count, slipping_.count); }
+
+    // couple() for all columns: the slip against the present one into corner(0, n), the change of tractions across, less
+    // its sign, into corner(n, 0). That holds what is added to the slip across, if anything is.
+    void couple_reduced(bool adds) {
         const Index count = slipping_.count;
+        Corner across = corner(0, 0), along = corner(0, size_), turn = corner(size_, 0);
+        if (!adds) turn.setZero();
         for (Index k = 0; k < count; ++k) {
             for (Index l = 0; l < count; ++l) {
-                whole_(l, k) = against(l, 0) * side_[0].reduced(l, k) * tangent_(k, 0) +
-                               against(l, 1) * side_[1].reduced(l, k) * tangent_(k, 1);
+                const Scalar x = side_[0].reduced(l, k), y = side_[1].reduced(l, k);
+                const Scalar u = x * this->along(k, 0), v = y * this->along(k, 1);
+                across(l, k) = against(l, 0) * x * tangent_(k, 0) + against(l, 1) * y * tangent_(k, 1);
+                along(l, k) = against(l, 0) * u + against(l, 1) * v;
+                turn(l, k) += test_(l, 0) * u + test_(l, 1) * v;
             }
         }
-    }
-
-    // A column of couple(), into right_, which holds what is added to the slip across.
-    void couple_reduced(Index k) {
-        const Index count = slipping_.count;
-        auto turn = right_.segment(count, count);
-        for (Index l = 0; l < count; ++l) {
-            const Scalar x = side_[0].reduced(l, k) * along(k, 0), y = side_[1].reduced(l, k) * along(k, 1);
-            const Scalar added = right_[l];
-            right_[l] = against(l, 0) * x + against(l, 1) * y;
-            turn[l] = added + test_(l, 0) * x + test_(l, 1) * y;
-        }
-        solve_in_place<Scalar>(factors_.topLeftCorner(count, count), swaps_.data(), turn);
-        right_.head(count).noalias() -= whole_.topLeftCorner(count, count) * turn;
+        solve_columns_in_place<Scalar>(factors_.topLeftCorner(count, count), swaps_.data(), turn);
+        for (Index k = 0; k < count; ++k) along.col(k).noalias() -= across * turn.col(k);
     }
     void couple_whole(Index k) {
         change_.setZero();
@@ -483,7 +548,7 @@ private:
     std::array<Matrix, 4> block_;  // empty unless coupled
     ReleasedEquations<Scalar> released_;
     Matrix factors_, whole_;
-    Vector right_;
+    Vector right_, directions_;
     ElementVectors<Scalar> tangent_;  // t of the elements that slip, in their order
     ElementVectors<Scalar> test_;     // R^-1 t of the same: the component of the slip that their equations take
     ElementVectors<Scalar> slip_, across_, change_;
@@ -510,7 +575,7 @@ template <class Scalar>
 void BothEquations<Scalar>::solve(const ElementVectors<Scalar>& s, ElementVectors<Scalar>& change) {
     change.setZero();
     if (way_ == Way::whole) solve_whole(s, change);
-    if (way_ == Way::reduced) solve_reduced(s, change);
+    if (way_ == Way::reduced) solve_reduced(&s, nullptr, 0, change, nullptr);
     if (way_ == Way::released) released_.solve(s, change);
 }
 

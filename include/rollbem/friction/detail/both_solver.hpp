@@ -75,11 +75,12 @@ public:
           begin_(n, 2),
           plain_traction_(n, 2),
           plain_constant_(n, 2),
-          plain_response_(n, 2),
+          plain_response_(Vectors::Zero(n, 2)),
           begin_zones_(static_cast<std::size_t>(n), Zone::stick),
           turned_change_(n, 2),
           plain_change_(Vectors::Zero(n, 2)),
           plain_slip_change_(n, 2),
+          slip_response_(n, 2),
           angle_change_(n),
           turn_(n),
           path_(n) {}
@@ -127,24 +128,42 @@ public:
     /// if a tangent exists according to the last outcome.
     void respond(const Vectors& change, Vectors& traction_change, const Vector* bound_change = nullptr,
                  Scalar share = 1) {
-        turned_change_ = change;
+        respond(&change, traction_change, bound_change, share, nullptr);
+    }
+    /// The same with the change of |s|, of which dc = 0 needs no array.
+    void respond(const Vectors* change, Vectors& traction_change, const Vector* bound_change, Scalar share,
+                 Vector* size_change) {
         if (keeps_plain()) {
             exchange_plain();
-            answer(plain_part_, plain_change_, bound_change, share, plain_response_, turn_.follows());
+            answer(plain_part_, change == nullptr ? nullptr : &plain_change_, bound_change, share, plain_response_,
+                   turn_.follows() ? &plain_slip_change_ : nullptr);
             exchange_plain();
         }
+        const Vectors* turned = change;
         if (turn_.follows()) {
             turn_.follow(plain_slip_change_, angle_change_);
-            turned_change_.col(0) -= angle_change_.cwiseProduct(slip_.col(1));
-            turned_change_.col(1) += angle_change_.cwiseProduct(slip_.col(0));
+            turned_change_.col(0) = -angle_change_.cwiseProduct(slip_.col(1));
+            turned_change_.col(1) = angle_change_.cwiseProduct(slip_.col(0));
+            if (change != nullptr) turned_change_ += *change;
+            turned = &turned_change_;
         }
-        answer(part_, turned_change_, bound_change, share, traction_change, false);
+        answer(part_, turned, bound_change, share, traction_change, size_change == nullptr ? nullptr : &slip_response_);
+        // angles change slip across
+        if (size_change != nullptr) *size_change = -slip_response_.cwiseProduct(against_slip_).rowwise().sum();
+    }
+    /// Adds to the last response, with dp in `traction_change`, what a change of the bounds causes by itself.
+    void add_response(const Vector& bound_change, Vectors& traction_change) {
+        best_ = traction_change;
+        begin_ = plain_response_;
+        respond(nullptr, traction_change, &bound_change, 1, nullptr);
+        traction_change += best_;
+        plain_response_ += begin_;
     }
     bool angles_follow() const { return turn_.follows(); }
     bool keeps_plain() const { return is_apart_ || turn_.follows(); }
     /// The tractions for slip that is not turned, of which the angles of turned slip are those.
     const Vectors& plain_traction() const { return is_apart_ ? plain_traction_ : traction_; }
-    /// Their change in the last respond(), if keeps_plain().
+    /// Their change in the last response, if keeps_plain().
     const Vectors& plain_response() const { return plain_response_; }
     /// dc of the equations for slip that is not turned, to be filled before respond().
     Vectors& plain_change() { return plain_change_; }
@@ -153,8 +172,13 @@ public:
     void couple(Matrix& coupling) {
         const Index count = equations_.slipping_count();
         coupling.leftCols(count).setZero();
+        // of the solution itself, as corrections of nearby factors for each column cost more
+        if (has_tangent_) equations_.factorise(part_, turn_);
+        has_tangent_ = false;
         if (turn_.follows()) {
             exchange_plain();
+            if (plain_is_near_) equations_.factorise(plain_part_, SlipTurn<Scalar>(0));
+            plain_is_near_ = false;
             const BothEquations<Scalar>& turned = is_apart_ ? kept_ : equations_;
             equations_.couple(plain_part_, trial_slip_, [&](Index i, const Vectors& slip_change) {
                 Index k = 0;
@@ -214,6 +238,7 @@ private:
         }
         const SlipTurn<Scalar> none(0);
         plain_is_regular_ = true;
+        plain_is_near_ = !stale;
         if (stale) {
             plain_is_regular_ = equations_.factorise(plain_part_, none);
         } else {
@@ -226,17 +251,22 @@ private:
         if (is_apart_) equations_.exchange_factors(kept_);
     }
 
-    // dp by the present factors, those of `part`, at constant angles; ds, if asked for, into plain_slip_change_.
-    void answer(const BothPartition<Scalar>& part, const Vectors& change, const Vector* bound_change, Scalar share,
-                Vectors& traction_change, bool with_slip) {
-        trial_slip_ = change;
+    // dp by the present factors, those of `part`, at constant angles; the change of slip unless null.
+    void answer(const BothPartition<Scalar>& part, const Vectors* change, const Vector* bound_change, Scalar share,
+                Vectors& traction_change, Vectors* slip_change) {
+        if (equations_.respond(change, bound_change, share, traction_change, slip_change)) return;
+        if (change != nullptr) {
+            trial_slip_ = *change;
+        } else {
+            trial_slip_.setZero();
+        }
         if (bound_change != nullptr) {
             trial_ = (share * *bound_change).asDiagonal() * part.direction;
             multiply(trial_, change_);
             trial_slip_ += change_;
         }
-        equations_.solve(trial_slip_, part, traction_change, with_slip ? &plain_slip_change_ : nullptr);
-        if (with_slip) plain_slip_change_ += trial_slip_;
+        equations_.solve(trial_slip_, part, traction_change, slip_change);
+        if (slip_change != nullptr) *slip_change += trial_slip_;
         if (bound_change != nullptr) traction_change += trial_;
     }
 
@@ -460,7 +490,7 @@ private:
     Vectors begin_;  // where the search with turned slip begins
     Vectors plain_traction_, plain_constant_, plain_response_;
     Zones begin_zones_;
-    Vectors turned_change_, plain_change_, plain_slip_change_;
+    Vectors turned_change_, plain_change_, plain_slip_change_, slip_response_;
     Vector angle_change_;
     SlipTurn<Scalar> turn_;
     BothPath<Scalar> path_;
@@ -472,6 +502,7 @@ private:
     Index stick_count_ = 0;
     bool reach_is_known_ = false;
     bool with_tangents_ = true, plain_is_regular_ = true;
+    bool plain_is_near_ = false;  // its factors are of an earlier step
     bool is_apart_ = false;       // the solution is not that for slip as it is
     bool has_own_plain_ = false;  // which has another c
 };
@@ -484,7 +515,7 @@ typename BothSolver<Scalar>::Outcome BothSolver<Scalar>::solve(const Vector& bou
         for (Index i = 0; i < size(); ++i) imposed_ = (std::max)(imposed_, length(constant_(i, 0), constant_(i, 1)));
     };
     has_own_plain_ = start.plain_traction != nullptr;
-    is_apart_ = false;
+    is_apart_ = plain_is_near_ = false;
     if (has_own_plain_) constant_.swap(plain_constant_);
     impose();
     find_reach();

@@ -99,12 +99,19 @@ public:
         }
     }
 
-    /// The change of |s| caused by changes of the constants and the tractions.
-    static void change_size(const Solver& solver, const Vector& change, const Vector& traction_change,
-                            Vector& size_change) {
+    /// The changes of tractions and |s| caused by changes of the constants and, unless null, of the bounds.
+    static void respond(Solver& solver, const Vector& change, const Vector* bound_change, Vector& traction_change,
+                        Vector& size_change) {
+        solver.respond(change, traction_change, bound_change);
         size_change = change;
         size_change.noalias() += solver.matrix() * traction_change;
         size_change.array() *= solver.signs().array();
+    }
+    /// The change of tractions that follows if the bounds change by `more`, too, which is overwritten.
+    static void add_response(Solver& solver, const Vector& change, const Vector* bound_change, Vector& more,
+                             Vector& traction_change) {
+        if (bound_change != nullptr) more += *bound_change;
+        solver.respond(change, traction_change, &more);
     }
 
 private:
@@ -123,10 +130,7 @@ public:
     static constexpr int directions = 2;
 
     explicit BothSlip(Index n)
-        : SlippingElements<Scalar>(n),
-          traction_(Vectors::Zero(n, 2)),
-          plain_traction_(Vectors::Zero(n, 2)),
-          slip_change_(n, 2) {}
+        : SlippingElements<Scalar>(n), traction_(Vectors::Zero(n, 2)), plain_traction_(Vectors::Zero(n, 2)) {}
 
     static Vectors zero(Index n) { return Vectors::Zero(n, 2); }
 
@@ -170,14 +174,17 @@ public:
         }
     }
 
-    void change_size(const Solver& solver, const Vectors& change, const Vectors& traction_change, Vector& size_change) {
-        solver.multiply(traction_change, slip_change_);
-        slip_change_ += change;
-        size_change = -slip_change_.cwiseProduct(solver.against_slip()).rowwise().sum();
+    static void respond(Solver& solver, const Vectors& change, const Vector* bound_change, Vectors& traction_change,
+                        Vector& size_change) {
+        solver.respond(&change, traction_change, bound_change, 1, &size_change);
+    }
+    static void add_response(Solver& solver, const Vectors&, const Vector*, const Vector& more,
+                             Vectors& traction_change) {
+        solver.add_response(more, traction_change);
     }
 
 private:
-    Vectors traction_, plain_traction_, slip_change_;
+    Vectors traction_, plain_traction_;
     bool has_plain_ = false, is_regular_ = false;
     unsigned long solution_ = 0;
 };

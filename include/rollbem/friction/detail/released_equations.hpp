@@ -62,8 +62,9 @@ public:
         return exists_;
     }
 
-    /// Exchanges M and B with those of `other`, and what is known of them.
-    void exchange_matrix(ReleasedEquations& other) {
+    /// Exchanges everything but M and B, and what is known of them.
+    void exchange_factors(ReleasedEquations& other) {
+        std::swap(*this, other);
         inverse_.swap(other.inverse_);
         std::swap(compliance_, other.compliance_);
         std::swap(is_known_, other.is_known_);

@@ -135,8 +135,7 @@ public:
             friction_change = friction_answer_;
             return;
         }
-        solver.respond(change.constant, traction_change, change.bound);
-        slip_.change_size(solver, change.constant, traction_change, response_);
+        slip_.respond(solver, change.constant, change.bound, traction_change, response_);
         Scalar ahead = 0;
         for (Index i = size() - 1; i >= 0; --i) {
             ahead = slope_[i] * passage.velocity_per_slip * response_[i] + kept_[i] * ahead;
@@ -147,8 +146,7 @@ public:
         }
         spread(friction_change);
         tried_ = friction_change.cwiseProduct(passage.pressure);
-        if (change.bound != nullptr) tried_ += *change.bound;
-        solver.respond(change.constant, traction_change, &tried_);
+        slip_.add_response(solver, change.constant, change.bound, tried_, traction_change);
         if (!constant_only) return;
         answered_ = true;
         asked_ = change.constant;

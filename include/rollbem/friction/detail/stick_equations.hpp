@@ -52,7 +52,11 @@ public:
         return matrix_;
     }
 
-    void exchange_matrix(StickEquations& other) { matrix_.swap(other.matrix_); }
+    /// Exchanges everything but the matrix.
+    void exchange_factors(StickEquations& other) {
+        std::swap(*this, other);
+        matrix_.swap(other.matrix_);
+    }
 
     /// Factorises for the elements with stick = 1. False if M(S, S) is singular to working precision.
     bool factorise(const Vector& stick) {
