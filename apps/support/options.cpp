@@ -1,13 +1,9 @@
 #include "options.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <iostream>
 #include <new>
-#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <gsl/gsl_errno.h>
@@ -23,27 +19,6 @@ namespace study {
 
 namespace {
 
-// `what` is expected: "a number" of a list, or "one number".
-double to_number(const std::string& name, const std::string& text, const std::string& what, const Rule& rule) {
-    const std::optional<double> value = detail::parse_number<double>(text);
-    if (!value) throw BadInput("--" + name + " = " + text + " must be " + what + ", and it must " + rule.text);
-    if (!rule.holds(*value)) throw BadInput("--" + name + " = " + text + " must " + rule.text);
-    return *value;
-}
-
-std::ptrdiff_t to_integer(const std::string& name, const std::string& text, std::ptrdiff_t low, std::ptrdiff_t high) {
-    const std::optional<std::ptrdiff_t> value = detail::parse_number<std::ptrdiff_t>(text);
-    if (!value || *value < low || *value > high) {
-        throw BadInput("--" + name + " = " + text + " must be an integer in [" + std::to_string(low) + ", " +
-                       std::to_string(high) + "]");
-    }
-    return *value;
-}
-
-bool contains(const std::vector<std::string>& words, const std::string& word) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
-
 /// "--one, --two or --three"; of NAME=VALUE "--name one or two".
 std::string dashed(std::vector<std::string> modes, const std::string& last) {
     std::string name = "--";
@@ -55,30 +30,6 @@ std::string dashed(std::vector<std::string> modes, const std::string& last) {
     return (name == "--" ? "" : name) + listed(modes, last);
 }
 
-/// By which a changed text is noticed: FNV-1a.
-std::string checksum(std::string_view text) {
-    std::uint64_t hash = 14695981039346656037u;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-    std::ostringstream result;
-    result << "fnv1a64:" << std::hex << std::setw(16) << std::setfill('0') << hash;
-    return result.str();
-}
-
-/// How many letters to add, remove or change to turn `from` into `to`.
-std::size_t edit_distance(const std::string& from, const std::string& to) {
-    std::vector<std::size_t> row(to.size() + 1);
-    for (std::size_t k = 0; k <= to.size(); ++k) row[k] = k;
-    for (std::size_t i = 0; i < from.size(); ++i) {
-        std::size_t diagonal = std::exchange(row[0], i + 1);
-        for (std::size_t k = 0; k < to.size(); ++k) {
-            const std::size_t changed = diagonal + (from[i] == to[k] ? 0 : 1);
-            diagonal = row[k + 1];
-            row[k + 1] = std::min({changed, diagonal + 1, row[k] + 1});
-        }
-    }
-    return row.back();
-}
-
 std::vector<std::string> mesh_names() {
     std::vector<std::string> names;
     for (const rollbem::TopologyInfo& known : rollbem::topologies) names.emplace_back(known.name);
@@ -86,56 +37,6 @@ std::vector<std::string> mesh_names() {
 }
 
 }  // namespace
-
-Rule between(double low, double high) {
-    std::ostringstream text;
-    text.precision(12);
-    text << "lie in [" << low << ", " << high << "]";
-    return {[=](double value) { return value >= low && value <= high; }, text.str()};
-}
-
-Rule finite() {
-    return {[](double value) { return std::isfinite(value); }, "be finite"};
-}
-
-Rule positive() {
-    return {[](double value) { return value > 0 && std::isfinite(value); }, "be positive and finite"};
-}
-
-Rule positive_or_infinite() {
-    return {[](double value) { return value > 0; }, "be positive (inf is allowed)"};
-}
-
-std::string_view detail::trim(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-std::string wrap(const std::string& text, std::size_t width) {
-    std::istringstream words(text);
-    std::string word, result;
-    std::size_t column = 0;
-    while (words >> word) {
-        if (column > 0) {
-            const bool breaks = column + 1 + word.size() > width;
-            result += breaks ? '\n' : ' ';
-            column = breaks ? 0 : column + 1;
-        }
-        result += word;
-        column += word.size();
-    }
-    return result;
-}
-
-std::string join(const std::vector<std::string>& words, const std::string& separator) {
-    return CLI::detail::join(words, separator);
-}
-
-std::string listed(const std::vector<std::string>& words, const std::string& last) {
-    if (words.size() < 2) return join(words, "");
-    return join({words.begin(), words.end() - 1}, ", ") + " " + last + " " + words.back();
-}
 
 Options::Options(std::string program, const std::string& purpose)
     : program_(std::move(program)), app_(std::make_unique<CLI::App>(purpose, program_)) {
@@ -385,198 +286,11 @@ std::optional<std::string> Options::parse(int argc, const char* const* argv) {
     return std::nullopt;
 }
 
-bool Options::Entry::typed() const { return option->count() > 0; }
-
-bool Options::given(const std::string& name) const { return entry(name).typed() || !entry(name).configured.empty(); }
-
-std::string Options::said(const std::string& name) const {
-    const std::string value = join(raw(name), ",");
-    return "--" + name + " = " + (value.empty() ? "''" : value);
-}
-
-void Options::ignored(const std::string& name, const std::string& reason) const {
-    if (given(name)) throw BadInput(said(name) + " has no effect " + reason);
-}
-
-bool Options::flag(const std::string& name) const {
-    if (!given(name)) return false;
-    const std::string value = raw(name).back();
-    if (value != "true" && value != "false") throw BadInput("--" + name + " = " + value + " must be true or false");
-    return value == "true";
-}
-
-std::string Options::text(const std::string& name) const {
-    const std::vector<std::string> values = raw(name);
-    if (values.size() > 1) throw BadInput(said(name) + " must be a single value");
-    if (given(name) && values.front().empty()) throw BadInput(said(name) + " must not be empty");
-    return values.empty() ? std::string() : values.front();
-}
-
-std::string Options::choice(const std::string& name, const std::vector<std::string>& names) const {
-    const std::string value = text(name);
-    if (!contains(names, value)) throw BadInput(said(name) + " must be one of " + join(names, ", "));
-    return value;
-}
-
-double Options::number(const std::string& name, const Rule& rule) const {
-    return to_number(name, text(name), "one number", rule);
-}
-
-std::optional<std::pair<double, double>> Options::pair(const std::string& name) const {
-    const std::vector<std::string> parts = cells_of(text(name));
-    if (parts.size() != 2) return std::nullopt;
-    const auto first = detail::parse_number<double>(parts[0]), second = detail::parse_number<double>(parts[1]);
-    if (!first || !second || !std::isfinite(*first) || !std::isfinite(*second)) return std::nullopt;
-    return std::pair(*first, *second);
-}
-
-std::ptrdiff_t Options::integer(const std::string& name, std::ptrdiff_t low, std::ptrdiff_t high) const {
-    return to_integer(name, text(name), low, high);
-}
-
-template <class Number, class Read>
-std::vector<Number> Options::list(const std::string& name, const Read& read) const {
-    std::vector<Number> result;
-    if (raw(name).empty()) return result;
-    for (const std::string& item : cells_of(join(raw(name), ","))) {
-        if (item.empty()) throw BadInput(said(name) + " must be a list without empty items");
-        const Number value = read(item);
-        if (std::find(result.begin(), result.end(), value) != result.end()) {
-            throw BadInput(said(name) + " must be a list without repeated items: " + item + " is there twice");
-        }
-        result.push_back(value);
-    }
-    return result;
-}
-
-std::vector<double> Options::numbers(const std::string& name, const Rule& rule) const {
-    return list<double>(name, [&](const std::string& item) { return to_number(name, item, "a number", rule); });
-}
-
-std::vector<std::ptrdiff_t> Options::integers(const std::string& name, std::ptrdiff_t low, std::ptrdiff_t high) const {
-    return list<std::ptrdiff_t>(name, [&](const std::string& item) { return to_integer(name, item, low, high); });
-}
-
-std::vector<std::string> Options::choices(const std::string& name, const std::vector<std::string>& known) const {
-    const std::vector<std::string> given = list<std::string>(name, [&](const std::string& item) {
-        if (item == "all" || contains(known, item)) return item;
-        throw BadInput("--" + name + " = " + item + " must be all, or some of " + join(known, ","));
-    });
-    std::vector<std::string> result;
-    for (const std::string& word : known) {
-        if (contains(given, "all") || contains(given, word)) result.push_back(word);
-    }
-    return result;
-}
-
-std::vector<std::pair<std::string, std::string>> Options::given_values() const {
-    std::vector<std::pair<std::string, std::string>> result;
-    for (const auto& [name, entry] : entries_) {
-        if (!given(name) || name == "config") continue;
-        result.emplace_back(name, entry.kind == Kind::flag ? raw(name).back() : join(raw(name), ","));
-    }
-    return result;
-}
-
-void Options::note_input(const std::string& name, std::string_view contents) const {
-    if (name == "config") return;
-    const std::string text = checksum(contents);
-    const auto expected = expected_.find(name);
-    if (expected != expected_.end() && expected->second != text) {
-        std::fprintf(stderr, "%s: %s is not as it was in the run that %s repeats\n", program_.c_str(),
-                     said(name).c_str(), said("config").c_str());
-    }
-    inputs_[name] = text;
-}
-
 std::string Options::version() const {
     return program_ + " " + std::string(build_info::version) + " (" + std::string(build_info::git_revision) + ")";
 }
 
-void Options::read_config() {
-    Config config = study::read_config(contents(*this, "config"), said("config"));
-    replays_ = config.is_sidecar;
-    expected_ = std::move(config.inputs);
-    if (replays_ && !config.program.empty() && config.program != program_) {
-        throw BadInput(said("config") + ": program = " + config.program + " must be " + program_ +
-                       ", whose run this is to repeat");
-    }
-    for (Setting& setting : config.settings) {
-        const auto found = entries_.find(setting.name);
-        if (found == entries_.end() || setting.name == "config") {
-            throw BadInput(setting.where + " must name an option of " + program_ + suggestion(setting.name) +
-                           "; see --help");
-        }
-        const Kind kind = found->second.kind;
-        const bool writes = kind == Kind::output || kind == Kind::table || kind == Kind::folder;
-        if (replays_ && (writes || setting.name == "jobs")) continue;
-        if (kind == Kind::flag && setting.values != std::vector<std::string>{"true"} &&
-            setting.values != std::vector<std::string>{"false"}) {
-            throw BadInput(setting.where + " must be true or false");
-        }
-        found->second.configured = std::move(setting.values);
-    }
-}
-
-std::string Options::suggestion(const std::string& word) const {
-    const auto letters = [](std::string name) {  // and digits
-        const auto is_other = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; };
-        name.erase(std::remove_if(name.begin(), name.end(), is_other), name.end());
-        return CLI::detail::to_lower(name);
-    };
-    const std::string meant = word.substr(std::min(word.find_first_not_of('-'), word.size())), plain = letters(word);
-    std::vector<std::string> names{"help", "version"};
-    for (const auto& [name, entry] : entries_) {
-        if (entry.refusal.empty()) names.push_back(name);
-    }
-    std::string nearest, begun;
-    std::size_t least = meant.size() < 4 ? 2 : 3;  // fewer changes than that are near
-    for (const std::string& name : names) {
-        if (begun.empty() && plain.size() > 2 && letters(name).rfind(plain, 0) == 0) begun = name;
-        const std::size_t distance = letters(name) == plain ? 0 : edit_distance(meant, name);
-        if (distance >= least || distance >= name.size()) continue;
-        least = distance;
-        nearest = name;
-    }
-    if (nearest.empty()) nearest = begun;
-    return nearest.empty() ? "" : "; did you mean --" + nearest + "?";
-}
-
-void Options::check_files() const {
-    struct File {
-        std::string said, path;
-        bool written, is_sidecar = false;
-    };
-    std::vector<File> files;
-    if (!given("output")) files.push_back({"standard output", "-", true});
-    for (const auto& [name, entry] : entries_) {
-        if (!given(name) || entry.kind == Kind::value || entry.kind == Kind::flag) continue;
-        const std::string path = text(name);
-        if (entry.kind != Kind::folder) files.push_back({said(name), path, entry.kind != Kind::input});
-        for (const std::string& file : entry.files) {
-            files.push_back({file + " of " + said(name), path + "/" + file, true});
-        }
-        if (entry.kind == Kind::table && path != "-" && !is_stream(path)) {
-            files.push_back({said(name) + ".toml, written beside it,", path + ".toml", true, true});
-        }
-    }
-    for (const File& file : files) {
-        for (const File& other : files) {
-            if (&file == &other || !same_place(file.path, other.path)) continue;
-            if (!file.written && !other.written && file.path == "-" && &file > &other) {
-                throw BadInput(file.said + " must be a file: standard input is read as " + other.said);
-            }
-            // a repeated run may overwrite the file that describes it: it has been read by then
-            const bool repeats = replays_ && file.is_sidecar && other.said == said("config");
-            if (file.written && !other.written && file.path != "-" && !repeats) {
-                throw BadInput(file.said + " must not be a file that this run reads: " + other.said);
-            }
-            if (file.written && other.written && &file > &other) {
-                throw BadInput(file.said + " must not be written to as well as " + other.said);
-            }
-        }
-    }
-}
+bool Options::Entry::typed() const { return option->count() > 0; }
 
 std::vector<std::string> Options::raw(const std::string& name) const {
     if (entry(name).typed()) return entry(name).option->results();

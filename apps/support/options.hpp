@@ -52,6 +52,8 @@ std::optional<Number> parse_number(std::string_view text) {
 /// Breaks lines at blanks so that none is longer than `width`, unless a word is.
 std::string wrap(const std::string& text, std::size_t width);
 
+bool contains(const std::vector<std::string>& words, const std::string& word);
+
 /// The words joined by `separator`.
 std::string join(const std::vector<std::string>& words, const std::string& separator);
 
