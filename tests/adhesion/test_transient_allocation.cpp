@@ -1,11 +1,12 @@
-// rollbem/adhesion/transient.hpp, rollbem/friction/model.hpp, vehicle/creep_force_table.hpp: no step and no look-up
-// touches the heap.
+// rollbem/adhesion/transient.hpp, rollbem/friction/model.hpp, vehicle/creep_force_table.hpp, vehicle/contact_table.hpp: no
+// step and no look-up touches the heap.
 // A program of its own, because it replaces operator new and, where it can, malloc.
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <fstream>
 #include <limits>
 #include <new>
 #include <utility>
@@ -16,6 +17,7 @@
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/transient.hpp>
 #include <rollbem/normal/hertz_patch_load.hpp>
+#include <rollbem/vehicle/contact_table.hpp>
 
 #include "friction/any_model.hpp"
 #include "support/catch.hpp"
@@ -292,6 +294,32 @@ TEST_CASE("A look-up in a table of creep forces does not allocate") {
         sum += at.force.lateral + at.tangent.by_spin.moment;
     }
     CHECK(allocations == before);
+    CHECK(std::isfinite(sum));
+}
+
+TEST_CASE("A look-up of a wheelset does not allocate") {
+    std::ifstream forces(ROLLBEM_STEEL_CREEP, std::ios::binary), places(ROLLBEM_S1002_CONTACT, std::ios::binary);
+    const CreepForceTable creep = CreepForceTable::read(forces);
+    const ContactTable table = ContactTable::read(places);
+    double sum = 0;
+    bool ok = true, refused = true;
+    const long before = allocations;
+    for (int k = -70; k <= 70; ++k) {  // from flange to flange
+        const WheelsetSpeeds speeds{.forward = 30, .pitch_rate = -30 / 0.46, .lateral = 1e-3 * k};
+        WheelsetPosition position{.lateral = 1e-4 * k, .yaw = 1e-4 * k};
+        for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
+            const WheelForces wheel = table.look_up(creep, side, position, speeds, 1e5, 0.3);
+            ok = ok && wheel.status == StepStatus::ok;
+            sum += wheel.force[1] + wheel.derivative(WheelInput::yaw)[5];
+        }
+        sum += table.on_rails(position.lateral, position.yaw).roll_by_yaw;
+        position.lateral = 1;
+        refused = refused && table.look_up(creep, WheelsetSide::left, position, speeds, 1e5, 0.3).status ==
+                                 StepStatus::wrong_table;
+    }
+    CHECK(allocations == before);
+    CHECK(ok);
+    CHECK(refused);
     CHECK(std::isfinite(sum));
 }
 

@@ -195,16 +195,33 @@ private:
     static constexpr const char* magic = "rollbem contact geometry";
     static constexpr std::uint32_t version = 1;
 
-    using Values = Eigen::Array<double, rows, 1>;
-    struct Sample {
-        Values value, by_shift, by_yaw;
+    /// A cell of the grid, and the weights of its nodes in values and derivatives.
+    struct Cell {
+        Eigen::Index shift, yaw;
+        std::array<double, 4> along, along_rate, across, across_rate;
     };
-    Sample sample(double lateral, double yaw) const noexcept;
+    Cell cell(double lateral, double yaw) const noexcept;
+    /// Some rows of the table; those of a point with the one behind them, as an even number is quick.
+    static constexpr int whole_packets = static_cast<int>(ContactRow::point_rows) + 1;
+    template <int Rows>
+    struct Sample {
+        using Values = Eigen::Array<double, Rows, 1>;
+        Values value = Values::Zero(), by_shift = value, by_yaw = value;
+    };
+    template <int Rows>
+    Sample<Rows> sample(const Cell& cell, Eigen::Index first) const noexcept;
 
-    // By WheelInput, and last by the normal load of the point.
-    using Gradient = Eigen::Matrix<double, WheelForces::inputs + 1, 1>;
+    // By WheelInput, then by the normal load of the point; the last is 0, for a whole number of packets.
+    static constexpr Eigen::Index by_load = WheelForces::inputs, partials = by_load + 2;
+    using Gradient = Eigen::Matrix<double, partials, 1>;
     using Dual = Eigen::AutoDiffScalar<Gradient>;
-    struct Point;  // one point of contact as functions of all inputs
+    template <int Rows>
+    static Dual dual(const Sample<Rows>& at, Eigen::Index row) {
+        Dual found(at.value[row], Gradient::Zero());
+        found.derivatives()[0] = at.by_shift[row];
+        found.derivatives()[1] = at.by_yaw[row];
+        return found;
+    }
 
     ContactTableGrid grid_;
     double nominal_load_, shear_modulus_, poisson_ratio_;
@@ -246,19 +263,22 @@ inline ContactTable::ContactTable(const ContactTableGrid& grid, double nominal_l
     }
 }
 
-inline auto ContactTable::sample(double lateral, double yaw) const noexcept -> Sample {
+inline auto ContactTable::cell(double lateral, double yaw) const noexcept -> Cell {
     const double i_at = (lateral / grid_.largest_shift + 1) / 2 * double(grid_.shifts - 1),
                  k_at = (yaw / grid_.largest_yaw + 1) / 2 * double(grid_.yaws - 1);
     const auto i = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(i_at), 0, grid_.shifts - 2),
                k = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(k_at), 0, grid_.yaws - 2);
     const double t = i_at - double(i), u = k_at - double(k);
-    const std::array<double, 4> weight{(1 + 2 * t) * (1 - t) * (1 - t), t * t * (3 - 2 * t), t * (1 - t) * (1 - t),
-                                       t * t * (t - 1)},
-        rate{6 * t * (t - 1), 6 * t * (1 - t), (1 - t) * (1 - 3 * t), t * (3 * t - 2)};
-    std::array<double, 4> across{-u * (1 - u) * (1 - u) / 2, 1 + u * u * (1.5 * u - 2.5), u * (0.5 + u * (2 - 1.5 * u)),
-                                 u * u * (u - 1) / 2},
-        turn{-(1 - u) * (1 - 3 * u) / 2, u * (4.5 * u - 5), 0.5 + u * (4 - 4.5 * u), u * (1.5 * u - 1)};
-    for (auto* weights : {&across, &turn}) {  // beyond the ends values go on linearly
+    Cell found{
+        i,
+        k,
+        {(1 + 2 * t) * (1 - t) * (1 - t), t * t * (3 - 2 * t), t * (1 - t) * (1 - t), t * t * (t - 1)},
+        {6 * t * (t - 1), 6 * t * (1 - t), (1 - t) * (1 - 3 * t), t * (3 * t - 2)},
+        {-u * (1 - u) * (1 - u) / 2, 1 + u * u * (1.5 * u - 2.5), u * (0.5 + u * (2 - 1.5 * u)), u * u * (u - 1) / 2},
+        {-(1 - u) * (1 - 3 * u) / 2, u * (4.5 * u - 5), 0.5 + u * (4 - 4.5 * u), u * (1.5 * u - 1)}};
+    for (double& rate : found.along_rate) rate *= double(grid_.shifts - 1) / (2 * grid_.largest_shift);
+    for (double& rate : found.across_rate) rate *= double(grid_.yaws - 1) / (2 * grid_.largest_yaw);
+    for (auto* weights : {&found.across, &found.across_rate}) {  // beyond the ends values go on linearly
         auto& w = *weights;
         if (k == 0) {
             w[1] += 2 * w[0];
@@ -269,40 +289,34 @@ inline auto ContactTable::sample(double lateral, double yaw) const noexcept -> S
             w[1] -= std::exchange(w[3], 0.0);
         }
     }
-    Sample found{Values::Zero(), Values::Zero(), Values::Zero()};
-    for (Eigen::Index row = (std::max<Eigen::Index>)(k - 1, 0); row <= (std::min)(k + 2, grid_.yaws - 1); ++row) {
-        const Eigen::Index node = row * grid_.shifts + i;
-        const auto own = static_cast<std::size_t>(row - k + 1);
-        const Values at = weight[0] * values_.col(node) + weight[1] * values_.col(node + 1) +
-                          weight[2] * slopes_.col(node) + weight[3] * slopes_.col(node + 1);
-        found.value += across[own] * at;
-        found.by_yaw += turn[own] * at;
-        found.by_shift += across[own] * (rate[0] * values_.col(node) + rate[1] * values_.col(node + 1) +
-                                         rate[2] * slopes_.col(node) + rate[3] * slopes_.col(node + 1));
+    return found;
+}
+
+template <int Rows>
+auto ContactTable::sample(const Cell& cell, Eigen::Index first) const noexcept -> Sample<Rows> {
+    Sample<Rows> found;
+    const Eigen::Index last = (std::min)(cell.yaw + 2, grid_.yaws - 1);
+    for (Eigen::Index row = (std::max<Eigen::Index>)(cell.yaw - 1, 0); row <= last; ++row) {
+        const Eigen::Index node = row * grid_.shifts + cell.shift;
+        const auto own = static_cast<std::size_t>(row - cell.yaw + 1);
+        const auto blend = [&](const std::array<double, 4>& weights) -> Eigen::Array<double, Rows, 1> {
+            return weights[0] * values_.col(node).segment<Rows>(first) +
+                   weights[1] * values_.col(node + 1).segment<Rows>(first) +
+                   weights[2] * slopes_.col(node).segment<Rows>(first) +
+                   weights[3] * slopes_.col(node + 1).segment<Rows>(first);
+        };
+        const Eigen::Array<double, Rows, 1> at = blend(cell.along);
+        found.value += cell.across[own] * at;
+        found.by_yaw += cell.across_rate[own] * at;
+        found.by_shift += cell.across[own] * blend(cell.along_rate);
     }
-    found.by_shift *= double(grid_.shifts - 1) / (2 * grid_.largest_shift);
-    found.by_yaw *= double(grid_.yaws - 1) / (2 * grid_.largest_yaw);
     return found;
 }
 
 inline WheelsetOnRails ContactTable::on_rails(double lateral, double yaw) const noexcept {
-    const Sample at = sample(lateral, yaw);
-    return {at.value[height],  at.value[roll],    at.by_shift[height],
-            at.by_shift[roll], at.by_yaw[height], at.by_yaw[roll]};
+    const Sample<2> at = sample<2>(cell(lateral, yaw), height);
+    return {at.value[0], at.value[1], at.by_shift[0], at.by_shift[1], at.by_yaw[0], at.by_yaw[1]};
 }
-
-struct ContactTable::Point {
-    const Sample& at;
-    Eigen::Index first;  ///< of its rows
-
-    double value(Eigen::Index row) const { return at.value[first + row]; }
-    Dual operator()(Eigen::Index row) const {
-        Dual found(at.value[first + row], Gradient::Zero());
-        found.derivatives()[0] = at.by_shift[first + row];
-        found.derivatives()[1] = at.by_yaw[first + row];
-        return found;
-    }
-};
 
 inline WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide side,
                                          const WheelsetPosition& position, const WheelsetSpeeds& speeds, double load,
@@ -327,20 +341,22 @@ inline WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetS
         return result;
     }
     const auto input = [&](WheelInput which) {
-        return Dual(inputs[static_cast<std::size_t>(which)], WheelForces::inputs + 1, static_cast<int>(which));
+        return Dual(inputs[static_cast<std::size_t>(which)], partials, static_cast<int>(which));
     };
-    const Sample at = sample(inputs[0], inputs[1]);
+    const Cell at = cell(inputs[0], inputs[1]);
     const Dual yaw = input(WheelInput::yaw), rate = input(WheelInput::pitch_rate), mu = input(WheelInput::mu);
-    const Dual rolled = Point{at, 0}(roll), turn = cos(yaw);
+    const Dual rolled = dual(sample<1>(at, roll), 0), turn = cos(yaw);
     const Dual w_x = input(WheelInput::roll_rate) - rate * sin(yaw), w_y = rate * cos(rolled) * turn,
                w_z = input(WheelInput::yaw_rate) + rate * sin(rolled) * turn;
     std::array<Dual, 6> sum;
     sum.fill(Dual(0, Gradient::Zero()));
     for (std::size_t k = 0; k < 2; ++k) {
-        const Point point{at, static_cast<Eigen::Index>(k) * point_rows};
-        Dual part = point(share);
+        const auto first = static_cast<Eigen::Index>(k) * point_rows;
+        Dual part = dual(sample<1>(at, first + share), 0);
         if (part.value() > 1) part = Dual(1, Gradient::Zero());
         if (!(part.value() > 0) || load == 0) continue;
+        const auto rows_of = sample<whole_packets>(at, first);
+        const auto point = [&](Eigen::Index row) { return dual(rows_of, row); };
         PointForces& found = result.points[k];
         const Dual r_x = point(arm_x), r_y = point(arm_y), r_z = point(arm_z), delta = point(angle), r = point(radius);
         const Dual sine = sin(delta), cosine = cos(delta);
@@ -354,10 +370,10 @@ inline WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetS
         // the creep forces under a normal load
         std::array<Dual, 3> force;
         const auto press = [&](double normal_load) {
-            Dual N(normal_load, WheelForces::inputs + 1, WheelForces::inputs);
+            Dual N(normal_load, partials, by_load);
             const double root = std::cbrt(normal_load);
             Dual size(root, Gradient::Zero());
-            size.derivatives()[WheelForces::inputs] = root / (3 * normal_load);
+            size.derivatives()[by_load] = root / (3 * normal_load);
             const Dual a = point(length) * size, b = point(width) * size;
             const std::array<Dual, 3> own = detail::ellipse_creepages<Dual>(
                 {xi, eta, phi}, a, b, shear_modulus_, mu * N, [&](Eigen::Index row) { return point(row); });
@@ -381,10 +397,11 @@ inline WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetS
         // 1. nearly: a step of Newton's method without the change of the correction
         double normal_load = wanted.value() / cosine.value();
         {
-            const double root = std::cbrt(normal_load), a = root * point.value(length), b = root * point.value(width);
+            const double root = std::cbrt(normal_load), a = root * rows_of.value[length],
+                         b = root * rows_of.value[width];
             const auto [xi_1, eta_1, phi_1] = detail::ellipse_creepages<double>(
                 {xi.value(), eta.value(), phi.value()}, a, b, shear_modulus_, friction_coefficient * normal_load,
-                [&](Eigen::Index row) { return point.value(row); });
+                [&](Eigen::Index row) { return rows_of.value[row]; });
             const PatchContact<double> ellipse({a, b, shear_modulus_, poisson_ratio_});
             const TabulatedForce now = creep.look_up(ellipse, friction_coefficient, normal_load, {xi_1, eta_1, phi_1});
             const double by_size = a * now.tangent_by_half_length.lateral + b * now.tangent_by_half_width.lateral;
@@ -402,17 +419,17 @@ inline WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetS
                 return result;
             }
             const Dual excess = N * cosine - force[1] * sine - wanted;
-            const double slope = excess.derivatives()[WheelForces::inputs], change = excess.value() / slope;
+            const double slope = excess.derivatives()[by_load], change = excess.value() / slope;
             settled = std::abs(change) <= 1e-6 * normal_load;
             normal_load -= (std::clamp)(change, -normal_load, normal_load / 2);
             if (!settled) continue;
             // N is the function of the inputs that keeps the excess at 0
             Gradient by_inputs = -excess.derivatives() / slope;
-            by_inputs[WheelForces::inputs] = 0;
+            by_inputs[by_load] = 0;
             for (Dual& one : force) {
-                const double by_load = std::exchange(one.derivatives()[WheelForces::inputs], 0.0);
-                one.value() -= by_load * change;
-                one.derivatives() += by_load * by_inputs;
+                const double slope_of_one = std::exchange(one.derivatives()[by_load], 0.0);
+                one.value() -= slope_of_one * change;
+                one.derivatives() += slope_of_one * by_inputs;
             }
             const Dual carried(normal_load, by_inputs);
             const Dual f_y = force[1] * cosine + carried * sine, f_z = force[1] * sine - carried * cosine;
