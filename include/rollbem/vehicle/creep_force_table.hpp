@@ -393,23 +393,25 @@ auto BasicCreepForceTable<Real>::sample(double shape, double x, double y, double
         along_y += by_x.value[p] * row_y;
         along_spin += by_x.value[p] * row_spin;
     }
-    // in a pass of its own, as registers are few, and in float, whose digits serve for a derivative; a sum for each shape,
-    // so that additions need not wait for each other
-    std::array<Eigen::Array4f, 4> of_shapes;
-    of_shapes.fill(Eigen::Array4f::Zero());
+    // in a pass of its own, as registers are few, and in float, whose digits serve for a derivative of differences between
+    // ellipses, whose slopes add up to 0; a sum for each, so that additions need not wait for one another
+    using Single = Eigen::Array4f;
+    std::array<Single, 3> differences;
+    differences.fill(Single::Zero());
     for (std::size_t p = 0; p < 4; ++p) {
         for (std::size_t q = 0; q < 4; ++q) {
             const float* from = row_of(p, q);
             for (std::size_t t = 0; t < 4; ++t, from += width) {
                 const auto weight = static_cast<float>(by_x.value[p] * by_y.value[q] * by_spin.value[t]);
-                for (std::size_t r = 0; r < 4; ++r) {
-                    of_shapes[r] += weight * Eigen::Map<const Eigen::Array4f>(from + r * next_shape);
+                const Single first = Eigen::Map<const Single>(from);
+                for (std::size_t r = 0; r < 3; ++r) {
+                    differences[r] += weight * (Eigen::Map<const Single>(from + (r + 1) * next_shape) - first);
                 }
             }
         }
     }
-    Eigen::Array4f along_shape = Eigen::Array4f::Zero();
-    for (std::size_t r = 0; r < 4; ++r) along_shape += static_cast<float>(by_shape.slope[r]) * of_shapes[r];
+    Single along_shape = Single::Zero();
+    for (std::size_t r = 0; r < 3; ++r) along_shape += static_cast<float>(by_shape.slope[r + 1]) * differences[r];
     return {value.head<3>(), along_x.head<3>(), along_y.head<3>(), along_spin.head<3>(),
             along_shape.head<3>().cast<double>()};
 }
