@@ -94,6 +94,8 @@ public:
     struct Options {
         Eigen::Index cells_x = 40, cells_s = 20;  ///< across what touches; more in patches with two lobes
         double tolerance = 1e-6;                  ///< of the load, and of gaps over the approach
+        /// Instead: of square cells, one of which has its centre at the reference point, as CONTACT's [m]; 0 for none.
+        double cell_size = 0;
     };
 
     /// Memory of a solution, and where the search for the next one starts.
@@ -414,6 +416,15 @@ inline CellGrid WheelOnRail::finer(const CellGrid& grid, const NormalContact::Gr
         }
     }
     constexpr Eigen::Index margin = 2, most = 60;
+    if (const double size = options.cell_size; size > 0) {
+        const auto count = [=](double length) { return Eigen::Index(std::ceil(length / size)) + 2 * margin + 2; };
+        return {count(grid.dx * double(right - left)),
+                count(grid.dy * double(top - bottom)),
+                (std::floor(grid.x(left) / size) - margin) * size,
+                (std::floor(grid.y(bottom) / size) - margin) * size,
+                size,
+                size};
+    }
     const Eigen::Index nx = lobes ? (std::max)(options.cells_x, most) : options.cells_x,
                        ny = lobes ? (std::max)(options.cells_s, most) : options.cells_s;
     const double dx = grid.dx * double(right - left + 1) / double(nx - 2 * margin),
@@ -644,7 +655,8 @@ private:
             Part& part = parts_[k];
             if (round == 0 || anew || outgrown(k)) {
                 const bool lobes = wheel_.has_lobes(attitude_, part.plane, options_.cells_s, workspace_.at);
-                const Options options{options_.cells_x * times_, options_.cells_s * times_, options_.tolerance};
+                const Options options{options_.cells_x * times_, options_.cells_s * times_, options_.tolerance,
+                                      options_.cell_size / times_};
                 part.grid = finer(part.grid, workspace_.normal[k].pressure(), options, lobes);
             }
             if (round > 0 && same) {
@@ -653,6 +665,10 @@ private:
                 part.grid.y_0 -= before.s(part.plane.y, part.plane.z);
             } else if (round > 0) {
                 part.plane.deepest += (height - height_) * part.plane.cosine;
+            }
+            if (options_.cell_size > 0) {
+                part.grid.x_0 = part.grid.dx * std::round(part.grid.x_0 / part.grid.dx);
+                part.grid.y_0 = part.grid.dy * std::round(part.grid.y_0 / part.grid.dy);
             }
             if (!find_gaps(part)) return false;
         }
