@@ -179,15 +179,27 @@ inline std::optional<Outline<double>> contact_outline(const CellGrid& grid, cons
                 [&](Eigen::Index j) { return std::pow(p(i, high ? top - j : low + j), 2); }, top - low + 1);
             farthest = (std::max)(farthest, (high ? double(edge - last_row) : double(first_row - edge)) + beyond);
         }
-        return std::clamp(farthest, 0.02, 1.0) * grid.dy;
+        return farthest * grid.dy;
     };
-    const double low = y.front() - end(rows.front(), false), high = y.back() + end(rows.back(), true);
-    y.insert(y.begin(), low);
-    y.push_back(high);
-    square.insert(square.begin(), 0);
-    square.push_back(0);
-    middle.insert(middle.begin(), middle.front());
-    middle.push_back(middle.back());
+    double low = y.front() - end(rows.front(), false), high = y.back() + end(rows.back(), true);
+    // an outermost row of cells may lie beyond the end: the squares of its pressures do not fit to those of the next one
+    const auto beyond = [&](Eigen::Index row, Eigen::Index next, double inside) {
+        return inside < 0.02 * grid.dy && 5 * p.col(row).square().maxCoeff() < p.col(next).square().maxCoeff();
+    };
+    const std::size_t begin = beyond(first_row, first_row + 1, y.front() - low) ? 1 : 0,
+                      stop = y.size() - (beyond(last_row, last_row - 1, high - y.back()) ? 1 : 0);
+    if (begin == 0) low = (std::min)(low, y.front() - 0.02 * grid.dy);
+    if (stop == y.size()) high = (std::max)(high, y.back() + 0.02 * grid.dy);
+    if (stop < begin + 2) return std::nullopt;
+    const auto between = [&](std::vector<double>& of, double first, double last) {
+        of.resize(stop);
+        of.erase(of.begin(), of.begin() + std::ptrdiff_t(begin));
+        of.insert(of.begin(), first);
+        of.push_back(last);
+    };
+    between(y, low, high);
+    between(square, 0, 0);
+    between(middle, middle[begin], middle[stop - 1]);
     const MonotoneCubic squares(y, square), middles(y, middle);
     constexpr Eigen::Index lines = 241;
     Eigen::ArrayXd at(lines), trailing(lines), leading(lines);
