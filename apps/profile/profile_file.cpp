@@ -144,7 +144,7 @@ rollbem::Profile read(const study::Options& options, const std::string& name, co
 
 /// Worn or measured profiles without their noise.
 rollbem::Profile smoothed(const study::Options& options, const rollbem::Profile& profile) {
-    return options.given("smooth") ? profile.smoothed(options.number("smooth", study::positive())) : profile;
+    return options.given("smooth") ? profile.smoothed(options.number("smooth", study::between(1e-7, 1e-3))) : profile;
 }
 
 }  // namespace
@@ -161,7 +161,8 @@ void add_profile_options(study::Options& options) {
     options.add("length-unit", "NAME", "of CSV profiles: m or mm", "m");
     options.add("cant", "X", "by which the rail is turned inwards [rad]; 0 for a profile that is canted already",
                 "0.02499479361892016");
-    options.add("smooth", "X", "root mean square [m] by which smoothed profiles from files may leave their points");
+    options.add("smooth", "X",
+                "root mean square, 1e-7 to 1e-3 [m], by which smoothed profiles from files may leave their points");
 }
 
 rollbem::Profile read_wheel(const study::Options& options) {

@@ -67,7 +67,7 @@ void add_options(study::Options& options) {
 }
 
 std::vector<Case> read_cases(const study::Options& options) {
-    const study::Rule turn = study::between(-0.3, 0.3);
+    const study::Rule turn = study::between(-0.3, 0.3), sideways = study::between(-0.1, 0.1);
     std::optional<double> roll;
     if (options.given("roll")) roll = options.number("roll", turn);
     std::vector<std::optional<double>> rates{std::nullopt};
@@ -92,7 +92,20 @@ std::vector<Case> read_cases(const study::Options& options) {
             place[k] = next++;
             options.ignored(k == 0 ? "roll" : "pitch-rate", "with a column " + name + " in --positions");
         }
-        const std::vector<study::Numbers> columns = study::read_columns(options, "positions", names);
+        const auto check = [&](const std::vector<study::Numbers>& columns, const std::string& where) {
+            for (std::size_t k = 0; k < columns.size(); ++k) {
+                if (k == place[1] && k > 0) continue;  // a pitch rate may be any
+                const study::Rule& rule = k == 0 ? sideways : turn;
+                if (!rule.holds(columns[k].back())) {
+                    throw study::BadInput(where + ": " +
+                                          (k == 0   ? "shift"
+                                           : k == 1 ? "yaw"
+                                                    : "roll") +
+                                          " must " + rule.text);
+                }
+            }
+        };
+        const std::vector<study::Numbers> columns = study::read_columns(options, "positions", names, "", check);
         for (std::size_t i = 0; i < columns[0].size(); ++i) {
             for (const std::optional<double>& rate : rates) {
                 cases.push_back({columns[0][i], columns[1][i], place[0] ? columns[place[0]][i] : roll,
@@ -102,7 +115,7 @@ std::vector<Case> read_cases(const study::Options& options) {
         if (cases.empty()) throw study::BadInput(options.said("positions") + " must have a row below its header");
         return cases;
     }
-    for (const double shift : options.numbers("shift", study::between(-0.1, 0.1))) {
+    for (const double shift : options.numbers("shift", sideways)) {
         for (const double yaw : options.numbers("yaw", turn)) {
             for (const std::optional<double>& rate : rates) cases.push_back({shift, yaw, roll, rate});
         }
