@@ -136,6 +136,67 @@ TEST_CASE("wheel_on_rail: contacts of the Manchester benchmark, S1002 on 60E1, a
     within("approach", 6e-4, 3.2e-3);
 }
 
+// 10 s, so hidden
+TEST_CASE("wheelset_forces: the largest difference from CONTACT vanishes on CONTACT's cells", "[.][profiles]") {
+    const WheelOnRail wheel(benchmark_profile("wheel.csv"), benchmark_profile("rail.csv"));
+    const auto position = benchmark_rows("positions.csv")[1];
+    const std::vector<double> ref = benchmark_rows("contact.csv", "left,")[1];
+    const double load = ref[6], limit = 0.3 * load, nu = wheel.dimensions().poisson_ratio;
+    WheelOnRail::Workspace workspace;
+    const auto contact = wheel.carry({-position[0], 0, -position[2], -position[1]}, 1e4, friction_for(load, -ref[4]),
+                                     workspace, {.cell_size = 2e-4});
+    const RailPatch& patch = contact.patches.at(0);
+    // displacements by tractions that are constant in each cell, at the centres, as differences over one cell
+    const double unit = std::sqrt(patch.area / std::numbers::pi), d = patch.grid.dx / unit;
+    std::vector<std::pair<Eigen::Index, Eigen::Index>> cells;
+    for (Eigen::Index j = 0; j < patch.grid.ny; ++j) {
+        for (Eigen::Index i = 0; i < patch.grid.nx; ++i) {
+            if (patch.pressure(i, j) > 0) cells.emplace_back(i, j);
+        }
+    }
+    const auto n = Eigen::Index(cells.size());
+    const HalfSpace<double> space(nu);
+    const auto displaced = [&](double x, double y) {
+        return space.corner(x + d / 2, y + d / 2) - space.corner(x - d / 2, y + d / 2) -
+               space.corner(x + d / 2, y - d / 2) + space.corner(x - d / 2, y - d / 2);
+    };
+    DirectionBlocks<double> G_prime;
+    for (auto& row : G_prime) {
+        for (auto& block : row) block.resize(n, n);
+    }
+    Elements<double> elements;
+    Eigen::ArrayXd pressure(n);
+    elements.areas = Eigen::ArrayXd::Constant(n, d * d);
+    elements.centre_x = elements.centre_y = elements.x = elements.y = pressure;
+    elements.half_element_ahead = true;
+    for (Eigen::Index a = 0; a < n; ++a) {
+        const auto [i, j] = cells[std::size_t(a)];
+        pressure[a] = patch.pressure(i, j);
+        elements.centre_x[a] = patch.grid.x(i) / unit;
+        elements.x[a] = elements.centre_x[a] + d / 2;
+        elements.y[a] = elements.centre_y[a] = patch.grid.y(j) / unit;
+        elements.behind.push_back(i > 0 && patch.pressure(i - 1, j) > 0 ? a - 1 : -1);
+        for (Eigen::Index b = 0; b < n; ++b) {
+            const double x = double(i - cells[std::size_t(b)].first) * d,
+                         y = double(j - cells[std::size_t(b)].second) * d;
+            const RectangleInfluence<double> slope = (1 / d) * (displaced(x + d, y) - displaced(x, y));
+            G_prime[0][0](a, b) = slope.xx;
+            G_prime[1][1](a, b) = slope.yy;
+            G_prime[0][1](a, b) = G_prime[1][0](a, b) = slope.xy;
+        }
+    }
+    const FrictionModel model(PatchContact<double>({unit, unit, wheel.dimensions().shear_modulus, nu}),
+                              ElementSystem<double, 2>({}, G_prime, elements), {0.3, pressure});
+    auto friction_workspace = model.workspace();
+    auto state = model.at_rest();
+    const Creepage<double> creepage{-ref[10], ref[11], 1e3 * ref[12]};
+    const auto step =
+        model.steady(model.at_rest(), RigidMotion<Creepage<double>>(creepage), 1, state, friction_workspace);
+    REQUIRE(step.status == StepStatus::ok);
+    CHECK(step.force.longitudinal / limit == Approx(-ref[13] / limit).margin(1.5e-3));
+    CHECK(step.force.lateral / limit == Approx(ref[14] / limit).margin(1.5e-3));
+}
+
 TEST_CASE("wheel_on_rail: a second implementation on fine grids", "[profiles]") {
     WheelOnRail::Workspace workspace;
     const auto contact = standard().carry({6.5e-3, 0, -4.376e-3, .0156}, 1e4, friction_for(15441, -1.15908), workspace,
