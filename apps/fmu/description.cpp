@@ -1,6 +1,7 @@
 // modelDescription.xml and the documentation of an FMU, written from the table of its variables.
 #include "description.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <set>
@@ -109,6 +110,8 @@ std::string scalar_variable(const Variable& variable, std::size_t place) {
                                          : "<Integer";
     if (variable.items) text += attribute("declaredType", variable.items->name);
     if (!variable.unit.empty()) text += attribute("unit", variable.unit);
+    if (std::isfinite(variable.min)) text += attribute("min", text_of(variable.min));
+    if (std::isfinite(variable.max)) text += attribute("max", text_of(variable.max));
     if (has_start(variable)) text += attribute("start", start_of(variable));
     if (variable.causality == Causality::state) text += attribute("nominal", text_of(variable.nominal));
     if (variable.state >= 0) text += attribute("derivative", text_of(variable.state + 1));

@@ -37,7 +37,7 @@ class Friction final : public FrictionContact<rollbem::HertzLoad<Scalar>> {
 public:
     explicit Friction(Interface used) : FrictionContact(used) {
         parameters_.add_to(*this);
-        add_parameter(&friction_coefficient_, "friction_coefficient", "", "mu");
+        add_parameter(&friction_coefficient_, "friction_coefficient", "", "mu").min = 0;
         add_parameter(&elements_, "elements", "", "Number of elements, 1 to 1000");
         add_parameter(&mesh_, "mesh", "", "Spacing of the elements", &meshes);
         add_parameter(&mesh_length_, "mesh_length", "", "What the mesh covers", &mesh_lengths);
@@ -48,14 +48,15 @@ public:
             "Velocity of the wheel relative to the rail along the rolling direction, as rigid bodies; creepage times "
             "rolling_speed");
         add_input(slip_[1], "lateral_slip_velocity", "m/s", "The same across the rolling direction");
-        add_input(speed_, "rolling_speed", "m/s", "V, the speed of the contact along the rail; not negative");
-        add_input(load_, "normal_load", "N", "N over the width 2b at the end of a step; not negative");
+        add_input(speed_, "rolling_speed", "m/s", "V, the speed of the contact along the rail; not negative").min = 0;
+        add_input(load_, "normal_load", "N", "N over the width 2b at the end of a step; not negative").min = 0;
+        add_friction_factor();
         add_output(&force_.longitudinal, "longitudinal_force", "N",
                    "Force on the wheel, over the width 2b; opposes the slip velocity in steady rolling");
         add_output(&force_.lateral, "lateral_force", "N", "The same across the rolling direction");
         add_output(&slip_work_, "slip_work", "J", "Heat by slip since the start");
-        add_output(&half_length_, "contact_half_length", "m", "a under normal_load");
-        add_output(&sticking_elements_, "sticking_elements", "", "Number of elements that stick");
+        add_output(&half_length_, "contact_half_length", "m", "a under normal_load").min = 0;
+        add_output(&sticking_elements_, "sticking_elements", "", "Number of elements that stick").min = 0;
         add_output(&status_, "status", "", "Status of the last step", &step_statuses);
     }
 

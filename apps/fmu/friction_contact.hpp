@@ -97,6 +97,8 @@ protected:
         rollbem::Creepage<Scalar> shift{};  // [m], spin as an angle
         Scalar distance = 0;                // rolled [m]
         Scalar load = 0;                    // at the end [N]
+        Scalar factor = 1;                  // of mu, at the end
+        Scalar semi_axes[2] = {0, 0};       // at the end [m]; 0: those of the load
     };
 
     /// Starts at rest or rolling steadily under the present inputs. `load_width` is what a load is divided by for
@@ -107,6 +109,7 @@ protected:
         workspace_.emplace(model_->workspace());
         load_width_ = load_width;
         end_load_ = hertz_->at(load_.value / load_width_);
+        end_load_.normal_pressure *= factor_.value;
         now_ = model_->at_rest();
         now_.normal_pressure = end_load_.normal_pressure.head(model_->size());
         now_.half_length = end_load_.half_length;
@@ -139,12 +142,13 @@ protected:
     /// Of the inputs over the next step.
     StepStatus check(Scalar duration) const {
         StepStatus status = StepStatus::ok;
-        for (const Input* input : {&slip_[0], &slip_[1], &spin_, &speed_, &load_}) {
+        for (const Input* input : {&slip_[0], &slip_[1], &spin_, &speed_, &load_, &factor_, &axes_[0], &axes_[1]}) {
             const Scalar end = input->after(duration);
             if (!rollbem::detail::is_finite(input->value) || !rollbem::detail::is_finite(end)) {
                 return StepStatus::not_finite;
             }
             if (input == &speed_ && (input->value < 0 || end < 0)) status = StepStatus::invalid_step;
+            if (input == &factor_ && end < 0) status = StepStatus::invalid_load;
         }
         return status;
     }
@@ -156,7 +160,9 @@ protected:
         return {.duration = duration,
                 .shift = {integral(slip_[0]), integral(slip_[1]), integral(spin_)},
                 .distance = integral(speed_),
-                .load = load_.after(duration)};
+                .load = load_.after(duration),
+                .factor = factor_.after(duration),
+                .semi_axes = {axes_[0].after(duration), axes_[1].after(duration)}};
     }
 
     /// The creepage of the present inputs. Throws std::invalid_argument unless the contact rolls.
@@ -176,6 +182,7 @@ protected:
             if (hertz_->breathes()) total = total + hertz_->half_length_rate(load) * last_.tangent_by_half_length;
             return (1 / load_width_) * total;
         }
+        if (&input == &factor_.value) return advance(from_, past_, next_, true).tangent_by_load;
         return past_.duration * rollbem::tangent_by_distance(past_.distance, now_.half_length, [&](Scalar distance) {
                    Past step = past_;
                    step.distance = distance;
@@ -185,7 +192,11 @@ protected:
 
     virtual void show_size(Scalar load) = 0;  // of the contact
 
-    Input slip_[2] = {{0}, {0}}, spin_{0}, speed_{20}, load_{1e5};
+    void add_friction_factor() {
+        add_input(factor_, "friction_factor", "", "mu over friction_coefficient at the end of a step").min = 0;
+    }
+
+    Input slip_[2] = {{0}, {0}}, spin_{0}, speed_{20}, load_{1e5}, factor_{1}, axes_[2] = {{0}, {0}};
     Force force_{0, 0, 0};
     Scalar slip_work_ = 0;
     int sticking_elements_ = 0;
@@ -210,11 +221,16 @@ private:
         last_.stick_count = steady.stick_count;
     }
 
-    Step advance(const State& from, const Past& step, State& to) {
+    // `by_factor`: tangent_by_load becomes that with respect to the factor of mu.
+    Step advance(const State& from, const Past& step, State& to, bool by_factor = false) {
         Step failed;
         failed.status = hertz_->set(step.load / load_width_, end_load_);
         // under a contact too small for its mesh forces are rough, and as small as its load
         if (failed.status != StepStatus::ok && failed.status != StepStatus::unresolved) return failed;
+        // mu as a factor of the pressures, which bound the tractions together
+        if (by_factor) end_load_.pressure_rate = end_load_.normal_pressure;
+        end_load_.normal_pressure *= step.factor;
+        if (!by_factor) end_load_.pressure_rate *= step.factor;
         return model_->advance(from, step.distance, FrictionModel::Motion::shift(step.shift), end_load_, to,
                                *workspace_);
     }

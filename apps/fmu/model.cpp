@@ -25,28 +25,32 @@ int Model::add(Variable variable) {
     return place;
 }
 
-void Model::add_parameter(Variable::Value value, const char* name, const char* unit, std::string description,
-                          const Enumeration* items) {
-    add({.name = name, .value = value, .unit = unit, .description = std::move(description), .items = items});
+Variable& Model::add_parameter(Variable::Value value, const char* name, const char* unit, std::string description,
+                               const Enumeration* items) {
+    const int place =
+        add({.name = name, .value = value, .unit = unit, .description = std::move(description), .items = items});
+    return variables_[static_cast<std::size_t>(place)];
 }
 
-void Model::add_input(Input& input, const char* name, const char* unit, const char* description) {
-    add({.name = name,
-         .value = &input.value,
-         .unit = unit,
-         .description = description,
-         .causality = Causality::input,
-         .rate = &input.rate});
+Variable& Model::add_input(Input& input, const char* name, const char* unit, const char* description) {
+    const int place = add({.name = name,
+                           .value = &input.value,
+                           .unit = unit,
+                           .description = description,
+                           .causality = Causality::input,
+                           .rate = &input.rate});
+    return variables_[static_cast<std::size_t>(place)];
 }
 
-void Model::add_output(Variable::Value value, const char* name, const char* unit, const char* description,
-                       const Enumeration* items) {
-    add({.name = name,
-         .value = value,
-         .unit = unit,
-         .description = description,
-         .causality = Causality::output,
-         .items = items});
+Variable& Model::add_output(Variable::Value value, const char* name, const char* unit, const char* description,
+                            const Enumeration* items) {
+    const int place = add({.name = name,
+                           .value = value,
+                           .unit = unit,
+                           .description = description,
+                           .causality = Causality::output,
+                           .items = items});
+    return variables_[static_cast<std::size_t>(place)];
 }
 
 void Model::require_finite_inputs() const {

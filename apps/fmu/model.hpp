@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <limits>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -47,6 +48,7 @@ struct Variable {
     double* rate = nullptr;              ///< of an input: its time derivative during the next step
     int state = -1;                      ///< of a derivative: the place of its state in the table
     double nominal = 1;                  ///< of a state: its typical size
+    double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
     /// Of an output: what it depends on at the same instant, states by the beginning of their names; empty: everything.
     std::vector<std::string> depends_on = {};
     bool is_code = false;  ///< the integer twin of the enumeration before it in the table, see Model::add
@@ -162,8 +164,8 @@ public:
     /// Returns the place in the table. An enumeration NAME gets an integer twin NAME_code, because some importing
     /// programs know no enumerations: an output's has the same value, a parameter's sets it unless it is 0, its start.
     int add(Variable variable);
-    void add_parameter(Variable::Value value, const char* name, const char* unit, std::string description,
-                       const Enumeration* items = nullptr);
+    Variable& add_parameter(Variable::Value value, const char* name, const char* unit, std::string description,
+                            const Enumeration* items = nullptr);
 
 protected:
     /// An input and its time derivative during the next step.
@@ -184,9 +186,9 @@ protected:
     /// Throws std::invalid_argument unless the inputs are finite, naming the first that is not.
     void require_finite_inputs() const;
 
-    void add_input(Input& input, const char* name, const char* unit, const char* description);
-    void add_output(Variable::Value value, const char* name, const char* unit, const char* description,
-                    const Enumeration* items = nullptr);
+    Variable& add_input(Input& input, const char* name, const char* unit, const char* description);
+    Variable& add_output(Variable::Value value, const char* name, const char* unit, const char* description,
+                         const Enumeration* items = nullptr);
 
 private:
     Interface interface_;

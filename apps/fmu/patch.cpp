@@ -72,7 +72,7 @@ public:
         add_radius(wheel_.lateral, "wheel_lateral_radius", "Radius of the wheel's profile at the contact");
         add_radius(rail_.rolling, "rail_rolling_radius", "Radius of the rail in the plane of rolling");
         add_radius(rail_.lateral, "rail_lateral_radius", "Radius of the rail's profile at the contact");
-        add_parameter(&friction_coefficient_, "friction_coefficient", "", "mu");
+        add_parameter(&friction_coefficient_, "friction_coefficient", "", "mu").min = 0;
         add_parameter(&mode_, "mode", "", "Where forces come from", &modes);
         add_parameter(&table_file_, "table_file", "",
                       "Path of a table that creep_table made, the .bin; used where mode is table; empty: the "
@@ -91,17 +91,23 @@ public:
         add_input(spin_, "spin_rate", "rad/s",
                   "Angular velocity of the wheel relative to the rail about the normal, from x to y; spin times "
                   "rolling_speed");
-        add_input(speed_, "rolling_speed", "m/s", "V, the speed of the contact along the rail; not negative");
-        add_input(load_, "normal_load", "N", "N at the end of a step; not negative");
+        add_input(speed_, "rolling_speed", "m/s", "V, the speed of the contact along the rail; not negative").min = 0;
+        add_input(load_, "normal_load", "N", "N at the end of a step; not negative").min = 0;
+        add_friction_factor();
+        add_input(axes_[0], "given_half_length", "m",
+                  "a at the end of a step, where mode is table; 0 with given_half_width = 0: that of normal_load and "
+                  "the radii")
+            .min = 0;
+        add_input(axes_[1], "given_half_width", "m", "b likewise").min = 0;
         add_output(&force_.longitudinal, "longitudinal_force", "N",
                    "Force on the wheel; opposes the slip velocity in steady rolling without spin");
         add_output(&force_.lateral, "lateral_force", "N", "The same across the rolling direction");
         add_output(&force_.moment, "spin_moment", "N.m",
                    "Moment on the wheel about the normal through the middle of the contact");
         add_output(&slip_work_, "slip_work", "J", "Heat by slip since the start");
-        add_output(&half_length_, "contact_half_length", "m", "a, the semi-axis along x under normal_load");
-        add_output(&half_width_, "contact_half_width", "m", "b, the semi-axis along y under normal_load");
-        add_output(&sticking_elements_, "sticking_elements", "", "Number of elements that stick; 0 by table");
+        add_output(&half_length_, "contact_half_length", "m", "a, the semi-axis along x under normal_load").min = 0;
+        add_output(&half_width_, "contact_half_width", "m", "b, the semi-axis along y under normal_load").min = 0;
+        add_output(&sticking_elements_, "sticking_elements", "", "Number of elements that stick; 0 by table").min = 0;
         add_output(&status_, "status", "", "Status of the last step", &step_statuses);
     }
 
@@ -141,6 +147,10 @@ private:
         require(load_.value >= 0 && (fixed || load_.value > 0), "normal_load", load_.value,
                 fixed ? "not be negative" : "be positive where mesh_size is follows_load");
         require(!fixed || load_.value <= largest_load_, "normal_load", load_.value, "be at most largest_load");
+        for (const auto& [name, axis] :
+             {std::pair("given_half_length", axes_[0].value), std::pair("given_half_width", axes_[1].value)}) {
+            require(axis == 0, name, axis, "be 0 where mode is patch");
+        }
         const rollbem::PatchContact<Scalar> contact = contact_under(largest_load_);
         const rollbem::PatchMesh<Scalar> mesh = patch_mesh(contact, elements_, strips_);
         const rollbem::NodeDifference scheme{rollbem::Nodes::chebyshev};
@@ -184,42 +194,77 @@ private:
         return {.duration = duration,
                 .shift = {duration * slip_[0].value, duration * slip_[1].value, duration * spin_.value},
                 .distance = duration * speed_.value,
-                .load = load_.value};
+                .load = load_.value,
+                .factor = factor_.value,
+                .semi_axes = {axes_[0].value, axes_[1].value}};
     }
 
     // By table, a step at the velocities of its end, whose work is the mean of those at the velocities of both ends.
     Step take(Past& step) override {
-        if (!table_) return FrictionContact::take(step);
+        if (!table_) {
+            if (is_given(step.semi_axes[0]) || is_given(step.semi_axes[1])) return refused();
+            return FrictionContact::take(step);
+        }
         const Past start = at_once(step.duration);
         const auto end_of = [](Scalar mean, Scalar first) { return 2 * mean - first; };
         step.shift = {end_of(step.shift.longitudinal, start.shift.longitudinal),
                       end_of(step.shift.lateral, start.shift.lateral), end_of(step.shift.spin, start.shift.spin)};
         step.distance = std::max(end_of(step.distance, start.distance), Scalar(0));
         Step result = look_up(step);
-        const bool constant = start.shift == step.shift && start.distance == step.distance && start.load == step.load;
+        const bool constant = start.shift == step.shift && start.distance == step.distance && start.load == step.load &&
+                              start.factor == step.factor && start.semi_axes[0] == step.semi_axes[0] &&
+                              start.semi_axes[1] == step.semi_axes[1];
         if (!constant) result.slip_work = (result.slip_work + look_up(start).slip_work) / 2;
         return result;
     }
 
-    // At constant velocities.
-    Step look_up(const Past& step) const {
+    static Step refused() {
+        Step result;
+        result.status = StepStatus::invalid_load;
+        return result;
+    }
+    static bool is_given(Scalar semi_axis) { return !(semi_axis == 0); }
+
+    // The ellipse of a step, if it has one.
+    std::optional<rollbem::PatchContact<Scalar>> contact_of(const Past& step) const {
+        const auto [a, b] = step.semi_axes;
+        if (!is_given(a) && !is_given(b)) return contact_under(lifted(step.load) ? 0 : step.load);
+        if (!(a > 0 && b > 0)) return std::nullopt;
+        return rollbem::PatchContact<Scalar>({a, b, shear_modulus_, poisson_ratio_});
+    }
+    // By table, at constant velocities.
+    rollbem::TabulatedForce find(const Past& step) const {
         const Scalar distance = std::max(step.distance, least_speed * step.duration);
         const auto& [along, across, turn] = step.shift;
-        const Scalar load = lifted(step.load) ? 0 : step.load;
-        const rollbem::TabulatedForce found = table_->look_up(contact_under(load), friction_coefficient_, load,
-                                                              {along / distance, across / distance, turn / distance});
+        const auto contact = contact_of(step);
+        rollbem::TabulatedForce refused;
+        refused.status = StepStatus::invalid_load;
+        if (!contact) return refused;
+        return table_->look_up(*contact, friction_coefficient_ * step.factor, lifted(step.load) ? 0 : step.load,
+                               {along / distance, across / distance, turn / distance});
+    }
+    Step look_up(const Past& step) const {
+        const rollbem::TabulatedForce found = find(step);
+        const Scalar distance = std::max(step.distance, least_speed * step.duration);
+        const auto& [along, across, turn] = step.shift;
         Step result;
         result.status = found.status;
+        if (result.status != StepStatus::ok) return result;
         result.force = found.force;
         result.tangent = (1 / distance) * found.tangent;
-        if (load > 0) {
-            // both semi-axes grow like N^(1/3)
-            const auto contact = contact_under(load);
-            result.tangent_by_load = found.tangent_by_load + 1 / (3 * load) *
-                                                                 (contact.half_length() * found.tangent_by_half_length +
-                                                                  contact.half_width() * found.tangent_by_half_width);
-        } else {
-            result.tangent_by_load = first_force(along, across, turn / distance);
+        result.tangent_by_load = found.tangent_by_load;
+        if (!is_given(step.semi_axes[0])) {
+            if (step.load > 0 && !lifted(step.load)) {
+                // both semi-axes grow like N^(1/3)
+                const auto contact = contact_under(step.load);
+                result.tangent_by_load =
+                    result.tangent_by_load + 1 / (3 * step.load) *
+                                                 (contact.half_length() * found.tangent_by_half_length +
+                                                  contact.half_width() * found.tangent_by_half_width);
+            } else {
+                result.tangent_by_load =
+                    first_force(step.factor * friction_coefficient_, along, across, turn / distance);
+            }
         }
         result.slip_work =
             -(along * found.force.longitudinal + across * found.force.lateral + turn * found.force.moment);
@@ -228,17 +273,20 @@ private:
 
     // By the load where there is none yet: N f(xi/N^(1/3), eta/N^(1/3), phi) slides everywhere, but under spin alone f is
     // the same at any load; the moment has another N^(1/3).
-    Force first_force(Scalar along, Scalar across, Scalar spin) const {
+    Force first_force(Scalar mu, Scalar along, Scalar across, Scalar spin) const {
         const Scalar slip = std::hypot(along, across);
-        if (slip > 0) return {-friction_coefficient_ * (along / slip), -friction_coefficient_ * (across / slip), 0};
+        if (slip > 0) return {-mu * (along / slip), -mu * (across / slip), 0};
         const Scalar load = ellipse_->load();
-        const Force any = table_->look_up(contact_under(load), friction_coefficient_, load, {0, 0, spin}).force;
+        const Force any = table_->look_up(contact_under(load), mu, load, {0, 0, spin}).force;
         return {any.longitudinal / load, any.lateral / load, 0};
     }
 
     Force partial_by(const Scalar& input) override {
         if (!table_) return FrictionContact::partial_by(input);
         if (&input == &load_.value) return last_.tangent_by_load;
+        if (&input == &factor_.value) return friction_coefficient_ * find(past_).tangent_by_friction_coefficient;
+        if (&input == &axes_[0].value) return find(past_).tangent_by_half_length;
+        if (&input == &axes_[1].value) return find(past_).tangent_by_half_width;
         if (&input != &speed_.value) return FrictionContact::partial_by(input);
         if (past_.distance <= least_speed * past_.duration) return {0, 0, 0};
         const auto& [by_longitudinal, by_lateral, by_spin] = last_.tangent;
@@ -251,6 +299,10 @@ private:
         const Scalar scale = std::cbrt(load / ellipse_->load());
         half_length_ = scale * ellipse_->half_length();
         half_width_ = scale * ellipse_->half_width();
+        const Past now = past_.duration > 0 ? past_ : at_once(0);
+        if (!is_given(now.semi_axes[0])) return;
+        half_length_ = now.semi_axes[0];
+        half_width_ = now.semi_axes[1];
     }
 
     // No load, or one so small that the contact under it has no size in double precision.

@@ -1,7 +1,7 @@
 """What the FMUs have in common: test_contacts.py FMU..."""
 import math
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from fmpy.validation import validate_fmu
@@ -19,10 +19,12 @@ class Kind:
     outputs: list  # forces, which have derivatives, and what else a step gives
     refused: list  # index of the variant, inputs, status of the step
     wrong: list  # parameters, words
-    turn: float  # of tangents by slip and load: how far they leave out how the angles of turned slip follow
+    others: dict = field(default_factory=dict)  # further inputs, which vary by a fifth
 
-    def inputs(self):
-        return [*self.slips, "rolling_speed", "normal_load"]
+    def inputs(self, variant):
+        """Those that forces depend on."""
+        known = [*self.slips, "rolling_speed", "normal_load", *self.others]
+        return known + [name for name in variant if name.startswith("given_")]
 
     def forces(self):
         return [name for name in self.outputs if name.endswith(("force", "moment"))]
@@ -30,7 +32,8 @@ class Kind:
     def row(self, k):
         """Inputs of step k."""
         waves = {name: size * math.cos(0.1 * (i + 1) * k) for i, (name, size) in enumerate(self.slips.items())}
-        return {**waves, "rolling_speed": V * (1 + 0.1 * math.sin(0.04 * k)),
+        others = {name: size * (1 + 0.2 * math.sin(0.07 * k)) for name, size in self.others.items()}
+        return {**waves, **others, "rolling_speed": V * (1 + 0.1 * math.sin(0.04 * k)),
                 "normal_load": N * (1 + 0.5 * math.sin(0.04 * k))}
 
     def outcome(self, instance):
@@ -55,14 +58,17 @@ friction = [({"friction_coefficient": -0.1}, "friction_coefficient = -0.1 must b
             ({"normal_load": 3e5, "mesh_length": 2, "mesh_size": 2}, "normal_load = 300000 must be at most largest_load"),
             ({"normal_load": 0.0}, "normal_load = 0 must be positive where mesh_")]
 table = {"mode": 2}
+given = {**table, "given_half_length": 6e-3, "given_half_width": 4e-3}
+factor = {"friction_factor": 1.0}
 breathing = [(0, {"normal_load": 2 * N}, "needs_fixed_mesh"), (0, {"normal_load": 0.0}, "invalid_load"),
              (0, {"rolling_speed": 0.0, "normal_load": 1.3 * N}, "needs_fixed_mesh")]
 fixed = [(1, {"normal_load": 2.1 * N}, "invalid_load"), (1, {"normal_load": -1.0}, "invalid_load"),
          (1, {"rolling_speed": -1.0}, "invalid_step")]
+slippery = [(0, {"friction_factor": -0.1}, "invalid_load")]
 kinds = {
     "rollbem_adhesion": Kind(
         variants=[{"contact_length": 2}, {"contact_length": 1}],
-        slips={"slip_velocity": 2e-3}, outputs=["force", "contact_half_length"], turn=1e-6,
+        slips={"slip_velocity": 2e-3}, outputs=["force", "contact_half_length"],
         refused=[*breathing, (0, {"normal_load": -1.0}, "invalid_load"), fixed[2]],
         wrong=[*finite,
                ({"half_length": 0.0}, "half_length = 0 must be positive and finite"),
@@ -79,10 +85,10 @@ kinds = {
                ({"half_width": 1e-4}, "Lambda"),
                ({"kernel": 2, "half_width": 1e-6}, "b/a")]),
     "rollbem_friction": Kind(
-        variants=[{"mesh_length": 1, "mesh": 1}, {"mesh_length": 2, "mesh": 2}],
+        variants=[{"mesh_length": 1, "mesh": 1}, {"mesh_length": 2, "mesh": 2}], others=factor,
         slips={"longitudinal_slip_velocity": 0.02, "lateral_slip_velocity": 0.015},
-        outputs=["longitudinal_force", "lateral_force", "slip_work", "sticking_elements"], turn=1e-2,
-        refused=breathing + fixed,
+        outputs=["longitudinal_force", "lateral_force", "slip_work", "sticking_elements"],
+        refused=breathing + fixed + slippery,
         wrong=[*finite, *friction,
                ({"elements": 0}, "elements = 0 must lie in [1, 1000]"),
                ({"elements": 1001}, "elements = 1001 must lie in [1, 1000]"),
@@ -91,10 +97,11 @@ kinds = {
                ({"nominal_load": 0.0}, "nominal_load = 0 must be positive and finite"),
                ({"half_width": 1e-4}, "Lambda")]),
     "rollbem_patch": Kind(
-        variants=[{"mesh_size": 1}, {"mesh_size": 2}, table],
+        variants=[{"mesh_size": 1}, {"mesh_size": 2}, table, given], others=factor,
         slips={"longitudinal_slip_velocity": 0.04, "lateral_slip_velocity": 0.03, "spin_rate": 3.0},
-        outputs=["longitudinal_force", "lateral_force", "spin_moment", "slip_work", "sticking_elements"], turn=4e-2,
-        refused=[*breathing, *fixed, (2, {"normal_load": -1.0}, "invalid_load"),
+        outputs=["longitudinal_force", "lateral_force", "spin_moment", "slip_work", "sticking_elements"],
+        refused=[*breathing, *fixed, *slippery, (2, {"normal_load": -1.0}, "invalid_load"),
+                 (0, {"given_half_length": 1e-3}, "invalid_load"), (3, {"given_half_width": 0.0}, "invalid_load"),
                  (2, {"rolling_speed": -1.0}, "invalid_step")],
         wrong=[*finite, *friction,
                ({"elements": 0}, "elements = 0 must lie in [1, 32]"),
@@ -104,6 +111,7 @@ kinds = {
                ({"rail_lateral_radius": -0.3}, "smaller principal curvature of the gap"),
                ({**table, "poisson_ratio": 0.26999}, "poisson_ratio = 0.26999 must be within 0.01 of 0.28"),
                ({**table, "rail_lateral_radius": 0.002}, "must lie in [0.1"),
+               ({"given_half_width": 1e-3}, "given_half_width = 0.001 must be 0 where mode is patch"),
                ({**table, "normal_load": -1.0}, "normal_load = -1 must not be negative"),
                ({**table, "rolling_speed": -1.0}, "rolling_speed = -1 must not be negative"),
                *(({**mode, name: math.inf}, f"{name} = inf must be finite")
@@ -138,15 +146,37 @@ def test_derivatives_of_a_step():
             instance.close()
             return np.array(found)
 
-        for known in kind.inputs():
+        for known in kind.inputs(variant):
             if known == "normal_load" and kind is kinds["rollbem_adhesion"] and variant["contact_length"] == 1:
                 continue  # not an input of the force
-            value = kind.row(6)[known]
+            value = {**variant, **kind.row(6)}[known]
             change = 1e-5 * abs(value)
             difference = (after({known: value + change}) - after({known: value - change})) / (2 * change)
             distance = np.abs(after({}, known) - difference).max() / np.abs(difference).max()
             print(f"        by {known}: error {distance:.1e}")
-            assert distance < (1e-5 if known == "rolling_speed" or variant is table else kind.turn)
+            assert distance < 1e-6
+
+
+def test_inputs_for_parameters():
+    """A factor of mu acts as another mu; semi-axes by Hertz's formula, given, as those that follow the load."""
+    for fmu, kind, variant in each():
+        if not kind.others:
+            continue
+        ways = [dict(friction_coefficient=0.2), dict(friction_coefficient=0.4, friction_factor=0.5)]
+        if variant is table:
+            sizes = {f"given_{name}": Instance(fmu).start(**table).get(f"contact_{name}")
+                     for name in ("half_length", "half_width")}
+            ways.append({**ways[0], **sizes})
+        found = []
+        for way in ways:
+            instance = Instance(fmu).start(**{**variant, **way})
+            instance.set(**{name: size for name, size in kind.slips.items()})
+            for k in range(20):
+                assert instance.step(k * duration, duration) == ok, instance.messages
+            found.append(np.array([kind.outcome(instance)]))
+            instance.close()
+        for other in found[1:]:
+            assert np.abs(other - found[0]).max() < 1e-11 * np.abs(found[0]).max(), found
 
 
 def test_saved_in_one_instance_and_restored_in_another():
@@ -187,7 +217,7 @@ def test_two_instances_at_once():
             return [Instance(fmu).start(**variant, poisson_ratio=nu) for nu in (0.28, 0.275)]
 
         alone = [kind.roll(instance, 0, 10) for instance in start()]
-        assert alone[0] != alone[1]
+        assert alone[0] != alone[1] or "given_half_length" in variant
         both = start()
         together = [[kind.roll(instance, k, 1)[0] for instance in both] for k in range(10)]
         assert [list(found) for found in zip(*together)] == alone
@@ -210,6 +240,7 @@ def test_what_a_step_refuses():
             assert statuses[instance.get("status")] == statuses[instance.get("status_code")] == status
             assert instance.last_successful_time() == 5 * duration and instance.wants_to_stop()
             assert kind.outcome(instance) == before
+            instance.set(**{name: kind.variants[variant].get(name, 0.0) for name in values if name.startswith("given_")})
             # the next step is as if nothing had been asked
             after = kind.roll(instance, 5, 1)
             assert not instance.wants_to_stop()
@@ -229,7 +260,7 @@ def test_what_is_not_a_number():
         instance = Instance(fmu).start(**variant)
         kind.roll(instance, 0, 3)
         before, state = kind.outcome(instance), instance.calls.getFMUstate()
-        for name in kind.inputs():
+        for name in kind.inputs(variant):
             for value in (math.nan, math.inf):
                 instance.set(**{name: value})
                 assert instance.step(3 * duration, duration) == error
