@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 
 #include "frequency/polynomial.hpp"
 #include "frequency/state_space.hpp"

@@ -32,6 +32,7 @@ using Result = rollbem::StabilityResult<double>;
 struct Count {
     Result of;
     std::string status;
+    double cond_G = 0;
     Cell time_us{};
 };
 
@@ -52,7 +53,8 @@ const study::Sheet<Count> counts{
       count_of([](const Result& r) { return r.unstable_fraction(); })},
      {"spectral_abscissa", "the largest real part of the finite ones",
       count_of([](const Result& r) { return r.spectral_abscissa; })},
-     {"cond_G", "in the 2-norm, empty if G is singular", count_of([](const Result& r) { return r.cond_G; })},
+     {"cond_G", "in the 2-norm, empty if G is singular",
+      [](const Count& c) { return c.of.status == rollbem::Status::ok ? Cell(c.cond_G) : Cell(); }},
      {"time_us", "[microseconds] assembly and eigenvalues, median of at least 5 runs",
       [](const Count& c) { return c.of.status == rollbem::Status::ok ? c.time_us : Cell(); }},
      {"spectral_radius",
@@ -74,7 +76,8 @@ const study::Sheet<Count> counts{
 Count count(const study::Scene& scene, bool timed) {
     const std::optional<rollbem::RollingSystem<double>> system = study::system_if_finite(scene);
     if (!system) return {Result{}, name(Result{}.status)};
-    Count found{rollbem::solve_stability<double>(*system, {.settle_signs = true, .condition = true}), ""};
+    Count found{rollbem::judge_stability(*system), ""};
+    if (found.of.status == rollbem::Status::ok) found.cond_G = rollbem::condition_number(system->G());
     found.status = study::status_of(found.of.status, scene, *system);
     if (timed) {
         found.time_us = study::median_time_us(

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/transient.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/reference/step_response.hpp>
 
 #include "support/non_steady.hpp"

@@ -11,8 +11,8 @@
 #include <rollbem/accuracy/recommendation.hpp>
 #include <rollbem/accuracy/richardson.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/monomial.hpp>
 #include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/studies.hpp>
 #include <rollbem/reference/bessel.hpp>
 
 #include "naive.hpp"

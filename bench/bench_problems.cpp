@@ -9,10 +9,10 @@
 #include <benchmark/benchmark.h>
 
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/frequency.hpp>
-#include <rollbem/compiled/monomial.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
+#include <rollbem/compiled/studies.hpp>
 
 namespace {
 

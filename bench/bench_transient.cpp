@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include <rollbem/compiled/transient.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/reference/step_response.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <rollbem/compiled/assembly.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 namespace naive {
 

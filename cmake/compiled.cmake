@@ -3,34 +3,28 @@
 # Each of these headers lists templates as `extern template ...;`; its source, made here, is the same list without
 # `extern`. It spares a unit the members that are defined outside their class: those inside are inline, and compilers
 # instantiate them in every unit that calls them.
-# compile_headers(name part...) makes compiled/name.cpp of those headers and sets name_source. Parts that use the same of
-# Eigen's decompositions are cheaper to compile together.
-function(compile_headers name)
-    set(text "")
-    foreach(part IN LISTS ARGN)
-        set(header "${PROJECT_SOURCE_DIR}/include/rollbem/compiled/${part}.hpp")
-        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${header}")
-        file(READ "${header}" list)
-        string(FIND "${list}" "\nnamespace " start)
-        string(SUBSTRING "${list}" ${start} -1 list)
-        string(REPLACE "extern template" "template" list "${list}")
-        string(APPEND text "#include <rollbem/compiled/${part}.hpp>\n${list}")
-    endforeach()
+# compile_header(name) makes compiled/name.cpp of it and sets name_source.
+function(compile_header name)
+    set(header "${PROJECT_SOURCE_DIR}/include/rollbem/compiled/${name}.hpp")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${header}")
+    file(READ "${header}" list)
+    string(FIND "${list}" "\nnamespace " start)
+    string(SUBSTRING "${list}" ${start} -1 list)
+    string(REPLACE "extern template" "template" list "${list}")
+    set(text "#include <rollbem/compiled/${name}.hpp>\n${list}")
     set(source "${PROJECT_BINARY_DIR}/compiled/${name}.cpp")
     file(CONFIGURE OUTPUT "${source}" CONTENT "${text}" @ONLY)
     set(${name}_source "${source}" PARENT_SCOPE)
 endfunction()
-compile_headers(steady assembly lu steady)
-compile_headers(eigenvalues balanced_reduction decompositions monomial stability)
-compile_headers(line chebyshev frequency rolling_system transient)
-compile_headers(friction friction stick_border)
-compile_headers(patch patch)
-compile_headers(table creep_force_table)
+foreach(name IN ITEMS steady adhesion stability friction patch creep_force_table studies)
+    compile_header(${name})
+endforeach()
 
 # Objects of their own: what steady rolling needs, and the rest. steady_study links only the former.
 add_library(rollbem_compiled_steady OBJECT "${steady_source}")
 add_library(rollbem_compiled STATIC
-    "${eigenvalues_source}" "${line_source}" "${friction_source}" "${patch_source}" "${table_source}"
+    "${adhesion_source}" "${stability_source}" "${friction_source}" "${patch_source}" "${creep_force_table_source}"
+    "${studies_source}"
     $<TARGET_OBJECTS:rollbem_compiled_steady>)
 add_library(rollbem::compiled ALIAS rollbem_compiled)
 set_target_properties(rollbem_compiled PROPERTIES EXPORT_NAME compiled)

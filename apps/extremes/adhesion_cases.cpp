@@ -6,10 +6,9 @@
 
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/closed_form/plane_lambda.hpp>
-#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
-#include <rollbem/compiled/transient.hpp>
 #include <rollbem/elasticity/any_kernel.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
@@ -29,9 +28,21 @@ using rollbem::Integrator;
 using rollbem::LineModel;
 using rollbem::Topology;
 
+/// A mesh in any scalar.
+struct MeshOf {
+    Topology topology = Topology::uniform;
+    Eigen::Index n = 1;
+    double grading = 1;
+
+    template <class Real = double>
+    rollbem::Mesh<Real> in() const {
+        return rollbem::make_mesh<Real>(topology, n, grading);
+    }
+};
+
 /// Elements on a line of unit modulus and half-length, in any scalar.
 struct Problem {
-    rollbem::MeshSpecification mesh;
+    MeshOf mesh;
     Collocation scheme = equal;
     double aspect = infinity, nu = steel;
     LineModel model = LineModel::strip;
@@ -42,12 +53,10 @@ struct Problem {
     }
     template <class Real = double>
     rollbem::Response<Real> steady() const {
-        return rollbem::solve_steady(rollbem::make_mesh<Real>(mesh), scheme, kernel<Real>());
+        return rollbem::solve_steady(mesh.in<Real>(), scheme, kernel<Real>());
     }
-    rollbem::ElementSystem<double> system() const {
-        return rollbem::rolling_system(rollbem::make_mesh(mesh), scheme, kernel());
-    }
-    double largest_width() const { return rollbem::make_mesh(mesh).widths().maxCoeff(); }
+    rollbem::ElementSystem<double> system() const { return rollbem::rolling_system(mesh.in(), scheme, kernel()); }
+    double largest_width() const { return mesh.in().widths().maxCoeff(); }
 };
 
 // --- steady rolling
@@ -138,7 +147,7 @@ Outcome swept(const Problem& p, double z, Complex reference, double bound, doubl
 /// (G' - i z G) p = 1 in long double, by real numbers, which compile in a third of the time.
 Complex harmonic_in_long_double(const Problem& p, double z) {
     using Real = long double;
-    const auto mesh = rollbem::make_mesh<Real>(p.mesh);
+    const auto mesh = p.mesh.in<Real>();
     const auto kernel = p.kernel<Real>();
     const rollbem::MatrixX<Real> G_prime = rollbem::assemble_G_prime(mesh, p.scheme, kernel),
                                  zG = z * rollbem::assemble_G(mesh, p.scheme, kernel);

@@ -3,9 +3,8 @@
 #include <utility>
 
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/transient.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 

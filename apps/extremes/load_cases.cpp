@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <string>
 
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/transient.hpp>
 #include <rollbem/normal/hertz_load.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 

@@ -1,7 +1,7 @@
 #include "polynomial.hpp"
 
-#include <rollbem/compiled/frequency.hpp>
-#include <rollbem/compiled/monomial.hpp>
+#include <rollbem/compiled/adhesion.hpp>
+#include <rollbem/compiled/studies.hpp>
 #include <rollbem/elasticity/any_kernel.hpp>
 #include <rollbem/reference/bessel.hpp>
 

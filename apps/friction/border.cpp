@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <rollbem/compiled/stick_border.hpp>
+#include <rollbem/compiled/studies.hpp>
 
 #include "steady.hpp"
 #include "support/timing.hpp"

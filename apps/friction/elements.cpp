@@ -35,7 +35,7 @@ std::optional<Contact> contact_of(const Curve& curve, const study::Scene& scene)
     } catch (const std::invalid_argument&) {  // all else has been checked with the options
         return std::nullopt;
     }
-    return curve.line.contact(scene, *along, across, curve.line.pressure(*scene.mesh), rollbem::Checks{});
+    return curve.line.contact(scene, *along, across, curve.line.pressure(*scene.mesh), rollbem::StabilityVerdict{});
 }
 
 /// The states that the points of a curve start from in a sweep, the solutions of their neighbours; `see` is told of

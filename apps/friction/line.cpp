@@ -114,7 +114,7 @@ std::optional<System> Line::lateral_system(const study::Scene& scene, bool in_ti
 
 rollbem::FrictionContact Line::contact(const study::Scene& scene, const System& along,
                                        const std::optional<System>& across, const Eigen::ArrayXd& means,
-                                       const rollbem::Checks& checks, rollbem::Integrator integrator,
+                                       const rollbem::StabilityVerdict& checks, rollbem::Integrator integrator,
                                        double half_length) const {
     const auto under = [&](const auto& law) -> rollbem::FrictionContact {
         const rollbem::Contact<double> contact = contact_of(scene, half_length);

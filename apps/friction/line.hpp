@@ -84,7 +84,7 @@ struct Line {
     /// The contact under mean pressures, of one direction or both.
     rollbem::FrictionContact contact(const study::Scene& scene, const System& along,
                                      const std::optional<System>& across, const Eigen::ArrayXd& means,
-                                     const rollbem::Checks& checks,
+                                     const rollbem::StabilityVerdict& checks,
                                      rollbem::Integrator integrator = rollbem::Integrator::sdirk2,
                                      double half_length = 1) const;
 };

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/discretisation/any_scheme.hpp>
@@ -25,7 +25,7 @@ using Mesh = rollbem::Mesh<double>;
 
 Kernel strip() { return Kernel::longitudinal(rollbem::Contact<double>::dimensionless(aspect, poisson_ratio)); }
 
-Mesh mesh_of(const Case& c) { return rollbem::make_mesh({c.mesh, c.n, c.grading}); }
+Mesh mesh_of(const Case& c) { return rollbem::make_mesh(c.mesh, c.n, c.grading); }
 
 rollbem::AnyScheme scheme_of(const Case& c) {
     if (c.method == Method::collocation) return rollbem::Collocation{c.alpha_L, c.alpha_T, c.derivative, c.lambda};

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/monomial.hpp>
+#include <rollbem/compiled/studies.hpp>
 #include <rollbem/reference/bessel.hpp>
 
 #include "evaluate.hpp"

@@ -160,12 +160,11 @@ std::vector<std::ptrdiff_t> sizes_of(const study::Options& options, const Scheme
 
 /// kernel, aspect, poisson, and size_ratio and epsilon if the scheme's mesh has them.
 std::vector<std::string> setting(const Scene& scene, const Scheme& scheme) {
-    const auto grading = [&](rollbem::Grading kind, double value) {
+    const auto grading = [&](std::string_view kind, double value) {
         return scheme.graded_by(kind) ? study::Cell(value).text() : "";
     };
     return {scene.plane() || !scheme.discrete() ? "plane" : "strip", study::aspect_cell(scene.contact).text(),
-            study::Cell(scene.nu()).text(), grading(rollbem::Grading::size_ratio, scene.size_ratio),
-            grading(rollbem::Grading::epsilon, scene.epsilon)};
+            study::Cell(scene.nu()).text(), grading("size_ratio", scene.size_ratio), grading("epsilon", scene.epsilon)};
 }
 
 }  // namespace

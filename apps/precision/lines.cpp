@@ -8,10 +8,8 @@
 
 #include <rollbem/accuracy/richardson.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/chebyshev.hpp>
-#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/transient.hpp>
 #include <rollbem/normal/hertz_load.hpp>
 #include <rollbem/reference/step_response.hpp>
 #include <rollbem/rolling/run.hpp>
@@ -73,10 +71,10 @@ std::vector<Discrete> discretise(const Scene& scene, const Scheme& scheme, long 
     // points, with the plane kernel, can change the half-length.
     const bool breathes =
         scheme.topology != Topology::uniform && scene.plane() && scheme.equations.get_if<Galerkin>() == nullptr;
-    const double grading = scheme.graded_by(rollbem::Grading::size_ratio) ? scene.size_ratio : scene.epsilon;
+    const double grading = scheme.graded_by("size_ratio") ? scene.size_ratio : scene.epsilon;
     std::vector<Discrete> meshes;
     for (const long own : scheme.order > 0 ? std::vector{n / 2, n} : std::vector{n}) {
-        meshes.push_back({scene, scheme.equations, rollbem::make_mesh({scheme.topology, own, grading}), {}, breathes});
+        meshes.push_back({scene, scheme.equations, rollbem::make_mesh(scheme.topology, own, grading), {}, breathes});
     }
     return meshes;
 }

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/compiled/rolling_system.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/discretisation/any_scheme.hpp>
 #include <rollbem/discretisation/mesh.hpp>
@@ -51,7 +50,7 @@ struct Scheme {
     double order = 0;
 
     bool discrete() const { return kind == Kind::elements || kind == Kind::states; }
-    bool graded_by(rollbem::Grading grading) const {
+    bool graded_by(std::string_view grading) const {
         return kind == Kind::elements && rollbem::topology_info(topology).grading == grading;
     }
     bool exists(long n) const {

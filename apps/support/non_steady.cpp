@@ -5,7 +5,7 @@
 #include <utility>
 
 #include <rollbem/closed_form/plane_lambda.hpp>
-#include <rollbem/compiled/chebyshev.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
 

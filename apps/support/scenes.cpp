@@ -58,8 +58,8 @@ std::vector<std::vector<Unknowns>> make_unknowns(const Options& options, const s
     const std::string name = options.choice("mesh", names);
     const rollbem::Topology topology = *rollbem::topology_named(name);
     const rollbem::TopologyInfo& info = rollbem::topology_info(topology);
-    const bool by_ratio = info.grading == rollbem::Grading::size_ratio;
-    const bool by_epsilon = info.grading == rollbem::Grading::epsilon;
+    const bool by_ratio = info.grading == "size_ratio";
+    const bool by_epsilon = info.grading == "epsilon";
     std::vector<double> gradings{0};  // without effect if the mesh has none
     if (by_ratio || by_epsilon) gradings = options.numbers(by_ratio ? "size-ratio" : "epsilon", between(1e-12, 1e12));
     for (const Eigen::Index n : options.integers("n", 1, largest_n)) {
@@ -69,10 +69,9 @@ std::vector<std::vector<Unknowns>> make_unknowns(const Options& options, const s
         }
         std::vector<Unknowns>& graded = unknowns.emplace_back();
         for (const double grading : gradings) {
-            graded.push_back(
-                {.mesh = std::make_shared<rollbem::Mesh<double>>(rollbem::make_mesh({topology, n, grading})),
-                 .size_ratio = by_ratio ? std::optional(grading) : std::nullopt,
-                 .epsilon = by_epsilon ? std::optional(grading) : std::nullopt});
+            graded.push_back({.mesh = std::make_shared<rollbem::Mesh<double>>(rollbem::make_mesh(topology, n, grading)),
+                              .size_ratio = by_ratio ? std::optional(grading) : std::nullopt,
+                              .epsilon = by_epsilon ? std::optional(grading) : std::nullopt});
         }
     }
     return unknowns;

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/compiled/balanced_reduction.hpp>
+#include <rollbem/compiled/stability.hpp>
 
 #include "sidecar.hpp"
 

@@ -5,9 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include <rollbem/compiled/balanced_reduction.hpp>
-#include <rollbem/compiled/chebyshev.hpp>
-#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/adhesion.hpp>
+#include <rollbem/compiled/stability.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"

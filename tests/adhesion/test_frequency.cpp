@@ -10,7 +10,7 @@
 #include <gsl/gsl_sf_bessel.h>
 
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/steady.hpp>
 
 #include "support/catch.hpp"
@@ -202,7 +202,7 @@ TEST_CASE("The plane kernel is rejected where the plane model is unstable", "[fr
     CHECK(std::abs(plane(1000).lambda() - plane_lambda(nu, 1000.0)) < 1e-13);
     CHECK_NOTHROW(require_stable_model(plane(edge * 1.01)));
     CHECK_THROWS_WITH(
-        require_stable_model(plane(edge * 0.99)),
+        detail::require_stable_model(plane(edge * 0.99)),
         Catch::Matchers::ContainsSubstring("Lambda") && Catch::Matchers::ContainsSubstring("use the strip kernel"));
     const auto mesh = uniform_mesh(10);
     CHECK_THROWS_AS(solve_response(rolling_system(mesh, Collocation{}, plane(0.1)), {0, 1.0}), std::invalid_argument);

@@ -9,7 +9,7 @@
 
 #include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/studies/kalker_table.hpp>

@@ -8,11 +8,9 @@
 
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/adhesion/state_space.hpp>
-#include <rollbem/compiled/balanced_reduction.hpp>
-#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/transient.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
@@ -101,7 +99,7 @@ TEST_CASE("patch_transient: a step of each creepage and of spin, up to steady ro
 
 TEST_CASE("patch_transient: the state space in SI units settles at the steady forces") {
     const Patch longer = ellipse(a / 2, 6);
-    const StateSpaceSI<double> space = in_si(state_space(longer.system.whole()), longer.contact, 30);
+    const StateSpace<double> space = in_si(state_space(longer.system.whole()), longer.contact, 30);
     const MatrixX<double> gains = space.D - space.C * space.A.lu().solve(space.B);
     const auto steady = solve_steady(longer.contact, longer.mesh, chebyshev);
     for (const auto& [xi, eta, phi] : {Creepage<double>{1e-3, 0, 0}, {0, -2e-3, 0}, {0, 0, 0.4}, {1e-3, -2e-3, 0.4}}) {

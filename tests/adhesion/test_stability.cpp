@@ -53,8 +53,8 @@ TEST_CASE("QZ finds prescribed eigenvalues, finite and infinite", "[stability]")
     T(3, 3) = -2;  // -1.5
     S(0, 5) = T(0, 4) = 2;
     const Matrix Q = random_matrix(n, 1), Z = random_matrix(n, 2);
-    const StabilityResult<double> result = solve_stability(
-        system_of(product(product(Q, T), Z), product(product(Q, S), Z)), {.settle_signs = true, .condition = true});
+    const RollingSystem<double> system = system_of(product(product(Q, T), Z), product(product(Q, S), Z));
+    const StabilityResult<double> result = judge_stability(system);
     REQUIRE(result.status == Status::ok);
     VectorX<Complex> found = result.eigenvalues();
     int infinite = 0;
@@ -67,20 +67,19 @@ TEST_CASE("QZ finds prescribed eigenvalues, finite and infinite", "[stability]")
     for (Eigen::Index k = 0; k < n; ++k) infinite += std::abs(found[k]) > 1e12;
     CHECK(infinite == 1);
     CHECK((result.beta.array() >= 0).all());
-    CHECK(*result.uncertain_count == 1);
-    CHECK(*result.settled_unstable_count == 0);
-    CHECK(*result.cond_G > 1e14);
-    CHECK_FALSE(judge_stability(result).stable());
+    CHECK(result.uncertain_count == 1);
+    CHECK(result.settled_unstable_count == 0);
+    CHECK(condition_number(system.G()) > 1e14);
+    CHECK_FALSE(result.stable());
 
     // exactly singular: no division by a zero beta
-    const StabilityResult<double> singular =
-        solve_stability(system_of(Eigen::Vector3d(1, 0, 2).asDiagonal(), -Matrix::Identity(3, 3)),
-                        {.settle_signs = true, .condition = true});
+    const Matrix singular_G = Eigen::Vector3d(1, 0, 2).asDiagonal();
+    const StabilityResult<double> singular = judge_stability(system_of(singular_G, -Matrix::Identity(3, 3)));
     CHECK(singular.unstable_count == 0);
-    CHECK(*singular.uncertain_count == 1);
+    CHECK(singular.uncertain_count == 1);
     CHECK(singular.spectral_abscissa == Approx(-0.5));
     CHECK(singular.spectral_radius == std::numeric_limits<double>::infinity());
-    CHECK(*singular.cond_G == std::numeric_limits<double>::infinity());
+    CHECK(condition_number(singular_G) == std::numeric_limits<double>::infinity());
 }
 
 TEST_CASE("Abscissa, radius, stiffness and condition number describe a prescribed spectrum", "[stability]") {
@@ -98,14 +97,11 @@ TEST_CASE("Abscissa, radius, stiffness and condition number describe a prescribe
     CHECK(result.spectral_radius == Approx(4));
     CHECK(result.stiffness_ratio == Approx(4));
     CHECK(result.uncertainty.size() == 0);
-    CHECK_FALSE(result.uncertain_count.has_value());
-    CHECK_FALSE(result.cond_G.has_value());
-    CHECK_THROWS_WITH(judge_stability(result), Catch::Matchers::ContainsSubstring("settle_signs"));
+    CHECK(result.uncertain_count == 4);  // without a look at rounding
 
     const Matrix U = random_orthogonal(4, 3), V = random_orthogonal(4, 4);
     const Matrix scaled = product(U * Eigen::Vector4d(3, 1, 1e-3, 3e-9).asDiagonal(), V);
-    const auto condition = solve_stability(system_of(scaled, D), {.condition = true}).cond_G;
-    CHECK(*condition == Approx(1e9).epsilon(1e-5));
+    CHECK(condition_number(scaled) == Approx(1e9).epsilon(1e-5));
 }
 
 TEST_CASE("The uncertainty of an eigenvalue follows its definition", "[stability]") {
@@ -121,9 +117,9 @@ TEST_CASE("The uncertainty of an eigenvalue follows its definition", "[stability
         const MatrixX<Complex> Y = dense::solve_complex(G_X, MatrixX<Complex>::Identity(n, n));
         const double norm_G = dense::largest_singular_value(G);
         const double norm_G_prime = dense::largest_singular_value(G_prime);
-        const StabilityResult<double> result = solve_stability(system_of(G, G_prime), {.settle_signs = true});
+        const StabilityResult<double> result = judge_stability(system_of(G, G_prime));
         const VectorX<Complex> found = result.eigenvalues();
-        CHECK(*result.uncertain_count == 0);
+        CHECK(result.uncertain_count == 0);
         for (Eigen::Index k = 0; k < n; ++k) {
             const Complex value = spectrum.values[k];
             const double product = 1 / (Y.row(k).norm() * X.col(k).norm());
@@ -138,8 +134,7 @@ TEST_CASE("The uncertainty of an eigenvalue follows its definition", "[stability
             if (value.imag() < 0) continue;
             const double bound = result.uncertainty[nearest];
             const auto uncertain_at = [&](double distance) {
-                return *solve_stability(system_of(G, G_prime - (value.real() - distance) * G), {.settle_signs = true})
-                            .uncertain_count;
+                return judge_stability(system_of(G, G_prime - (value.real() - distance) * G)).uncertain_count;
             };
             const Eigen::Index expected_count = value.imag() == 0 ? 1 : 2;
             CHECK(uncertain_at(0.3 * bound) == expected_count);
@@ -155,16 +150,16 @@ TEST_CASE("The fast count of unstable modes agrees with QZ", "[stability]") {
     const auto check = [&](const auto& mesh, const auto& scheme, const auto& kernel) {
         const RollingSystem<double> system = rolling_system(mesh, scheme, kernel);
         const UnstableCount<double> count = count_unstable(system);
-        const StabilityResult<double> result = solve_stability(system, {.settle_signs = true});
-        CAPTURE(mesh.size(), scheme.alpha_L, scheme.alpha_T, count.rcond, *result.uncertain_count);
+        const StabilityResult<double> result = judge_stability(system);
+        CAPTURE(mesh.size(), scheme.alpha_L, scheme.alpha_T, count.rcond, result.uncertain_count);
         CHECK(count.n == mesh.size());
         CHECK(result.status == Status::ok);
         CHECK((count.status == Status::ok || scheme.alpha_T == 1));  // G' may be singular there
         if (count.status != Status::ok) return;
         // open signs may come out either way
-        CHECK(std::abs(count.unstable_count - result.unstable_count) <= *result.uncertain_count);
-        if (*result.uncertain_count == 0) ++settled;
-        if (*result.settled_unstable_count > 0) ++unstable;
+        CHECK(std::abs(count.unstable_count - result.unstable_count) <= result.uncertain_count);
+        if (result.uncertain_count == 0) ++settled;
+        if (result.settled_unstable_count > 0) ++unstable;
     };
     for (const int n : {1, 2, 5, 20, 40, 80}) {
         for (const double alpha_T : {0.3, 0.5, 0.63, 0.7, 0.77, 0.8, 0.9, 1.0}) {
@@ -267,16 +262,15 @@ TEST_CASE("A sign is settled if and only if it exceeds its uncertainty", "[stabi
     // the uncertainty of both eigenvalues is 2 eps
     const double eps = std::numeric_limits<double>::epsilon();
     const auto settle = [](double second) {
-        return solve_stability(system_of(Matrix::Identity(2, 2), Eigen::Vector2d(1, second).asDiagonal()),
-                               {.settle_signs = true});
+        return judge_stability(system_of(Matrix::Identity(2, 2), Eigen::Vector2d(1, second).asDiagonal()));
     };
     const StabilityResult<double> open = settle(1.5 * eps);
     CHECK(open.unstable_count == 2);
-    CHECK(*open.settled_unstable_count == 1);
-    CHECK(*open.uncertain_count == 1);
+    CHECK(open.settled_unstable_count == 1);
+    CHECK(open.uncertain_count == 1);
     const StabilityResult<double> settled = settle(2.5 * eps);
-    CHECK(*settled.settled_unstable_count == 2);
-    CHECK(*settled.uncertain_count == 0);
+    CHECK(settled.settled_unstable_count == 2);
+    CHECK(settled.uncertain_count == 0);
 }
 
 TEST_CASE("The fast count does not take a neutral mode for an unstable one", "[stability]") {

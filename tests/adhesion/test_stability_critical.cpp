@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include <rollbem/compiled/assembly.hpp>
 #include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
 #include <rollbem/studies/critical_alpha.hpp>
 
 #include "support/catch.hpp"

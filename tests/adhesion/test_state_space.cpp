@@ -7,9 +7,7 @@
 #include <utility>
 
 #include <rollbem/adhesion/state_space.hpp>
-#include <rollbem/compiled/chebyshev.hpp>
-#include <rollbem/compiled/frequency.hpp>
-#include <rollbem/compiled/transient.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
 
@@ -112,7 +110,7 @@ TEST_CASE("A state space in SI units gives the force of the time loop", "[state_
     const double speed = 30, creepage = 1e-4;
     const auto kernel = StripKernel<double>::longitudinal(contact);
     const ChebyshevSystem<double> system = rolling_system(Chebyshev{12}, kernel);
-    const StateSpaceSI<double> space = in_si(state_space(system), contact, speed);
+    const StateSpace<double> space = in_si(state_space(system), contact, speed);
     // steady: 2b times -a G c11 xi
     const double c11 = solve_steady(Chebyshev{12}, kernel).c11();
     const Complex steady = response(space, 0.0) * creepage;

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/steady.hpp>
-#include <rollbem/compiled/transient.hpp>
 #include <rollbem/reference/step_response.hpp>
 
 #include "support/catch.hpp"
@@ -139,14 +139,12 @@ TEST_CASE("Steps converge in dq at the order of their integrator", "[transient]"
 TEST_CASE("A step applies the stability function of its integrator", "[transient]") {
     // one element: a scalar equation with the eigenvalue w of dq G^-1 G'
     const Contact<double> contact = plane_contact();
-    const InfluenceMatrices<double> matrices{Eigen::MatrixXd::Constant(1, 1, 1.0),
-                                             Eigen::MatrixXd::Constant(1, 1, -2.0)};
+    const MatrixX<double> G = MatrixX<double>::Constant(1, 1, 1.0), G_prime = -2 * G;
     const ArrayX<double> widths = ArrayX<double>::Constant(1, 2.0);
     const double gamma = 1 - 1 / std::sqrt(2.0);
     for (const double w : {-1e-7, -0.1, -1.0, -7.0, -1e3, -1e9}) {
         for (const Integrator integrator : all_integrators) {
-            const Model model(contact, ElementSystem<double>(matrices.G, matrices.G_prime, widths), unchecked,
-                              integrator);
+            const Model model(contact, ElementSystem<double>(G, G_prime, widths), unchecked, integrator);
             const double expected = integrator == Integrator::implicit_euler ? 1 / (1 - w)
                                     : integrator == Integrator::sdirk2
                                         ? (1 + (1 - 2 * gamma) * w) / ((1 - gamma * w) * (1 - gamma * w))
@@ -166,11 +164,10 @@ TEST_CASE("A step applies the stability function of its integrator", "[transient
 
 TEST_CASE("Steps of dq = 1e-9 to 1e6 stay bounded and have the right limits", "[transient]") {
     const Contact<double> contact = plane_contact();
-    const InfluenceMatrices<double> matrices =
-        assemble(cosine_mesh<double>(40), halves, PlaneKernel<double>::longitudinal(contact));
+    const MatrixX<double> G = assemble_G(cosine_mesh<double>(40), halves, PlaneKernel<double>::longitudinal(contact));
     const double steady =
         solve_steady(cosine_mesh<double>(40), halves, PlaneKernel<double>::longitudinal(contact)).c11();
-    const VectorX<double> shifted = dense::solve(matrices.G, VectorX<double>::Ones(40));
+    const VectorX<double> shifted = dense::solve(G, VectorX<double>::Ones(40));
     const double shift_force = shifted.dot(cosine_mesh<double>(40).widths().matrix());
     CHECK(std::abs(steady / steady_c11(0.25) - 1) < 2e-4);
 
@@ -255,8 +252,7 @@ TEST_CASE("The tangent is the derivative of the force", "[transient]") {
 
 TEST_CASE("A rigid shift equals creepage times distance, and may occur without rolling", "[transient]") {
     const Contact<double> contact = plane_contact();
-    const InfluenceMatrices<double> matrices =
-        assemble(cosine_mesh<double>(40), halves, PlaneKernel<double>::longitudinal(contact));
+    const MatrixX<double> G = assemble_G(cosine_mesh<double>(40), halves, PlaneKernel<double>::longitudinal(contact));
     for (const Integrator integrator : all_integrators) {
         const Model model = plane_model(40, integrator);
         const Model::State from = model.steady(0.2);
@@ -268,15 +264,15 @@ TEST_CASE("A rigid shift equals creepage times distance, and may occur without r
 
         // G (p - p_old) = -W
         REQUIRE(model.advance(from, 0, Motion::shift(0.5), by_shift, workspace).status == StepStatus::ok);
-        const VectorX<double> jump = -dense::solve(matrices.G, VectorX<double>::Constant(40, 0.5));
+        const VectorX<double> jump = -dense::solve(G, VectorX<double>::Constant(40, 0.5));
         CHECK((by_shift.traction - from.traction - jump).norm() < 1e-12 * jump.norm());
     }
 }
 
 TEST_CASE("Matrices whose first pivots vanish are solved correctly", "[transient]") {
-    InfluenceMatrices<double> matrices{MatrixX<double>(3, 3), MatrixX<double>(3, 3)};
-    matrices.G << 0, 2, 1, 1, 0, 3, 2, 1, 0;
-    matrices.G_prime << 0, -1, 1, -2, 0, -1, -1, -3, 1e-12;
+    MatrixX<double> G(3, 3), G_prime(3, 3);
+    G << 0, 2, 1, 1, 0, 3, 2, 1, 0;
+    G_prime << 0, -1, 1, -2, 0, -1, -1, -3, 1e-12;
     const auto solution = [](const MatrixX<double>& matrix, double right) -> VectorX<double> {
         return dense::solve(matrix, VectorX<double>::Constant(3, right));
     };
@@ -284,17 +280,16 @@ TEST_CASE("Matrices whose first pivots vanish are solved correctly", "[transient
         return (a - b).norm() < 1e-13 * b.norm();
     };
     for (const Integrator integrator : all_integrators) {
-        const Model model(plane_contact(),
-                          ElementSystem<double>(matrices.G, matrices.G_prime, ArrayX<double>::Constant(3, 2.0 / 3)),
+        const Model model(plane_contact(), ElementSystem<double>(G, G_prime, ArrayX<double>::Constant(3, 2.0 / 3)),
                           unchecked, integrator);
         CAPTURE(name(integrator));
-        CHECK(close(model.steady(0.5).traction, solution(matrices.G_prime, 0.5)));
+        CHECK(close(model.steady(0.5).traction, solution(G_prime, 0.5)));
         Model::State from = model.at_rest(), to = from;
         Model::Workspace workspace = model.workspace();
         REQUIRE(model.advance(from, 0.0, Motion::shift(0.25), to, workspace).status == StepStatus::ok);
-        CHECK(close(to.traction, solution(matrices.G, -0.25)));
+        CHECK(close(to.traction, solution(G, -0.25)));
         if (integrator != Integrator::implicit_euler) continue;
-        const VectorX<double> step = solution(matrices.G - 0.5 * matrices.G_prime, -0.5);
+        const VectorX<double> step = solution(G - 0.5 * G_prime, -0.5);
         for (const double before : {0.0, 0.5}) {
             from.distance = before;
             REQUIRE(model.advance(from, 0.5, 1.0, to, workspace).status == StepStatus::ok);
@@ -427,15 +422,13 @@ TEST_CASE("The constructor rejects invalid input and names the quantity", "[tran
     CHECK_THROWS_WITH(Model(narrow, rolling_system(mesh, halves, PlaneKernel<double>::longitudinal(narrow)), unchecked),
                       ContainsSubstring("Lambda"));
 
-    InfluenceMatrices<double> matrices = assemble(mesh, halves, kernel);
-    CHECK_NOTHROW(Model(contact, ElementSystem<double>(matrices.G, matrices.G_prime, mesh.widths()), good));
-    CHECK_THROWS_AS(
-        Model(contact, ElementSystem<double>(matrices.G, matrices.G_prime, uniform_mesh<double>(9).widths()),
-              unchecked),
-        std::invalid_argument);
-    matrices.G(3, 4) = std::numeric_limits<double>::quiet_NaN();
-    CHECK_THROWS_AS(Model(contact, ElementSystem<double>(matrices.G, matrices.G_prime, mesh.widths()), unchecked),
+    MatrixX<double> G = assemble_G(mesh, halves, kernel);
+    const MatrixX<double> G_prime = assemble_G_prime(mesh, halves, kernel);
+    CHECK_NOTHROW(Model(contact, ElementSystem<double>(G, G_prime, mesh.widths()), good));
+    CHECK_THROWS_AS(Model(contact, ElementSystem<double>(G, G_prime, uniform_mesh<double>(9).widths()), unchecked),
                     std::invalid_argument);
+    G(3, 4) = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THROWS_AS(Model(contact, ElementSystem<double>(G, G_prime, mesh.widths()), unchecked), std::invalid_argument);
 
     const Model model(contact, rolling_system(mesh, halves, kernel), good);
     CHECK_THROWS_AS(model.steady(std::numeric_limits<double>::infinity()), std::invalid_argument);

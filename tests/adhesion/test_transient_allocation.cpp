@@ -13,9 +13,9 @@
 #include <vector>
 
 #include <rollbem/assembly/patch_shapes.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
-#include <rollbem/compiled/transient.hpp>
 #include <rollbem/normal/hertz_patch_load.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 

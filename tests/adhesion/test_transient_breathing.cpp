@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/transient.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 

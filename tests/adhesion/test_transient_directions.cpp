@@ -5,7 +5,7 @@
 #include <utility>
 
 #include <rollbem/adhesion/response.hpp>
-#include <rollbem/compiled/transient.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/scene/patch_contact.hpp>
 
 #include "support/catch.hpp"

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/transient.hpp>
 
 #include "support/catch.hpp"
 

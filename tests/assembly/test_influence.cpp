@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/assembly.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 #include "support/brute_force.hpp"
 #include "support/catch.hpp"

@@ -1,10 +1,10 @@
-// rollbem/assembly/detail/line_integrals.hpp
+// rollbem/assembly/detail/influence_rows.hpp
 #include <cmath>
 #include <numbers>
 #include <type_traits>
 #include <vector>
 
-#include <rollbem/assembly/detail/line_integrals.hpp>
+#include <rollbem/assembly/detail/influence_rows.hpp>
 
 #include "support/brute_force.hpp"
 #include "support/catch.hpp"

@@ -8,10 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/steady.hpp>
-#include <rollbem/compiled/transient.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 

@@ -47,7 +47,7 @@ struct Setup {
     bool turned = false;  // slip
     bool with_tangents = true;
     double stiffer = 1;  // G of the system over its own
-    Checks checks = unchecked;
+    StabilityVerdict checks = unchecked;
     Law falling = law;
     double constant = law.mu_0;
     double least = least_velocity;

@@ -13,7 +13,7 @@
 #include <string>
 #include <utility>
 
-#include <rollbem/compiled/transient.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/rolling/run.hpp>
 
 #include "friction/any_model.hpp"

@@ -39,7 +39,7 @@ TEST_CASE("Steady forces of a scheme that does not converge are not given", "[fr
             setup.mesh = cosine_mesh<double>(10);
             setup.scheme = {.alpha_L = alpha, .alpha_T = alpha};
             const FrictionContact asked_for = make(setup, true);
-            setup.checks = Checks();
+            setup.checks = StabilityVerdict();
             const FrictionContact steady = make(setup, true);
             State to = steady.at_rest();
             Workspace workspace = steady.workspace();
@@ -55,7 +55,7 @@ TEST_CASE("Steady forces of a scheme that does not converge are not given", "[fr
             setup.checks = unchecked;
         }
     }
-    CHECK(make({.checks = Checks()}, true).converges());
+    CHECK(make({.checks = StabilityVerdict()}, true).converges());
 }
 
 TEST_CASE("A model without G refuses to roll in time", "[friction]") {

@@ -11,8 +11,8 @@
 #include <Eigen/LU>
 
 #include <rollbem/closed_form/friction.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/steady.hpp>
-#include <rollbem/compiled/transient.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"

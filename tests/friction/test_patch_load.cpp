@@ -9,10 +9,10 @@
 
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/assembly/patch_shapes.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/transient.hpp>
 #include <rollbem/normal/hertz_patch_load.hpp>
 
 #include "support/catch.hpp"

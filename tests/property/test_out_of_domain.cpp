@@ -8,10 +8,9 @@
 
 #include <rollbem/accuracy/recommendation.hpp>
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/assembly.hpp>
-#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/transient.hpp>
+#include <rollbem/compiled/steady.hpp>
 #include <rollbem/discretisation/mesh.hpp>
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/line_kernel.hpp>
@@ -138,7 +137,7 @@ TEMPLATE_TEST_CASE("Kernels reject every parameter out of its domain", "[domain]
     refuses<Scalar>("c1", constants, [](Scalar c) { StripKernel<Scalar>(1, c, 0); });
     refuses<Scalar>("c2", constants, [](Scalar c) { StripKernel<Scalar>(1, 1, c); });
     refuses<Scalar>("Lambda = ln(4b/a) + c2/c1", {Scalar(0.01), Scalar(0.25)},
-                    [](Scalar b) { require_stable_model(PlaneKernel<Scalar>(b, 1, 0)); });
+                    [](Scalar b) { detail::require_stable_model(PlaneKernel<Scalar>(b, 1, 0)); });
 }
 
 TEMPLATE_TEST_CASE("Closed forms reject every argument out of its domain", "[domain]", SCALARS) {

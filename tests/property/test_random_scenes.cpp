@@ -11,9 +11,8 @@
 #include <utility>
 
 #include <rollbem/closed_form/carter.hpp>
-#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/steady.hpp>
-#include <rollbem/compiled/transient.hpp>
 #include <rollbem/discretisation/any_scheme.hpp>
 #include <rollbem/elasticity/any_kernel.hpp>
 
@@ -51,14 +50,15 @@ Kernel kernel_of(const Scene& scene) {
     return {scene.plane ? LineModel::plane : LineModel::strip, scene.aspect, scene.c1(), scene.c2()};
 }
 
-// as assemble(), also where G is not finite
+// as assemble_G() and assemble_G_prime(), also where G is not finite
 Matrix assemble_one(const Mesh<double>& mesh, const AnyScheme& scheme, const Kernel& kernel, Quantity quantity) {
     return detail::influence_matrix<double>(mesh, scheme_rows(scheme, quantity, mesh),
                                             detail::KernelView<double>(kernel), quantity);
 }
-InfluenceMatrices<double> assemble_both(const Mesh<double>& mesh, const AnyScheme& scheme, const Kernel& kernel) {
-    return {assemble_one(mesh, scheme, kernel, Quantity::displacement),
-            assemble_one(mesh, scheme, kernel, Quantity::slope)};
+template <class System>
+System system_of(const Scene& scene) {
+    return System(assemble_one(scene.mesh, scene.scheme, kernel_of(scene), Quantity::displacement),
+                  assemble_one(scene.mesh, scene.scheme, kernel_of(scene), Quantity::slope), scene.widths());
 }
 Response<double> steady_of(const Scene& scene, const Kernel& kernel) {
     return solve_steady<double>(assemble_one(scene.mesh, scene.scheme, kernel, Quantity::slope), scene.widths());
@@ -272,8 +272,7 @@ TEST_CASE("Harmonic responses are conjugate-symmetric and tend to the steady one
     std::uint64_t drawn = 0, compared = 0;
     for_each_scene([&](Scenes& scenes, const Scene& scene) {
         ++drawn;
-        InfluenceMatrices<double> matrices = assemble_both(scene.mesh, scene.scheme, kernel_of(scene));
-        const RollingSystem<double> system(std::move(matrices.G), std::move(matrices.G_prime), scene.widths());
+        const auto system = system_of<RollingSystem<double>>(scene);
         const FrequencySweep<double> sweep(system);
         const double z = scenes.logarithmic(1e-12, 1e6);
         const Response<std::complex<double>> up = sweep(z), down = sweep(-z);
@@ -305,8 +304,7 @@ TEST_CASE("Steps of any length are finite or reported, and long ones end in stea
         using Model = AdhesionModel<>;
         if (scene.plane && plane_lambda(scene.poisson_ratio, scene.aspect) < 0.5) return;
         const Contact<double> contact = Contact<double>::dimensionless(scene.aspect, scene.poisson_ratio);
-        InfluenceMatrices<double> matrices = assemble_both(scene.mesh, scene.scheme, kernel_of(scene));
-        const ElementSystem<double> system(std::move(matrices.G), std::move(matrices.G_prime), scene.widths());
+        const auto system = system_of<ElementSystem<double>>(scene);
         const Response<double> steady = solve_steady<double>(system.G_prime(), system.weights());
         const Matrix lengths = Eigen::PartialPivLU<Matrix>(system.G_prime()).solve(system.G());
         const double longest = lengths.cwiseAbs().rowwise().sum().maxCoeff();

@@ -11,11 +11,9 @@
 #include <rollbem/accuracy/richardson.hpp>
 #include <rollbem/adhesion/response.hpp>
 #include <rollbem/adhesion/state_space.hpp>
-#include <rollbem/compiled/chebyshev.hpp>
-#include <rollbem/compiled/frequency.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
-#include <rollbem/compiled/transient.hpp>
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
 #include <rollbem/spectral/polynomial.hpp>

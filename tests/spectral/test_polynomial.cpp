@@ -7,7 +7,7 @@
 
 #include <gsl/gsl_errno.h>
 
-#include <rollbem/compiled/monomial.hpp>
+#include <rollbem/compiled/studies.hpp>
 #include <rollbem/reference/bessel.hpp>
 
 #include "support/catch.hpp"

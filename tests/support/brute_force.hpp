@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/assembly.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 namespace brute_force {
 

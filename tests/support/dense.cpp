@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <rollbem/compiled/decompositions.hpp>
+#include <rollbem/compiled/stability.hpp>
 
 namespace dense {
 

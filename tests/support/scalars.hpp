@@ -28,7 +28,7 @@
 
 #define ROLLBEM_LONG_DOUBLE(keyword)      \
     ROLLBEM_SCALARS(keyword, long double) \
-    keyword template decltype(solve_stability<long double>) solve_stability<long double>;
+    keyword template decltype(detail::find_eigenvalues<long double>) detail::find_eigenvalues<long double>;
 
 namespace rollbem {
 

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
-#include <rollbem/compiled/monomial.hpp>
+#include <rollbem/compiled/studies.hpp>
 #include <rollbem/reference/bessel.hpp>
 
 #include "paper/claims.hpp"

@@ -61,7 +61,7 @@ struct RecommendedElements {
     /// The recommended mesh with another number of elements. Throws std::invalid_argument if count < 1.
     template <class Scalar = double>
     Mesh<Scalar> mesh(Eigen::Index count) const {
-        return make_mesh<Scalar>({.topology = topology, .n = count});
+        return make_mesh<Scalar>(topology, count);
     }
 
     /// solve(mesh, scheme), extrapolated if that is recommended; `solve` returns a real or complex number. For states

@@ -60,25 +60,6 @@ StageTable<Scalar> stage_table(Integrator integrator) {
     return {8, 1 / static_cast<Scalar>(4.266700170287658793649421826900639634482L)};
 }
 
-}  // namespace detail
-
-/// Tag in place of checks: builds a model whatever its eigenvalues, and whether or not the scheme converges.
-struct Unchecked {};
-inline constexpr Unchecked unchecked{};
-
-/// What a model checks when it is made: in the time domain the verdict on its system's eigenvalues, and always that its
-/// scheme converges to full adhesion; or nothing.
-struct Checks {
-    bool wanted = true;
-    StabilityVerdict verdict;  ///< in the time domain
-
-    Checks() = default;
-    Checks(const StabilityVerdict& known) : verdict(known) {}  // NOLINT: implicit on purpose
-    Checks(Unchecked) : wanted(false) {}                       // NOLINT: implicit on purpose
-};
-
-namespace detail {
-
 /// The tractions of steady rolling at unit creepage, G' p = 1, by an LU that needs no Eigen header; with several
 /// directions, the n unknowns of this one begin at `first`.
 template <class Scalar>
@@ -143,24 +124,24 @@ bool converges(const DirectionBlocks<Scalar>& G_prime, const ArrayX<Scalar>& are
     return converges(G_prime[0][0], areas) && converges(G_prime[1][1], areas);
 }
 
-/// The requirements of every time-domain model, if they are wanted.
+/// The requirements of every time-domain model: its eigenvalues do not grow, and its scheme converges to full adhesion.
 template <class Scalar>
-void require_usable_in_time(const char* who, const RollingSystem<Scalar>& system, const Checks& checks) {
+void require_usable_in_time(const char* who, const RollingSystem<Scalar>& system, const StabilityVerdict& verdict) {
     require_G(who, system);
-    if (!checks.wanted) return;
-    require_stable(who, system.size(), checks.verdict);
+    if (!verdict.checked) return;
+    require_stable(who, system.size(), verdict);
     if (!system.unknowns_are_tractions()) return;
     require_convergent<Scalar>(who, steady_tractions(system.G_prime(), 0, system.size()), system.weights());
 }
 
 /// The same in two directions, with a verdict on all 2n eigenvalues.
 template <class Scalar>
-void require_usable_in_time(const char* who, const ElementSystem<Scalar, 2>& system, const Checks& checks) {
+void require_usable_in_time(const char* who, const ElementSystem<Scalar, 2>& system, const StabilityVerdict& verdict) {
     require_G(who, system);
-    if (!checks.wanted) return;
+    if (!verdict.checked) return;
     const Eigen::Index n = system.size();
     const ArrayX<Scalar>& areas = system.elements().areas;
-    require_stable(who, 2 * n, checks.verdict);
+    require_stable(who, 2 * n, verdict);
     if (system.coupled() && is_dissipative(joined(system.G_prime_blocks()), areas)) return;
     for (std::size_t d = 0; d < 2; ++d) {
         if (system.coupled()) {

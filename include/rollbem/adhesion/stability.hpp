@@ -7,7 +7,6 @@
 #include <complex>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -23,32 +22,19 @@
 
 namespace rollbem {
 
-/// What solve_stability computes in addition to eigenvalues; each item costs at most about as much as they do.
-struct StabilityOptions {
-    bool settle_signs = false;  ///< uncertainty, settled_unstable_count and uncertain_count
-    bool condition = false;     ///< cond_G
-};
-
-/// Eigenvalues of G' p = nu G p, Eq. (12) without creepage and p ~ e^{nu V t}; times a, hence dimensionless.
+/// Eigenvalues of G' p = nu G p, Eq. (12) without creepage and p ~ e^{nu V t}; times a, hence dimensionless. As a
+/// verdict it is that of judge_stability; from solve_stability no sign is settled, and all are uncertain.
 template <class Scalar>
-struct StabilityResult {
+struct StabilityResult : StabilityVerdict {
     /// nu_k = alpha_k / beta_k; beta_k >= 0, and 0 for an infinite eigenvalue. Unordered, except that conjugate pairs
     /// are adjacent.
     VectorX<std::complex<Scalar>> alpha;
     VectorX<Scalar> beta;
     /// n eps (|G'|_2 + |nu| |G|_2) / |y^H G x| with unit right and left vectors x and y: the effect that rounding of G
-    /// and G' can have on each eigenvalue, to first order. Empty unless requested; infinite for infinite eigenvalues.
+    /// and G' can have on each eigenvalue, to first order. Empty from solve_stability; infinite for infinite eigenvalues.
     VectorX<Scalar> uncertainty;
-    Eigen::Index unstable_count = 0;                     ///< Re(nu) > 0 as computed
-    std::optional<Eigen::Index> settled_unstable_count;  ///< those of them whose sign is settled
-    std::optional<Eigen::Index> uncertain_count;         ///< |Re(nu)| <= uncertainty, either sign
-    Scalar spectral_abscissa = 0;                        ///< largest Re(nu) of the finite eigenvalues
-    Scalar spectral_radius = 0;                          ///< largest |nu|; infinite if an eigenvalue is
-    Scalar stiffness_ratio = 0;                          ///< largest |Re(nu)| over smallest
-    std::optional<Scalar> cond_G;                        ///< |G| |G^-1| in the 2-norm; infinite for a singular G
-    bool decay_proved = false;  ///< all eigenvalues decay, whatever rounding of G and G' does; tried where
-                                ///< none is unstable as computed but some signs are uncertain
-    Status status = Status::not_finite;
+    Scalar spectral_radius = 0;  ///< largest |nu|; infinite if an eigenvalue is
+    Scalar stiffness_ratio = 0;  ///< largest |Re(nu)| over smallest
 
     Scalar unstable_fraction() const {
         return static_cast<Scalar>(unstable_count) / static_cast<Scalar>(std::max<Eigen::Index>(alpha.size(), 1));
@@ -73,14 +59,6 @@ Scalar two_norm(const MatrixX<Scalar>& A) {
     square.noalias() = A.transpose() * A;
     const Eigen::SelfAdjointEigenSolver<MatrixX<Scalar>> solver(square, Eigen::EigenvaluesOnly);
     return std::sqrt((std::max)(solver.eigenvalues()[A.cols() - 1], Scalar(0)));
-}
-
-/// |G| |G^-1|; by the inverse, as the small eigenvalues of G^T G would lose condition numbers beyond 1/sqrt(eps).
-template <class Scalar>
-Scalar two_norm_condition(const MatrixX<Scalar>& G) {
-    const MatrixX<Scalar> inverse = Eigen::PartialPivLU<MatrixX<Scalar>>(G).inverse();
-    if (!all_finite(inverse)) return std::numeric_limits<Scalar>::infinity();
-    return two_norm(G) * two_norm(inverse);
 }
 
 /// The pair (S, T) of a real QZ decomposition of (G', G): T is triangular, and S is except for 2 x 2 blocks.
@@ -212,16 +190,12 @@ bool all_decay(const RollingSystem<Scalar>& system, Scalar middle, Scalar norm_G
     return Eigen::LLT<Matrix>(Y).info() == Eigen::Success && Eigen::LLT<Matrix>(R).info() == Eigen::Success;
 }
 
-}  // namespace detail
-
-/// All eigenvalues of G' p = nu G p, Eq. (33), by the QZ algorithm (that of Eigen::GeneralizedEigenSolver, whose
-/// triangular pair is needed here). Without options no vectors are computed. If it does not converge the status is
-/// ill_conditioned.
 template <class Scalar>
-StabilityResult<Scalar> solve_stability(const RollingSystem<Scalar>& system, StabilityOptions options = {}) {
+StabilityResult<Scalar> find_eigenvalues(const RollingSystem<Scalar>& system, bool settle_signs) {
     const Eigen::Index n = system.size();
     StabilityResult<Scalar> result;
-    detail::QuasiTriangularPair<Scalar> pair;
+    result.n = result.uncertain_count = n;
+    QuasiTriangularPair<Scalar> pair;
     {
         const Eigen::RealQZ<MatrixX<Scalar>> qz(system.G_prime(), system.G(), false);
         result.status = qz.info() == Eigen::Success ? Status::ok : Status::ill_conditioned;
@@ -231,7 +205,7 @@ StabilityResult<Scalar> solve_stability(const RollingSystem<Scalar>& system, Sta
     result.alpha.resize(n);
     result.beta.resize(n);
     for (Eigen::Index i = 0; i < n; ++i) {
-        const auto [alpha, beta] = detail::eigenvalue_at(pair, i);
+        const auto [alpha, beta] = eigenvalue_at(pair, i);
         result.alpha[i] = alpha;
         result.beta[i] = beta;
         if (!pair.is_pair(i)) continue;
@@ -240,71 +214,71 @@ StabilityResult<Scalar> solve_stability(const RollingSystem<Scalar>& system, Sta
         result.beta[i] = beta;
     }
 
-    if (!detail::all_finite(result.alpha) || !detail::all_finite(result.beta)) {
+    if (!all_finite(result.alpha) || !all_finite(result.beta)) {
         result.status = Status::not_finite;
         return result;
     }
 
     const Scalar infinity = std::numeric_limits<Scalar>::infinity();
-    result.spectral_abscissa = -infinity;
+    result.spectral_abscissa = -std::numeric_limits<double>::infinity();
     Scalar largest = 0, smallest = infinity, slowest = infinity;
     for (const std::complex<Scalar>& nu : result.eigenvalues()) {
         result.spectral_radius = (std::max)(result.spectral_radius, std::abs(nu));
         slowest = (std::min)(slowest, std::abs(nu));
         largest = (std::max)(largest, std::abs(nu.real()));
         smallest = (std::min)(smallest, std::abs(nu.real()));
-        if (!detail::is_finite(nu.real())) continue;
-        result.spectral_abscissa = (std::max)(result.spectral_abscissa, nu.real());
+        if (!is_finite(nu.real())) continue;
+        result.spectral_abscissa = (std::max)(result.spectral_abscissa, static_cast<double>(nu.real()));
         if (nu.real() > 0) ++result.unstable_count;
     }
     result.stiffness_ratio = largest / smallest;
+    if (!settle_signs) return result;
 
-    if (options.settle_signs) {
-        const Scalar norm_G_prime = detail::two_norm(system.G_prime()), norm_G = detail::two_norm(system.G());
-        result.uncertainty = detail::uncertainty_of_eigenvalues(pair, norm_G_prime, norm_G);
-        Eigen::Index settled = 0, settled_unstable = 0;
-        for (Eigen::Index k = 0; k < n; ++k) {
-            if (!(result.beta[k] > 0)) continue;
-            const Scalar growth = result.alpha[k].real() / result.beta[k];
-            if (std::abs(growth) > result.uncertainty[k]) ++settled;
-            if (growth > result.uncertainty[k]) ++settled_unstable;
-        }
-        result.uncertain_count = n - settled;
-        result.settled_unstable_count = settled_unstable;
-        const Scalar middle = std::sqrt(slowest * result.spectral_radius);
-        if (settled < n && result.unstable_count == 0 && detail::is_finite(middle) && middle > 0) {
-            result.decay_proved = detail::all_decay(system, middle, norm_G_prime, norm_G);
-        }
+    const Scalar norm_G_prime = two_norm(system.G_prime()), norm_G = two_norm(system.G());
+    result.uncertainty = uncertainty_of_eigenvalues(pair, norm_G_prime, norm_G);
+    for (Eigen::Index k = 0; k < n; ++k) {
+        if (!(result.beta[k] > 0)) continue;
+        const Scalar growth = result.alpha[k].real() / result.beta[k];
+        if (std::abs(growth) > result.uncertainty[k]) --result.uncertain_count;
+        if (growth > result.uncertainty[k]) ++result.settled_unstable_count;
     }
-    if (options.condition) result.cond_G = detail::two_norm_condition(system.G());
+    const Scalar middle = std::sqrt(slowest * result.spectral_radius);
+    if (result.uncertain_count > 0 && result.unstable_count == 0 && is_finite(middle) && middle > 0) {
+        result.decay_proved = all_decay(system, middle, norm_G_prime, norm_G);
+    }
     return result;
 }
 
-/// The verdict of a result with settled signs. Throws std::invalid_argument if a result that is ok has none.
+}  // namespace detail
+
+/// All eigenvalues of G' p = nu G p, Eq. (33), by the QZ algorithm (that of Eigen::GeneralizedEigenSolver, whose
+/// triangular pair is needed here). No vectors are computed. If it does not converge the status is ill_conditioned.
 template <class Scalar>
-StabilityVerdict judge_stability(const StabilityResult<Scalar>& result) {
-    detail::require(result.status != Status::ok || result.uncertain_count.has_value(), "judge_stability",
-                    "settle_signs", 0, "be set in the options of solve_stability");
-    return {.n = result.alpha.size(),
-            .unstable_count = result.unstable_count,
-            .settled_unstable_count = result.settled_unstable_count.value_or(0),
-            .uncertain_count = result.uncertain_count.value_or(0),
-            .spectral_abscissa = static_cast<double>(result.spectral_abscissa),
-            .decay_proved = result.decay_proved,
-            .status = result.status};
+StabilityResult<Scalar> solve_stability(const RollingSystem<Scalar>& system) {
+    return detail::find_eigenvalues(system, false);
 }
 
-/// The verdict on a system.
+/// |A| |A^-1| in the 2-norm, infinite for a singular A; by the inverse, as the small eigenvalues of A^T A would lose
+/// condition numbers beyond 1/sqrt(eps).
 template <class Scalar>
-StabilityVerdict judge_stability(const RollingSystem<Scalar>& system) {
-    return judge_stability(solve_stability(system, {.settle_signs = true}));
+Scalar condition_number(const MatrixX<Scalar>& A) {
+    const MatrixX<Scalar> inverse = Eigen::PartialPivLU<MatrixX<Scalar>>(A).inverse();
+    if (!detail::all_finite(inverse)) return std::numeric_limits<Scalar>::infinity();
+    return detail::two_norm(A) * detail::two_norm(inverse);
+}
+
+/// The verdict on a system: its eigenvalues, how far rounding can move each of them, and which signs are settled. Costs
+/// about twice as much as solve_stability.
+template <class Scalar>
+StabilityResult<Scalar> judge_stability(const RollingSystem<Scalar>& system) {
+    return detail::find_eigenvalues(system, true);
 }
 
 /// The verdict on all 2n eigenvalues; directions that do not couple are judged one by one.
 template <class Scalar>
 StabilityVerdict judge_stability(const ElementSystem<Scalar, 2>& system) {
     if (system.coupled()) return judge_stability(system.whole());
-    const auto direction = [&](std::size_t d) {
+    const auto direction = [&](std::size_t d) -> StabilityVerdict {
         return judge_stability(RollingSystem<Scalar>(system.G(d, d), system.G_prime(d, d), system.elements().areas));
     };
     return direction(0) + direction(1);

@@ -23,6 +23,7 @@ struct StabilityVerdict {
     double spectral_abscissa = 0;             ///< largest real part of the finite eigenvalues, times a [-]
     bool decay_proved = false;                ///< of all modes, although some signs are uncertain one by one
     Status status = Status::not_finite;       ///< unless ok, the eigenvalues were not found
+    bool checked = true;                      ///< when a model is made, see `unchecked`
 
     /// No mode grows, whatever rounding does.
     bool stable() const {
@@ -42,5 +43,8 @@ struct StabilityVerdict {
                 .status = one.status == Status::ok ? other.status : one.status};
     }
 };
+
+/// In place of a verdict: builds a model whatever its eigenvalues, and whether or not the scheme converges.
+inline constexpr StabilityVerdict unchecked{.checked = false};
 
 }  // namespace rollbem

@@ -1,5 +1,5 @@
 // A contact in full adhesion as linear ordinary differential equations, for programs with their own integrators,
-// linearisation or controller design: StateSpace, dimensionless, and StateSpaceSI of a line or patch at a speed.
+// linearisation or controller design: dimensionless, and in SI units of a line or patch at a speed.
 #pragma once
 
 #include <limits>
@@ -23,22 +23,16 @@ namespace rollbem {
 /// G per unit width, of a patch over G a^2, and the moment over a more, as of the system from which it was made; q = V
 /// t is the distance rolled, x are its unknowns, x = 0 at rest. The coefficients at s, in V/a, are C (s I - A)^-1 B +
 /// D; c11 if k = 1.
+///
+/// in_si() returns dx/dt = A x + B v, F = C x + D v in the same form: A [1/s]; B [1/s], for spin [m/s]; C and D [N], of
+/// the moment [N m]. There is one creepage [-] and force on body 1, of a line over the width 2b, negative for positive
+/// creepage; or xi, eta [-] and spin [1/m], F_x, F_y and M_z. The states remain dimensionless (Chebyshev states:
+/// displacement coefficients over a; elements: p/G).
 template <class Scalar>
 struct StateSpace {
     MatrixX<Scalar> A;     ///< n x n
     MatrixX<Scalar> B, C;  ///< n x k, k x n
     MatrixX<Scalar> D;     ///< k x k; zero, but for a reduced system
-};
-
-/// dx/dt = A x + B v, F = C x + D v: one creepage [-] and force [N] on body 1, of a line over the width 2b, negative
-/// for positive creepage; or xi, eta [-] and spin [1/m], F_x, F_y [N] and M_z [N m]. The states remain dimensionless
-/// (Chebyshev states: displacement coefficients over a; elements: p/G).
-template <class Scalar>
-struct StateSpaceSI {
-    MatrixX<Scalar> A;  ///< n x n [1/s]
-    MatrixX<Scalar> B;  ///< n x k [1/s], for spin [m/s]
-    MatrixX<Scalar> C;  ///< k x n [N], of the moment [N m]
-    MatrixX<Scalar> D;  ///< k x k; zero, but for a reduced system
 };
 
 /// For any system: A = G^-1 G', B = -G^-1 inputs, C = -outputs^T. Throws std::invalid_argument, naming rcond(G), if G
@@ -82,8 +76,8 @@ StateSpace<typename Kernel::Scalar> state_space(const Chebyshev& method, const K
 namespace detail {
 
 template <class Scalar>
-StateSpaceSI<Scalar> in_si(const StateSpace<Scalar>& dimensionless, Scalar length, Scalar width, Scalar shear_modulus,
-                           Scalar speed) {
+StateSpace<Scalar> in_si(const StateSpace<Scalar>& dimensionless, Scalar length, Scalar width, Scalar shear_modulus,
+                         Scalar speed) {
     require_positive("in_si", "speed", speed);
     const Eigen::Index k = dimensionless.B.cols();
     require(k == 1 || k == 3, "in_si", "number of inputs", k, "be 1, or 3 with spin");
@@ -103,8 +97,8 @@ StateSpaceSI<Scalar> in_si(const StateSpace<Scalar>& dimensionless, Scalar lengt
 /// and for the moment. Throws std::invalid_argument unless V is positive and finite, the contact's half-width is
 /// finite, and there is one input or three.
 template <class Scalar>
-StateSpaceSI<Scalar> in_si(const StateSpace<Scalar>& dimensionless, const Contact<Scalar>& contact,
-                           std::type_identity_t<Scalar> speed) {
+StateSpace<Scalar> in_si(const StateSpace<Scalar>& dimensionless, const Contact<Scalar>& contact,
+                         std::type_identity_t<Scalar> speed) {
     detail::require_finite("in_si", "half_width", contact.half_width());
     return detail::in_si<Scalar>(dimensionless, contact.half_length(), 2 * contact.half_width(),
                                  contact.shear_modulus(), speed);
@@ -112,8 +106,8 @@ StateSpaceSI<Scalar> in_si(const StateSpace<Scalar>& dimensionless, const Contac
 
 /// The same for a patch: G a^2 in place of 2b a G, of an outline with its c for a.
 template <class Scalar>
-StateSpaceSI<Scalar> in_si(const StateSpace<Scalar>& dimensionless, const PatchContact<Scalar>& contact,
-                           std::type_identity_t<Scalar> speed) {
+StateSpace<Scalar> in_si(const StateSpace<Scalar>& dimensionless, const PatchContact<Scalar>& contact,
+                         std::type_identity_t<Scalar> speed) {
     return detail::in_si<Scalar>(dimensionless, contact.half_length(), contact.half_length(), contact.shear_modulus(),
                                  speed);
 }

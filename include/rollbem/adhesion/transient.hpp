@@ -76,21 +76,21 @@ public:
     using Travel = detail::UntimedTravel<Scalar>;  ///< a plain dq will do
 
     /// With one input, creepage in the direction of the kernel with which the system was made; with three, those of
-    /// Creepage, as both_directions() makes them. `checks` is the verdict on the system, or `unchecked`. Throws
+    /// Creepage, as both_directions() makes them. The verdict is that on the system, or `unchecked`. Throws
     /// std::invalid_argument if the verdict does not belong to this system or does not establish that no eigenvalue
     /// grows, if steady rolling shows that the scheme does not converge (Status::assists_creepage), or if the contact's
     /// half-width is infinite or not that of the system's kernel.
-    AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, const Checks& checks,
+    AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, const StabilityVerdict& verdict,
                   Integrator integrator = Integrator::sdirk2)
         : AdhesionModel(Units(contact), std::move(system), integrator) {
         detail::require_same_aspect(name, contact, system_);
-        detail::require_usable_in_time(name, system_, checks);
+        detail::require_usable_in_time(name, system_, verdict);
     }
 
     /// Both directions of a line, or a patch (PatchContact, whose half_length() is the system's unit of length), with
     /// the verdict on system.whole(). Throws std::invalid_argument for the same reasons.
     template <class AnyContact>
-    AdhesionModel(const AnyContact& contact, const ElementSystem<Scalar, 2>& system, const Checks& checks,
+    AdhesionModel(const AnyContact& contact, const ElementSystem<Scalar, 2>& system, const StabilityVerdict& verdict,
                   Integrator integrator = Integrator::sdirk2) requires(inputs == 3)
         : AdhesionModel(Units(contact), system.whole(), integrator) {
         if constexpr (std::is_same_v<AnyContact, Contact<Scalar>>) {
@@ -102,7 +102,7 @@ public:
         a_over_b_ = system.a_over_b();
         detail::require(system.elements().places_are_known(), name, "number of places of elements",
                         system.elements().x.size(), "equal the number of elements: spin needs them");
-        detail::require_usable_in_time(name, system, checks);
+        detail::require_usable_in_time(name, system, verdict);
     }
 
     Eigen::Index size() const { return outputs_in_si_.rows(); }  ///< number of unknowns
@@ -291,11 +291,11 @@ private:
 };
 
 template <class Scalar>
-AdhesionModel(const Contact<Scalar>&, RollingSystem<Scalar>, const Checks&, Integrator = Integrator::sdirk2)
+AdhesionModel(const Contact<Scalar>&, RollingSystem<Scalar>, const StabilityVerdict&, Integrator = Integrator::sdirk2)
     -> AdhesionModel<1, Scalar>;
 template <class AnyContact, class Scalar>
-AdhesionModel(const AnyContact&, const ElementSystem<Scalar, 2>&, const Checks&, Integrator = Integrator::sdirk2)
-    -> AdhesionModel<3, Scalar>;
+AdhesionModel(const AnyContact&, const ElementSystem<Scalar, 2>&, const StabilityVerdict&,
+              Integrator = Integrator::sdirk2) -> AdhesionModel<3, Scalar>;
 
 template <int inputs_, class Scalar_>
 AdhesionModel<inputs_, Scalar_>::AdhesionModel(const Units& units, RollingSystem<Scalar> system, Integrator integrator)

@@ -1,4 +1,5 @@
-// Influence matrices: G (displacement) and G' (its slope) of Eqs. (12)-(14) for any mesh, scheme and kernel.
+// Influence matrices: G (displacement) and G' (its slope) of Eqs. (12)-(14) for any mesh, scheme and kernel; row =
+// equation, column = unknown element, and G' p - (1/V) G dp/dt = xi.
 // rolling_system.hpp combines them with the weights that turn tractions into the force.
 #pragma once
 
@@ -14,13 +15,6 @@
 #include "detail/kernel_view.hpp"
 
 namespace rollbem {
-
-/// Both matrices of Eq. (12) in the form G' p - (1/V) G dp/dt = xi; row = equation, column = unknown element.
-template <class Scalar>
-struct InfluenceMatrices {
-    MatrixX<Scalar> G;        ///< displacement per traction [a/G]
-    MatrixX<Scalar> G_prime;  ///< du/dx per traction [1/G]
-};
 
 /// G' of Eq. (12), n x n (n-1 x n-1 for KnotheBoundary), in units of 1/G: G'_lm is the slope du/dx at the point of row
 /// l, Eq. (28), or its mean about that point, Eqs. (14) and (29), or between two nodes, under unit traction of element
@@ -41,12 +35,6 @@ MatrixX<Scalar> assemble_G(const Mesh<Scalar>& mesh, const Scheme& scheme, const
     detail::require(detail::is_finite(G(0, 0)), "assemble_G", "displacement per traction", G(0, 0),
                     "be finite: an infinite aspect is for steady problems only");
     return G;
-}
-
-/// Both matrices. Throws std::invalid_argument if the scheme does not fit the mesh or G is not finite.
-template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
-InfluenceMatrices<Scalar> assemble(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
-    return {assemble_G(mesh, scheme, kernel), assemble_G_prime(mesh, scheme, kernel)};
 }
 
 }  // namespace rollbem

@@ -1,8 +1,6 @@
 // The system of a line: G and G', or G' alone, of a mesh, scheme and kernel, and the places of its elements.
 #pragma once
 
-#include <cmath>
-#include <optional>
 #include <utility>
 
 #include <Eigen/Core>
@@ -21,22 +19,6 @@
 namespace rollbem {
 
 namespace detail {
-
-/// b/a of a kernel that has a half-width.
-template <class Scalar, class Kernel>
-std::optional<Scalar> aspect_of(const Kernel& kernel) {
-    if constexpr (requires { kernel.half_width(); }) return kernel.half_width();
-    return std::nullopt;
-}
-
-/// Lets the contact breathe if the kernel is a logarithm and a constant.
-template <class Scalar, class Kernel>
-void let_breathe(const Kernel& kernel, SystemOrigin<Scalar>& origin) {
-    const auto split = kernel.smooth_split();
-    if (is_finite(split.distance) || split.compliance != 0) return;
-    origin.log_strength = static_cast<Scalar>(split.strength);
-    origin.half_length_limit = static_cast<Scalar>(2 * std::exp(split.constant / split.strength));
-}
 
 /// x/a of the point of each equation of a scheme.
 template <class Scalar, class Scheme>
@@ -106,13 +88,12 @@ Elements<Scalar> line_elements(const Mesh<Scalar>& mesh, const Scheme& scheme) {
 /// infinite half-width), and for a plane kernel with Lambda <= 0, whose model is unstable in the time domain.
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
-    require_stable_model(kernel);
+    detail::require_stable_model(kernel);
     detail::require_one_system(scheme, mesh);
-    InfluenceMatrices<Scalar> matrices = assemble(mesh, scheme, kernel);
     Elements<Scalar> elements = line_elements(mesh, scheme);
-    SystemOrigin<Scalar> origin{.aspect = detail::aspect_of<Scalar>(kernel), .points = elements.x};
-    if (detail::holds_at_points(scheme, mesh)) detail::let_breathe(kernel, origin);
-    return {std::move(matrices.G), std::move(matrices.G_prime), std::move(elements), mesh.size(), std::move(origin)};
+    auto origin = detail::origin_of<Scalar>(kernel, elements.x, detail::holds_at_points(scheme, mesh));
+    return {assemble_G(mesh, scheme, kernel), assemble_G_prime(mesh, scheme, kernel), std::move(elements), mesh.size(),
+            std::move(origin)};
 }
 
 /// G' alone, which costs half as much, for steady friction; the half-width may be infinite. Throws
@@ -120,7 +101,7 @@ ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& sch
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 ElementSystem<Scalar> steady_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     Elements<Scalar> elements = line_elements(mesh, scheme);
-    SystemOrigin<Scalar> origin{.aspect = detail::aspect_of<Scalar>(kernel), .points = elements.x};
+    auto origin = detail::origin_of<Scalar>(kernel, elements.x, false);
     return {MatrixX<Scalar>(), assemble_G_prime(mesh, scheme, kernel), std::move(elements), mesh.size(),
             std::move(origin)};
 }

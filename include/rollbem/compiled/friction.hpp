@@ -2,8 +2,16 @@
 // friction/friction.hpp; link rollbem::compiled. Other laws are compiled where they are used.
 #pragma once
 
-#include "../friction/friction.hpp"
-#include "rolling_system.hpp"
+#include "../assembly/patch_system.hpp"
+#include "../friction/law.hpp"
+#include "../friction/model.hpp"
+#include "../normal/hertz.hpp"
+#include "../normal/hertz_load.hpp"
+#include "../normal/load.hpp"
+#include "../normal/patch_pressure.hpp"
+#include "../normal/pressure_grid.hpp"
+#include "../normal/pressure_table.hpp"
+#include "steady.hpp"
 
 namespace rollbem {
 

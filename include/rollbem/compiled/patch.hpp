@@ -4,7 +4,6 @@
 
 #include "../adhesion/creep_coefficients.hpp"
 #include "../assembly/patch_shapes.hpp"
-#include "assembly.hpp"
 #include "steady.hpp"
 
 namespace rollbem {

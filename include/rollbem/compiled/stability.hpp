@@ -1,15 +1,26 @@
-// Eigenvalues compiled for double. Replaces adhesion/stability.hpp and adhesion/stability_count.hpp; link
-// rollbem::compiled.
+// Eigenvalues and balanced reduction compiled for double, with those of Eigen's decompositions that they use. Replaces
+// adhesion/balanced_reduction.hpp, adhesion/stability.hpp and adhesion/stability_count.hpp; link rollbem::compiled.
 #pragma once
 
+#include <Eigen/Eigenvalues>
+
+#include "../adhesion/balanced_reduction.hpp"
 #include "../adhesion/stability.hpp"
 #include "../adhesion/stability_count.hpp"
-#include "decompositions.hpp"
-#include "rolling_system.hpp"
+#include "steady.hpp"
+
+namespace Eigen {
+
+extern template class EigenSolver<MatrixXd>;
+extern template EigenSolver<MatrixXd>& EigenSolver<MatrixXd>::compute(const EigenBase<MatrixXd>&, bool);
+
+}  // namespace Eigen
 
 namespace rollbem {
 
-extern template StabilityResult<double> solve_stability<double>(const RollingSystem<double>&, StabilityOptions);
+extern template BalancedReduction<double> balanced_reduction<double>(const StateSpace<double>&, Eigen::Index);
+extern template StabilityResult<double> detail::find_eigenvalues<double>(const RollingSystem<double>&, bool);
+extern template double condition_number<double>(const MatrixX<double>&);
 extern template UnstableCount<double> count_unstable<double>(const RollingSystem<double>&);
 
 }  // namespace rollbem

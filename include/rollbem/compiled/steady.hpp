@@ -1,14 +1,55 @@
-// Steady rolling by elements and by Chebyshev states, compiled for double. Replaces adhesion/steady.hpp and, for
-// steady rolling, spectral/chebyshev.hpp; link rollbem::compiled.
+// Systems of line contacts and their steady rolling, compiled for double: include this in addition to or in place of
+// adhesion/steady.hpp, assembly/influence.hpp, assembly/rolling_system.hpp and, for steady rolling,
+// spectral/chebyshev.hpp, and link rollbem::compiled. Each header in this folder declares the largest templates of those
+// it names as instantiated in that library, so that no translation unit compiles them again. Library and program must be
+// built with the same options that affect the layout of Eigen's objects (-march and the like).
 #pragma once
 
+#include <Eigen/LU>
+
 #include "../adhesion/steady.hpp"
+#include "../assembly/rolling_system.hpp"
+#include "../discretisation/any_scheme.hpp"
+#include "../elasticity/any_kernel.hpp"
 #include "../spectral/chebyshev.hpp"
-#include "assembly.hpp"
-#include "lu.hpp"
+
+namespace Eigen {
+
+extern template class PartialPivLU<MatrixXd>;
+
+}  // namespace Eigen
 
 namespace rollbem {
 
+extern template class Mesh<double>;
+extern template Mesh<double> uniform_mesh<double>(Eigen::Index);
+extern template Mesh<double> cosine_mesh<double>(Eigen::Index);
+extern template Mesh<double> make_mesh<double>(Topology, Eigen::Index, double);
+extern template void detail::check_rows<double>(const SchemeRows<double>&, Quantity, Eigen::Index);
+extern template SchemeRows<double> AnyScheme::rows<double>(Quantity, const Mesh<double>&) const;
+extern template detail::KernelView<double>::KernelView(const AnyKernel<double>&);
+extern template detail::KernelView<double>::KernelView(const PlaneKernel<double>&);
+extern template detail::KernelView<double>::KernelView(const StripKernel<double>&);
+extern template MatrixX<double> detail::influence_matrix<double>(const Mesh<double>&, const SchemeRows<double>&,
+                                                                 const detail::KernelView<double>&, Quantity);
+extern template VectorX<double> detail::influence_product<double>(const Mesh<double>&, const SchemeRows<double>&,
+                                                                  const detail::KernelView<double>&, Quantity,
+                                                                  const VectorX<double>&);
+extern template void detail::require_finite<MatrixX<double>>(const char*, const char*, const MatrixX<double>&);
+extern template void detail::require_square<MatrixX<double>>(const char*, const char*, const MatrixX<double>&,
+                                                             std::ptrdiff_t, const char*);
+extern template struct Elements<double>;
+extern template class RollingSystem<double>;
+extern template class ElementSystem<double, 1>;
+extern template ElementSystem<double> rolling_system<double, AnyScheme, AnyKernel<double>>(const Mesh<double>&,
+                                                                                           const AnyScheme&,
+                                                                                           const AnyKernel<double>&);
+extern template ElementSystem<double> rolling_system<double, Collocation, PlaneKernel<double>>(
+    const Mesh<double>&, const Collocation&, const PlaneKernel<double>&);
+extern template ElementSystem<double> rolling_system<double, Collocation, StripKernel<double>>(
+    const Mesh<double>&, const Collocation&, const StripKernel<double>&);
+extern template ElementSystem<double> rolling_system<double, NodeDifference, PlaneKernel<double>>(
+    const Mesh<double>&, const NodeDifference&, const PlaneKernel<double>&);
 extern template decltype(detail::factorise<double, double>) detail::factorise<double, double>;
 extern template decltype(detail::judge<double, double>) detail::judge<double, double>;
 extern template decltype(detail::solve_copied<double, double>) detail::solve_copied<double, double>;

@@ -1,5 +1,5 @@
 // Mesh: a division of the contact -1 <= x/a <= 1 into elements of constant traction, with one function for each
-// topology (Eq. (32) is one of them) and one that makes any of them from a specification. Elements are numbered from
+// topology (Eq. (32) is one of them) and one that makes any of them. Elements are numbered from
 // the trailing edge (index 0) to the leading edge (index n-1).
 #pragma once
 
@@ -110,28 +110,23 @@ void Mesh<Scalar>::check_edges(const Array& trailing, const Array& leading) {
 /// How the elements of a mesh are laid out; each has a maker below.
 enum class Topology { uniform, geometric, knothe, modified_knothe, cosine };
 
-/// The parameter of a topology besides n.
-enum class Grading {
-    none,
-    size_ratio,  ///< dx_trailing / dx_leading [-]
-    epsilon,     ///< width of an end element over that of an inner one [-]
-};
-
 /// Facts about a topology.
 struct TopologyInfo {
     Topology topology;
     const char* name;  ///< as in the programs' options
-    Grading grading;
+    /// The parameter besides n: "size_ratio", dx_trailing / dx_leading [-], or "epsilon", the width of an end element over
+    /// that of an inner one [-]; empty if there is none.
+    std::string_view grading;
     Eigen::Index least_n;  ///< fewest elements
 };
 
 /// All topologies, in the order of the enumeration.
 inline constexpr std::array<TopologyInfo, 5> topologies{{
-    {Topology::uniform, "uniform", Grading::none, 1},
-    {Topology::geometric, "geometric", Grading::size_ratio, 2},
-    {Topology::knothe, "knothe", Grading::epsilon, 3},
-    {Topology::modified_knothe, "modified-knothe", Grading::epsilon, 2},
-    {Topology::cosine, "cosine", Grading::none, 1},
+    {Topology::uniform, "uniform", "", 1},
+    {Topology::geometric, "geometric", "size_ratio", 2},
+    {Topology::knothe, "knothe", "epsilon", 3},
+    {Topology::modified_knothe, "modified-knothe", "epsilon", 2},
+    {Topology::cosine, "cosine", "", 1},
 }};
 
 constexpr const TopologyInfo& topology_info(Topology topology) {
@@ -251,19 +246,12 @@ Mesh<Scalar> cosine_mesh(Eigen::Index n) {
         [=](Eigen::Index i) { return 2 * sine(2 * i + 1 <= n ? 2 * i + 1 : 2 * (n - i) - 1) * sine(1); }));
 }
 
-/// A mesh as specified in an input file or a table of cases.
-struct MeshSpecification {
-    Topology topology = Topology::uniform;
-    Eigen::Index n = 1;  ///< number of elements
-    double grading = 1;  ///< the parameter topology_info(topology).grading; ignored if that is none
-};
-
-/// The mesh of a specification. Throws std::invalid_argument if n or the grading is out of range for the topology.
+/// A mesh of a topology that is chosen at run time; `parameter` is its topology_info(topology).grading, ignored if there
+/// is none. Throws std::invalid_argument if n or the parameter is out of range for the topology.
 template <class Scalar = double>
-Mesh<Scalar> make_mesh(const MeshSpecification& specification) {
-    const Eigen::Index n = specification.n;
-    const Scalar grading = static_cast<Scalar>(specification.grading);
-    switch (specification.topology) {
+Mesh<Scalar> make_mesh(Topology topology, Eigen::Index n, double parameter = 1) {
+    const Scalar grading = static_cast<Scalar>(parameter);
+    switch (topology) {
         case Topology::uniform: break;
         case Topology::geometric: return geometric_mesh<Scalar>(n, grading);
         case Topology::knothe: return knothe_mesh<Scalar>(n, grading);

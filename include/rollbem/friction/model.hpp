@@ -116,16 +116,16 @@ public:
     /// A plain dq will do if mu is constant.
     using Travel = std::conditional_t<Core::slip_dependent, rollbem::Travel<Scalar>, detail::UntimedTravel<Scalar>>;
 
-    /// A line contact, or a patch (PatchContact, in whose half_length() the system measures lengths); `checks` is the
-    /// verdict on the system, or `unchecked`. Throws std::invalid_argument if the verdict does not belong to this
+    /// A line contact, or a patch (PatchContact, in whose half_length() the system measures lengths); the verdict
+    /// is that on the system, or `unchecked`. Throws std::invalid_argument if the verdict does not belong to this
     /// system or does not establish that no eigenvalue grows, if steady rolling shows that the scheme does not converge
     /// (Status::assists_creepage), if the contact's half-width is infinite or not that of the system's kernel, if the
     /// law does not meet the requirements of Friction (one pressure per element of the mesh) or has a memory although
     /// the points of the system's equations are unknown, and for Integrator::matrix_exponential, which cannot treat
     /// friction. A system without G needs no verdict, finite half-width or points.
     template <class AnyContact>
-    FrictionModel(const AnyContact& contact, System system, const Checks& checks, const Friction<Law, Scalar>& friction,
-                  Integrator integrator = Integrator::sdirk2)
+    FrictionModel(const AnyContact& contact, System system, const StabilityVerdict& verdict,
+                  const Friction<Law, Scalar>& friction, Integrator integrator = Integrator::sdirk2)
         : system_(std::move(system)),
           core_(name, contact, system_.elements(), system_.element_count(), friction, detail::gradient(system_),
                 system_.has_G() ? std::optional(system_.fingerprint()) : std::nullopt),
@@ -141,18 +141,18 @@ public:
         detail::require(integrator != Integrator::matrix_exponential, name, "integrator", rollbem::name(integrator),
                         "be implicit_euler or sdirk2");
         if (!system_.has_G()) {
-            converges_ = !checks.wanted || detail::converges(detail::gradient(system_), system_.elements().areas);
+            converges_ = !verdict.checked || detail::converges(detail::gradient(system_), system_.elements().areas);
             return;
         }
         detail::require(friction.memory.distance == 0 || system_.elements().places_are_known(), name,
                         "distance of the memory", friction.memory.distance,
                         "be 0 for a system that does not know the points of its equations");
-        detail::require_usable_in_time(name, system_, checks);
+        detail::require_usable_in_time(name, system_, verdict);
     }
     /// Of a system without G.
     template <class AnyContact>
     FrictionModel(const AnyContact& contact, System system, const Friction<Law, Scalar>& friction)
-        : FrictionModel(contact, std::move(system), Checks{}, friction) {}
+        : FrictionModel(contact, std::move(system), StabilityVerdict{}, friction) {}
 
     Eigen::Index size() const { return core_.size(); }  ///< number of unknown elements
     /// Of G', the elements, the contact and the pressures, but not of G and the law. To continue a state under another
@@ -292,8 +292,8 @@ private:
 
 // A law in braces, which is not deduced, has a constant coefficient.
 template <class AnyContact, class Scalar, int directions, class Law = ConstantFriction<Scalar>>
-FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, const Checks&, const Friction<Law, Scalar>&,
-              Integrator = Integrator::sdirk2) -> FrictionModel<Law, directions, Scalar>;
+FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, const StabilityVerdict&,
+              const Friction<Law, Scalar>&, Integrator = Integrator::sdirk2) -> FrictionModel<Law, directions, Scalar>;
 template <class AnyContact, class Scalar, int directions, class Law = ConstantFriction<Scalar>>
 FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, const Friction<Law, Scalar>&)
     -> FrictionModel<Law, directions, Scalar>;

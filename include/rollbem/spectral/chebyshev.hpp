@@ -12,13 +12,11 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
-#include "../assembly/rolling_system.hpp"
 #include "../closed_form/carter.hpp"
 #include "../detail/circle_table.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/reciprocal_condition.hpp"
 #include "../detail/require.hpp"
-#include "../elasticity/line_kernel.hpp"
 #include "../elasticity/plane_model.hpp"
 #include "../status.hpp"
 #include "../system/contact_fit.hpp"
@@ -121,7 +119,7 @@ MatrixX<Scalar_> ChebyshevSystem<Scalar_>::rates() const {
 template <LineKernel Kernel>
 ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method, const Kernel& kernel) {
     using Scalar = typename Kernel::Scalar;
-    require_stable_model(kernel);
+    detail::require_stable_model(kernel);
     const SmoothSplit<Scalar> split = detail::chebyshev_split(method.states, kernel);
     detail::require(detail::is_finite(split.constant), "Chebyshev", "constant part of the kernel", split.constant,
                     "be finite: an infinite half-width is for steady problems only");
@@ -157,9 +155,8 @@ ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method,
             if (angle >= circle.size()) angle -= circle.size();
         }
     }
-    SystemOrigin<Scalar> origin{.aspect = detail::aspect_of<Scalar>(kernel), .points = std::move(points)};
-    detail::let_breathe(kernel, origin);
-    return {{std::move(G), std::move(G_prime), std::move(weights), std::move(origin)},
+    return {{std::move(G), std::move(G_prime), std::move(weights),
+             detail::origin_of<Scalar>(kernel, std::move(points), true)},
             std::move(last),
             std::move(stiffness)};
 }

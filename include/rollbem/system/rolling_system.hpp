@@ -16,20 +16,6 @@
 
 namespace rollbem {
 
-/// What is known of a system beyond its matrices; nothing of ready ones.
-template <class Scalar>
-struct SystemOrigin {
-    bool unknowns_are_tractions = false;     ///< of elements: only then can their signs reveal a scheme that fails
-    std::optional<Scalar> aspect{};          ///< b/a of the kernel; empty for kernels without a half-width
-    std::optional<ArrayX<Scalar>> points{};  ///< x/a of the point of each equation
-    /// S, if the kernel is C - S ln|x| and nothing else (the plane's) and each equation follows its point: then G and
-    /// G' of any half-length follow from these matrices, and the contact may breathe.
-    std::optional<Scalar> log_strength{};
-    /// 2 exp(C/S) of that kernel, in half-lengths of the contact: Lambda = 0 there, and a mode of a longer contact
-    /// grows in time. Infinite for other systems.
-    Scalar half_length_limit = std::numeric_limits<Scalar>::infinity();
-};
-
 namespace detail {
 
 /// Throws std::invalid_argument if a system has G' alone.
@@ -53,15 +39,27 @@ class RollingSystem {
 public:
     using Scalar = Scalar_;
 
+    /// What is known of a system beyond its matrices; nothing of ready ones.
+    struct Origin {
+        bool unknowns_are_tractions = false;     ///< of elements: only then can their signs reveal a scheme that fails
+        std::optional<Scalar> aspect{};          ///< b/a of the kernel; empty for kernels without a half-width
+        std::optional<ArrayX<Scalar>> points{};  ///< x/a of the point of each equation
+        /// S, if the kernel is C - S ln|x| and nothing else (the plane's) and each equation follows its point: then G and
+        /// G' of any half-length follow from these matrices, and the contact may breathe.
+        std::optional<Scalar> log_strength{};
+        /// 2 exp(C/S) of that kernel, in half-lengths of the contact: Lambda = 0 there, and a mode of a longer contact
+        /// grows in time. Infinite for other systems.
+        Scalar half_length_limit = std::numeric_limits<Scalar>::infinity();
+    };
+
     /// From ready matrices, for one creepage. Throws std::invalid_argument if they break the invariant.
-    RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& weights,
-                  SystemOrigin<Scalar> origin = {})
+    RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& weights, Origin origin = {})
         : RollingSystem(std::move(G), std::move(G_prime), MatrixX<Scalar>::Ones(weights.size(), 1), weights.matrix(),
                         std::move(origin)) {}
 
     /// The same for k creepages, a column each in `inputs`, and their forces, a column each in `outputs`.
     RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, MatrixX<Scalar> inputs, MatrixX<Scalar> outputs,
-                  SystemOrigin<Scalar> origin = {});
+                  Origin origin = {});
 
     Eigen::Index size() const { return outputs_.rows(); }        ///< n, number of unknowns
     Eigen::Index input_count() const { return inputs_.cols(); }  ///< k, number of creepages and of forces
@@ -77,7 +75,7 @@ public:
     /// The first output: widths in units of a where p are tractions of a line contact.
     Eigen::Map<const ArrayX<Scalar>> weights() const { return {outputs_.data(), outputs_.rows()}; }
 
-    const SystemOrigin<Scalar>& origin() const { return origin_; }
+    const Origin& origin() const { return origin_; }
     bool unknowns_are_tractions() const { return origin_.unknowns_are_tractions; }
     const std::optional<Scalar>& aspect() const { return origin_.aspect; }
     const std::optional<ArrayX<Scalar>>& points() const { return origin_.points; }
@@ -108,7 +106,7 @@ protected:
 
 private:
     MatrixX<Scalar> G_, G_prime_, inputs_, outputs_;
-    SystemOrigin<Scalar> origin_;
+    Origin origin_;
 };
 
 /// A part of a linear problem: a system of some of its creepages, which cause none of the forces of the others.
@@ -120,7 +118,7 @@ struct SystemPart {
 
 template <class Scalar>
 RollingSystem<Scalar>::RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, MatrixX<Scalar> inputs,
-                                     MatrixX<Scalar> outputs, SystemOrigin<Scalar> origin)
+                                     MatrixX<Scalar> outputs, Origin origin)
     : G_(std::move(G)),
       G_prime_(std::move(G_prime)),
       inputs_(std::move(inputs)),
@@ -149,6 +147,7 @@ class ElementSystem : public RollingSystem<Scalar_> {
 
 public:
     using Scalar = Scalar_;
+    using Origin = typename RollingSystem<Scalar>::Origin;
 
     /// From ready matrices and the widths of the elements; for steady friction alone G may be empty. Throws
     /// std::invalid_argument if they break the invariant, or if the signs of both diagonals show that G and G' have
@@ -158,7 +157,7 @@ public:
 
     /// The same with the places of the elements, on a mesh of `element_count`.
     ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, Elements<Scalar> elements, Eigen::Index element_count,
-                  SystemOrigin<Scalar> origin);
+                  Origin origin);
 
     /// Number of elements of the mesh; more than unknowns if the scheme leaves leading elements without traction.
     Eigen::Index element_count() const { return element_count_; }
@@ -174,7 +173,7 @@ public:
     }
 
 private:
-    static SystemOrigin<Scalar> tractions(SystemOrigin<Scalar> origin) {
+    static Origin tractions(Origin origin) {
         origin.unknowns_are_tractions = true;
         return origin;
     }
@@ -185,7 +184,7 @@ private:
 
 template <class Scalar, int directions>
 ElementSystem<Scalar, directions>::ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, Elements<Scalar> elements,
-                                                 Eigen::Index element_count, SystemOrigin<Scalar> origin)
+                                                 Eigen::Index element_count, Origin origin)
     : RollingSystem<Scalar>(std::move(G), std::move(G_prime), elements.areas, tractions(std::move(origin))),
       element_count_(element_count),
       elements_(std::move(elements)) {

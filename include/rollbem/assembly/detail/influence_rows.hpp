@@ -1,5 +1,6 @@
-// Rows of G or G' for any mesh, scheme and kernel: a whole matrix, or a few rows at a time. Compiled once for each
-// scalar type: schemes come as their rows, kernels as a view.
+// Rows of G or G' for any mesh, scheme and kernel: a whole matrix, or a few rows at a time. Every entry of G and G' of
+// Eqs. (12)-(14) is a line integral: a kernel, or its derivative, integrated over an element and averaged about a point.
+// Compiled once for each scalar type: schemes come as their rows, kernels as a view.
 #pragma once
 
 #include <algorithm>
@@ -9,15 +10,92 @@
 #include <Eigen/Core>
 
 #include "../../detail/array_functions.hpp"
+#include "../../detail/require.hpp"
 #include "../../discretisation/mesh.hpp"
 #include "../../discretisation/scheme.hpp"
 #include "../../types.hpp"
+#include "delta_part.hpp"
 #include "entries.hpp"
 #include "kernel_view.hpp"
-#include "line_integrals.hpp"
-#include "sample_points.hpp"
+#include "logarithmic_series.hpp"
+#include "near_differences.hpp"
+#include "smooth_part.hpp"
 
 namespace rollbem::detail {
+
+/// The logarithm in closed form, near entries by differences of antiderivatives, far ones (|d| well above
+/// h + averages delta) by a series; then the smooth part, and a delta.
+template <class Scalar>
+class LineIntegrals {
+public:
+    /// Keeps a reference to the kernel. Throws std::invalid_argument for the slope at points if the kernel has a delta.
+    LineIntegrals(KernelView<Scalar> kernel, Quantity quantity, int averages, const RowPoints<Scalar>& rows,
+                  const ColumnElements<Scalar>& columns)
+        : kernel_(kernel), entries_(quantity, averages, rows, columns) {
+        require(kernel_.split.compliance == 0 || averages > 0 || !entries_.slope(), "LayeredKernel", "compliance",
+                kernel_.split.compliance,
+                "be 0 where the derivative is analytic: the layer's displacement jumps at the edges of elements; take "
+                "Derivative::finite_difference, or Galerkin in closed form");
+        require(kernel_.split.distance > 0, "assembly", "distance of the kernel's smooth part", kernel_.split.distance,
+                "be positive");
+    }
+
+    LineIntegrals(const LineIntegrals&) = delete;  // its parts keep references to it
+    LineIntegrals& operator=(const LineIntegrals&) = delete;
+
+    /// Writes the integral for every row l and element m to out(l, m).
+    void fill(MatrixX<Scalar>& out) const {
+        LogarithmicSeries<Scalar>(entries_, kernel_.split).fill(out);
+        NearDifferences<Scalar>(entries_, kernel_.split).fill(out);
+        SmoothPart<Scalar>(entries_, kernel_).add(out);
+        if (kernel_.split.compliance != 0) DeltaPart<Scalar>(entries_, kernel_.split.compliance).add(out);
+    }
+
+private:
+    KernelView<Scalar> kernel_;
+    Entries<Scalar> entries_;
+};
+
+// Offset from the centre of element `own` to the point `position` widths ahead of it. A point closer than 0.001 dx to
+// an edge is moved to that distance; dx is the width of the element that contains the point, on an edge the trailing
+// one.
+template <class Scalar>
+Scalar guarded_offset(const Mesh<Scalar>& mesh, Eigen::Index own, Scalar position) {
+    const auto& widths = mesh.widths();
+    const Scalar half = Scalar(0.5), inside = Scalar(0.499), outside = Scalar(0.501);
+    const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon();  // a point this close to an edge is on it
+    const Scalar upper = half + rounding, lower = rounding - half;
+    Eigen::Index e = own;
+    while (position > upper && e + 1 < mesh.size()) {
+        position = (position - half) * widths[e] / widths[e + 1] - half;
+        ++e;
+    }
+    while (position <= lower && e > 0) {
+        position = half - (-half - position) * widths[e] / widths[e - 1];
+        --e;
+    }
+    if (position > inside && position <= upper) position = inside;
+    if (position > upper && position < outside) position = outside;
+    if (position < -inside && position > lower) position = -inside;
+    if (position <= lower && position > -outside) position = -outside;
+    const Scalar between = mesh.centres()[own] < 0 ? mesh.from_trailing()[e] - mesh.from_trailing()[own]
+                                                   : mesh.from_leading()[own] - mesh.from_leading()[e];
+    return between + position * widths[e];
+}
+
+// The points x_l + (alpha_l + offset length_l) dx_l of every element, and the intervals about them over which Eq. (29)
+// takes differences and Eq. (14) means.
+template <class Scalar>
+RowPoints<Scalar> row_points(const Mesh<Scalar>& mesh, const SchemeRows<Scalar>& scheme, Scalar offset) {
+    RowPoints<Scalar> rows{mesh.from_trailing(), mesh.from_leading(), ArrayX<Scalar>(mesh.size()),
+                           ArrayX<Scalar>(mesh.size()), scheme.unloaded_ahead};
+    for (Eigen::Index l = 0; l < mesh.size(); ++l) {
+        const Scalar position = scheme.alpha[l] + offset * scheme.lengths[l];
+        rows.offset[l] = scheme.guard ? guarded_offset(mesh, l, position) : position * mesh.widths()[l];
+        rows.half[l] = scheme.lengths[l] * mesh.widths()[l] / 2;
+    }
+    return rows;
+}
 
 // On a uniform mesh with one alpha the matrix is Toeplitz: its distinct entries are those of one element seen from all
 // points. Computes `equations` from `first` into the first rows of `out`.

@@ -1,0 +1,34 @@
+// Chebyshev states, frequency response and steps in full adhesion, compiled for double. Replaces adhesion/frequency.hpp,
+// adhesion/transient.hpp and spectral/chebyshev.hpp; link rollbem::compiled.
+#pragma once
+
+#include <Eigen/LU>
+
+#include "../adhesion/frequency.hpp"
+#include "../adhesion/transient.hpp"
+#include "steady.hpp"
+
+namespace Eigen {
+
+extern template class PartialPivLU<MatrixXcd>;
+
+}  // namespace Eigen
+
+namespace rollbem {
+
+extern template ChebyshevSystem<double> rolling_system<AnyKernel<double>>(const Chebyshev&, const AnyKernel<double>&);
+extern template ChebyshevSystem<double> rolling_system<PlaneKernel<double>>(const Chebyshev&,
+                                                                            const PlaneKernel<double>&);
+extern template ChebyshevSystem<double> rolling_system<StripKernel<double>>(const Chebyshev&,
+                                                                            const StripKernel<double>&);
+extern template decltype(detail::factorise<std::complex<double>, double>)
+    detail::factorise<std::complex<double>, double>;
+extern template decltype(detail::judge<std::complex<double>, double>) detail::judge<std::complex<double>, double>;
+extern template decltype(detail::solve_copied<std::complex<double>, double>)
+    detail::solve_copied<std::complex<double>, double>;
+extern template decltype(solve_response<double>) solve_response<double>;
+extern template class FrequencySweep<double>;
+extern template class AdhesionModel<1, double>;
+extern template class AdhesionModel<3, double>;
+
+}  // namespace rollbem
