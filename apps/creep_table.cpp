@@ -80,7 +80,7 @@ study::Row node_cells(const CreepForceSource& source, const Creepage<double>& v)
             v.spin};
 }
 
-void emit_slab(const Job& job, const rollbem::CreepForceSlab& slab, study::RowRange range, const study::Emit& emit) {
+void emit_slab(const Job& job, const CreepForceGrid::Slab& slab, study::RowRange range, const study::Emit& emit) {
     const CreepForceGrid& grid = job.grid;
     CreepForceSource source = job.source(slab.shape);
     const Eigen::Index first = slab.first + static_cast<Eigen::Index>(range.first),
@@ -301,7 +301,7 @@ the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Ten scenes share an ellipse
             finish();
             return study::exit_ok;
         }
-        const std::vector<rollbem::CreepForceSlab> slabs = slabs_of(job.grid);
+        const std::vector<CreepForceGrid::Slab> slabs = job.grid.slabs();
         study::Table table;
         table.columns = columns;
         for (const auto& slab : slabs) table.rows_of_task.push_back(static_cast<std::size_t>(slab.last - slab.first));

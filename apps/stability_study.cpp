@@ -122,7 +122,7 @@ Critical critical(const study::Scene& scene) {
         changed.alpha_T = alpha_T;
         return study::scheme_of(changed);
     };
-    const std::optional<double> alpha_T = rollbem::critical_alpha_T(*scene.mesh, scheme_of, scene.kernel);
+    const std::optional<double> alpha_T = rollbem::studies::critical_alpha_T(*scene.mesh, scheme_of, scene.kernel);
     return {alpha_T, alpha_T ? study::ok : "all_stable"};
 }
 

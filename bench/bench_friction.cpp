@@ -16,6 +16,7 @@
 namespace {
 
 using namespace rollbem;
+using namespace rollbem::studies;
 
 constexpr double poisson_ratio = 0.25;
 constexpr double peak = 1e-3;  // mu p0 / G

@@ -20,6 +20,7 @@
 namespace {
 
 using namespace rollbem;
+using namespace rollbem::studies;
 using Complex = std::complex<double>;
 
 constexpr double nu = 0.28, aspect = 1000;

@@ -20,7 +20,6 @@
 #include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/load.hpp>
-#include <rollbem/normal/patch_pressure.hpp>
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/rolling/run.hpp>

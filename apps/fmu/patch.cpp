@@ -20,8 +20,8 @@
 #include <rollbem/detail/require.hpp>
 #include <rollbem/discretisation/patch_mesh.hpp>
 #include <rollbem/elasticity/rectangle_kernel.hpp>
+#include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/hertz_patch_load.hpp>
-#include <rollbem/normal/patch_pressure.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 
 #include "contact_variables.hpp"
@@ -317,7 +317,7 @@ private:
     static constexpr Scalar least_speed = 1e-6;
 
     Scalar shear_modulus_ = 8e10, poisson_ratio_ = 0.28, friction_coefficient_ = 0.3, largest_load_ = 2e5;
-    rollbem::PrincipalRadii<Scalar> wheel_{.rolling = 0.46, .lateral = 1e9}, rail_{.rolling = 1e9, .lateral = 0.3};
+    rollbem::HertzEllipse<Scalar>::Radii wheel_{.rolling = 0.46, .lateral = 1e9}, rail_{.rolling = 1e9, .lateral = 0.3};
     int elements_ = 8, strips_ = 8, mesh_size_ = static_cast<int>(MeshLength::follows_load);
     int mode_ = static_cast<int>(Mode::patch);
     std::string table_file_;

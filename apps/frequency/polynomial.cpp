@@ -40,11 +40,11 @@ Response solve(const rollbem::Contact<double>& contact, double omega, Eigen::Ind
                               " with --basis monomial, which costs its third power; take --basis chebyshev");
     }
     const rollbem::Status status =
-        take(rollbem::solve_monomial<double>(Complex(0, omega), nu, contact.aspect(), order));
+        take(rollbem::studies::solve_monomial<double>(Complex(0, omega), nu, contact.aspect(), order));
     if (checked && status != rollbem::Status::ok) {
         throw study::BadInput(option + " with --basis monomial must give a result that can be trusted; at omega = " +
-                              study::Cell(omega).text(6) + " it does not: " + rollbem::polynomial_advice(status) +
-                              " (--basis chebyshev, or --unchecked)");
+                              study::Cell(omega).text(6) + " it does not: " +
+                              rollbem::studies::polynomial_advice(status) + " (--basis chebyshev, or --unchecked)");
     }
     return response;
 }

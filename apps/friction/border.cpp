@@ -22,10 +22,10 @@ void solve_by_border(const Curve& curve, const study::Scene& scene, study::RowRa
     for (std::size_t i = range.first; i < range.last; ++i) {
         const double unit = creepage_unit(scene);
         const auto solve = [&] {
-            return rollbem::solve_stick_border(scene.contact, scene.kernel, 1.0, pressure,
-                                               unit * curve.points[i].longitudinal, scene.n());
+            return rollbem::studies::solve_stick_border(scene.contact, scene.kernel, 1.0, pressure,
+                                                        unit * curve.points[i].longitudinal, scene.n());
         };
-        const rollbem::StickBorderSolution<double> found = solve();
+        const rollbem::studies::StickBorderSolution<double> found = solve();
         const std::optional<double> alpha = found.exact ? std::nullopt : std::optional(0.5);
         Solution solution{.mesh_name = found.exact ? "fitted" : "cosine",
                           .alpha_L = alpha,

@@ -33,7 +33,7 @@ std::string with_greek(std::string text) {
 }
 
 std::complex<double> polynomial_c11(double z, Eigen::Index order) {
-    return rollbem::solve_monomial<double>(std::complex<double>(0, z), poisson_ratio, aspect, order).c11;
+    return rollbem::studies::solve_monomial<double>(std::complex<double>(0, z), poisson_ratio, aspect, order).c11;
 }
 
 namespace {

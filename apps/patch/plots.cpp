@@ -53,7 +53,7 @@ std::vector<std::pair<std::string, std::string>> forces_over(const std::string& 
 }
 
 /// Kalker's points at the Poisson's ratios of the rows, within their range of a/b.
-void add_table(study::Plot& plot, std::array<double, 3> rollbem::KalkerRow::*coefficient,
+void add_table(study::Plot& plot, std::array<double, 3> rollbem::studies::KalkerRow::*coefficient,
                const std::set<double>& ratios, const std::set<double>& poisson) {
     const std::array<double, 3> tabulated{0, 0.25, 0.5};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -62,7 +62,7 @@ void add_table(study::Plot& plot, std::array<double, 3> rollbem::KalkerRow::*coe
                              .line = false,
                              .open = true,
                              .reference = true};
-        for (const rollbem::KalkerRow& row : rollbem::kalker_table) {
+        for (const rollbem::studies::KalkerRow& row : rollbem::studies::kalker_table) {
             if (row.a_over_b < *ratios.begin() || row.a_over_b > *ratios.rbegin()) continue;
             points.points.emplace_back(row.a_over_b, (row.*coefficient)[k]);
         }
@@ -173,9 +173,9 @@ study::Plot draw_coefficients(const Columns& columns, const Rows& rows) {
         for (study::Series& series : panels[k].series) series.markers = false;
     }
     if (over_ratio) {
-        add_table(panels[0], &rollbem::KalkerRow::c11, ratios, poisson);
-        add_table(panels[1], &rollbem::KalkerRow::c22, ratios, poisson);
-        add_table(panels[2], &rollbem::KalkerRow::c23, ratios, poisson);
+        add_table(panels[0], &rollbem::studies::KalkerRow::c11, ratios, poisson);
+        add_table(panels[1], &rollbem::studies::KalkerRow::c22, ratios, poisson);
+        add_table(panels[2], &rollbem::studies::KalkerRow::c23, ratios, poisson);
     }
     panels.erase(std::remove_if(panels.begin() + 1, panels.end(), [](const auto& one) { return !can_be_drawn(one); }),
                  panels.end());

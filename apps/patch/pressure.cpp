@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/normal/patch_pressure.hpp>
+#include <rollbem/normal/hertz_ellipse.hpp>
 
 #include "friction.hpp"
 #include "support/csv.hpp"
@@ -58,7 +58,7 @@ rollbem::PressureGrid<double> read_grid(const study::Options& options) {
 Eigen::ArrayXd means_of(const rollbem::PressureGrid<double>& grid, const std::string& said, const Patch& patch) {
     const double a = patch.contact.half_length(), b = patch.contact.half_width();
     const bool outline = patch.contact.outline() != nullptr;
-    std::vector<rollbem::Rectangle<double>> elements = rollbem::rectangles(patch.mesh, a);
+    std::vector<rollbem::Rectangle<double>> elements = patch.mesh.rectangles(a);
     for (rollbem::Rectangle<double>& element : elements) {
         if (!outline) element = {element.x_1 / a, element.x_2 / a, element.y_1 / b, element.y_2 / b};
     }

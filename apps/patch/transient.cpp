@@ -165,7 +165,7 @@ Rolling make_rolling(const Scene& scene, const Patch& patch, const Pressure& pre
         return now.half_length() >= least.half_length && now.half_width() >= least.half_width;
     };
     rolling.load_at = [&patch, &load, contact = covered.contact,
-                       elements = rollbem::rectangles(covered.mesh, covered.contact.half_length())](double q) {
+                       elements = covered.mesh.rectangles(covered.contact.half_length())](double q) {
         rollbem::NormalLoad<double> normal{
             Eigen::ArrayXd::Zero(Eigen::Index(elements.size())), contact.half_length(), {}, contact.half_width()};
         const double ratio = load->at(q);

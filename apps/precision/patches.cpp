@@ -64,10 +64,11 @@ PatchValues forces(const PatchContact& contact, const rollbem::PatchMesh<double>
         contact, steady_system(mesh, chebyshev, rollbem::HalfSpace<double>(contact.poisson_ratio())),
         {1.0, rollbem::hertz_pressures(contact, mesh, 1.0)});
     const double a_over_b = contact.a_over_b(), c = 1 / std::sqrt(a_over_b);
-    const auto nearest = std::min_element(
-        rollbem::kalker_table.begin(), rollbem::kalker_table.end(), [&](const auto& one, const auto& other) {
-            return std::abs(std::log(one.a_over_b / a_over_b)) < std::abs(std::log(other.a_over_b / a_over_b));
-        });
+    const auto nearest = std::min_element(rollbem::studies::kalker_table.begin(), rollbem::studies::kalker_table.end(),
+                                          [&](const auto& one, const auto& other) {
+                                              return std::abs(std::log(one.a_over_b / a_over_b)) <
+                                                     std::abs(std::log(other.a_over_b / a_over_b));
+                                          });
     const double xi = a_over_b / nearest->c11[1], eta = a_over_b / nearest->c22[1],
                  phi = a_over_b / c / nearest->c23[1], two = std::sqrt(0.5), three = std::sqrt(1.0 / 3);
     PatchValues found;

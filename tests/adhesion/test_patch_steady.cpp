@@ -20,6 +20,7 @@
 namespace patch_steady_tests {
 
 using namespace rollbem;
+using namespace rollbem::studies;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 

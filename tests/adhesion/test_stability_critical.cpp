@@ -14,6 +14,7 @@ namespace stability_critical_tests {
 namespace {
 
 using namespace rollbem;
+using namespace rollbem::studies;
 
 StripKernel<double> strip() { return {1000, 0.75, 0.25}; }
 PlaneKernel<double> plane(double aspect) { return {aspect, 0.75, 0.25}; }

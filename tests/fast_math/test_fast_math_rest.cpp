@@ -16,6 +16,7 @@
 namespace {
 
 using namespace fast_math_tests;
+using namespace rollbem::studies;
 using fast_math_tests::finite, fast_math_tests::nan;  // not the functions of C
 
 TEST_CASE_METHOD(Fixture, "Fast math: frequency response and stability report what is not finite", "[fast_math]") {

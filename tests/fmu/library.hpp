@@ -13,9 +13,9 @@
 #include <rollbem/elasticity/line_kernel.hpp>
 #include <rollbem/elasticity/rectangle_kernel.hpp>
 #include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/hertz_load.hpp>
 #include <rollbem/normal/hertz_patch_load.hpp>
-#include <rollbem/normal/patch_pressure.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 
 namespace library {

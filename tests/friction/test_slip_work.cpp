@@ -15,10 +15,15 @@
 namespace friction_tests {
 namespace {
 
+template <class Scheme>
+ArrayX<double> points_of(const Mesh<double>& mesh, const Scheme& scheme) {
+    return detail::line_elements(mesh, detail::BothRows<double>(scheme, mesh)).x;
+}
+
 TEST_CASE("A slip linear in x is interpolated exactly at the centres", "[friction]") {
     const auto linear = [](const ArrayX<double>& x) { return VectorX<double>((0.7 - 0.4 * x).matrix()); };
     const auto check = [&](const Mesh<double>& mesh, const auto& scheme) {
-        const ArrayX<double> points = detail::equation_points(mesh, scheme);
+        const ArrayX<double> points = points_of(mesh, scheme);
         const Eigen::Index n = points.size();
         const detail::SlipWork<double> slip_work(unknown_widths(mesh, scheme), points);
         const VectorX<double> slip = linear(points), expected = linear(mesh.centres().head(n));
@@ -54,7 +59,7 @@ TEST_CASE("A slip linear in x is interpolated exactly at the centres", "[frictio
 
 TEST_CASE("With points at the leading edges, the slip at a centre is the mean of both edges", "[friction]") {
     const Mesh<double> mesh = cosine_mesh<double>(6);
-    const detail::SlipWork<double> slip_work(mesh.widths(), detail::equation_points(mesh, half));
+    const detail::SlipWork<double> slip_work(mesh.widths(), points_of(mesh, half));
     const VectorX<double> slip = VectorX<double>{{5, 3, 2, 0, 7, 1}};
     for (Eigen::Index i = 1; i < 6; ++i) {
         CHECK(std::abs(slip_work.at_centre(i, slip) - (slip[i - 1] + slip[i]) / 2) < 1e-13);
@@ -75,7 +80,7 @@ TEST_CASE("The slip is taken as it is without points, with a single one, or wher
     CHECK(one.at_centre(0, VectorX<double>::Constant(1, 4)) == 4);
     // Galerkin's equations are means over the elements themselves and do not involve neighbours
     const Mesh<double> mesh = uniform_mesh<double>(8);
-    const detail::SlipWork<double> galerkin(mesh.widths(), detail::equation_points(mesh, Galerkin{0, 0}));
+    const detail::SlipWork<double> galerkin(mesh.widths(), points_of(mesh, Galerkin{0, 0}));
     for (Eigen::Index i = 0; i < 8; ++i) {
         CHECK(std::abs(galerkin.at_centre(i, VectorX<double>::Unit(8, i)) - 1) < 1e-14);
     }

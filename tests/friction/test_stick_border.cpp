@@ -22,6 +22,8 @@
 namespace friction_tests {
 namespace {
 
+using namespace studies;
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double pi = std::numbers::pi;
 

@@ -17,6 +17,7 @@ namespace polynomial_tests {
 namespace {
 
 using namespace rollbem;
+using namespace rollbem::studies;
 using Complex = std::complex<double>;
 
 double relative_error(Complex value, Complex exact) { return std::abs(value / exact - 1.0); }

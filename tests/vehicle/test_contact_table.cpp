@@ -178,7 +178,7 @@ TEST_CASE("a table agrees with the patches at its nodes, and has their forces be
     // the rule for the ellipse against the patch itself
     const PatchContact<double> outline = contact_of(patch, track.wheel().dimensions());
     const PatchMesh<double> mesh = patch_mesh(outline, cosine_mesh(12), uniform_mesh(13));
-    const auto elements = rectangles(mesh, outline.half_length());
+    const auto elements = mesh.rectangles(outline.half_length());
     Eigen::ArrayXd pressure = pressure_of(patch)(elements);
     double load = 0;
     for (std::size_t i = 0; i < elements.size(); ++i) {

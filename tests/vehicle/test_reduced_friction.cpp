@@ -59,7 +59,7 @@ TEST_CASE("reduced_friction: without reduction and fall, the numbers of the tabl
         for (int i = 0; i < 50; ++i) {
             const PatchContact<double> patch = ellipse(draw.decades(-0.9, 1.1));
             const Creepage<double> v = creepage(patch, i == 0 ? 0 : draw.decades(-2, 2), draw);
-            const ReducedForce now = none.look_up(steel(), patch, mu_0, load, 30, v);
+            const ReducedFriction::Force now = none.look_up(steel(), patch, mu_0, load, 30, v);
             const TabulatedForce table = steel().look_up(patch, mu_0, load, v);
             REQUIRE(now.status == StepStatus::ok);
             CHECK(now.a_over_b_on_table == table.a_over_b_on_table);
@@ -83,7 +83,7 @@ TEST_CASE("reduced_friction: the initial slope, full sliding, and Polach's share
     const double slope = (wet.adhesion_factor + wet.slip_factor) / 2, stiffness = modulus * patch.c() * patch.c();
     const TabulatedForce rest = steel().look_up(patch, mu_0, load, {});
     for (const double size : {0.0, 1e-9}) {  // beside rest as at it
-        const ReducedForce now = friction.look_up(steel(), patch, mu_0, load, 20, {size, size, size});
+        const ReducedFriction::Force now = friction.look_up(steel(), patch, mu_0, load, 20, {size, size, size});
         const auto scaled = [&](const TangentialForce<double>& one, const TangentialForce<double>& by) {
             const Eigen::Array3d expected = slope * array(by);
             CHECK(((array(one) - expected).abs() <= 1e-4 * expected.abs().maxCoeff()).all());
@@ -96,7 +96,8 @@ TEST_CASE("reduced_friction: the initial slope, full sliding, and Polach's share
     // full sliding at a slip velocity of 1.5 m/s, to the error of the table there
     const double mu = mu_0 * (0.6 * std::exp(-0.6 * 1.5) + 0.4);
     for (const double xi : {1e4, 1e6}) {
-        const ReducedForce now = friction.look_up(steel(), patch, mu_0, load, 1.5 / xi, {0.6 * xi, -0.8 * xi, 0});
+        const ReducedFriction::Force now =
+            friction.look_up(steel(), patch, mu_0, load, 1.5 / xi, {0.6 * xi, -0.8 * xi, 0});
         CHECK_THAT(now.friction_coefficient, WithinRel(mu, 1e-12));
         CHECK_THAT(now.force.longitudinal, WithinRel(-0.6 * mu * load, 1e-4));
         CHECK_THAT(now.force.lateral, WithinRel(0.8 * mu * load, 1e-4));
@@ -112,13 +113,13 @@ TEST_CASE("reduced_friction: the initial slope, full sliding, and Polach's share
             all += weight;
         }
     }
-    const ReducedForce turning = friction.look_up(steel(), patch, mu_0, load, 30, {0, 0, 4});
+    const ReducedFriction::Force turning = friction.look_up(steel(), patch, mu_0, load, 30, {0, 0, 4});
     const double w = 30 * 4 * std::sqrt(mean / all);
     CHECK_THAT(turning.friction_coefficient, WithinRel(mu_0 * (0.6 * std::exp(-0.6 * w) + 0.4), 1e-4));
     // the ratio to the table's forces at the same mu
     for (const double level : {0.2, 1.0, 5.0}) {
         const double c11 = -rest.tangent.by_longitudinal.longitudinal / stiffness, xi = level * mu_0 * load / stiffness;
-        const ReducedForce now = friction.look_up(steel(), patch, mu_0, load, 10, {xi, 0, 0});
+        const ReducedFriction::Force now = friction.look_up(steel(), patch, mu_0, load, 10, {xi, 0, 0});
         const double clean = steel().look_up(patch, now.friction_coefficient, load, {xi, 0, 0}).force.longitudinal,
                      eps = std::numbers::pi / 4 * c11 * stiffness * xi / (now.friction_coefficient * load);
         const auto polach = [eps](double k_A, double k_S) {
@@ -139,7 +140,7 @@ TEST_CASE("reduced_friction: tangents are derivatives") {
         const double level = draw.decades(-1, 1), speed = draw.uniform(1, 40);
         const Creepage<double> v = creepage(patch, level, draw);
         const double a = patch.half_length(), b = patch.half_width();
-        const ReducedForce at = friction.look_up(steel(), patch, mu_0, load, speed, v);
+        const ReducedFriction::Force at = friction.look_up(steel(), patch, mu_0, load, speed, v);
         const auto force = [&](double mu, double N, double V, const Creepage<double>& w) {
             return array(friction.look_up(steel(), patch, mu, N, V, w).force);
         };
@@ -212,7 +213,7 @@ TEST_CASE("reduced_friction: what it refuses, and contacts without creepage, loa
     CHECK(std::isnan(at(mu_0, load, -1, {}).force.lateral));
     CHECK(friction.look_up(table, PatchContact<double>({5e-3, 5e-3, modulus, 0.4}), mu_0, load, 1, {}).status ==
           StepStatus::wrong_table);
-    for (const ReducedForce& nothing :
+    for (const ReducedFriction::Force& nothing :
          {at(0, load, 1, {1e-3, 0, 0}), at(mu_0, 0, 1, {1e-3, 0, 0}), at(mu_0, load, 1, {}), at(mu_0, load, 0, {})}) {
         CHECK(nothing.status == StepStatus::ok);
         CHECK(same(nothing.force, {0, 0, 0}));
@@ -251,7 +252,7 @@ TEST_CASE("reduced_friction: beside patches whose friction falls with the slip o
         const auto clean = constant.steady(constant.at_rest(), v, constant_state, constant_workspace);
         REQUIRE(solved.status == StepStatus::ok);
         REQUIRE(clean.status == StepStatus::ok);
-        const ReducedForce now = friction.look_up(steel(), patch, mu_0, load, speed, v);
+        const ReducedFriction::Force now = friction.look_up(steel(), patch, mu_0, load, speed, v);
         const TabulatedForce table = steel().look_up(patch, mu_0, load, v);
         const Eigen::Array3d error = ((array(now.force) - array(solved.force)) / scale).abs();
         const Eigen::Array3d of_table = ((array(table.force) - array(clean.force)) / scale).abs();

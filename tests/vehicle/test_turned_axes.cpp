@@ -71,7 +71,7 @@ Eigen::Vector3d rolled_as_outline(const SemiAxes<double>& axes, double turn, con
     const PatchMesh<double> mesh = patch_mesh(contact, cosine_mesh(8), uniform_mesh(9));
     Eigen::ArrayXd pressure(mesh.size());
     double carried = 0;
-    for (Eigen::Index i = 0; const auto& [x_1, x_2, y_1, y_2] : rectangles(mesh, contact.half_length())) {
+    for (Eigen::Index i = 0; const auto& [x_1, x_2, y_1, y_2] : mesh.rectangles(contact.half_length())) {
         double sum = 0;
         for (int k = 0; k < 256; ++k) {
             const double px = x_1 + (x_2 - x_1) * (k % 16 + 0.5) / 16, py = y_1 + (y_2 - y_1) * (k / 16 + 0.5) / 16;

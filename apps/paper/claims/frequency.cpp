@@ -47,7 +47,7 @@ double largest_c11_error(const Function& c11, const std::vector<double>& z) {
 /// c11 from Eqs. (25) to (27) as printed, without the factor l of d(x/a)^l/dx.
 Complex c11_as_printed(double z) {
     const Eigen::Index order = polynomial_order;
-    const Eigen::MatrixXcd B = rollbem::displacement_matrix(order, poisson_ratio, aspect).cast<Complex>();
+    const Eigen::MatrixXcd B = rollbem::studies::displacement_matrix(order, poisson_ratio, aspect).cast<Complex>();
     Eigen::MatrixXcd equations(order + 1, order + 1);
     for (Eigen::Index l = 0; l < order; ++l) {
         equations.row(l) = (B.col(l + 1) - Complex(0, z) * B.col(l)).transpose();
@@ -55,7 +55,7 @@ Complex c11_as_printed(double z) {
     equations.row(order).setOnes();
     const Eigen::VectorXcd right_hand_side = Eigen::VectorXcd::Unit(order + 1, 0);
     const Eigen::VectorXcd coefficients = Eigen::PartialPivLU<Eigen::MatrixXcd>(equations).solve(right_hand_side);
-    const Eigen::VectorXd moments = rollbem::monomial_moments<double>(order);
+    const Eigen::VectorXd moments = rollbem::studies::monomial_moments<double>(order);
     return -std::numbers::pi * (moments.cast<Complex>().array() * coefficients.array()).sum();
 }
 

@@ -38,7 +38,7 @@ Elements<Scalar> patch_elements(const PatchMesh<Scalar>& mesh, const Scheme& sch
         for (Eigen::Index i = 0; i < n; ++i) elements.behind.push_back(i == 0 ? -1 : j * n + i - 1);
     }
     elements.centre_y = elements.y;
-    elements.half_element_ahead = detail::rows_lie_half_an_element_ahead(scheme, mesh.along());
+    elements.half_element_ahead = detail::BothRows<Scalar>(scheme, mesh.along()).half_element_ahead();
     return elements;
 }
 

@@ -20,78 +20,71 @@ namespace rollbem {
 
 namespace detail {
 
-/// x/a of the point of each equation of a scheme.
-template <class Scalar, class Scheme>
-ArrayX<Scalar> equation_points(const Mesh<Scalar>& mesh, const Scheme& scheme) {
-    const SchemeRows<Scalar> rows = scheme_rows(scheme, Quantity::slope, mesh);
+/// The rows of a scheme of both matrices.
+template <class Scalar>
+struct BothRows {
+    SchemeRows<Scalar> slope, displacement;
+
+    template <class Scheme>
+    BothRows(const Scheme& scheme, const Mesh<Scalar>& mesh)
+        : slope(scheme_rows(scheme, Quantity::slope, mesh)),
+          displacement(scheme_rows(scheme, Quantity::displacement, mesh)) {}
+
+    /// Whether each row belongs to a point half an element ahead of its element's centre.
+    bool half_element_ahead() const { return slope.half_element_ahead && displacement.half_element_ahead; }
+
+    /// Whether the equations hold at points, the same for G and G'. Differences count, as they are the mean of the slope
+    /// over the width of one element; Galerkin's integrals and quadratures do not.
+    bool at_points() const {
+        return slope.offsets.size() == 1 && slope.averages <= 1 && displacement.offsets.size() == 1 &&
+               displacement.averages == 0 && slope.offsets[0] == displacement.offsets[0] &&
+               (half_element_ahead() || (slope.alpha == displacement.alpha).all());
+    }
+
+    /// Throws std::invalid_argument unless G and G' have the same unknowns and the same equations.
+    void require_one_system() const {
+        require(displacement.unknown_count == slope.unknown_count, "rolling_system",
+                "unknown_count of the scheme for G", displacement.unknown_count, "equal that for G_prime");
+        require(displacement.first_equation == slope.first_equation, "rolling_system",
+                "first_equation of the scheme for G", displacement.first_equation, "equal that for G_prime");
+    }
+};
+
+/// The places of the unknown elements of a line and of their equations, in units of a.
+template <class Scalar>
+Elements<Scalar> line_elements(const Mesh<Scalar>& mesh, const BothRows<Scalar>& both) {
+    const SchemeRows<Scalar>& rows = both.slope;
+    const Eigen::Index n = rows.unknown_count;
     Scalar offset = 0;
     for (Eigen::Index k = 0; k < rows.offsets.size(); ++k) offset += rows.weights[k] * rows.offsets[k];
-    ArrayX<Scalar> points(rows.unknown_count);
-    for (Eigen::Index i = 0; i < rows.unknown_count; ++i) {
+    Elements<Scalar> elements;
+    elements.x.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
         const Eigen::Index element = rows.first_equation + i;
-        points[i] =
+        elements.x[i] =
             mesh.centres()[element] + (rows.alpha[element] + offset * rows.lengths[element]) * mesh.widths()[element];
     }
-    return points;
-}
-
-/// Whether each row belongs to a point half an element ahead of its element's centre, in G and in G'.
-template <class Scalar, class Scheme>
-bool rows_lie_half_an_element_ahead(const Scheme& scheme, const Mesh<Scalar>& mesh) {
-    return scheme_rows(scheme, Quantity::slope, mesh).half_element_ahead &&
-           scheme_rows(scheme, Quantity::displacement, mesh).half_element_ahead;
-}
-
-/// Whether the equations of a scheme hold at points, the same for G and G'. Differences count, as they are the mean of
-/// the slope over the width of one element; Galerkin's integrals and quadratures do not.
-template <class Scalar, class Scheme>
-bool holds_at_points(const Scheme& scheme, const Mesh<Scalar>& mesh) {
-    const SchemeRows<Scalar> slope = scheme_rows(scheme, Quantity::slope, mesh);
-    const SchemeRows<Scalar> displacement = scheme_rows(scheme, Quantity::displacement, mesh);
-    return slope.offsets.size() == 1 && slope.averages <= 1 && displacement.offsets.size() == 1 &&
-           displacement.averages == 0 && slope.offsets[0] == displacement.offsets[0] &&
-           (rows_lie_half_an_element_ahead(scheme, mesh) || (slope.alpha == displacement.alpha).all());
-}
-
-/// Throws std::invalid_argument unless G and G' have the same unknowns and the same equations.
-template <class Scalar, class Scheme>
-void require_one_system(const Scheme& scheme, const Mesh<Scalar>& mesh) {
-    const SchemeRows<Scalar> slope = scheme_rows(scheme, Quantity::slope, mesh);
-    const SchemeRows<Scalar> displacement = scheme_rows(scheme, Quantity::displacement, mesh);
-    require(displacement.unknown_count == slope.unknown_count, "rolling_system", "unknown_count of the scheme for G",
-            displacement.unknown_count, "equal that for G_prime");
-    require(displacement.first_equation == slope.first_equation, "rolling_system", "first_equation of the scheme for G",
-            displacement.first_equation, "equal that for G_prime");
-}
-
-}  // namespace detail
-
-/// The places of the unknown elements of a line and of their equations, in units of a. Throws std::invalid_argument if
-/// the scheme does not fit the mesh.
-template <class Scalar, RollingScheme<Scalar> Scheme>
-Elements<Scalar> line_elements(const Mesh<Scalar>& mesh, const Scheme& scheme) {
-    const SchemeRows<Scalar> rows = scheme_rows(scheme, Quantity::slope, mesh);
-    const Eigen::Index n = rows.unknown_count;
-    Elements<Scalar> elements;
-    elements.x = detail::equation_points(mesh, scheme);
     elements.intervals = rows.lengths.segment(rows.first_equation, n) * mesh.widths().segment(rows.first_equation, n);
     elements.y = ArrayX<Scalar>::Zero(n);
     elements.centre_x = mesh.centres().head(n);
     elements.centre_y = ArrayX<Scalar>::Zero(n);
     elements.areas = mesh.widths().head(n);
     elements.behind = Elements<Scalar>::one_strip(n);
-    elements.half_element_ahead = detail::rows_lie_half_an_element_ahead(scheme, mesh);
+    elements.half_element_ahead = both.half_element_ahead();
     return elements;
 }
+
+}  // namespace detail
 
 /// Assembles both matrices. Throws std::invalid_argument if the scheme does not fit the mesh, if G is not finite (an
 /// infinite half-width), and for a plane kernel with Lambda <= 0, whose model is unstable in the time domain.
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     detail::require_stable_model(kernel);
-    detail::require_one_system(scheme, mesh);
-    Elements<Scalar> elements = line_elements(mesh, scheme);
-    auto origin = detail::origin_of<Scalar>(kernel, elements.x, detail::holds_at_points(scheme, mesh));
+    const detail::BothRows<Scalar> rows(scheme, mesh);
+    rows.require_one_system();
+    Elements<Scalar> elements = detail::line_elements(mesh, rows);
+    auto origin = detail::origin_of<Scalar>(kernel, elements.x, rows.at_points());
     return {assemble_G(mesh, scheme, kernel), assemble_G_prime(mesh, scheme, kernel), std::move(elements), mesh.size(),
             std::move(origin)};
 }
@@ -100,7 +93,7 @@ ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& sch
 /// std::invalid_argument if assemble_G_prime refuses the scheme.
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 ElementSystem<Scalar> steady_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
-    Elements<Scalar> elements = line_elements(mesh, scheme);
+    Elements<Scalar> elements = detail::line_elements(mesh, detail::BothRows<Scalar>(scheme, mesh));
     auto origin = detail::origin_of<Scalar>(kernel, elements.x, false);
     return {MatrixX<Scalar>(), assemble_G_prime(mesh, scheme, kernel), std::move(elements), mesh.size(),
             std::move(origin)};

@@ -16,18 +16,12 @@
 namespace rollbem {
 
 /// Steady creep coefficient c11 = pi/(2(1-nu)) of Eq. (30), per unit width of a rectangle (or of an infinitely long
-/// contact). Throws std::invalid_argument unless 0 <= poisson_ratio <= 0.5.
+/// contact). That for lateral creepage, c22, is pi/2 = steady_c11(0), whatever nu is. Throws std::invalid_argument unless
+/// 0 <= poisson_ratio <= 0.5.
 template <std::floating_point Scalar>
 Scalar steady_c11(Scalar poisson_ratio) {
     detail::require_poisson_ratio("steady_c11", poisson_ratio);
     return std::numbers::pi_v<Scalar> / (2 * (1 - poisson_ratio));
-}
-
-/// Steady creep coefficient c22 = -F_y/(a G xi_y) = pi/2 for lateral creepage, per unit width like steady_c11. It is
-/// independent of Poisson's ratio.
-template <std::floating_point Scalar = double>
-constexpr Scalar steady_c22() {
-    return std::numbers::pi_v<Scalar> / 2;
 }
 
 /// The value pi^2/(4(1-nu)) of Eq. (31). It is the limit b >> a of Kalker's coefficient of an *ellipse*, defined by

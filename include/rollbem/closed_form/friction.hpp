@@ -93,7 +93,7 @@ Scalar cattaneo_shift(Scalar force_ratio, Scalar poisson_ratio, Scalar aspect) {
 /// monotonic).
 template <std::floating_point Scalar>
 Scalar cattaneo_force_ratio(Scalar shift, Scalar poisson_ratio, Scalar aspect) {
-    const Scalar lambda = stable_plane_lambda("cattaneo_force_ratio", poisson_ratio, aspect);
+    const Scalar lambda = detail::stable_plane_lambda("cattaneo_force_ratio", poisson_ratio, aspect);
     detail::require(!detail::is_nan(shift), "cattaneo_force_ratio", "shift", shift, "be a number");
     const Scalar target = std::abs(shift);
     if (target >= cattaneo_shift(Scalar(1), poisson_ratio, aspect)) {

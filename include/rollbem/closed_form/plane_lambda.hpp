@@ -33,17 +33,21 @@ Scalar plane_lambda(Scalar poisson_ratio, Scalar aspect) {
     return detail::plane_lambda_of(aspect, poisson_ratio / (1 - poisson_ratio));
 }
 
+namespace detail {
+
 /// The plane_lambda of a non-steady problem. Throws std::invalid_argument, naming `who`, also if Lambda <= 0: there the
 /// plane model itself is unstable (its kernel becomes negative inside the contact).
 template <std::floating_point Scalar>
 Scalar stable_plane_lambda(const char* who, Scalar poisson_ratio, Scalar aspect) {
     const Scalar lambda = plane_lambda(poisson_ratio, aspect);
     if (!(lambda > Scalar(0))) {
-        const std::string rule = "be positive: at aspect b/a = " + detail::to_text(aspect) +
+        const std::string rule = "be positive: at aspect b/a = " + to_text(aspect) +
                                  " the plane model is unstable in time; use the strip kernel";
-        detail::require(false, who, "Lambda = ln(4b/a) + nu/(1-nu)", lambda, rule.c_str());
+        require(false, who, "Lambda = ln(4b/a) + nu/(1-nu)", lambda, rule.c_str());
     }
     return lambda;
 }
+
+}  // namespace detail
 
 }  // namespace rollbem

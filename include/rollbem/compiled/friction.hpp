@@ -6,9 +6,9 @@
 #include "../friction/law.hpp"
 #include "../friction/model.hpp"
 #include "../normal/hertz.hpp"
+#include "../normal/hertz_ellipse.hpp"
 #include "../normal/hertz_load.hpp"
 #include "../normal/load.hpp"
-#include "../normal/patch_pressure.hpp"
 #include "../normal/pressure_grid.hpp"
 #include "../normal/pressure_table.hpp"
 #include "steady.hpp"
@@ -23,8 +23,8 @@ extern template bool detail::converges<double>(MatrixX<double>, const ArrayX<dou
 extern template bool detail::converges<double>(const DirectionBlocks<double>&, const ArrayX<double>&);
 extern template void detail::require_blocks<double>(const char*, const char*, const DirectionBlocks<double>&,
                                                     Eigen::Index);
-extern template MatrixX<double> rigid_slip<double>(const Elements<double>&);
-extern template MatrixX<double> force_weights<double>(const Elements<double>&);
+extern template MatrixX<double> detail::rigid_slip<double>(const Elements<double>&);
+extern template MatrixX<double> detail::force_weights<double>(const Elements<double>&);
 extern template class ElementSystem<double, 2>;
 extern template class detail::ActiveSet<double>;
 extern template class detail::BothEquations<double>;

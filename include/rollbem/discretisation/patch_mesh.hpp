@@ -5,6 +5,7 @@
 
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "../detail/require.hpp"
 #include "../scene/outline.hpp"
@@ -13,6 +14,12 @@
 #include "mesh.hpp"
 
 namespace rollbem {
+
+/// An element of a patch [m], x_1 < x_2 and y_1 < y_2.
+template <class Scalar>
+struct Rectangle {
+    Scalar x_1, x_2, y_1, y_2;
+};
 
 /// m strips of n elements, lengths in the unit of the system (a; of an outline c). Element i of strip j covers
 /// middles_x[j] + half_lengths[j] e, e between the edges i and i + 1 of `along`, and the strip's width in y.
@@ -69,6 +76,19 @@ public:
 
     /// Whether the strips at y and -y are mirror images, exactly: then problems fall apart into halves.
     bool is_mirrored() const { return mirrored_; }
+
+    /// The elements [m], strip by strip; `unit` is the mesh's unit of length [m], half_length() of the contact.
+    std::vector<Rectangle<Scalar>> rectangles(Scalar unit) const {
+        std::vector<Rectangle<Scalar>> elements;
+        const Array edges = along().edges();
+        for (Eigen::Index j = 0; j < strip_count(); ++j) {
+            const auto x = [&](Eigen::Index i) { return unit * (middles_x()[j] + half_lengths()[j] * edges[i]); };
+            for (Eigen::Index i = 0; i < elements_per_strip(); ++i) {
+                elements.push_back({x(i), x(i + 1), unit * data_.edges[j], unit * data_.edges[j + 1]});
+            }
+        }
+        return elements;
+    }
 
 private:
     Data data_;

@@ -24,16 +24,22 @@ struct ElasticBody {
 
 namespace detail {
 
-/// 1/G = (1/G_1 + 1/G_2)/2 and nu/G = (nu_1/G_1 + nu_2/G_2)/2 (Kalker).
+/// 1/G = (1/G_1 + 1/G_2)/2 and nu/G = (nu_1/G_1 + nu_2/G_2)/2 (Kalker), and 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
 template <class Scalar>
 struct CombinedBodies {
-    Scalar shear_modulus, poisson_ratio;
+    Scalar shear_modulus, poisson_ratio, compliance = 0;
 
-    CombinedBodies(const ElasticBody<Scalar>& one, const ElasticBody<Scalar>& two) {
+    /// Throws std::invalid_argument, naming `who`, if a body breaks its invariant.
+    CombinedBodies(const char* who, const ElasticBody<Scalar>& one, const ElasticBody<Scalar>& two) {
+        for (const ElasticBody<Scalar>& body : {one, two}) {
+            require_positive(who, "young_modulus", body.young_modulus);
+            require_poisson_ratio(who, body.poisson_ratio);
+            compliance += (1 - body.poisson_ratio) * (1 + body.poisson_ratio) / body.young_modulus;
+        }
         const Scalar compliance_1 = 1 / one.shear_modulus(), compliance_2 = 1 / two.shear_modulus();
-        const Scalar compliance = (compliance_1 + compliance_2) / 2;
-        shear_modulus = 1 / compliance;
-        poisson_ratio = (one.poisson_ratio * compliance_1 + two.poisson_ratio * compliance_2) / 2 / compliance;
+        const Scalar mean = (compliance_1 + compliance_2) / 2;
+        shear_modulus = 1 / mean;
+        poisson_ratio = (one.poisson_ratio * compliance_1 + two.poisson_ratio * compliance_2) / 2 / mean;
     }
 };
 
@@ -68,17 +74,12 @@ public:
     };
 
     /// Throws std::invalid_argument naming the parameter that is out of range.
-    explicit HertzLine(const Parameters& parameters) : parameters_(parameters) {
+    explicit HertzLine(const Parameters& parameters)
+        : parameters_(parameters), bodies_("HertzLine", parameters.body_1, parameters.body_2) {
         detail::require_positive("HertzLine", "load_per_width", parameters.load_per_width);
         detail::require_positive("HertzLine", "combined_radius", parameters.combined_radius);
-        Scalar compliance = 0;
-        for (const ElasticBody<Scalar>& body : {parameters.body_1, parameters.body_2}) {
-            detail::require_positive("HertzLine", "young_modulus", body.young_modulus);
-            detail::require_poisson_ratio("HertzLine", body.poisson_ratio);
-            compliance += (1 - body.poisson_ratio) * (1 + body.poisson_ratio) / body.young_modulus;
-        }
         half_length_ = std::sqrt(4 / std::numbers::pi_v<Scalar> * parameters.load_per_width *
-                                 parameters.combined_radius * compliance);
+                                 parameters.combined_radius * bodies_.compliance);
         detail::require_positive("HertzLine", "half_length", half_length_);
     }
 
@@ -109,12 +110,12 @@ public:
     /// the pressure itself causes slip, which the tangential theory neglects. Throws std::invalid_argument unless
     /// half_width > 0.
     Contact<Scalar> contact(Scalar half_width) const {
-        const detail::CombinedBodies<Scalar> bodies(parameters_.body_1, parameters_.body_2);
-        return Contact<Scalar>({half_length_, half_width, bodies.shear_modulus, bodies.poisson_ratio});
+        return Contact<Scalar>({half_length_, half_width, bodies_.shear_modulus, bodies_.poisson_ratio});
     }
 
 private:
     Parameters parameters_;
+    detail::CombinedBodies<Scalar> bodies_;
     Scalar half_length_;
 };
 

@@ -8,11 +8,13 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <type_traits>
 #include <vector>
 
 #include "../detail/finite.hpp"
 #include "../detail/gauss_legendre.hpp"
 #include "../detail/require.hpp"
+#include "../discretisation/patch_mesh.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../scene/rolling_ellipse.hpp"
 #include "../types.hpp"
@@ -20,27 +22,13 @@
 
 namespace rollbem {
 
-/// Principal radii of curvature of a surface at the contact [m]: positive if convex, negative if concave, infinite if
-/// flat, never zero.
-template <class Scalar>
-struct PrincipalRadii {
-    Scalar rolling;  ///< in the plane of the rolling direction x
-    Scalar lateral;  ///< in the plane across it
-};
-
-/// An element of a patch [m], x_1 < x_2 and y_1 < y_2.
-template <class Scalar>
-struct Rectangle {
-    Scalar x_1, x_2, y_1, y_2;
-};
+namespace detail {
 
 /// Pressures of elements [Pa], and their derivatives with respect to the load [Pa/N].
 template <class Scalar>
 struct ElementPressures {
     ArrayX<Scalar> mean, rate;
 };
-
-namespace detail {
 
 /// Complete elliptic integrals of the modulus e = sqrt(1 - kappa^2), by the arithmetic-geometric mean (Abramowitz &
 /// Stegun 17.6): K, D = (K - E)/e^2, B = K - D and C = (D - B)/e^2, all without cancellation as e tends to 0.
@@ -181,16 +169,23 @@ class HertzEllipse {
 public:
     using Scalar = Scalar_;
 
-    struct Parameters {
-        Scalar load;                     ///< N [N], positive
-        PrincipalRadii<Scalar> radii_1;  ///< of the wheel
-        PrincipalRadii<Scalar> radii_2;  ///< of the rail
-        Scalar angle = 0;                ///< by which the planes of radii_2 are turned about z, from x to y [rad]
-        ElasticBody<Scalar> body_1;      ///< wheel
-        ElasticBody<Scalar> body_2;      ///< rail
+    /// Principal radii of curvature of a surface at the contact [m]: positive if convex, negative if concave, infinite if
+    /// flat, never zero.
+    struct Radii {
+        Scalar rolling;  ///< in the plane of the rolling direction x
+        Scalar lateral;  ///< in the plane across it
     };
 
-    using Pressures = ElementPressures<Scalar>;
+    struct Parameters {
+        Scalar load;                 ///< N [N], positive
+        Radii radii_1;               ///< of the wheel
+        Radii radii_2;               ///< of the rail
+        Scalar angle = 0;            ///< by which the planes of radii_2 are turned about z, from x to y [rad]
+        ElasticBody<Scalar> body_1;  ///< wheel
+        ElasticBody<Scalar> body_2;  ///< rail
+    };
+
+    using Pressures = detail::ElementPressures<Scalar>;
 
     /// Throws std::invalid_argument naming the parameter that is out of range, or if the bodies do not separate in all
     /// directions: both principal curvatures of the gap must be positive.
@@ -262,15 +257,9 @@ private:
 
 template <class Scalar_>
 HertzEllipse<Scalar_>::HertzEllipse(const Parameters& parameters)
-    : load_(parameters.load), bodies_(parameters.body_1, parameters.body_2) {
+    : load_(parameters.load), bodies_("HertzEllipse", parameters.body_1, parameters.body_2) {
     detail::require_positive("HertzEllipse", "load", load_);
     detail::require_finite("HertzEllipse", "angle", parameters.angle);
-    Scalar compliance = 0;
-    for (const ElasticBody<Scalar>& body : {parameters.body_1, parameters.body_2}) {
-        detail::require_positive("HertzEllipse", "young_modulus", body.young_modulus);
-        detail::require_poisson_ratio("HertzEllipse", body.poisson_ratio);
-        compliance += (1 - body.poisson_ratio) * (1 + body.poisson_ratio) / body.young_modulus;
-    }
     const Scalar x_1 = curvature(parameters.radii_1.rolling, "radii_1.rolling"),
                  y_1 = curvature(parameters.radii_1.lateral, "radii_1.lateral"),
                  x_2 = curvature(parameters.radii_2.rolling, "radii_2.rolling"),
@@ -290,12 +279,32 @@ HertzEllipse<Scalar_>::HertzEllipse(const Parameters& parameters)
     const Scalar kappa = detail::ellipse_of_curvatures<Scalar>((std::min)(smaller / larger, Scalar(1)));
     const detail::EllipticIntegrals<Scalar> integrals(kappa);
     const Scalar pi = std::numbers::pi_v<Scalar>;
-    const Scalar longer = std::cbrt(3 * load_ * compliance * integrals.D / (pi * smaller)), shorter = kappa * longer;
+    const Scalar longer = std::cbrt(3 * load_ * bodies_.compliance * integrals.D / (pi * smaller)),
+                 shorter = kappa * longer;
     a_ = across ? longer : shorter;
     b_ = across ? shorter : longer;
-    approach_ = 3 * load_ * compliance * integrals.K / (2 * pi * longer);
+    approach_ = 3 * load_ * bodies_.compliance * integrals.K / (2 * pi * longer);
     detail::require_positive("HertzEllipse", "shorter semi-axis", shorter);
     detail::require_positive("HertzEllipse", "longer semi-axis", longer);
+}
+
+/// Mean pressures [Pa] of elements that cover an elliptic patch, whether they end on its edge or beyond, under the load N
+/// [N], which they carry exactly: p_n = 3 N/(2 pi a b) sqrt(1 - x^2/a^2 - y^2/b^2). Throws std::invalid_argument for an
+/// outline, unless the load is positive and finite and the elements cover nine tenths of it, or if one has no area.
+template <class Scalar>
+ArrayX<Scalar> hertz_pressures(const PatchContact<Scalar>& contact, const std::vector<Rectangle<Scalar>>& elements,
+                               std::type_identity_t<Scalar> load) {
+    detail::require(!contact.outline(), "hertz_pressures", "number of lines of an outline",
+                    contact.outline() ? contact.outline()->y().size() : 0, "be 0: Hertz's contact is an ellipse");
+    detail::require_positive("hertz_pressures", "load", load);
+    return detail::ellipse_pressures(contact.half_length(), contact.half_width(), load, elements).mean;
+}
+
+/// The same for the elements of the patch's mesh.
+template <class Scalar>
+ArrayX<Scalar> hertz_pressures(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh,
+                               std::type_identity_t<Scalar> load) {
+    return hertz_pressures(contact, mesh.rectangles(contact.half_length()), load);
 }
 
 }  // namespace rollbem

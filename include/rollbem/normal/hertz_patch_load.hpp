@@ -16,7 +16,6 @@
 #include "../types.hpp"
 #include "hertz_ellipse.hpp"
 #include "load.hpp"
-#include "patch_pressure.hpp"
 
 namespace rollbem {
 
@@ -105,7 +104,7 @@ private:
         : ellipse_(ellipse),
           axes_{contact.half_length(), contact.half_width()},
           least_(least_resolved(contact, mesh)),
-          elements_(rectangles(mesh, contact.half_length())),
+          elements_(mesh.rectangles(contact.half_length())),
           shape_(hertz_pressures(contact, mesh, 1) * (contact.half_length() * contact.half_width())),
           fixed_(fixed) {
         detail::require(ellipse.turn() == 0, "HertzPatchLoad", "turn of the ellipse", ellipse.turn(),

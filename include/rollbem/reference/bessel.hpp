@@ -268,8 +268,9 @@ inline std::vector<Complex> eigenvalues(std::size_t count, long double lambda) {
 /// the eigenvalues. Throws std::invalid_argument unless s is finite, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and
 /// either Lambda > 0 or s = 0.
 inline std::complex<double> plane_c11(std::complex<double> s, double poisson_ratio, double aspect) {
-    const double lambda = s == 0.0 ? plane_lambda(poisson_ratio, aspect)
-                                   : stable_plane_lambda("reference::plane_c11", poisson_ratio, aspect);
+    const double lambda = s == 0.0
+                              ? plane_lambda(poisson_ratio, aspect)
+                              : rollbem::detail::stable_plane_lambda("reference::plane_c11", poisson_ratio, aspect);
     detail::require_finite("reference::plane_c11", "Re s", s.real());
     detail::require_finite("reference::plane_c11", "Im s", s.imag());
     if (s.real() == 0 && std::abs(s.imag()) < detail::asymptotic_radius) {
@@ -282,7 +283,7 @@ inline std::complex<double> plane_c11(std::complex<double> s, double poisson_rat
 /// s >= 0 of least modulus, ascending; each with Im s > 0 represents a conjugate pair. All have Re s < 0. Throws
 /// std::invalid_argument unless count > 0, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and Lambda > 0.
 inline std::vector<std::complex<double>> eigenvalues(std::size_t count, double poisson_ratio, double aspect) {
-    const double lambda = stable_plane_lambda("reference::eigenvalues", poisson_ratio, aspect);
+    const double lambda = rollbem::detail::stable_plane_lambda("reference::eigenvalues", poisson_ratio, aspect);
     detail::require(count > 0, "reference::eigenvalues", "count", count, "be positive");
     std::vector<std::complex<double>> result;
     for (const detail::Complex s : detail::eigenvalues(count, lambda)) {

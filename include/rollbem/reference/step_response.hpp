@@ -84,7 +84,8 @@ double invert_laplace(const Transform& transform, double q, int terms = 40) {
 /// independent check of StepResponse; most accurate for q/a < 2. Throws std::invalid_argument unless 0 < q/a < inf,
 /// 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and Lambda > 0.
 inline double step_response_de_hoog(double q_over_a, double poisson_ratio, double aspect) {
-    const double lambda = stable_plane_lambda("reference::step_response_de_hoog", poisson_ratio, aspect);
+    const double lambda =
+        rollbem::detail::stable_plane_lambda("reference::step_response_de_hoog", poisson_ratio, aspect);
     return invert_laplace([&](detail::Complex s) { return detail::laplace_c11(s, poisson_ratio, lambda) / s; },
                           q_over_a);
 }
@@ -98,7 +99,8 @@ class StepResponse {
 public:
     /// Throws std::invalid_argument unless modes > 0, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and Lambda > 0.
     StepResponse(double poisson_ratio, double aspect, std::size_t modes = 4000)
-        : poisson_ratio_(poisson_ratio), lambda_(stable_plane_lambda("StepResponse", poisson_ratio, aspect)) {
+        : poisson_ratio_(poisson_ratio),
+          lambda_(rollbem::detail::stable_plane_lambda("StepResponse", poisson_ratio, aspect)) {
         detail::require(modes > 0, "StepResponse", "modes", modes, "be positive");
         const long double steady = steady_c11<long double>(poisson_ratio);
         const long double lambda = lambda_;

@@ -15,7 +15,7 @@
 #include "../detail/finite.hpp"
 #include "../detail/reciprocal_condition.hpp"
 
-namespace rollbem {
+namespace rollbem::studies {
 
 /// Range and resolution of the search of critical_alpha_T.
 struct CriticalAlphaOptions {
@@ -24,7 +24,9 @@ struct CriticalAlphaOptions {
     double tolerance = 1e-5;         ///< of the crossing [-]
 };
 
-namespace detail {
+}  // namespace rollbem::studies
+
+namespace rollbem::detail {
 
 // How many steps may be taken at once where nothing happens, that is if both ends are stable, the angle of the eigenvalue
 // nearest to the imaginary axis changes by at most a quarter, and G is far from singular. An eigenvalue can move fast
@@ -60,7 +62,9 @@ private:
     const Kernel& kernel_;
 };
 
-}  // namespace detail
+}  // namespace rollbem::detail
+
+namespace rollbem::studies {
 
 /// The smallest alpha_T in [first, last] at which an eigenvalue certainly grows, to within `tolerance` from above;
 /// empty if there is none. `scheme_of(alpha_T)` makes the scheme. Throws std::invalid_argument for an invalid range or
@@ -107,4 +111,4 @@ requires RollingScheme<std::invoke_result_t<const SchemeOf&, double>, Scalar> st
     return std::nullopt;
 }
 
-}  // namespace rollbem
+}  // namespace rollbem::studies

@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace rollbem {
+namespace rollbem::studies {
 
 /// Creep coefficients of ellipses of one a/b, for nu = 0, 0.25 and 0.5; they differ from accurate ones by up to 0.8 %.
 struct KalkerRow {
@@ -36,4 +36,4 @@ inline constexpr std::array<KalkerRow, 19> kalker_table{{
     {10, {10.7, 11.7, 12.9}, {10.7, 12.8, 16.0}, {12.2, 14.6, 18.0}},
 }};
 
-}  // namespace rollbem
+}  // namespace rollbem::studies

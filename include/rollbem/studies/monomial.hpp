@@ -20,7 +20,7 @@
 #include "../status.hpp"
 #include "../types.hpp"
 
-namespace rollbem {
+namespace rollbem::studies {
 
 /// What to do about the status of a polynomial solution, as a clause for a message: ill_conditioned is for monomials
 /// whose matrix is close to singular, not_converged for an order that is too low or monomials that have broken down.
@@ -75,7 +75,9 @@ MatrixX<Scalar> displacement_matrix(Eigen::Index order, Scalar poisson_ratio, Sc
     return b;
 }
 
-namespace detail {
+}  // namespace rollbem::studies
+
+namespace rollbem::detail {
 
 /// Condition above which the status is ill_conditioned; 1e12 in double.
 template <std::floating_point Scalar>
@@ -101,13 +103,16 @@ PolynomialSolution<Scalar> solve_monomial_once(std::complex<Scalar> s, const Eig
     solution.basis = PolynomialSolution<Scalar>::Basis::monomial;
     solution.traction_coefficients = lu.solve(creepage);
     solution.displacement_coefficients = b.transpose().template cast<Complex>() * solution.traction_coefficients;
-    const Complex mean = monomial_moments<Scalar>(order).template cast<Complex>().dot(solution.traction_coefficients);
+    const Complex mean =
+        studies::monomial_moments<Scalar>(order).template cast<Complex>().dot(solution.traction_coefficients);
     solution.c11 = -std::numbers::pi_v<Scalar> * mean;
     solution.condition = 1 / lu.rcond();
     return solution;
 }
 
-}  // namespace detail
+}  // namespace rollbem::detail
+
+namespace rollbem::studies {
 
 /// The polynomial approach in monomials: Eqs. (25)-(27) with the factors 1 and l+1 due to the derivative. The error
 /// estimate is the difference from order + 10, plus rounding. The status is ill_conditioned above a condition of 1e12,
@@ -133,4 +138,4 @@ PolynomialSolution<Scalar> solve_monomial(std::type_identity_t<std::complex<Scal
     return solution;
 }
 
-}  // namespace rollbem
+}  // namespace rollbem::studies

@@ -27,7 +27,7 @@
 #include "detail/exact_border.hpp"
 #include "detail/stick_zone.hpp"
 
-namespace rollbem {
+namespace rollbem::studies {
 
 /// A pressure known at every point: p_n [Pa] at x/a in [-1, 1], finite and not negative, and its mean on each element
 /// of any mesh, in case elements are needed. HertzPressure and PressureTable are such laws.
@@ -105,13 +105,15 @@ private:
     }
 };
 
-namespace detail {
+}  // namespace rollbem::studies
+
+namespace rollbem::detail {
 
 /// The same by elements, for a result that is otherwise empty.
 template <class Scalar, class Kernel, class Pressure>
 void solve_on_elements(const Contact<Scalar>& contact, const Kernel& kernel, Scalar friction_coefficient,
                        const Pressure& pressure, Scalar creepage, Eigen::Index count,
-                       StickBorderSolution<Scalar>& result) {
+                       studies::StickBorderSolution<Scalar>& result) {
     const Mesh<Scalar> mesh = cosine_mesh<Scalar>(count);
     const FrictionModel model(
         contact, steady_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel),
@@ -120,14 +122,17 @@ void solve_on_elements(const Contact<Scalar>& contact, const Kernel& kernel, Sca
     FrictionState<1, Scalar> state = rest;
     FrictionWorkspace<1, Scalar> workspace = model.workspace();
     const FrictionStep<1, Scalar> step = model.steady(rest, creepage, state, workspace);
-    result.elements.emplace(typename StickBorderSolution<Scalar>::OnElements{mesh, state.traction, workspace.slip()});
+    result.elements.emplace(
+        typename studies::StickBorderSolution<Scalar>::OnElements{mesh, state.traction, workspace.slip()});
     result.force_per_width = step.force / contact.width();
     result.tangent_per_width = step.tangent / contact.width();
     result.complementarity_residual = step.complementarity_residual;
     result.status = step.status;
 }
 
-}  // namespace detail
+}  // namespace rollbem::detail
+
+namespace rollbem::studies {
 
 /// Steady rolling with friction at a creepage [-], by the exact border between slip, behind it, and stick, ahead of it.
 ///
@@ -152,7 +157,7 @@ template <class Scalar, LineKernel Kernel, PressureLaw<Scalar> Pressure>
 StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, const Kernel& kernel,
                                                std::type_identity_t<Scalar> friction_coefficient,
                                                const Pressure& pressure, std::type_identity_t<Scalar> creepage,
-                                               Eigen::Index fallback_elements) {
+                                               Eigen::Index fallback_elements = 40) {
     constexpr const char* who = "solve_stick_border";
     detail::require(fallback_elements >= 1, who, "fallback_elements", fallback_elements, "be at least 1");
     detail::require_not_negative(who, "friction_coefficient", friction_coefficient);
@@ -192,12 +197,4 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
     return result;
 }
 
-/// The same with 40 elements, should they be needed.
-template <class Scalar, LineKernel Kernel, PressureLaw<Scalar> Pressure>
-StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, const Kernel& kernel,
-                                               std::type_identity_t<Scalar> friction_coefficient,
-                                               const Pressure& pressure, std::type_identity_t<Scalar> creepage) {
-    return solve_stick_border(contact, kernel, friction_coefficient, pressure, creepage, 40);
-}
-
-}  // namespace rollbem
+}  // namespace rollbem::studies

@@ -75,8 +75,6 @@ void add_blocks(const DirectionBlocks<Scalar>& blocks, Fingerprint& fingerprint)
     }
 }
 
-}  // namespace detail
-
 /// Rigid slip of 2n equations, longitudinal ones first, per longitudinal creepage, lateral creepage and spin (times the
 /// unit of length): columns (1, 0), (0, 1), (-y, x) at the points of the equations. 2n x 3; the third column is zero
 /// where places are not known.
@@ -107,6 +105,8 @@ MatrixX<Scalar> force_weights(const Elements<Scalar>& elements) {
     }
     return columns;
 }
+
+}  // namespace detail
 
 /// Elements with tractions in both directions, of a line (two systems that do not couple) or of a patch:
 /// s/V = rigid slip - G' p + G dp/dq. Dimensionless: lengths in a (outlines: c), tractions in G.
@@ -189,7 +189,8 @@ public:
 
     /// All 2n equations, longitudinal ones first, with inputs (xi, eta, phi) and outputs (F_x, F_y, M_z).
     RollingSystem<Scalar> whole() const {
-        return {detail::joined(G_), detail::joined(G_prime_), rigid_slip(elements_), force_weights(elements_)};
+        return {detail::joined(G_), detail::joined(G_prime_), detail::rigid_slip(elements_),
+                detail::force_weights(elements_)};
     }
 
     /// As in RollingSystem.
@@ -197,8 +198,8 @@ public:
         detail::Fingerprint fingerprint;
         detail::add_blocks(G_, fingerprint);
         detail::add_blocks(G_prime_, fingerprint);
-        fingerprint.add(rigid_slip(elements_));
-        fingerprint.add(force_weights(elements_));
+        fingerprint.add(detail::rigid_slip(elements_));
+        fingerprint.add(detail::force_weights(elements_));
         if (shapes_) {
             fingerprint.add(a_over_b_);
             fingerprint.add(shapes_->first);

@@ -31,8 +31,8 @@ struct Response {
     Scalar rcond = 0;     ///< estimate of 1 / (|A| |A^-1|) in the 1-norm [-]
     Status status = Status::not_finite;
 
-    /// The first coefficient: Kalker's creep coefficient of a line, -F_bar / (a G xi), Eq. (30); see steady_c11 and
-    /// steady_c22 for b >> a.
+    /// The first coefficient: Kalker's creep coefficient of a line, -F_bar / (a G xi), Eq. (30); see steady_c11 for
+    /// b >> a.
     Value c11() const {
         return coefficients.size() > 0 ? coefficients(0, 0) : Value(std::numeric_limits<Scalar>::quiet_NaN());
     }

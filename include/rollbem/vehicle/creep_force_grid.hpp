@@ -130,6 +130,22 @@ public:
         return place.x != last.x || place.y != last.y;
     }
 
+    /// Nodes of one ellipse with the same xi, from `first` to before `last`: their forces do not depend on other nodes.
+    struct Slab {
+        Eigen::Index shape, first, last;
+    };
+    /// All slabs, in the order of the nodes.
+    std::vector<Slab> slabs() const {
+        std::vector<Slab> slabs;
+        for (Eigen::Index shape = 0; shape < shapes(); ++shape) {
+            for (Eigen::Index node = 0; node < nodes(); ++node) {
+                if (node == 0 || place(node).x != place(node - 1).x) slabs.push_back({shape, node, node});
+                ++slabs.back().last;
+            }
+        }
+        return slabs;
+    }
+
     /// Of coordinates on the lattice.
     struct Place {
         int x, y, spin;

@@ -45,15 +45,6 @@ struct TabulatedForce {
     StepStatus status = StepStatus::not_finite;
 };
 
-/// |X| mu N, the size of the linear forces that scale the lattice of a table (see CreepForceGrid), in the units of the
-/// contact.
-struct LinearForceSize {
-    double value;                  ///< [N]
-    Creepage<double> by_creepage;  ///< its derivatives [N], by spin [N m]; 0 where creepage and spin vanish
-    double by_half_length;         ///< at constant half-width [N/m]
-    double by_half_width;          ///< at constant half-length [N/m]
-};
-
 /// Steady creep forces of ellipses under Hertz's pressure by interpolation in log(a/b), xi, eta and phi (see
 /// CreepForceGrid): cubic splines, so that forces have two continuous derivatives, but where creepage and spin vanish
 /// one. There the force is 0, exactly; forces are exactly symmetric, too. For creepages beyond all bounds they tend to
@@ -69,6 +60,15 @@ struct LinearForceSize {
 template <std::same_as<double> Real = double>
 class BasicCreepForceTable {
 public:
+    /// |X| mu N, the size of the linear forces that scale the lattice of a table (see CreepForceGrid), in the units of the
+    /// contact.
+    struct LinearForce {
+        double value;                  ///< [N]
+        Creepage<double> by_creepage;  ///< its derivatives [N], by spin [N m]; 0 where creepage and spin vanish
+        double by_half_length;         ///< at constant half-width [N/m]
+        double by_half_width;          ///< at constant half-length [N/m]
+    };
+
     /// `forces`: -F_x/(mu N), -F_y/(mu N) and -M_z/(mu N c) in a column for every node of the first ellipse of the grid,
     /// then of the next one. Throws std::invalid_argument if their number differs or one of them is not finite or
     /// above 100.
@@ -93,8 +93,7 @@ public:
                            const Creepage<double>& creepage) const noexcept;
 
     /// How far a contact that look_up() takes is from rest: full sliding begins at 1 to 3 mu N. Does not allocate.
-    LinearForceSize linear_force_size(const PatchContact<double>& contact,
-                                      const Creepage<double>& creepage) const noexcept;
+    LinearForce linear_force_size(const PatchContact<double>& contact, const Creepage<double>& creepage) const noexcept;
 
 private:
     static constexpr const char* name = "CreepForceTable";
@@ -435,8 +434,8 @@ auto BasicCreepForceTable<Real>::ellipse(const PatchContact<double>& contact) co
 }
 
 template <std::same_as<double> Real>
-LinearForceSize BasicCreepForceTable<Real>::linear_force_size(const PatchContact<double>& contact,
-                                                              const Creepage<double>& creepage) const noexcept {
+auto BasicCreepForceTable<Real>::linear_force_size(const PatchContact<double>& contact,
+                                                   const Creepage<double>& creepage) const noexcept -> LinearForce {
     const Ellipse on = ellipse(contact);
     const double c = contact.c(), stiffness = contact.shear_modulus() * c * c;
     const Eigen::Vector3d w = linear_law(on.linear, c, creepage);

@@ -21,7 +21,7 @@
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/rectangle_kernel.hpp"
 #include "../friction/model.hpp"
-#include "../normal/patch_pressure.hpp"
+#include "../normal/hertz_ellipse.hpp"
 #include "../rolling/run.hpp"
 #include "../scene/creepage.hpp"
 #include "../scene/patch_contact.hpp"
@@ -178,23 +178,6 @@ inline CreepForceGrid make_creep_force_grid(const CreepForceRange& range, std::s
     return {range.poisson_ratio, range.smallest_a_over_b, range.largest_a_over_b, range.levels, coefficients};
 }
 
-/// Nodes of one ellipse with the same xi, from `first` to before `last`: their forces do not depend on other nodes.
-struct CreepForceSlab {
-    Eigen::Index shape, first, last;
-};
-
-/// All slabs of a grid, in the order of its nodes.
-inline std::vector<CreepForceSlab> slabs_of(const CreepForceGrid& grid) {
-    std::vector<CreepForceSlab> slabs;
-    for (Eigen::Index shape = 0; shape < grid.shapes(); ++shape) {
-        for (Eigen::Index node = 0; node < grid.nodes(); ++node) {
-            if (node == 0 || grid.place(node).x != grid.place(node - 1).x) slabs.push_back({shape, node, node});
-            ++slabs.back().last;
-        }
-    }
-    return slabs;
-}
-
 /// A table of steady creep forces, of the ellipses and creepages of `range`. `jobs` threads share the work, and the
 /// result does not depend on their number; progress(done, all) is called as forces become known, by one thread at a
 /// time. The default range takes some 11 minutes with two jobs. Throws std::invalid_argument as make_creep_force_grid, and
@@ -203,7 +186,7 @@ inline CreepForceTable make_creep_force_table(
     const CreepForceRange& range, std::size_t jobs = 1,
     const std::function<void(std::size_t, std::size_t)>& progress = [](std::size_t, std::size_t) {}) {
     const CreepForceGrid grid = make_creep_force_grid(range, jobs);
-    const std::vector<CreepForceSlab> slabs = slabs_of(grid);
+    const std::vector<CreepForceGrid::Slab> slabs = grid.slabs();
     Eigen::Array3Xd forces(3, grid.shapes() * grid.nodes());
     std::size_t done = 0;
     detail::parallel_for(

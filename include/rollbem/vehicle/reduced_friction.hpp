@@ -19,13 +19,6 @@
 
 namespace rollbem {
 
-/// As of the table; tangents by creepage, load, a and b are at constant speed and mu_0, that by the friction
-/// coefficient is by mu_0. Status not_finite also if the speed is, invalid_step if it is negative.
-struct ReducedForce : TabulatedForce {
-    TangentialForce<double> tangent_by_speed;                                ///< [N s/m], [N s]
-    double friction_coefficient = std::numeric_limits<double>::quiet_NaN();  ///< mu(w) [-]
-};
-
 /// Friction on wet, dirty or dry rails, after O. Polach, Creep forces in simulations of traction vehicles running on
 /// adhesion limit, Wear 258 (2005) 992-1000. His coefficient falls with the magnitude w [m/s] of the slip velocity,
 ///
@@ -47,7 +40,7 @@ struct ReducedForce : TabulatedForce {
 /// finite |X| on. r <= 1, so forces oppose slip and remain within mu N as those of the table do.
 ///
 ///     const ReducedFriction wet({.adhesion_factor = 0.3, .slip_factor = 0.1, .friction_ratio = 0.4, .fall = 0.2});
-///     const ReducedForce now = wet.look_up(table, contact, 0.3, load, speed, {xi, eta, phi});
+///     const ReducedFriction::Force now = wet.look_up(table, contact, 0.3, load, speed, {xi, eta, phi});
 class ReducedFriction {
 public:
     struct Parameters {
@@ -69,13 +62,20 @@ public:
         detail::require_not_negative(name, "fall", p_.fall);
     }
 
+    /// As of the table; tangents by creepage, load, a and b are at constant speed and mu_0, that by the friction
+    /// coefficient is by mu_0. Status not_finite also if the speed is, invalid_step if it is negative.
+    struct Force : TabulatedForce {
+        TangentialForce<double> tangent_by_speed;                                ///< [N s/m], [N s]
+        double friction_coefficient = std::numeric_limits<double>::quiet_NaN();  ///< mu(w) [-]
+    };
+
     const Parameters& parameters() const { return p_; }
 
     /// As CreepForceTable::look_up, with mu_0 and the speed V [m/s] at which the wheel rolls. Exact tangents; allocates
     /// nothing.
-    ReducedForce look_up(const CreepForceTable& table, const PatchContact<double>& contact, double mu_0, double load,
-                         double speed, const Creepage<double>& creepage) const noexcept {
-        ReducedForce result;
+    Force look_up(const CreepForceTable& table, const PatchContact<double>& contact, double mu_0, double load,
+                  double speed, const Creepage<double>& creepage) const noexcept {
+        Force result;
         if (speed < 0) result.status = StepStatus::invalid_step;
         if (!detail::is_finite(speed) || speed < 0) return result;
         const auto& [xi, eta, phi] = creepage;
@@ -88,7 +88,7 @@ public:
         if (clean.status != StepStatus::ok) return result;
         result.friction_coefficient = mu;
 
-        const LinearForceSize linear = table.linear_force_size(contact, creepage);
+        const CreepForceTable::LinearForce linear = table.linear_force_size(contact, creepage);
         // where there is no friction, the contact slides; 1e100 is far in full sliding
         const double eps = (std::min)(std::numbers::pi / 4 * linear.value / (mu * load), 1e100);
         const bool slides = !(mu * load > 0);

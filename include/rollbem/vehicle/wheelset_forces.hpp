@@ -17,7 +17,7 @@
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/rectangle_kernel.hpp"
 #include "../friction/model.hpp"
-#include "../normal/patch_pressure.hpp"
+#include "../normal/hertz_ellipse.hpp"
 #include "../scene/force.hpp"
 #include "../scene/rigid_motion.hpp"
 #include "../status.hpp"
@@ -67,7 +67,7 @@ inline PatchForce patch_force(const RailPatch& patch, const WheelsetPosition& at
     PatchForce result{.creepage = creepage};
     for (Eigen::Index strips = friction.strips; strips >= 5 || strips == friction.strips; strips -= 2) {
         const PatchMesh<double> mesh = patch_mesh(contact, cosine_mesh(friction.elements), uniform_mesh(strips));
-        const std::vector<Rectangle<double>> elements = rectangles(mesh, contact.half_length());
+        const std::vector<Rectangle<double>> elements = mesh.rectangles(contact.half_length());
         Eigen::ArrayXd pressure = pressures(elements);
         double load = 0;
         for (std::size_t i = 0; i < elements.size(); ++i) {
