@@ -200,7 +200,7 @@ TEST_CASE("The plane kernel is rejected where the plane model is unstable", "[fr
     // Lambda = ln(4b/a) + nu/(1-nu) changes sign at b/a = exp(-1/3)/4
     const double edge = std::exp(-1.0 / 3) / 4;
     CHECK(std::abs(plane(1000).lambda() - plane_lambda(nu, 1000.0)) < 1e-13);
-    CHECK_NOTHROW(require_stable_model(plane(edge * 1.01)));
+    CHECK_NOTHROW(detail::require_stable_model(plane(edge * 1.01)));
     CHECK_THROWS_WITH(
         detail::require_stable_model(plane(edge * 0.99)),
         Catch::Matchers::ContainsSubstring("Lambda") && Catch::Matchers::ContainsSubstring("use the strip kernel"));
