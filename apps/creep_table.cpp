@@ -43,12 +43,12 @@ Job make_job(const study::Options& options) {
     if (ends.size() != 2 || !(ends[0] < ends[1])) {
         throw study::BadInput(options.said("a-over-b") + " must be the smallest and the largest, in this order");
     }
-    const rollbem::CreepForceRange range{.poisson_ratio = options.number("poisson", study::between(0, 0.5)),
-                                         .smallest_a_over_b = ends[0],
-                                         .largest_a_over_b = ends[1],
-                                         .shapes = options.integer("shapes", 4, 100),
-                                         .levels = static_cast<int>(options.integer("levels", 4, 64)),
-                                         .n = options.integer("n", 2, 100)};
+    const CreepForceGrid::Range range{.poisson_ratio = options.number("poisson", study::between(0, 0.5)),
+                                      .smallest_a_over_b = ends[0],
+                                      .largest_a_over_b = ends[1],
+                                      .shapes = options.integer("shapes", 4, 100),
+                                      .levels = static_cast<int>(options.integer("levels", 4, 64)),
+                                      .n = options.integer("n", 2, 100)};
     const Eigen::Index numbers = CreepForceGrid::coefficient_count(range.levels, range.shapes);
     if (numbers > CreepForceGrid::most_coefficients) {
         throw study::BadInput(

@@ -128,7 +128,6 @@ TEST_CASE("Recommended elements follow the measured table, and tolerances beyond
         CHECK(nodes(recommended_elements(tolerance, Purpose::frequency)) == Nodes::centres);
         CHECK(nodes(recommended_scheme(tolerance > 0.01 ? 0.1 : 1e-4, Purpose::friction)) == Nodes::chebyshev);
         CHECK(recommended_elements(tolerance, Purpose::time_loop).scheme.get_if<Collocation>() != nullptr);
-        CHECK(recommended_elements(tolerance, Purpose::steady).topology == Topology::cosine);
     }
     CHECK(elements(1e-2, Purpose::frequency) == 16);
     CHECK(elements(1e-4, Purpose::frequency) == 70);

@@ -91,7 +91,7 @@ TEST_CASE("systems of both directions are checked") {
         rolling_system(cosine_mesh<double>(15), Collocation{}, PlaneKernel<double>::lateral(both.contact));
     CHECK(refusal([&] { ElementSystem(both.longitudinal, shorter); }) ==
           "ElementSystem: number of lateral elements = 15 must equal the number of longitudinal ones");
-    DirectionBlocks<double> G, G_prime;
+    ElementSystem<double, 2>::Blocks G, G_prime;
     for (std::size_t d = 0; d < 2; ++d) {
         G[d][d] = both.longitudinal.G();
         G_prime[d][d] = both.longitudinal.G_prime();

@@ -53,7 +53,7 @@ ElementSystem<double, 2> patch_system(double slope = 1.5) {
     elements.areas.resize(4);
     elements.areas << 0.9, 0.8, 0.6, 0.7;
     elements.behind = {-1, 0, -1, 2};
-    DirectionBlocks<double> blocks, slopes;
+    ElementSystem<double, 2>::Blocks blocks, slopes;
     for (std::size_t d = 0; d < 2; ++d) {
         for (std::size_t e = 0; e < 2; ++e) {
             blocks[d][e] = MatrixXd::Constant(4, 4, d == e ? 0.2 : 0.05);

@@ -479,7 +479,7 @@ TEST_CASE("creep_force_table: that of steel holds the forces of its patches") {
     std::ifstream file(ROLLBEM_STEEL_CREEP, std::ios::binary);
     const CreepForceTable steel = CreepForceTable::read(file);
     const CreepForceGrid& grid = steel.grid();
-    const CreepForceRange range;
+    const CreepForceGrid::Range range;
     CHECK(grid.poisson_ratio() == range.poisson_ratio);
     CHECK(grid.shapes() == range.shapes);
     CHECK(grid.levels() == range.levels);

@@ -53,15 +53,14 @@ struct RecommendedStates {
 /// with friction, and in a time loop collocation at alpha_L = alpha_T = 0.5. All were stable at every n tried.
 struct RecommendedElements {
     AnyScheme scheme;
-    Topology topology = Topology::cosine;
     Eigen::Index n = 0;      ///< elements; if results are extrapolated, those of the finer mesh, an even number
     double order = 0;        ///< of Richardson's extrapolation from n/2 and n elements; 0: none
     double error_bound = 0;  ///< of the relative error, at most the required tolerance
 
-    /// The recommended mesh with another number of elements. Throws std::invalid_argument if count < 1.
+    /// The cosine mesh with another number of elements. Throws std::invalid_argument if count < 1.
     template <class Scalar = double>
     Mesh<Scalar> mesh(Eigen::Index count) const {
-        return make_mesh<Scalar>(topology, count);
+        return cosine_mesh<Scalar>(count);
     }
 
     /// solve(mesh, scheme), extrapolated if that is recommended; `solve` returns a real or complex number. For states

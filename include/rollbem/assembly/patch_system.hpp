@@ -172,7 +172,8 @@ std::vector<SystemPart<Scalar>> mirrored_parts(const InfluenceRows<Scalar>& G, c
 /// The blocks of G' in units of 1/G. Throws std::invalid_argument unless the scheme takes differences of u and fits the
 /// strips' mesh.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
-DirectionBlocks<Scalar> assemble_G_prime(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
+typename ElementSystem<Scalar, 2>::Blocks assemble_G_prime(const PatchMesh<Scalar>& mesh, const Scheme& scheme,
+                                                           const Kernel& kernel) {
     return detail::patch_blocks(mesh, scheme, kernel, Quantity::slope);
 }
 

@@ -20,8 +20,8 @@ extern template void detail::solve_in_place<double>(const detail::MatrixRef<doub
                                                     detail::VectorRef<double>);
 extern template bool is_dissipative<double>(MatrixX<double>, const ArrayX<double>&);
 extern template bool detail::converges<double>(MatrixX<double>, const ArrayX<double>&, double);
-extern template bool detail::converges<double>(const DirectionBlocks<double>&, const ArrayX<double>&);
-extern template void detail::require_blocks<double>(const char*, const char*, const DirectionBlocks<double>&,
+extern template bool detail::converges<double>(const detail::DirectionBlocks<double>&, const ArrayX<double>&);
+extern template void detail::require_blocks<double>(const char*, const char*, const detail::DirectionBlocks<double>&,
                                                     Eigen::Index);
 extern template MatrixX<double> detail::rigid_slip<double>(const Elements<double>&);
 extern template MatrixX<double> detail::force_weights<double>(const Elements<double>&);

@@ -16,7 +16,7 @@ extern template Elements<double> patch_elements<double, NodeDifference>(const Pa
                                                                         const NodeDifference&);
 extern template detail::InfluenceRows<double> detail::patch_rows<double, HalfSpace<double>>(
     const PatchMesh<double>&, const detail::StripRows<double>&, const HalfSpace<double>&, Quantity, Eigen::Index);
-extern template DirectionBlocks<double> assemble_G_prime<double, NodeDifference, HalfSpace<double>>(
+extern template ElementSystem<double, 2>::Blocks assemble_G_prime<double, NodeDifference, HalfSpace<double>>(
     const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
 extern template ElementSystem<double, 2> rolling_system<double, NodeDifference, HalfSpace<double>>(
     const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);

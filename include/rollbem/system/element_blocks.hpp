@@ -25,12 +25,11 @@
 
 namespace rollbem {
 
-/// Blocks of G or G': entry [d][e] is n x n, what tractions along e cause along d; 0 is longitudinal (x), 1 lateral
-/// (y). Blocks with d != e are empty (0 x 0) where the directions do not couple.
+namespace detail {
+
+/// ElementSystem<Scalar, 2>::Blocks.
 template <class Scalar>
 using DirectionBlocks = std::array<std::array<MatrixX<Scalar>, 2>, 2>;
-
-namespace detail {
 
 /// Throws std::invalid_argument unless the blocks are n x n and finite, or, off the diagonal, both empty.
 template <class Scalar>
@@ -117,7 +116,9 @@ template <class Scalar_>
 class ElementSystem<Scalar_, 2> {
 public:
     using Scalar = Scalar_;
-    using Blocks = DirectionBlocks<Scalar>;
+    /// Of G or G': entry [d][e] is n x n, what tractions along e cause along d; 0 is longitudinal (x), 1 lateral (y).
+    /// Blocks with d != e are empty (0 x 0) where the directions do not couple.
+    using Blocks = detail::DirectionBlocks<Scalar>;
 
     /// From ready blocks. Throws std::invalid_argument if they break the invariant.
     ElementSystem(Blocks G, Blocks G_prime, Elements<Scalar> elements)

@@ -36,6 +36,15 @@ namespace rollbem {
 /// c11, c22, c23, -c32, c33 > 0; (levels + 3)^2 (2 levels + 3) (shapes + 2) <= 1e7.
 class CreepForceGrid {
 public:
+    /// Which ellipses and creepages a table covers, and from how many elements it is made.
+    struct Range {
+        double poisson_ratio = 0.28;
+        double smallest_a_over_b = 0.1, largest_a_over_b = 10;
+        Eigen::Index shapes = 13;  ///< ellipses
+        int levels = 19;           ///< nodes between no creepage and full sliding
+        Eigen::Index n = 17;       ///< patches of some n^2 elements
+    };
+
     static constexpr double half_way = 1.4;  ///< |X| where |u| = 1/2
     /// Of coefficient_count().
     static constexpr Eigen::Index most_coefficients = 10'000'000;

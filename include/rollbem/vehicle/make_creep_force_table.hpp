@@ -145,19 +145,10 @@ private:
     std::optional<Patch> shifted_;  // made when it is first needed
 };
 
-/// Which ellipses and creepages a table covers, and from how many elements it is made.
-struct CreepForceRange {
-    double poisson_ratio = 0.28;
-    double smallest_a_over_b = 0.1, largest_a_over_b = 10;
-    Eigen::Index shapes = 13;  ///< ellipses
-    int levels = 19;           ///< nodes between no creepage and full sliding
-    Eigen::Index n = 17;       ///< patches of some n^2 elements
-};
-
 /// The grid of a range, with the creep coefficients of its ellipses; `jobs` threads share the work. Throws
 /// std::invalid_argument if the range is not a grid's, or the patches of an ellipse have no coefficients or no force under
 /// large spin (n is too small, or a/b too far from 1).
-inline CreepForceGrid make_creep_force_grid(const CreepForceRange& range, std::size_t jobs = 1) {
+inline CreepForceGrid make_creep_force_grid(const CreepForceGrid::Range& range, std::size_t jobs = 1) {
     constexpr const char* who = "make_creep_force_grid";
     detail::require(range.shapes >= 4 && range.shapes <= 1000, who, "shapes", range.shapes, "lie in [4, 1000]");
     std::vector<CreepCoefficients<double>> coefficients(static_cast<std::size_t>(range.shapes));
@@ -183,7 +174,7 @@ inline CreepForceGrid make_creep_force_grid(const CreepForceRange& range, std::s
 /// time. The default range takes some 11 minutes with two jobs. Throws std::invalid_argument as make_creep_force_grid, and
 /// std::runtime_error where a patch has no solution.
 inline CreepForceTable make_creep_force_table(
-    const CreepForceRange& range, std::size_t jobs = 1,
+    const CreepForceGrid::Range& range, std::size_t jobs = 1,
     const std::function<void(std::size_t, std::size_t)>& progress = [](std::size_t, std::size_t) {}) {
     const CreepForceGrid grid = make_creep_force_grid(range, jobs);
     const std::vector<CreepForceGrid::Slab> slabs = grid.slabs();
