@@ -160,7 +160,7 @@ TEST_CASE("wheelset_forces: the largest difference from CONTACT vanishes on CONT
         return space.corner(x + d / 2, y + d / 2) - space.corner(x - d / 2, y + d / 2) -
                space.corner(x + d / 2, y - d / 2) + space.corner(x - d / 2, y - d / 2);
     };
-    DirectionBlocks<double> G_prime;
+    detail::DirectionBlocks<double> G_prime;
     for (auto& row : G_prime) {
         for (auto& block : row) block.resize(n, n);
     }
