@@ -406,8 +406,8 @@ inline WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetS
             const TabulatedForce now = creep.look_up(ellipse, friction_coefficient, normal_load, {xi_1, eta_1, phi_1});
             const double by_size = a * now.tangent_by_half_length.lateral + b * now.tangent_by_half_width.lateral;
             const double growth = now.tangent_by_load.lateral + by_size / (3 * normal_load);
-            const double first = now.force.lateral * sine.value() / (cosine.value() - growth * sine.value());
-            if (now.status == StepStatus::ok) normal_load += (std::clamp)(first, -normal_load / 2, normal_load);
+            const double change = now.force.lateral * sine.value() / (cosine.value() - growth * sine.value());
+            if (now.status == StepStatus::ok) normal_load += (std::clamp)(change, -normal_load / 2, normal_load);
         }
         // 2. by Newton's method with tangents, whose last step is taken along them
         bool settled = false;
