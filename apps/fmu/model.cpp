@@ -7,8 +7,9 @@
 namespace fmu {
 
 std::span<const Unit> known_units() {
-    static constexpr Unit units[] = {{"m", 0, 1, 0},    {"m/s", 0, 1, -1}, {"rad/s", 0, 0, -1, 1}, {"N", 1, 1, -2},
-                                     {"N/s", 1, 1, -3}, {"N.m", 1, 2, -2}, {"Pa", 1, -1, -2},      {"J", 1, 2, -2}};
+    static constexpr Unit units[] = {{"m", 0, 1, 0},         {"m/s", 0, 1, -1}, {"rad", 0, 0, 0, 1},
+                                     {"rad/s", 0, 0, -1, 1}, {"N", 1, 1, -2},   {"N/s", 1, 1, -3},
+                                     {"N.m", 1, 2, -2},      {"Pa", 1, -1, -2}, {"J", 1, 2, -2}};
     return units;
 }
 

@@ -3,14 +3,9 @@
 // Co-simulation alone: the patch itself in the time domain, or quasi-steady forces from a table that was made of such patches.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -27,6 +22,7 @@
 #include "contact_variables.hpp"
 #include "friction_contact.hpp"
 #include "model.hpp"
+#include "shared_table.hpp"
 
 namespace fmu {
 
@@ -43,25 +39,6 @@ const Enumeration mesh_sizes{
     "MeshSize",
     {{"follows_load", "that of the contact; normal_load > 0, changes of a below the distance rolled"},
      {"fixed", "that of the contact under largest_load; the wheel may lift off"}}};
-
-/// The table of a file, shared by all instances that use it. Throws std::invalid_argument if there is none.
-std::shared_ptr<const rollbem::CreepForceTable> table_of(const std::string& path) {
-    static std::mutex mutex;
-    static std::map<std::string, std::weak_ptr<const rollbem::CreepForceTable>> tables;
-    const std::scoped_lock lock(mutex);
-    std::weak_ptr<const rollbem::CreepForceTable>& known = tables[path];
-    if (auto table = known.lock()) return table;
-    const std::u8string text(path.begin(), path.end());  // in UTF-8 on all platforms
-    std::ifstream file(std::filesystem::path(text), std::ios::binary);
-    if (!file) throw std::invalid_argument("rollbem_patch: table_file = " + path + " must be a file that can be read");
-    try {
-        auto table = std::make_shared<const rollbem::CreepForceTable>(rollbem::CreepForceTable::read(file));
-        known = table;
-        return table;
-    } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument("rollbem_patch: table_file = " + path + ": " + error.what());
-    }
-}
 
 class Patch final : public FrictionContact<rollbem::HertzPatchLoad<Scalar>> {
 public:
@@ -166,7 +143,8 @@ private:
     }
 
     void begin_by_table() {
-        table_ = table_of(table_file_.empty() ? resources + "/steel.creep" : table_file_);
+        table_ = shared_table<rollbem::CreepForceTable>("table_file",
+                                                        table_file_.empty() ? resources + "/steel.creep" : table_file_);
         const rollbem::CreepForceGrid& grid = table_->grid();
         const rollbem::PatchContact<Scalar> contact = contact_under(largest_load_);
         require(rollbem::detail::is_finite(friction_coefficient_) && friction_coefficient_ >= 0, "friction_coefficient",

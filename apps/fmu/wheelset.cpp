@@ -1,0 +1,170 @@
+// rollbem_wheelset: the forces of both rails on a wheelset, by look-up in a table of contact geometry and one of creep
+// forces. Co-simulation alone: steady forces at the inputs of the end of a step, without memory.
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <rollbem/detail/finite.hpp>
+#include <rollbem/vehicle/contact_table.hpp>
+
+#include "contact_variables.hpp"
+#include "model.hpp"
+#include "shared_table.hpp"
+
+namespace fmu {
+
+namespace {
+
+using rollbem::StepStatus;
+using rollbem::WheelForces;
+using rollbem::WheelInput;
+
+constexpr std::array sides{rollbem::WheelsetSide::left, rollbem::WheelsetSide::right};
+constexpr Eigen::Index components = 6;
+
+class Wheelset final : public Model {
+public:
+    explicit Wheelset(Interface used) : Model(used) {
+        add_parameter(&friction_coefficient_, "friction_coefficient", "", "mu");
+        add_parameter(&contact_table_, "contact_table_file", "",
+                      "Path of a table of contact geometry, as the example contact_table makes; empty: the one packed "
+                      "with this FMU, S1002 on 60E1 canted 1:40, gauge 1435 mm, 100 kN a wheel");
+        add_parameter(&creep_table_, "creep_table_file", "",
+                      "Path of a table that creep_table made, the .bin; empty: the one packed with this FMU");
+        // as in WheelInput
+        add_input(motion_[0], "lateral_shift", "m", "y of the middle of the axle, to the right");
+        add_input(motion_[1], "yaw", "rad", "psi, about z, which points down");
+        add_input(motion_[2], "rolling_speed", "m/s", "V along the track; not negative");
+        add_input(motion_[3], "pitch_rate", "rad/s", "About the axle, negative when rolling forward");
+        add_input(motion_[4], "lateral_velocity", "m/s", "Of the middle of the axle, along y");
+        add_input(motion_[5], "vertical_velocity", "m/s",
+                  "Along z; where the rails guide the wheelset, that of height");
+        add_input(motion_[6], "roll_rate", "rad/s", "About x; where the rails guide the wheelset, that of roll");
+        add_input(motion_[7], "yaw_rate", "rad/s", "About z");
+        add_input(loads_[0], "left_load", "N", "Vertical load of the left wheel; not negative");
+        add_input(loads_[1], "right_load", "N", "The same of the right wheel");
+        constexpr std::array names{"longitudinal_force", "lateral_force", "vertical_force",
+                                   "roll_moment",        "pitch_moment",  "yaw_moment"};
+        constexpr std::array on{"both wheels", "the left wheel", "the right wheel"};
+        constexpr std::array prefixes{"", "left_", "right_"};
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (std::size_t i = 0; i < names.size(); ++i) {
+                const char axis = "xyz"[i % 3];
+                add_output(&forces_[k][Eigen::Index(i)], (std::string(prefixes[k]) + names[i]).c_str(),
+                           i < 3 ? "N" : "N.m",
+                           (std::string(i < 3 ? "Force of the rail on " : "Moment about the middle of the axle on ") +
+                            on[k] + (i < 3 ? ", along " : ", about ") + axis)
+                               .c_str());
+            }
+        }
+        add_output(&height_, "height", "m",
+                   "z_ws of a wheelset that follows its rails under the table's load, positive down");
+        add_output(&roll_, "roll", "rad", "Its roll, about x");
+        add_output(&slip_work_, "slip_work", "J", "Heat by slip since the start");
+        add_output(&status_, "status", "", "Status of the last step", &step_statuses);
+    }
+
+    void initialise() override {
+        require(rollbem::detail::is_finite(friction_coefficient_) && friction_coefficient_ >= 0, "friction_coefficient",
+                friction_coefficient_, "be finite and not negative");
+        require_finite_inputs();
+        contacts_ = shared_table<rollbem::ContactTable>(
+            "contact_table_file", contact_table_.empty() ? resources + "/s1002_60e1.contact" : contact_table_);
+        creep_ = shared_table<rollbem::CreepForceTable>(
+            "creep_table_file", creep_table_.empty() ? resources + "/steel.creep" : creep_table_);
+        const StepStatus status = look_up(0);
+        require(status == StepStatus::ok, "status of the tables at the first inputs", name(status), "be ok");
+        slip_work_ = 0;
+        status_ = value_of(status);
+    }
+
+    Outcome step(double duration) override {
+        const double before = heat_;
+        const StepStatus status = look_up(duration);
+        status_ = value_of(status);
+        if (status == StepStatus::ok) slip_work_ += duration * (before + heat_) / 2;
+        return outcome_of(status);
+    }
+
+    double partial(const Variable& unknown, const Variable& known) override {
+        const auto column_of = [&](std::size_t side) -> Eigen::Index {
+            if (&known.real() == &loads_[side].value) return static_cast<Eigen::Index>(WheelInput::load);
+            for (std::size_t i = 0; i < motion_.size(); ++i) {
+                if (&known.real() == &motion_[i].value) return static_cast<Eigen::Index>(i);
+            }
+            return -1;
+        };
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (Eigen::Index row = 0; row < components; ++row) {
+                if (&unknown.real() != &forces_[k][row] || known.causality != Causality::input) continue;
+                double sum = 0;
+                for (std::size_t side = 0; side < 2; ++side) {
+                    const Eigen::Index column = column_of(side);
+                    if ((k == 0 || k == side + 1) && column >= 0) sum += tangents_[side](row, column);
+                }
+                return sum;
+            }
+        }
+        throw NoDerivative(unknown, known, ": the forces have some by the inputs");
+    }
+
+    void archive(Archive& archive) override {
+        for (auto& tangent : tangents_) archive.keep(tangent);
+        archive.keep(heat_);
+    }
+
+private:
+    using Force = Eigen::Matrix<double, components, 1>;
+
+    StepStatus look_up(double duration) {
+        std::array<double, 8> at{};
+        for (std::size_t i = 0; i < at.size(); ++i) at[i] = motion_[i].after(duration);
+        const auto [lateral, yaw, forward, pitch_rate, across, down, roll_rate, yaw_rate] = at;
+        if (forward < 0) return StepStatus::invalid_step;
+        std::array<WheelForces, 2> wheels;
+        for (std::size_t k = 0; k < 2; ++k) {
+            wheels[k] = contacts_->look_up(*creep_, sides[k], {.lateral = lateral, .yaw = yaw},
+                                           {forward, pitch_rate, across, down, roll_rate, yaw_rate},
+                                           loads_[k].after(duration), friction_coefficient_);
+            if (wheels[k].status != StepStatus::ok) return wheels[k].status;
+        }
+        const rollbem::WheelsetOnRails rails = contacts_->on_rails(lateral, yaw);
+        height_ = rails.height;
+        roll_ = rails.roll;
+        heat_ = wheels[0].heat + wheels[1].heat;
+        forces_[0] = wheels[0].force + wheels[1].force;
+        for (std::size_t k = 0; k < 2; ++k) {
+            forces_[k + 1] = wheels[k].force;
+            tangents_[k] = wheels[k].tangent;
+        }
+        return StepStatus::ok;
+    }
+
+    double friction_coefficient_ = 0.3;
+    std::string contact_table_, creep_table_;
+    std::array<Input, 8> motion_{{{0}, {0}, {20}, {-20 / 0.46}, {0}, {0}, {0}, {0}}};
+    std::array<Input, 2> loads_{{{1e5}, {1e5}}};
+    std::array<Force, 3> forces_{Force::Zero(), Force::Zero(), Force::Zero()};  // of both wheels, left, right
+    double height_ = 0, roll_ = 0, slip_work_ = 0;
+    int status_ = 0;
+
+    std::shared_ptr<const rollbem::ContactTable> contacts_;
+    std::shared_ptr<const rollbem::CreepForceTable> creep_;
+    std::array<Eigen::Matrix<double, components, WheelForces::inputs>, 2> tangents_{};
+    double heat_ = 0;  // at the end of the last step [W]
+};
+
+}  // namespace
+
+const Identity identity{.identifier = "rollbem_wheelset",
+                        .description = "Contact forces of a wheelset on real rails, by look-up",
+                        .model_exchange = false,
+                        .stop_time = 1,
+                        .step_size = 1e-3};
+
+std::unique_ptr<Model> make_model(Interface used) { return std::make_unique<Wheelset>(used); }
+
+}  // namespace fmu
