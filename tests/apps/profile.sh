@@ -63,6 +63,15 @@ cmp one other || fail '--jobs'
 awk -F, 'NR > 1 { vertical[$1, $4] += $14 * cos($12) }
     END { for (k in vertical) if ((vertical[k] / 1e5 - 1) ^ 2 > 1e-10) exit 1 }' one || fail 'vertical loads'
 
+# --- wear: what all elements of a patch lose lies on both profiles
+$profile --shift 0.003 --side both --friction 0.3 --wear wear.csv >out || fail '--wear'
+awk -F, 'FNR == 1 { for (i = 1; i <= NF; ++i) column[FILENAME, $i] = i; next }
+    FILENAME == "out" { lost[$column["out", "side"]] += $column["out", "slip_power"]; next }
+    { k = $1 "," $2; found[k] += $6 * ($3 - before[k]); before[k] = $3 }
+    END { for (k in found) { ++count; split(k, of, ","); if ((found[k] / lost[of[1]] - 1) ^ 2 > 1e-6) exit 1 }
+          exit count != 4 }' out wear.csv || fail 'work on the profiles'
+bad '--wear = wear.csv has no effect without --friction' $profile --shift 0.003 --wear wear.csv
+
 # --- patches as files that patch_study reads
 $profile --shift 0.004 --side left --outline patches >out || fail '--outline'
 $programs/patch_study --quiet --no-timing --n 8 --outline patches/1_left_1.outline.csv \
