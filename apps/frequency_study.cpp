@@ -82,8 +82,8 @@ const study::Sheet<Response> sheet{
      {"basis", "of polynomials", [](const Response& r) { return r.basis; }}},
     ""};
 
-/// Assembles and reduces to Hessenberg form, once for all frequencies. A c11 that cannot be trusted is left out if that is
-/// `checked`.
+/// Assembles and reduces to Hessenberg form, once for all frequencies. A c11 that cannot be trusted is left out if that
+/// is `checked`.
 void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, bool checked, study::RowRange range,
                 const study::Results<Response>& emit) {
     const std::optional<rollbem::RollingSystem<double>> system = study::system_if_finite(scene);

@@ -1,5 +1,5 @@
-// Rolling with Coulomb friction: the creep curve against Carter's, stick and slip along the contact, and in the time domain from
-// rest or from a shift, under constant or sinusoidal creepage:
+// Rolling with Coulomb friction: the creep curve against Carter's, stick and slip along the contact, and in the time
+// domain from rest or from a shift, under constant or sinusoidal creepage:
 //
 //     ./friction_study --n 20,40 --creepage-ratio 0.25,0.5,0.75,1 --plot curve.svg
 //     ./friction_study --transient --n 40 --creepage-ratio 0.5 --shift 2 --until 10

@@ -1,6 +1,6 @@
 // Contact patches in three dimensions: Kalker's creep coefficients of ellipses and other outlines in full adhesion,
-// steady or over the frequency, whether they are stable in the time domain, the patch as linear differential equations, and forces
-// with friction and spin, steady or in the time domain:
+// steady or over the frequency, whether they are stable in the time domain, the patch as linear differential equations,
+// and forces with friction and spin, steady or in the time domain:
 //
 //     ./patch_study --a-over-b 0.5,1,2 --n 12
 //     ./patch_study --n 12 --omega 0.1,1,3

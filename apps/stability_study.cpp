@@ -1,5 +1,6 @@
-// Stability in the time domain: the eigenvalues nu of G' p = nu G p, whose modes grow like e^{nu V t}. Their number, and the signs
-// that rounding leaves open; the smallest alpha_T at which a mode grows; or the eigenvalues beside the exact ones:
+// Stability in the time domain: the eigenvalues nu of G' p = nu G p, whose modes grow like e^{nu V t}. Their number,
+// and the signs that rounding leaves open; the smallest alpha_T at which a mode grows; or the eigenvalues beside the
+// exact ones:
 //
 //     ./stability_study --n 20,40,60 --alpha-T 0.6,0.7,0.8,0.9
 //     ./stability_study --critical --n 20,40,80,160
@@ -71,8 +72,8 @@ const study::Sheet<Count> counts{
       [](const Count& c) { return c.status; }}},
     study::settings};
 
-/// All eigenvalues by QZ, how far rounding can move each, and the condition of G; then the time of the bare count, unless
-/// other jobs would disturb it.
+/// All eigenvalues by QZ, how far rounding can move each, and the condition of G; then the time of the bare count,
+/// unless other jobs would disturb it.
 Count count(const study::Scene& scene, bool timed) {
     const std::optional<rollbem::RollingSystem<double>> system = study::system_if_finite(scene);
     if (!system) return {Result{}, name(Result{}.status)};

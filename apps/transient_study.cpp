@@ -1,5 +1,5 @@
-// Rolling in the time domain: the force after a step, a ramp, a sine or any history of creepage from rest, step by step, against
-// the exact response of the plane model:
+// Rolling in the time domain: the force after a step, a ramp, a sine or any history of creepage from rest, step by
+// step, against the exact response of the plane model:
 //
 //     ./transient_study --step 1 --mesh cosine --alpha 0.5 --kernel plane --aspect 100 --poisson 0.25 --until 20
 //     ./transient_study --step 1 --method chebyshev --n 24 --kernel plane --aspect 100 --integrator exponential
@@ -166,7 +166,8 @@ void run(const Model& model, const History& history, const study::Steps& steps,
     }
 }
 
-/// The force over the distance with the exact one if there is one, and beside it their difference, as the curves coincide.
+/// The force over the distance with the exact one if there is one, and beside it their difference, as the curves
+/// coincide.
 study::Plot draw_force(const History& history, const std::vector<study::Row>& rows) {
     study::Plot plot{.title = "Rolling from rest, " + history.label(),
                      .x_label = "distance rolled q/a",

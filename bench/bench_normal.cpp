@@ -1,7 +1,7 @@
-// Patches from profiles. BM_NormalContact/n: pressures on 2 n x n cells under Hertz's gap (a/b = 2.6), from nothing; its
-// counter error is that of the peak pressure against Hertz. BM_ProfilePatch/n: S1002 on 60E1 with 2 n x n cells across
-// what touches, from the profiles to outline and pressures, from the position 0.1 mm beside it; /0 from nothing at n = 20.
-// Sample run: ./bench_normal --benchmark_filter=/20$
+// Patches from profiles. BM_NormalContact/n: pressures on 2 n x n cells under Hertz's gap (a/b = 2.6), from nothing;
+// its counter error is that of the peak pressure against Hertz. BM_ProfilePatch/n: S1002 on 60E1 with 2 n x n cells
+// across what touches, from the profiles to outline and pressures, from the position 0.1 mm beside it; /0 from nothing
+// at n = 20. Sample run: ./bench_normal --benchmark_filter=/20$
 #include <cmath>
 #include <cstdint>
 #include <fstream>

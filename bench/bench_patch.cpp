@@ -1,9 +1,9 @@
 // Contact patches of n x n elements: G and G' of the whole, steady creep coefficients by halves, and for comparison one
-// LU decomposition of all 2 n^2 unknowns. The counter error is that of c11 at a/b = 1, nu = 0.25. BM_PatchFriction solves
-// for stick and slip from rest, matrices ready, in the mean over nine creepages; its counter error is the largest of F_y
-// over mu N under creepage, spin, and both, against limits at nu = 0.28. BM_PatchCreepCurve does so along a curve up to
-// full sliding, each point from the one before. Their counter LU is the processor time of one solution over that of one LU
-// decomposition. BM_CreepTable looks forces up in a table.
+// LU decomposition of all 2 n^2 unknowns. The counter error is that of c11 at a/b = 1, nu = 0.25. BM_PatchFriction
+// solves for stick and slip from rest, matrices ready, in the mean over nine creepages; its counter error is the
+// largest of F_y over mu N under creepage, spin, and both, against limits at nu = 0.28. BM_PatchCreepCurve does so
+// along a curve up to full sliding, each point from the one before. Their counter LU is the processor time of one
+// solution over that of one LU decomposition. BM_CreepTable looks forces up in a table.
 // Sample run: ./bench_patch --benchmark_filter=/12$
 #include <algorithm>
 #include <array>
@@ -163,8 +163,8 @@ void BM_CreepTable(benchmark::State& state) {
     }
 }
 
-// A step of sdirk2 under a load that varies, tangents included: 0 on a fixed mesh, 1 with semi-axes in proportion, 2 with a
-// new a/b as well.
+// A step of sdirk2 under a load that varies, tangents included: 0 on a fixed mesh, 1 with semi-axes in proportion, 2
+// with a new a/b as well.
 void BM_PatchStep(benchmark::State& state) {
     const Eigen::Index n = state.range(0);
     const std::int64_t follows = state.range(1);

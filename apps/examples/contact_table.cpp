@@ -1,5 +1,5 @@
-// Where a wheelset touches its rails over shift and yaw, as a table for look-up, and how far forces by tables are from those
-// of patches, in random scenes. Profiles of one's own go into wheelset().
+// Where a wheelset touches its rails over shift and yaw, as a table for look-up, and how far forces by tables are from
+// those of patches, in random scenes. Profiles of one's own go into wheelset().
 //
 //     ./examples/contact_table make s1002_60e1.contact 181 13    # shifts, yaw angles
 //     ./examples/contact_table check s1002_60e1.contact 1000     # scenes
@@ -43,8 +43,8 @@ void print(const char* what, std::vector<double>& differences) {
                 sum / double(differences.size()), at(0.5), at(0.95), at(1));
 }
 
-/// Random scenes: shift to 0.9 of the largest, yaw to two thirds, loads by half; creepages that friction would need 0.05
-/// to 5 mu N for in the linear law, in a random direction, with the spin of rolling.
+/// Random scenes: shift to 0.9 of the largest, yaw to two thirds, loads by half; creepages that friction would need
+/// 0.05 to 5 mu N for in the linear law, in a random direction, with the spin of rolling.
 bool check(const ContactTable& table, const CreepForceTable& creep, const WheelsetOnTrack& track, std::size_t scenes) {
     constexpr double mu = 0.3, speed = 30;
     const TrackDimensions& dimensions = track.wheel().dimensions();

@@ -1,11 +1,12 @@
-// A wheelset with S1002 profiles hunts on rails 60E1: equivalent conicity, the speed at which it becomes unstable, and limit
-// cycles with flange contact, with the forces of tables, in a time step of its own choice.
+// A wheelset with S1002 profiles hunts on rails 60E1: equivalent conicity, the speed at which it becomes unstable, and
+// limit cycles with flange contact, with the forces of tables, in a time step of its own choice.
 //
 //     ./examples/hunting [number of speeds] [seconds of each]
 //
-// The wheelset is that of the passenger vehicle of the Manchester benchmarks (S. Iwnicki, Vehicle System Dynamics 30 (1998)
-// 295-313), on a frame that does not move, with a softer suspension, so that it hunts at a speed of trains. Height and roll
-// follow the rails without inertia; the wheels' loads are those that balance the moment about the track.
+// The wheelset is that of the passenger vehicle of the Manchester benchmarks (S. Iwnicki, Vehicle System Dynamics 30
+// (1998) 295-313), on a frame that does not move, with a softer suspension, so that it hunts at a speed of trains.
+// Height and roll follow the rails without inertia; the wheels' loads are those that balance the moment about the
+// track.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -55,8 +56,8 @@ struct Wheelset {
 };
 
 // y to the right, yaw clockwise from above as z points down, their rates, the pitch rate, and the lateral motion of the
-// track; the integrals of what the drive puts in, of the heat, and of the power of the normal forces [J], which would be
-// none on rigid bodies
+// track; the integrals of what the drive puts in, of the heat, and of the power of the normal forces [J], which would
+// be none on rigid bodies
 enum { y, yaw, lateral_speed, yaw_rate, pitch_rate, track, track_speed, motion, drive = motion, heat, normal, states };
 using State = Eigen::Matrix<double, states, 1>;
 using Matrix = Eigen::Matrix<double, motion, motion>;

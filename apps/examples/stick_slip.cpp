@@ -1,7 +1,7 @@
 // A driven wheel whose friction falls with slip, in SI units: a motor turns it through a shaft that twists. Beyond the
-// peak of the creep curve the falling friction feeds a torsional vibration, which grows until the wheel sticks and slips
-// by turns. A small vibration grows or decays as the slope of the steady creep curve predicts, so that the least damping
-// that prevents it is known beforehand.
+// peak of the creep curve the falling friction feeds a torsional vibration, which grows until the wheel sticks and
+// slips by turns. A small vibration grows or decays as the slope of the steady creep curve predicts, so that the least
+// damping that prevents it is known beforehand.
 //
 //     ./examples/stick_slip
 //

@@ -1,4 +1,5 @@
-// Elements in full adhesion at extreme parameter values: steady rolling, frequency response, rolling in the time domain.
+// Elements in full adhesion at extreme parameter values: steady rolling, frequency response, rolling in the time
+// domain.
 #include <algorithm>
 #include <string>
 

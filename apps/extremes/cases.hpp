@@ -47,7 +47,8 @@ struct Outcome {
     bool refused = false;        ///< by an exception
 };
 
-/// One row. An exception counts as told. `says` must be part of the text that is told; if empty, the case must be right.
+/// One row. An exception counts as told. `says` must be part of the text that is told; if empty, the case must be
+/// right.
 struct Case {
     std::string name, quantity;
     std::function<Outcome()> run;

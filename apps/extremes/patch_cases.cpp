@@ -16,8 +16,8 @@ using Eigen::Index;
 using rollbem::ArrayX;
 using rollbem::PatchContact;
 
-/// c11 (i = 0) or c22 (i = 1) against a reference. That of a long patch can be used if other meshes confirm it, whatever
-/// becomes of the others.
+/// c11 (i = 0) or c22 (i = 1) against a reference. That of a long patch can be used if other meshes confirm it,
+/// whatever becomes of the others.
 Outcome coefficient(const PatchContact<double>& contact, Index n, Index m, Index i, double reference, double bound) {
     const auto response = rollbem::solve_steady(contact, rollbem::patch_mesh(contact, n, m), chebyshev);
     const auto c = creep_coefficients(contact, response);

@@ -123,8 +123,8 @@ double violation(const State& state, const VectorXd& bound, const MatrixXd& slip
     return worst;
 }
 
-/// Steady rolling from rest, then steps in the time domain; the error is the largest violation of the law, of the equations by the
-/// slip that the library gives, and of the forces' sum.
+/// Steady rolling from rest, then steps in the time domain; the error is the largest violation of the law, of the
+/// equations by the slip that the library gives, and of the forces' sum.
 Outcome run(const Scene& scene) {
     const auto contact = rollbem::PatchContact<double>::dimensionless(scene.a_over_b, scene.nu);
     const auto along = rollbem::cosine_mesh(scene.n);

@@ -108,6 +108,8 @@ protected:
         model_.emplace(std::move(model));
         workspace_.emplace(model_->workspace());
         load_width_ = load_width;
+        require(rollbem::detail::is_finite(factor_.value) && factor_.value >= 0, "friction_factor", factor_.value,
+                "be finite and not negative");
         end_load_ = hertz_->at(load_.value / load_width_);
         end_load_.normal_pressure *= factor_.value;
         now_ = model_->at_rest();

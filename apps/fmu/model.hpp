@@ -126,8 +126,8 @@ public:
         : std::invalid_argument("there is no derivative of " + unknown.name + " by " + known.name + reason) {}
 };
 
-/// One contact. The FMI functions construct it, set variables and call initialise(), then step() or update(), and
-/// archive() at any time.
+/// One contact, or all of a wheelset. The FMI functions construct it, set variables and call initialise(), then step()
+/// or update(), and archive() at any time.
 class Model {
 public:
     explicit Model(Interface used) : interface_(used) {}
@@ -144,7 +144,7 @@ public:
     /// parameters has none of its values.
     void settle_enumerations();
 
-    /// Builds the contact of the parameters and its first state at the present inputs. Throws std::invalid_argument,
+    /// Builds what the parameters describe and its first state at the present inputs. Throws std::invalid_argument,
     /// naming the parameter.
     virtual void initialise() = 0;
 

@@ -1,6 +1,7 @@
 // rollbem_patch: an elliptic contact patch of wheel and rail with Coulomb friction and spin, under a load that varies.
 //
-// Co-simulation alone: the patch itself in the time domain, or quasi-steady forces from a table that was made of such patches.
+// Co-simulation alone: the patch itself in the time domain, or quasi-steady forces from a table that was made of such
+// patches.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -82,8 +83,10 @@ public:
         add_output(&force_.moment, "spin_moment", "N.m",
                    "Moment on the wheel about the normal through the middle of the contact");
         add_output(&slip_work_, "slip_work", "J", "Heat by slip since the start");
-        add_output(&half_length_, "contact_half_length", "m", "a, the semi-axis along x under normal_load").min = 0;
-        add_output(&half_width_, "contact_half_width", "m", "b, the semi-axis along y under normal_load").min = 0;
+        add_output(&half_length_, "contact_half_length", "m",
+                   "a, the semi-axis along x: given, or that under normal_load")
+            .min = 0;
+        add_output(&half_width_, "contact_half_width", "m", "b, the semi-axis along y likewise").min = 0;
         add_output(&sticking_elements_, "sticking_elements", "", "Number of elements that stick; 0 by table").min = 0;
         add_output(&status_, "status", "", "Status of the last step", &step_statuses);
     }
@@ -249,8 +252,8 @@ private:
         return result;
     }
 
-    // By the load where there is none yet: N f(xi/N^(1/3), eta/N^(1/3), phi) slides everywhere, but under spin alone f is
-    // the same at any load; the moment has another N^(1/3).
+    // By the load where there is none yet: N f(xi/N^(1/3), eta/N^(1/3), phi) slides everywhere, but under spin alone f
+    // is the same at any load; the moment has another N^(1/3).
     Force first_force(Scalar mu, Scalar along, Scalar across, Scalar spin) const {
         const Scalar slip = std::hypot(along, across);
         if (slip > 0) return {-mu * (along / slip), -mu * (across / slip), 0};
@@ -260,6 +263,12 @@ private:
     }
 
     Force partial_by(const Scalar& input) override {
+        // steps that change only one of the semi-axes from 0, or any in a patch, are refused
+        const bool of_axis = &input == &axes_[0].value || &input == &axes_[1].value;
+        if (of_axis && !(table_ && is_given(past_.semi_axes[0]))) {
+            constexpr Scalar none = std::numeric_limits<Scalar>::quiet_NaN();
+            return {none, none, none};
+        }
         if (!table_) return FrictionContact::partial_by(input);
         if (&input == &load_.value) return last_.tangent_by_load;
         if (&input == &factor_.value) return friction_coefficient_ * find(past_).tangent_by_friction_coefficient;

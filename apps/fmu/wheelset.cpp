@@ -28,7 +28,7 @@ constexpr Eigen::Index components = 6;
 class Wheelset final : public Model {
 public:
     explicit Wheelset(Interface used) : Model(used) {
-        add_parameter(&friction_coefficient_, "friction_coefficient", "", "mu");
+        add_parameter(&friction_coefficient_, "friction_coefficient", "", "mu").min = 0;
         add_parameter(&contact_table_, "contact_table_file", "",
                       "Path of a table of contact geometry, as the example contact_table makes; empty: the one packed "
                       "with this FMU, S1002 on 60E1 canted 1:40, gauge 1435 mm, 100 kN a wheel");
@@ -37,15 +37,15 @@ public:
         // as in WheelInput
         add_input(motion_[0], "lateral_shift", "m", "y of the middle of the axle, to the right");
         add_input(motion_[1], "yaw", "rad", "psi, about z, which points down");
-        add_input(motion_[2], "rolling_speed", "m/s", "V along the track; not negative");
+        add_input(motion_[2], "rolling_speed", "m/s", "V along the track; not negative").min = 0;
         add_input(motion_[3], "pitch_rate", "rad/s", "About the axle, negative when rolling forward");
         add_input(motion_[4], "lateral_velocity", "m/s", "Of the middle of the axle, along y");
         add_input(motion_[5], "vertical_velocity", "m/s",
                   "Along z; where the rails guide the wheelset, that of height");
         add_input(motion_[6], "roll_rate", "rad/s", "About x; where the rails guide the wheelset, that of roll");
         add_input(motion_[7], "yaw_rate", "rad/s", "About z");
-        add_input(loads_[0], "left_load", "N", "Vertical load of the left wheel; not negative");
-        add_input(loads_[1], "right_load", "N", "The same of the right wheel");
+        add_input(loads_[0], "left_load", "N", "Vertical load of the left wheel; not negative").min = 0;
+        add_input(loads_[1], "right_load", "N", "The same of the right wheel").min = 0;
         constexpr std::array names{"longitudinal_force", "lateral_force", "vertical_force",
                                    "roll_moment",        "pitch_moment",  "yaw_moment"};
         constexpr std::array on{"both wheels", "the left wheel", "the right wheel"};
@@ -55,8 +55,8 @@ public:
                 const char axis = "xyz"[i % 3];
                 add_output(&forces_[k][Eigen::Index(i)], (std::string(prefixes[k]) + names[i]).c_str(),
                            i < 3 ? "N" : "N.m",
-                           (std::string(i < 3 ? "Force of the rail on " : "Moment about the middle of the axle on ") +
-                            on[k] + (i < 3 ? ", along " : ", about ") + axis)
+                           (std::string(i < 3 ? "Force" : "Moment") + " of the rail on " + on[k] +
+                            (i < 3 ? ", along " : " about the middle of the axle, about ") + axis)
                                .c_str());
             }
         }

@@ -11,8 +11,8 @@ namespace frequency {
 
 namespace {
 
-/// Monomials break down, which is refused; of Chebyshev polynomials an order can be too low: then a c11 that is `checked`
-/// is not a number, and the estimate stays.
+/// Monomials break down, which is refused; of Chebyshev polynomials an order can be too low: then a c11 that is
+/// `checked` is not a number, and the estimate stays.
 Response solve(const rollbem::Contact<double>& contact, double omega, Eigen::Index order, const std::string& basis,
                bool checked) {
     const double nu = contact.poisson_ratio();

@@ -20,8 +20,8 @@ inline constexpr Complex unknown{std::numeric_limits<double>::quiet_NaN(), std::
 /// The response of the plane model; unknown if that does not decay.
 Complex exact_c11(const rollbem::Contact<double>& contact, double omega);
 
-/// The response at one frequency. Where c11 is not finite, it and the error are left out, as is what needs the exact value
-/// where the plane model has none.
+/// The response at one frequency. Where c11 is not finite, it and the error are left out, as is what needs the exact
+/// value where the plane model has none.
 struct Response {
     double omega;
     Complex c11, exact;

@@ -1,5 +1,5 @@
-// The line contact of friction_study: pressure, law, layer, load and matrices. With mu = p0 = a_0 = G = 1 all results are
-// in the units of the columns, except forces and works, which are in mu N; a_0 is the half-length under N_0.
+// The line contact of friction_study: pressure, law, layer, load and matrices. With mu = p0 = a_0 = G = 1 all results
+// are in the units of the columns, except forces and works, which are in mu N; a_0 is the half-length under N_0.
 #pragma once
 
 #include <functional>
@@ -24,7 +24,8 @@ using System = rollbem::ElementSystem<double>;
 
 inline constexpr double mu_N = std::numbers::pi / 2;
 
-/// A pressure at every point and its mean on each element of a mesh, scaled to the load of Hertz's pressure with p0 = 1.
+/// A pressure at every point and its mean on each element of a mesh, scaled to the load of Hertz's pressure with p0 =
+/// 1.
 struct Pressure {
     std::function<double(double)> at;
     std::function<Eigen::ArrayXd(const rollbem::Mesh<double>&)> mean;
@@ -68,8 +69,8 @@ struct Line {
     bool both;  ///< friction in both directions
     Pressure pressure;
     double layer;  ///< compliance [a_0/G]
-    /// mu/mu_0 of the slip velocity in V mu_0 p0/G with its memory, distance in a mu_0 p0/G and velocity as that of slip;
-    /// nothing where mu is constant.
+    /// mu/mu_0 of the slip velocity in V mu_0 p0/G with its memory, distance in a mu_0 p0/G and velocity as that of
+    /// slip; nothing where mu is constant.
     std::optional<rollbem::Friction<rollbem::ExponentialFall<>>> falling;
 
     /// Whether Carter's closed form holds along the rolling direction.

@@ -44,8 +44,8 @@ struct Moment {
     std::string status{};
 };
 
-/// Rolls from the start, as the state requires, and emits the rows of `range`. Returns why the run ended before these rows
-/// did; nothing if it did not.
+/// Rolls from the start, as the state requires, and emits the rows of `range`. Returns why the run ended before these
+/// rows did; nothing if it did not.
 std::string roll(const Rolling& rolling, study::RowRange range, const std::function<void(const Moment&)>& emit);
 
 /// A column's value in rows that have results, and in rows of a run that has not ended.

@@ -182,8 +182,8 @@ std::vector<study::Plot> draw_tractions(const Tractions& tractions, const Line& 
     return {std::move(panel)};
 }
 
-/// With the other branches of a sweep, and beside it the tractions at the creepage nearest to half of full sliding, for the
-/// last mesh.
+/// With the other branches of a sweep, and beside it the tractions at the creepage nearest to half of full sliding, for
+/// the last mesh.
 study::Plot creep_picture(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
                           const Curve& curve, const Tractions& tractions,
                           const std::vector<std::vector<std::pair<double, double>>>& others) {

@@ -24,7 +24,8 @@ namespace {
 using rollbem::Contact;
 using rollbem::LineModel;
 
-/// The relative error; of a complex number its absolute value, of tractions and of a force as a vector |difference| over
+/// The relative error; of a complex number its absolute value, of tractions and of a force as a vector |difference|
+/// over
 /// |exact|, of a response to a step the largest; of forces over mu N_0 under a load that varies the largest difference.
 double error_of(const Quantity& quantity, const Values& found, const Values& exact) {
     const auto largest = [&](const auto& difference) {
@@ -53,8 +54,8 @@ double error_of(const Quantity& quantity, const Values& found, const Values& exa
 /// What a quantity consists of in the plane model, by closed forms where there are any, none of which depends on an
 /// infinite aspect. The force in both directions is extrapolated from cosine meshes of 320 and 640 elements; from 640
 /// and 1280 it differs by 7e-6 of itself. Those under a load that varies are extrapolated from cosine meshes of 160 and
-/// 320 elements that breathe, in steps of a quarter of those of the schemes; from 320 and 640 in steps half as long they
-/// differ by at most 4e-6.
+/// 320 elements that breathe, in steps of a quarter of those of the schemes; from 320 and 640 in steps half as long
+/// they differ by at most 4e-6.
 Values reference(const Contact<double>& contact, const Quantity& quantity) {
     const double nu = contact.poisson_ratio();
     switch (quantity.problem) {

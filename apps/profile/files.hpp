@@ -13,8 +13,8 @@
 
 namespace profile {
 
-/// Files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P, wheel SIDE and patch K, counted from 1, in metres.
-/// Several threads may add to them.
+/// Files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P, wheel SIDE and patch K, counted from 1, in
+/// metres. Several threads may add to them.
 class PatchFiles {
 public:
     explicit PatchFiles(const study::Options& options) : folder_(options.text("outline")) {

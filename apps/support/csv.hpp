@@ -75,8 +75,8 @@ bool is_stream(const std::string& path);
 /// Whether both are the same file, or - for the same standard stream, whatever their names. Devices never are the same.
 bool same_place(const std::string& first, const std::string& second);
 
-/// A file to write from start to end. A regular file is written to FILE.part and takes its own name in commit(); without
-/// commit() nothing is left. Pipes and devices are written to directly.
+/// A file to write from start to end. A regular file is written to FILE.part and takes its own name in commit();
+/// without commit() nothing is left. Pipes and devices are written to directly.
 class OutputFile {
 public:
     static OutputFile standard_output() { return {"-", "standard output"}; }

@@ -76,8 +76,8 @@ public:
     /// Heading in --help of the options added next.
     void group(const std::string& heading) { group_ = heading; }
 
-    /// Options that were declared, to say in which modes of the study they have an effect. A mode is the name of another
-    /// option that is given, or NAME=VALUE.
+    /// Options that were declared, to say in which modes of the study they have an effect. A mode is the name of
+    /// another option that is given, or NAME=VALUE.
     class Added {
     public:
         Added(Options& options, std::vector<std::string> names) : options_(options), names_(std::move(names)) {}

@@ -24,7 +24,8 @@ std::string gnuplot_string(std::string text) {
     return "'" + text + "'";
 }
 
-/// A logarithmic x axis, with marks at the values if those are few. gnuplot sets too few on a short one, which is linear.
+/// A logarithmic x axis, with marks at the values if those are few. gnuplot sets too few on a short one, which is
+/// linear.
 std::string logarithmic_axis(const Plot& plot) {
     std::set<double> values;
     for (const Series& series : plot.series) {

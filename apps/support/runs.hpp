@@ -76,8 +76,8 @@ struct LoadHistory {
     double next_stop(double from, double to) const { return study::next_stop(knots, from, to); }
 };
 
-/// Declares what runs with friction share: --load-sine, --load, --breathing, --from, --dq, --until and --integrator, all
-/// for --transient. `load` and `breathing` are what --help says of these besides.
+/// Declares what runs with friction share: --load-sine, --load, --breathing, --from, --dq, --until and --integrator,
+/// all for --transient. `load` and `breathing` are what --help says of these besides.
 void add_run_options(Options& options, const std::string& load, const std::string& breathing);
 
 /// --load-sine or --load, and --breathing; nothing if the load is constant. The run is `until` long [a_0]. A table may
@@ -88,8 +88,8 @@ std::optional<LoadHistory> read_load_history(const Options& options, double unti
 inline constexpr int most_halvings = 6;
 
 /// Rolls between two places by step(from, to), which moves on if its status is ok: divided where the `load` has a knot,
-/// and in halves where a step has no solution. `load` may be null. Returns where a step failed for good; nothing if none
-/// did.
+/// and in halves where a step has no solution. `load` may be null. Returns where a step failed for good; nothing if
+/// none did.
 std::optional<double> roll(double from, double to, const LoadHistory* load,
                            const std::function<rollbem::StepStatus(double, double)>& step);
 

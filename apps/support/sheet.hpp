@@ -1,5 +1,5 @@
-// Sheet: the columns of a study. Each is a name, its meaning for --help, and a value of what was computed, so that header,
-// help and cells cannot differ. Columns of the case, such as a Scene, stand before and behind them.
+// Sheet: the columns of a study. Each is a name, its meaning for --help, and a value of what was computed, so that
+// header, help and cells cannot differ. Columns of the case, such as a Scene, stand before and behind them.
 #pragma once
 
 #include <algorithm>
@@ -99,8 +99,8 @@ public:
             [=](const Case& scene, RowRange, const Results<Result>& emit) { emit(compute(scene)); });
     }
 
-    /// Adds the column `y` over the column `x`, a curve for each combination of the columns of the case, and of those of
-    /// `also`, but not of x and those of `without`. A single curve is called computed.
+    /// Adds the column `y` over the column `x`, a curve for each combination of the columns of the case, and of those
+    /// of `also`, but not of x and those of `without`. A single curve is called computed.
     void draw(Plot& plot, const std::vector<Row>& rows, const std::string& x, const std::string& y,
               const std::vector<std::string>& without = {}, bool absolute = false,
               const std::vector<std::string>& also = {}) const {
@@ -118,8 +118,8 @@ public:
         if (plot.series.size() == curves + 1) plot.series.back().label = "computed";
     }
 
-    /// Adds the exact values `y` over `x`, which the cases share, as a black line for each contact. `place` is the column
-    /// that the points of a line differ in.
+    /// Adds the exact values `y` over `x`, which the cases share, as a black line for each contact. `place` is the
+    /// column that the points of a line differ in.
     void draw_exact(Plot& plot, const std::vector<Row>& rows, const std::string& place, const std::string& x,
                     const std::string& y, const std::string& prefix = "") const {
         const std::vector<std::string> columns = names();

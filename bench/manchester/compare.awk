@@ -1,5 +1,5 @@
-# awk -F, -f compare.awk contact.csv manchester.csv: differences of profile_study from CONTACT over all wheels but the one
-# of which CONTACT joins two contacts: quantity, unit, mean, largest, where. Forces over mu N, moments over mu N c,
+# awk -F, -f compare.awk contact.csv manchester.csv: differences of profile_study from CONTACT over all wheels but the
+# one of which CONTACT joins two contacts: quantity, unit, mean, largest, where. Forces over mu N, moments over mu N c,
 # c = sqrt(area/pi). With -v rows=1 forces and moments of each wheel instead, both signs as on the wheel.
 /^#/ { next }
 $1 == "side" { for (i = 1; i <= NF; ++i) ref[$i] = i; next }

@@ -1,6 +1,6 @@
 # awk -F, -f converge.awk finest.csv table.csv...: the errors of tables of profile_study against the finest, mean and
-# largest over all wheels: relative ones of approach, peak pressure and area, of forces over mu N, of the moment over mu N c,
-# c = sqrt(area/pi).
+# largest over all wheels: relative ones of approach, peak pressure and area, of forces over mu N, of the moment over mu
+# N c, c = sqrt(area/pi).
 FNR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; if (NR > 1) print_means(); next }
 NR == FNR { for (name in at) finest[$1, $4, $5, name] = $at[name]; next }
 {

@@ -1,5 +1,5 @@
-# awk -F, -f noise.awk wheel.csv: the profile with points 0.2 mm apart or more and noise of 0.01 mm, half of its square in
-# y and half in z.
+# awk -F, -f noise.awk wheel.csv: the profile with points 0.2 mm apart or more and noise of 0.01 mm, half of the
+# variance in y and half in z.
 BEGIN { srand(1) }
 function noise() { return 0.01 / sqrt(2) * sqrt(-2 * log(1 - rand())) * cos(6.283185307179586 * rand()) }
 !/^[-0-9]/ { print; next }

@@ -23,8 +23,8 @@ enum class Status {
 enum class StepStatus {
     ok,
     /// Friction: no solution was found to rounding; the complementarity residual tells how far off this one is. With
-    /// finite bounds a solution always exists, so this happens only with matrices that are singular to rounding, and with
-    /// friction that depends on slip without a memory.
+    /// finite bounds a solution always exists, so this happens only with matrices that are singular to rounding, and
+    /// with friction that depends on slip without a memory.
     no_solution,
     not_finite,    ///< the motion or the result is NaN or infinite
     invalid_step,  ///< the distance rolled is not positive and finite (for a rigid shift: negative or not finite), or the
@@ -34,8 +34,8 @@ enum class StepStatus {
                    ///< half-length is not positive and finite
     /// The half-length differs from what the mesh can follow: it changes by at least the distance that the step rolls,
     /// or the system knows only one half-length (the strip kernel, Galerkin, ready matrices), or the contact has grown
-    /// so long (a > 2.4b) that the plane kernel is unstable, Lambda <= 0. Use a fixed mesh on the largest contact, whose
-    /// elements gain and lose pressure, in the last case with the strip kernel.
+    /// so long (a > 2.4b) that the plane kernel is unstable, Lambda <= 0. Use a fixed mesh on the largest contact,
+    /// whose elements gain and lose pressure, in the last case with the strip kernel.
     needs_fixed_mesh,
     assists_creepage,  ///< steady friction with a scheme that does not converge to full adhesion, see Status
     needs_places,      ///< spin other than zero, although the system does not know the points of its equations (ready

@@ -1,5 +1,5 @@
-// rollbem/adhesion/creep_coefficients.hpp: Kalker's creep coefficients against his table, limits, symmetries, and refined
-// meshes; their frequency response.
+// rollbem/adhesion/creep_coefficients.hpp: Kalker's creep coefficients against his table, limits, symmetries, and
+// refined meshes; their frequency response.
 #include <algorithm>
 #include <cmath>
 #include <complex>

@@ -1,5 +1,5 @@
-// rollbem/adhesion/transient.hpp, rollbem/friction/model.hpp, vehicle/creep_force_table.hpp, vehicle/contact_table.hpp: no
-// step and no look-up touches the heap.
+// rollbem/adhesion/transient.hpp, rollbem/friction/model.hpp, vehicle/creep_force_table.hpp, vehicle/contact_table.hpp:
+// no step and no look-up touches the heap.
 // A program of its own, because it replaces operator new and, where it can, malloc.
 #include <algorithm>
 #include <atomic>
@@ -156,8 +156,8 @@ TEST_CASE("A step to another half-length does not allocate", "[transient]") {
     }
 }
 
-// Heap requests made by `ride` in `steps` of every kind, steady solutions and refusals: a mesh that breathes or a contact
-// that lifts off, creepages that turn, and, in the end, steps in which nothing changes any more.
+// Heap requests made by `ride` in `steps` of every kind, steady solutions and refusals: a mesh that breathes or a
+// contact that lifts off, creepages that turn, and, in the end, steps in which nothing changes any more.
 long count(any_model::Ride& ride, int steps) {
     using namespace any_model;
     const Setup& setup = ride.setup;

@@ -56,7 +56,8 @@ finite = [({"poisson_ratio": 0.7}, "poisson_ratio = 0.7 must lie in [0, 0.5]"),
 friction = [({"friction_coefficient": -0.1}, "friction_coefficient = -0.1 must be finite and not negative"),
             ({"largest_load": math.nan, "mesh_length": 2, "mesh_size": 2}, "largest_load = nan must be positive"),
             ({"normal_load": 3e5, "mesh_length": 2, "mesh_size": 2}, "normal_load = 300000 must be at most largest_load"),
-            ({"normal_load": 0.0}, "normal_load = 0 must be positive where mesh_")]
+            ({"normal_load": 0.0}, "normal_load = 0 must be positive where mesh_"),
+            ({"friction_factor": -0.1}, "friction_factor = -0.1 must be finite and not negative")]
 table = {"mode": 2}
 given = {**table, "given_half_length": 6e-3, "given_half_width": 4e-3}
 factor = {"friction_factor": 1.0}
@@ -155,6 +156,11 @@ def test_derivatives_of_a_step():
             distance = np.abs(after({}, known) - difference).max() / np.abs(difference).max()
             print(f"        by {known}: error {distance:.1e}")
             assert distance < 1e-6
+        if "given_half_length" in fmu.references and "given_half_length" not in variant:
+            instance = Instance(fmu).start(**variant)
+            kind.roll(instance, 0, 1)
+            assert status_of(lambda: instance.derivative("longitudinal_force", "given_half_length")) == discard
+            instance.close()
 
 
 def test_inputs_for_parameters():
@@ -240,7 +246,8 @@ def test_what_a_step_refuses():
             assert statuses[instance.get("status")] == statuses[instance.get("status_code")] == status
             assert instance.last_successful_time() == 5 * duration and instance.wants_to_stop()
             assert kind.outcome(instance) == before
-            instance.set(**{name: kind.variants[variant].get(name, 0.0) for name in values if name.startswith("given_")})
+            given_axes = [name for name in values if name.startswith("given_")]
+            instance.set(**{name: kind.variants[variant].get(name, 0.0) for name in given_axes})
             # the next step is as if nothing had been asked
             after = kind.roll(instance, 5, 1)
             assert not instance.wants_to_stop()

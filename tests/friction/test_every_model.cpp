@@ -29,8 +29,8 @@ void for_each(const std::vector<Setup>& setups, const Function& function) {
     }
 }
 
-/// Hertz's pressure of another load, and its half-length, on a mesh that breathes; the rates are derivatives with respect to the
-/// factor of the pressures.
+/// Hertz's pressure of another load, and its half-length, on a mesh that breathes; the rates are derivatives with
+/// respect to the factor of the pressures.
 Load breathing(const Setup& setup, double half_length) {
     const ArrayX<double> pressure = setup.pressure();
     return {half_length / a * pressure, half_length, pressure};

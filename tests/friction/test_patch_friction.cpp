@@ -1,4 +1,5 @@
-// Friction on a contact patch: steady forces against limits of small elements, steps in the time domain, symmetries, work, units.
+// Friction on a contact patch: steady forces against limits of small elements, steps in the time domain, symmetries,
+// work, units.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -51,8 +52,8 @@ struct Scene {
         const double unit = -mu * load;
         return {force.longitudinal / unit, force.lateral / unit, force.moment / unit / c};
     }
-    /// A circle: of the creepages that act together, each is the part 1/sqrt(their number) of what would need `level` mu
-    /// N without slip.
+    /// A circle: of the creepages that act together, each is the part 1/sqrt(their number) of what would need `level`
+    /// mu N without slip.
     Creepage<double> creepage(double level, bool xi, bool eta, bool phi) const {
         const double unit = level * 3 / 250 / std::sqrt(int(xi) + int(eta) + int(phi));
         return {xi ? unit / 4.2262 : 0, eta ? unit / 3.7049 : 0, phi ? unit / 1.4881 / c : 0};

@@ -1,5 +1,6 @@
-// Contact patches whose load, size and shape vary in the time domain: on a fixed mesh (rollbem/normal/hertz_patch_load.hpp), and on
-// a mesh that follows the ellipse (rollbem/assembly/patch_shapes.hpp), with friction and in full adhesion.
+// Contact patches whose load, size and shape vary in the time domain: on a fixed mesh
+// (rollbem/normal/hertz_patch_load.hpp), and on a mesh that follows the ellipse (rollbem/assembly/patch_shapes.hpp),
+// with friction and in full adhesion.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -52,8 +53,8 @@ double largest_difference(const std::vector<Forces>& one, const std::vector<Forc
     return largest;
 }
 
-/// An ellipse with a = a_0 under N_0 that breathes, N = N_0 (1 + 0.5 sin(2 pi q/8)), q in a_0; creepages that mu N_0 would
-/// cause without slip.
+/// An ellipse with a = a_0 under N_0 that breathes, N = N_0 (1 + 0.5 sin(2 pi q/8)), q in a_0; creepages that mu N_0
+/// would cause without slip.
 struct Scene {
     PatchContact<double> contact;
     PatchMesh<double> mesh;

@@ -124,7 +124,8 @@ struct Line {
     }
 };
 
-/// The law of friction of tractions p and slip s: |p| <= bound, and where p does not stick it has this length against s.
+/// The law of friction of tractions p and slip s: |p| <= bound, and where p does not stick it has this length against
+/// s.
 template <class Rows>
 double violation(const Rows& p, const Rows& s, const ArrayX<double>& bound) {
     double largest = 0;

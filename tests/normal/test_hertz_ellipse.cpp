@@ -73,8 +73,9 @@ TEST_CASE("Ellipses are those of Hertz's table", "[hertz]") {
 }
 
 TEST_CASE("The surfaces touch within the ellipse: both curvatures of the gap are met", "[hertz]") {
-    // under Hertz's pressure the displacement at the centre and at the ends of both axes, by quadrature of another kind:
-    // the potential of the ellipsoid, (3 N/(4 pi E*)) int (1 - x^2/(a^2+w) - y^2/(b^2+w)) dw/sqrt((a^2+w)(b^2+w) w)
+    // under Hertz's pressure the displacement at the centre and at the ends of both axes, by quadrature of another
+    // kind: the potential of the ellipsoid, (3 N/(4 pi E*)) int (1 - x^2/(a^2+w) - y^2/(b^2+w)) dw/sqrt((a^2+w)(b^2+w)
+    // w)
     const HertzEllipse<double> ellipse(wheel_on_rail());
     const double a = ellipse.half_length(), b = ellipse.half_width(), compliance = 2 * (1 - 0.28 * 0.28) / 2.1e11;
     const auto displaced = [&](double x, double y) {

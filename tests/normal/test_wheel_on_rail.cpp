@@ -229,8 +229,8 @@ HertzEllipse<double> hertz_of(double R, double load) {
 }
 
 TEST_CASE("wheel_on_rail: Hertz's ellipses from quadratic profiles, to second order in the cells", "[profiles]") {
-    // So small a load that the wheel's circle is a parabola. Errors depend on where the edge lies in its cell: root of the
-    // mean square over radii.
+    // So small a load that the wheel's circle is a parabola. Errors depend on where the edge lies in its cell: root of
+    // the mean square over radii.
     std::vector<double> counts;
     std::map<std::string, std::vector<double>> errors;
     WheelOnRail::Workspace workspace;
@@ -312,8 +312,8 @@ TEST_CASE("wheel_on_rail: a cylinder on a round rail is Hertz's contact", "[prof
     CHECK(patch.approach == Approx(hertz.approach()).epsilon(1e-3));
     CHECK(patch.peak_pressure == Approx(hertz.peak_pressure()).epsilon(1e-3));
 
-    // all of the cylinder is as far from the axle; the surface between it and the head turns by s/(2R) across, which turns
-    // the slip of rolling over an edge into a lateral one
+    // all of the cylinder is as far from the axle; the surface between it and the head turns by s/(2R) across, which
+    // turns the slip of rolling over an edge into a lateral one
     const WheelsetSpeeds speeds{.forward = 10, .pitch_rate = -10 / 0.46};
     const Eigen::ArrayXd x{{-3e-3, 0, 4e-3}}, s{{-2e-3, 1e-3, 3e-3}};
     const Eigen::MatrixX2d rows = curved_slip_of(patch, {.height = contact.height}, speeds, 0.46, x, s);

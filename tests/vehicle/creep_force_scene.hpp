@@ -1,5 +1,5 @@
-// Creep forces in closed form, with the symmetries, the linear law and the limit of those of a patch: a source of tables
-// for tests.
+// Creep forces in closed form, with the symmetries, the linear law and the limit of those of a patch: a source of
+// tables for tests.
 #pragma once
 
 #include <cmath>

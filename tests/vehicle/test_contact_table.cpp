@@ -1,5 +1,5 @@
-// rollbem/vehicle/contact_table.hpp, make_contact_table.hpp: tangents, mirror images, balance, the way through a change of
-// contact points, and the table against the patches that it stands for.
+// rollbem/vehicle/contact_table.hpp, make_contact_table.hpp: tangents, mirror images, balance, the way through a change
+// of contact points, and the table against the patches that it stands for.
 #include <array>
 #include <cmath>
 #include <fstream>

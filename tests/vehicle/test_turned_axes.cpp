@@ -1,5 +1,5 @@
-// rollbem/scene/rolling_ellipse.hpp, HertzEllipse::along_rolling: what takes the place of a turned ellipse, in tables and
-// patches, and how near it comes to friction on the outline of the turned one.
+// rollbem/scene/rolling_ellipse.hpp, HertzEllipse::along_rolling: what takes the place of a turned ellipse, in tables
+// and patches, and how near it comes to friction on the outline of the turned one.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>

@@ -31,7 +31,8 @@ struct StabilityResult : StabilityVerdict {
     VectorX<std::complex<Scalar>> alpha;
     VectorX<Scalar> beta;
     /// n eps (|G'|_2 + |nu| |G|_2) / |y^H G x| with unit right and left vectors x and y: the effect that rounding of G
-    /// and G' can have on each eigenvalue, to first order. Empty from solve_stability; infinite for infinite eigenvalues.
+    /// and G' can have on each eigenvalue, to first order. Empty from solve_stability; infinite for infinite
+    /// eigenvalues.
     VectorX<Scalar> uncertainty;
     Scalar spectral_radius = 0;  ///< largest |nu|; infinite if an eigenvalue is
     Scalar stiffness_ratio = 0;  ///< largest |Re(nu)| over smallest

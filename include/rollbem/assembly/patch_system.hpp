@@ -100,8 +100,8 @@ MatrixX<Scalar> folded(const MatrixX<Scalar>& rows, Eigen::Index n, Eigen::Index
 }
 
 /// One of the two problems into which mirrored strips fall, on those at y <= 0: p_x even in y and p_y odd (sign = 1, of
-/// xi), or p_x odd and p_y even (sign = -1, of eta and phi). The odd one vanishes on a strip in the middle, so that there
-/// are always n m unknowns: p_x, then p_y, on `x` and `y` strips.
+/// xi), or p_x odd and p_y even (sign = -1, of eta and phi). The odd one vanishes on a strip in the middle, so that
+/// there are always n m unknowns: p_x, then p_y, on `x` and `y` strips.
 template <class Scalar>
 struct MirroredHalf {
     Eigen::Index n, m;  ///< elements in a strip, strips

@@ -33,8 +33,8 @@ struct BothRows {
     /// Whether each row belongs to a point half an element ahead of its element's centre.
     bool half_element_ahead() const { return slope.half_element_ahead && displacement.half_element_ahead; }
 
-    /// Whether the equations hold at points, the same for G and G'. Differences count, as they are the mean of the slope
-    /// over the width of one element; Galerkin's integrals and quadratures do not.
+    /// Whether the equations hold at points, the same for G and G'. Differences count, as they are the mean of the
+    /// slope over the width of one element; Galerkin's integrals and quadratures do not.
     bool at_points() const {
         return slope.offsets.size() == 1 && slope.averages <= 1 && displacement.offsets.size() == 1 &&
                displacement.averages == 0 && slope.offsets[0] == displacement.offsets[0] &&

@@ -16,8 +16,8 @@
 namespace rollbem {
 
 /// Steady creep coefficient c11 = pi/(2(1-nu)) of Eq. (30), per unit width of a rectangle (or of an infinitely long
-/// contact). That for lateral creepage, c22, is pi/2 = steady_c11(0), whatever nu is. Throws std::invalid_argument unless
-/// 0 <= poisson_ratio <= 0.5.
+/// contact). That for lateral creepage, c22, is pi/2 = steady_c11(0.0), whatever nu is. Throws std::invalid_argument
+/// unless 0 <= poisson_ratio <= 0.5.
 template <std::floating_point Scalar>
 Scalar steady_c11(Scalar poisson_ratio) {
     detail::require_poisson_ratio("steady_c11", poisson_ratio);

@@ -9,8 +9,9 @@
 
 namespace rollbem {
 
-/// -F_x/(mu N), -F_y/(mu N), -M_z/(mu N c), c = sqrt(a b), of an ellipse that slips everywhere, by its rigid slip (longitudinal - spin y, lateral + spin x): creepages
-/// in any common unit, spin times c in the same. Zero without creepage and spin. a_over_b must be positive and finite.
+/// -F_x/(mu N), -F_y/(mu N), -M_z/(mu N c), c = sqrt(a b), of an ellipse that slips everywhere, by its rigid slip
+/// (longitudinal - spin y, lateral + spin x): creepages in any common unit, spin times c in the same. Zero without
+/// creepage and spin. a_over_b must be positive and finite.
 ///
 /// Along a line through the pole, where the rigid slip vanishes, the direction of slip is constant, and moments of the
 /// pressure over the whole chord have a closed form. There remains an integral over the direction of the line of a

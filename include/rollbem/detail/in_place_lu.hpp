@@ -75,8 +75,8 @@ void solve_in_place(const MatrixRef<Scalar>& A, const Eigen::Index* swaps, Vecto
     }
 }
 
-/// The same for each column of X. Eigen's products copy pieces of their arguments, up to 128 kB on the stack; no more is
-/// given to them at a time, as steps must not allocate.
+/// The same for each column of X, in pieces: Eigen's products copy parts of their arguments, and those above 128 kB to
+/// the heap, which steps must not touch.
 template <class Scalar>
 void solve_columns_in_place(const MatrixRef<Scalar>& A, const Eigen::Index* swaps, MatrixRef<Scalar> X) {
     constexpr Eigen::Index most = 64;

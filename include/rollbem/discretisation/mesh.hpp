@@ -114,8 +114,8 @@ enum class Topology { uniform, geometric, knothe, modified_knothe, cosine };
 struct TopologyInfo {
     Topology topology;
     const char* name;  ///< as in the programs' options
-    /// The parameter besides n: "size_ratio", dx_trailing / dx_leading [-], or "epsilon", the width of an end element over
-    /// that of an inner one [-]; empty if there is none.
+    /// The parameter besides n: "size_ratio", dx_trailing / dx_leading [-], or "epsilon", the width of an end element
+    /// over that of an inner one [-]; empty if there is none.
     std::string_view grading;
     Eigen::Index least_n;  ///< fewest elements
 };
@@ -246,8 +246,8 @@ Mesh<Scalar> cosine_mesh(Eigen::Index n) {
         [=](Eigen::Index i) { return 2 * sine(2 * i + 1 <= n ? 2 * i + 1 : 2 * (n - i) - 1) * sine(1); }));
 }
 
-/// A mesh of a topology that is chosen at run time; `parameter` is its topology_info(topology).grading, ignored if there
-/// is none. Throws std::invalid_argument if n or the parameter is out of range for the topology.
+/// A mesh of a topology that is chosen at run time; `parameter` is its topology_info(topology).grading, ignored if
+/// there is none. Throws std::invalid_argument if n or the parameter is out of range for the topology.
 template <class Scalar = double>
 Mesh<Scalar> make_mesh(Topology topology, Eigen::Index n, double parameter = 1) {
     const Scalar grading = static_cast<Scalar>(parameter);

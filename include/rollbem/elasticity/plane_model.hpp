@@ -24,8 +24,8 @@ void require_stable_model(const Kernel& kernel) {
     }
 }
 
-/// The origin of a system with equations at these points; `at_points`: the equations of G and G' hold there, so that the
-/// contact may breathe if the kernel is a logarithm and a constant.
+/// The origin of a system with equations at these points; `at_points`: the equations of G and G' hold there, so that
+/// the contact may breathe if the kernel is a logarithm and a constant.
 template <class Scalar, LineKernel Kernel>
 typename RollingSystem<Scalar>::Origin origin_of(const Kernel& kernel, ArrayX<Scalar> points, bool at_points) {
     typename RollingSystem<Scalar>::Origin origin;

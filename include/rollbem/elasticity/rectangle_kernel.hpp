@@ -37,7 +37,8 @@ struct RectangleInfluence {
 /// A kernel may also offer
 /// - line_slope(x, y0, y1): du/dx at distance x ahead of a line of unit traction along y, whose ends lie y0 and y1 < y0
 ///   below the point. The assembly uses it for distant elements: with it nothing cancels.
-/// - corner_lateral_slope(x, y), the derivative of corner(x, y) with respect to y: xx and yy are odd in x and even in y,
+/// - corner_lateral_slope(x, y), the derivative of corner(x, y) with respect to y: xx and yy are odd in x and even in
+/// y,
 ///   xy is even in x and odd in y. Patches whose half-width varies require it.
 template <class Kernel>
 concept RectangleKernel = requires(const Kernel& kernel, typename Kernel::Scalar x) {

@@ -119,7 +119,8 @@ std::array<Scalar, 2> hertz_share(Scalar a, Scalar b, const Rectangle<Scalar>& e
 }
 
 /// Sets mean pressures of elements under a load on semi-axes a, b, scaled so that the elements carry it exactly, and
-/// their derivatives with respect to the load; returns the share of the load that they cover. Pressures are sized already.
+/// their derivatives with respect to the load; returns the share of the load that they cover. Pressures are sized
+/// already.
 template <class Scalar>
 Scalar set_ellipse_pressures(Scalar a, Scalar b, Scalar load, const std::vector<Rectangle<Scalar>>& elements,
                              ArrayX<Scalar>& mean, ArrayX<Scalar>& rate) {
@@ -169,8 +170,8 @@ class HertzEllipse {
 public:
     using Scalar = Scalar_;
 
-    /// Principal radii of curvature of a surface at the contact [m]: positive if convex, negative if concave, infinite if
-    /// flat, never zero.
+    /// Principal radii of curvature of a surface at the contact [m]: positive if convex, negative if concave, infinite
+    /// if flat, never zero.
     struct Radii {
         Scalar rolling;  ///< in the plane of the rolling direction x
         Scalar lateral;  ///< in the plane across it
@@ -200,8 +201,8 @@ public:
     Scalar turn() const { return turn_; }
     Scalar peak_pressure() const { return 3 * load_ / (2 * std::numbers::pi_v<Scalar> * a_ * b_); }  ///< p0 [Pa]
 
-    /// The ellipse of the same load, area and pressures that rolls along its axis a, which takes the place of a turned one
-    /// in contact(), HertzPatchLoad and CreepForceTable: see rolling_ellipse(), which has its derivatives.
+    /// The ellipse of the same load, area and pressures that rolls along its axis a, which takes the place of a turned
+    /// one in contact(), HertzPatchLoad and CreepForceTable: see rolling_ellipse(), which has its derivatives.
     HertzEllipse along_rolling() const {
         HertzEllipse other = *this;
         const SemiAxes<Scalar> axes = rolling_ellipse<Scalar>({a_, b_}, turn_).axes;
@@ -288,9 +289,9 @@ HertzEllipse<Scalar_>::HertzEllipse(const Parameters& parameters)
     detail::require_positive("HertzEllipse", "longer semi-axis", longer);
 }
 
-/// Mean pressures [Pa] of elements that cover an elliptic patch, whether they end on its edge or beyond, under the load N
-/// [N], which they carry exactly: p_n = 3 N/(2 pi a b) sqrt(1 - x^2/a^2 - y^2/b^2). Throws std::invalid_argument for an
-/// outline, unless the load is positive and finite and the elements cover nine tenths of it, or if one has no area.
+/// Mean pressures [Pa] of elements that cover an elliptic patch, whether they end on its edge or beyond, under the load
+/// N [N], which they carry exactly: p_n = 3 N/(2 pi a b) sqrt(1 - x^2/a^2 - y^2/b^2). Throws std::invalid_argument for
+/// an outline, unless the load is positive and finite and the elements cover nine tenths of it, or if one has no area.
 template <class Scalar>
 ArrayX<Scalar> hertz_pressures(const PatchContact<Scalar>& contact, const std::vector<Rectangle<Scalar>>& elements,
                                std::type_identity_t<Scalar> load) {

@@ -56,10 +56,10 @@ public:
         return fixed_ ? Scalar(0) : half_length(load_per_width) / (2 * load_per_width);
     }
 
-    /// Sets pressures, their derivatives with respect to P, and the half-length of the mesh. A fixed mesh without load, P = 0, has
-    /// no pressure. The status is invalid_load, which a step under the resulting `load` also returns, if P is negative
-    /// or not finite, if a fixed mesh does not cover the contact, or if P = 0 on a mesh that breathes: it would have no
-    /// length.
+    /// Sets pressures, their derivatives with respect to P, and the half-length of the mesh. A fixed mesh without load,
+    /// P = 0, has no pressure. The status is invalid_load, which a step under the resulting `load` also returns, if P
+    /// is negative or not finite, if a fixed mesh does not cover the contact, or if P = 0 on a mesh that breathes: it
+    /// would have no length.
     StepStatus set(Scalar load_per_width, NormalLoad<Scalar>& load) const noexcept {
         const Scalar a = half_length(load_per_width);
         const bool possible = detail::is_finite(load_per_width) && detail::is_finite(a) && load_per_width >= 0 &&

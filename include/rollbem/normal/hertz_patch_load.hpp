@@ -1,5 +1,5 @@
-// Hertz's elliptic contact under a load and radii that may vary: semi-axes and pressures of the elements, on a mesh that
-// follows the ellipse, or on a fixed mesh on which the ellipse grows and shrinks.
+// Hertz's elliptic contact under a load and radii that may vary: semi-axes and pressures of the elements, on a mesh
+// that follows the ellipse, or on a fixed mesh on which the ellipse grows and shrinks.
 #pragma once
 
 #include <algorithm>
@@ -32,8 +32,8 @@ SemiAxes<Scalar> least_resolved(const PatchContact<Scalar>& contact, const Patch
     return {a * rounding * half_of_three(mesh.along().edges()), a * rounding * half_of_three(mesh.edges())};
 }
 
-/// Makes the NormalLoad of a load N [N] for the bodies of a HertzEllipse, whose axes must lie along x and y, as those of
-/// HertzEllipse::along_rolling() do.
+/// Makes the NormalLoad of a load N [N] for the bodies of a HertzEllipse, whose axes must lie along x and y, as those
+/// of HertzEllipse::along_rolling() do.
 ///
 ///     const HertzPatchLoad<double> hertz = HertzPatchLoad<double>::breathing(ellipse, contact, mesh);
 ///     NormalLoad<double> load = hertz.at(ellipse.load());
@@ -73,11 +73,12 @@ public:
     Scalar half_length_rate(Scalar load) const { return fixed_ ? 0 : semi_axes(load).half_length / (3 * load); }
     Scalar half_width_rate(Scalar load) const { return fixed_ ? 0 : semi_axes(load).half_width / (3 * load); }
 
-    /// Sets pressures, which carry N exactly, their derivatives with respect to N, and the semi-axes of the mesh. A fixed mesh
-    /// without load, N = 0, has no pressure. The status is invalid_load, which a step under the resulting `load` also
-    /// returns, if N is negative or not finite, if a fixed mesh does not cover the ellipse, or if N = 0 on a mesh that
-    /// follows it: it would have no size. It is unresolved, with all of `result` set, if the ellipse under N > 0 is
-    /// smaller than least_resolved() of a fixed mesh. The work on a fixed mesh is an integral for each element.
+    /// Sets pressures, which carry N exactly, their derivatives with respect to N, and the semi-axes of the mesh. A
+    /// fixed mesh without load, N = 0, has no pressure. The status is invalid_load, which a step under the resulting
+    /// `load` also returns, if N is negative or not finite, if a fixed mesh does not cover the ellipse, or if N = 0 on
+    /// a mesh that follows it: it would have no size. It is unresolved, with all of `result` set, if the ellipse under
+    /// N > 0 is smaller than least_resolved() of a fixed mesh. The work on a fixed mesh is an integral for each
+    /// element.
     StepStatus set(Scalar load, NormalLoad<Scalar>& result) const noexcept {
         return set(load, semi_axes(load), result);
     }

@@ -1,5 +1,5 @@
-// Frictionless contact of two elastic half-spaces whose surfaces are a given distance apart: pressures on a grid of cells,
-// by conjugate gradients with projection (Polonsky and Keer 1999).
+// Frictionless contact of two elastic half-spaces whose surfaces are a given distance apart: pressures on a grid of
+// cells, by conjugate gradients with projection (Polonsky and Keer 1999).
 #pragma once
 
 #include <algorithm>
@@ -58,8 +58,8 @@ struct CellGrid {
     double y(Eigen::Index j) const { return y_0 + double(j) * dy; }
 };
 
-/// Pressures p >= 0 and gaps w = h + u(p) - approach >= 0 with p w = 0 in each cell. Its memory is kept from one solution
-/// to the next.
+/// Pressures p >= 0 and gaps w = h + u(p) - approach >= 0 with p w = 0 in each cell. Its memory is kept from one
+/// solution to the next.
 class NormalContact {
 public:
     using Grid = Eigen::ArrayXXd;
@@ -75,9 +75,9 @@ public:
     /// 1/E* = (1-nu_1)/(2 G_1) + (1-nu_2)/(2 G_2) [1/Pa]; of equal bodies (1-nu)/G.
     explicit NormalContact(double compliance) : compliance_(compliance) {}
 
-    /// Carrying `load` [N]. `h` [m] is the gap before deformation in each cell, nx x ny; steps end when no gap where there
-    /// is pressure exceeds `tolerance` times the approach from the least h. The present pressures are the first guess if
-    /// they are of a grid of the same size and `warm` is set.
+    /// Carrying `load` [N]. `h` [m] is the gap before deformation in each cell, nx x ny; steps end when no gap where
+    /// there is pressure exceeds `tolerance` times the approach from the least h. The present pressures are the first
+    /// guess if they are of a grid of the same size and `warm` is set.
     Solution carry(const CellGrid& grid, const Grid& h, double load, double tolerance = 1e-6, bool warm = false) {
         return solve(grid, h, load, 0, tolerance, warm);
     }

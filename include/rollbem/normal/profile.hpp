@@ -17,8 +17,8 @@
 namespace rollbem {
 
 /// A curve (y(s), z(s)) [m] by the length s along the polygon of its points, a cubic spline in both; y to the right, z
-/// down. Of a wheel: the right one, z = 0 on the tape circle and the flange at negative y. Of a rail: z = 0 at its highest
-/// point, and the inner side of the right one at negative y.
+/// down. Of a wheel: the right one, z = 0 on the tape circle and the flange at negative y. Of a rail: z = 0 at its
+/// highest point, and the inner side of the right one at negative y.
 ///
 /// Invariant: at least 4 points, finite, no two in a row equal, and the polygon turns by at most 90 degrees at each; y
 /// grows from the first to the last.

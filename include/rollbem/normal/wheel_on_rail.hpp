@@ -1,5 +1,5 @@
-// Where a wheel touches a rail and how hard: contact locus, planes of contact, gaps by exact sections of the wheel, and the
-// height at which the patches carry a load. SI units.
+// Where a wheel touches a rail and how hard: contact locus, planes of contact, gaps by exact sections of the wheel, and
+// the height at which the patches carry a load. SI units.
 #pragma once
 
 #include <algorithm>
@@ -26,8 +26,8 @@
 
 namespace rollbem {
 
-/// Where profiles are. Track axes: x forward, y to the right, z down, the origin between the rails at the height of their
-/// tops.
+/// Where profiles are. Track axes: x forward, y to the right, z down, the origin between the rails at the height of
+/// their tops.
 struct TrackDimensions {
     double gauge = 1.435, gauge_depth = 0.014;  ///< between the rails, measured this far below their tops [m]
     double flange_back = 1.36;                  ///< between the backs of both flanges [m]
@@ -45,8 +45,8 @@ inline bool is_finite(const WheelsetPosition& at) {
 
 }  // namespace detail
 
-/// The force of friction on the rail along s over the normal force, by the angle of the plane: linear between two patches
-/// of a wheel, constant beyond them; of one patch both are the same.
+/// The force of friction on the rail along s over the normal force, by the angle of the plane: linear between two
+/// patches of a wheel, constant beyond them; of one patch both are the same.
 struct LateralFriction {
     std::array<double, 2> angle{0, 0};  ///< [rad], in any order
     std::array<double, 2> ratio{0, 0};  ///< [-]
@@ -87,14 +87,14 @@ struct RailPatch {
 /// quantities reversed. Immutable.
 class WheelOnRail {
 public:
-    /// Throws std::invalid_argument unless dimensions are positive and finite, 0 <= nu <= 0.5, and the rail's inner side
-    /// reaches the depth at which the gauge is measured.
+    /// Throws std::invalid_argument unless dimensions are positive and finite, 0 <= nu <= 0.5, and the rail's inner
+    /// side reaches the depth at which the gauge is measured.
     WheelOnRail(Profile wheel, Profile rail, const TrackDimensions& dimensions = {});
 
     struct Options {
         Eigen::Index cells_x = 40, cells_s = 20;  ///< across what touches; more in patches with two lobes
         double tolerance = 1e-6;                  ///< of the load, and of gaps over the approach
-        /// Instead: of square cells, one of which has its centre at the reference point, as CONTACT's [m]; 0 for none.
+        /// If positive, instead: the side [m] of square cells, one centred on the reference point, as CONTACT has.
         double cell_size = 0;
     };
 
@@ -525,8 +525,8 @@ inline void WheelOnRail::add_patches(const Part& part, double lower, const Norma
     }
 }
 
-// One contact: regions become parts, each with a plane, a grid and gaps that hold for a height; loads are found with the
-// wheel lower than that by a little, and the planes again where it is then.
+// One contact: regions become parts, each with a plane, a grid and gaps that hold for a height; loads are found with
+// the wheel lower than that by a little, and the planes again where it is then.
 class WheelOnRail::Search {
 public:
     Search(const WheelOnRail& wheel, const WheelsetPosition& position, const LateralFriction& friction,

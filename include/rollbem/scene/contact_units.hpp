@@ -16,8 +16,8 @@ class PatchContact;
 
 namespace rollbem::detail {
 
-/// Systems have lengths in `length` and tractions in `shear_modulus`. Their areas are in length * width: widths of a line
-/// contact of width 2b, areas of a patch.
+/// Systems have lengths in `length` and tractions in `shear_modulus`. Their areas are in length * width: widths of a
+/// line contact of width 2b, areas of a patch.
 template <class Scalar>
 struct ContactUnits {
     Scalar length;         ///< a [m]

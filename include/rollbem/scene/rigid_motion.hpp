@@ -65,9 +65,10 @@ public:
     /// may vanish, and dq = 0 is allowed.
     static RigidMotion shift(Value shift) { return {shift, shift, Kind::shift}; }
 
-    /// The same motion with a rigid slip [-], of a shift [m], of each element added to that of the creepage, at the point
-    /// of the element's equation (Elements::x, y): constant over the step, or linear from `start` to `end`. Refers to the
-    /// rows. Steps that have no rows, or have another number of elements, refuse it (StepStatus::invalid_step).
+    /// The same motion with a rigid slip [-], of a shift [m], of each element added to that of the creepage, at the
+    /// point of the element's equation (Elements::x, y): constant over the step, or linear from `start` to `end`.
+    /// Refers to the rows. Steps that have no rows, or have another number of elements, refuse it
+    /// (StepStatus::invalid_step).
     RigidMotion with_rows(const Rows& rows) const { return with_rows(rows, rows); }
     RigidMotion with_rows(const Rows& start, const Rows& end) const {
         return with_rows(RowsView(start.data(), start.rows(), start.cols()),
@@ -90,8 +91,8 @@ public:
     RowsView start_rows() const { return {start_rows_, row_count_, Rows::ColsAtCompileTime}; }  ///< if it has rows
     RowsView end_rows() const { return {end_rows_, row_count_, Rows::ColsAtCompileTime}; }
 
-    /// Whether it can be used with a distance rolled dq, in any unit, and, if it has rows, with this number of elements:
-    /// ok, invalid_step or not_finite.
+    /// Whether it can be used with a distance rolled dq, in any unit, and, if it has rows, with this number of
+    /// elements: ok, invalid_step or not_finite.
     StepStatus check(Scalar dq, Eigen::Index row_count = 0) const noexcept {
         if (!detail::is_finite(dq) || !(is_shift() ? dq >= 0 : dq > 0)) return StepStatus::invalid_step;
         return check_rows(row_count);

@@ -22,9 +22,9 @@ struct RollingEllipse {
 /// exactly.
 ///
 /// Rolling in the axes of the turned ellipse instead, with creepages turned into them and forces back, has up to five
-/// times the error, since that turns the rolling direction as well: even a circle under spin would then get a longitudinal
-/// force. Neglected here are the forces along x by lateral creepage and spin, and those across by longitudinal creepage,
-/// that the lack of symmetry makes; they grow with the turn, docs/vehicle.md has the errors.
+/// times the error, since that turns the rolling direction as well: even a circle under spin would then get a
+/// longitudinal force. Neglected here are the forces along x by lateral creepage and spin, and those across by
+/// longitudinal creepage, that the lack of symmetry makes; they grow with the turn, docs/vehicle.md has the errors.
 template <class Scalar>
 RollingEllipse<Scalar> rolling_ellipse(const SemiAxes<Scalar>& turned, Scalar turn) noexcept {
     const Scalar a = turned.half_length, b = turned.half_width, cosine = std::cos(turn), sine = std::sin(turn);

@@ -7,8 +7,8 @@ namespace rollbem {
 
 enum class WheelsetSide { left, right };
 
-/// Track axes: x forward, y to the right, z down, the origin between the rails at the height of their tops. The middle of
-/// the axle is at (0, lateral, height - r0), rolled about x, then yawed about z.
+/// Track axes: x forward, y to the right, z down, the origin between the rails at the height of their tops. The middle
+/// of the axle is at (0, lateral, height - r0), rolled about x, then yawed about z.
 struct WheelsetPosition {
     double lateral = 0;  ///< y_ws [m]
     double height = 0;   ///< z_ws [m], positive down; 0 where profiles with z = 0 at the tape circle and the top touch

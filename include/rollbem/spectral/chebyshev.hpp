@@ -112,10 +112,11 @@ MatrixX<Scalar_> ChebyshevSystem<Scalar_>::rates() const {
 /// The system of Chebyshev states: G = (T_k(x_l)) at the m Chebyshev points, whose condition is sqrt(2), and G' = G A =
 /// (T_k'(x_l) + T_m'(x_l) last_k). Throws std::invalid_argument unless there is at least one state, the half-width is
 /// finite (otherwise only solve_steady exists), b/a >= 0.001, and, for a plane kernel, Lambda > 0, as its model is
-/// otherwise unstable in the time domain. Narrow strips need more states: for 1e-9, about 8 at b/a = 10, 16 at 1 and 32 at 0.3.
-/// Rounding does not limit the number of states in double (tried up to 1500), but the fastest mode decays at about
-/// m^2/10, and for m >= 200 rcond(G') is too small for the reduction of FrequencySweep. In float the status of a steady
-/// solution of the system is ill_conditioned above some 60 states; that of solve_steady(Chebyshev, kernel) never is.
+/// otherwise unstable in the time domain. Narrow strips need more states: for 1e-9, about 8 at b/a = 10, 16 at 1 and 32
+/// at 0.3. Rounding does not limit the number of states in double (tried up to 1500), but the fastest mode decays at
+/// about m^2/10, and for m >= 200 rcond(G') is too small for the reduction of FrequencySweep. In float the status of a
+/// steady solution of the system is ill_conditioned above some 60 states; that of solve_steady(Chebyshev, kernel) never
+/// is.
 template <LineKernel Kernel>
 ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method, const Kernel& kernel) {
     using Scalar = typename Kernel::Scalar;
@@ -199,8 +200,8 @@ Response<typename Kernel::Scalar> solve_chebyshev_steady(const Chebyshev& method
 /// c11's relative error is twice the contribution of the kernel's smooth part to the last two coefficients, which decay
 /// geometrically; Status::not_converged if it exceeds 1e-2. The residual is not computed, but NaN.
 ///
-/// There u = x + a constant that is determined by sum a_k = 0, so that K_00 is not needed and an infinite half-width has
-/// a solution. For the plane kernel a single state is exact. The kernel must be a LineKernel. Throws
+/// There u = x + a constant that is determined by sum a_k = 0, so that K_00 is not needed and an infinite half-width
+/// has a solution. For the plane kernel a single state is exact. The kernel must be a LineKernel. Throws
 /// std::invalid_argument unless there is at least one state and b/a >= 0.001.
 template <LineKernel Kernel>
 Response<typename Kernel::Scalar> solve_steady(const Chebyshev& method, const Kernel& kernel) {

@@ -116,8 +116,8 @@ namespace rollbem::studies {
 
 /// The polynomial approach in monomials: Eqs. (25)-(27) with the factors 1 and l+1 due to the derivative. The error
 /// estimate is the difference from order + 10, plus rounding. The status is ill_conditioned above a condition of 1e12,
-/// not_converged where the difference is more than a part of 16 million; monomials break down by cancellation before the
-/// matrix looks singular. Throws std::invalid_argument unless s, poisson_ratio, aspect and order are as in
+/// not_converged where the difference is more than a part of 16 million; monomials break down by cancellation before
+/// the matrix looks singular. Throws std::invalid_argument unless s, poisson_ratio, aspect and order are as in
 /// polynomial_c11.
 template <std::floating_point Scalar>
 PolynomialSolution<Scalar> solve_monomial(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,

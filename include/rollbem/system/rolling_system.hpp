@@ -44,8 +44,8 @@ public:
         bool unknowns_are_tractions = false;     ///< of elements: only then can their signs reveal a scheme that fails
         std::optional<Scalar> aspect{};          ///< b/a of the kernel; empty for kernels without a half-width
         std::optional<ArrayX<Scalar>> points{};  ///< x/a of the point of each equation
-        /// S, if the kernel is C - S ln|x| and nothing else (the plane's) and each equation follows its point: then G and
-        /// G' of any half-length follow from these matrices, and the contact may breathe.
+        /// S, if the kernel is C - S ln|x| and nothing else (the plane's) and each equation follows its point: then G
+        /// and G' of any half-length follow from these matrices, and the contact may breathe.
         std::optional<Scalar> log_strength{};
         /// 2 exp(C/S) of that kernel, in half-lengths of the contact: Lambda = 0 there, and a mode of a longer contact
         /// grows in time. Infinite for other systems.

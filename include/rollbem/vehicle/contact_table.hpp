@@ -1,5 +1,5 @@
-// ContactTable: where the wheels of a wheelset touch real rails, over lateral shift and yaw, as a table; and with a table
-// of creep forces all contact forces of a wheelset by look-up, with tangents.
+// ContactTable: where the wheels of a wheelset touch real rails, over lateral shift and yaw, as a table; and with a
+// table of creep forces all contact forces of a wheelset by look-up, with tangents.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -117,9 +117,9 @@ struct ContactRow {
 
 namespace detail {
 
-/// The creepages at which an ellipse has the forces of the patch that it stands for, from those of the patch: E^-1 L times
-/// them as far as the contact sticks, in full sliding those of rigid bodies. `of(row)` are numbers of the point, `bound` is
-/// mu N. The share of sticking is 1 - |u| of CreepForceGrid.
+/// The creepages at which an ellipse has the forces of the patch that it stands for, from those of the patch: E^-1 L
+/// times them as far as the contact sticks, in full sliding those of rigid bodies. `of(row)` are numbers of the point,
+/// `bound` is mu N. The share of sticking is 1 - |u| of CreepForceGrid.
 template <class Scalar, class Rows>
 std::array<Scalar, 3> ellipse_creepages(const std::array<Scalar, 3>& creepage, const Scalar& a, const Scalar& b,
                                         double shear_modulus, const Scalar& bound, const Rows& of) {
@@ -142,15 +142,16 @@ std::array<Scalar, 3> ellipse_creepages(const std::array<Scalar, 3>& creepage, c
 
 }  // namespace detail
 
-/// Geometry of contact by look-up: for the right wheel and up to two points the place, angle and rolling radius, the share
-/// of the load and an ellipse for the creep forces; the left wheel is its mirror image. Made by make_contact_table().
+/// Geometry of contact by look-up: for the right wheel and up to two points the place, angle and rolling radius, the
+/// share of the load and an ellipse for the creep forces; the left wheel is its mirror image. Made by
+/// make_contact_table().
 ///
-/// Along the shift values follow monotone cubic splines (C1, no overshoot), across the yaw cubic convolution (C1). Points
-/// of contact jump on real profiles: then the load goes over from one point to the other within a few hundredths of a
-/// millimetre, as the table has it at its nodes, and continuously in between, so that forces have no steps and nothing
-/// chatters; a jump narrower than the step of the table is spread over it. A point without load is where the nearest one
-/// with load is. Loads differ from those of the table by Hertz's law: a, b grow as the cube root of the normal load; places
-/// and shares stay. Immutable: threads may share it.
+/// Along the shift values follow monotone cubic splines (C1, no overshoot), across the yaw cubic convolution (C1).
+/// Points of contact jump on real profiles: then the load goes over from one point to the other within a few hundredths
+/// of a millimetre, as the table has it at its nodes, and continuously in between, so that forces have no steps and
+/// nothing chatters; a jump narrower than the step of the table is spread over it. A point without load is where the
+/// nearest one with load is. Loads differ from those of the table by Hertz's law: a, b grow as the cube root of the
+/// normal load; places and shares stay. Immutable: threads may share it.
 class ContactTable {
 public:
     /// Rows of a column of nodes: those of both points, each as ContactRow, then
@@ -165,9 +166,9 @@ public:
     /// From what write() wrote; throws as CreepForceTable::read does.
     static ContactTable read(std::istream& stream);
 
-    /// Little-endian, version 1: the text "rollbem contact geometry", version, numbers of shifts and yaws (32 bits each),
-    /// largest shift and yaw, nominal load, G, nu, the mean of each row (64 bits each), and for each node the rows minus
-    /// their means (32 bits each), then the checksum FNV-1a of all bytes before (64 bits).
+    /// Little-endian, version 1: the text "rollbem contact geometry", version, numbers of shifts and yaws (32 bits
+    /// each), largest shift and yaw, nominal load, G, nu, the mean of each row (64 bits each), and for each node the
+    /// rows minus their means (32 bits each), then the checksum FNV-1a of all bytes before (64 bits).
     void write(std::ostream& stream) const;
 
     const ContactTableGrid& grid() const { return grid_; }
@@ -186,7 +187,8 @@ public:
 
     /// The forces of one wheel under a vertical load [N] with the coefficient of friction mu. Lateral shift and yaw of
     /// `position` count; vertical speed and roll rate are those that the vehicle has, for one that follows its rails
-    /// those of on_rails(). N follows from the load, N cos delta - F_s sin delta, by Newton's method. Does not allocate.
+    /// those of on_rails(). N follows from the load, N cos delta - F_s sin delta, by Newton's method. Does not
+    /// allocate.
     WheelForces look_up(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
                         const WheelsetSpeeds& speeds, double load, double friction_coefficient) const noexcept;
 

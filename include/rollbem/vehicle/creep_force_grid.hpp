@@ -29,8 +29,8 @@ namespace rollbem {
 ///
 ///     u = X/(1.4 + |X|),
 ///
-/// where |u| = 1 is full sliding, at infinite creepage. By symmetry xi >= 0 and phi >= 0 suffice: xi and F_x change sign
-/// alone, and so do eta, phi, F_y and M_z together.
+/// where |u| = 1 is full sliding, at infinite creepage. By symmetry xi >= 0 and phi >= 0 suffice: xi and F_x change
+/// sign alone, and so do eta, phi, F_y and M_z together.
 ///
 /// Invariant: 0 <= nu <= 0.5; 0 < smallest a/b < largest a/b < inf; shapes() >= 4; 4 <= levels() <= 64;
 /// c11, c22, c23, -c32, c33 > 0; (levels + 3)^2 (2 levels + 3) (shapes + 2) <= 1e7.

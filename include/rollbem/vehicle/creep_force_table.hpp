@@ -60,8 +60,8 @@ struct TabulatedForce {
 template <std::same_as<double> Real = double>
 class BasicCreepForceTable {
 public:
-    /// |X| mu N, the size of the linear forces that scale the lattice of a table (see CreepForceGrid), in the units of the
-    /// contact.
+    /// |X| mu N, the size of the linear forces that scale the lattice of a table (see CreepForceGrid), in the units of
+    /// the contact.
     struct LinearForce {
         double value;                  ///< [N]
         Creepage<double> by_creepage;  ///< its derivatives [N], by spin [N m]; 0 where creepage and spin vanish
@@ -69,19 +69,19 @@ public:
         double by_half_width;          ///< at constant half-length [N/m]
     };
 
-    /// `forces`: -F_x/(mu N), -F_y/(mu N) and -M_z/(mu N c) in a column for every node of the first ellipse of the grid,
-    /// then of the next one. Throws std::invalid_argument if their number differs or one of them is not finite or
+    /// `forces`: -F_x/(mu N), -F_y/(mu N) and -M_z/(mu N c) in a column for every node of the first ellipse of the
+    /// grid, then of the next one. Throws std::invalid_argument if their number differs or one of them is not finite or
     /// above 100.
     BasicCreepForceTable(CreepForceGrid grid, const Eigen::Ref<const Eigen::Array3Xd>& forces);
 
     /// From what write() wrote. The stream must be binary; it is read to the end of the table. Throws
-    /// std::invalid_argument if the stream could not be opened, ends too early or holds something else, another version,
-    /// or numbers that do not agree with their checksum.
+    /// std::invalid_argument if the stream could not be opened, ends too early or holds something else, another
+    /// version, or numbers that do not agree with their checksum.
     static BasicCreepForceTable read(std::istream& stream);
 
     /// Little-endian, version 4: the text "rollbem creep forces", version, levels, number of ellipses (32 bits each),
-    /// Poisson's ratio, smallest and largest a/b, c11, c22, c23, c32, c33 of each ellipse (64 bits each), coefficients of
-    /// the splines (32 bits each), and the checksum FNV-1a of all bytes before (64 bits).
+    /// Poisson's ratio, smallest and largest a/b, c11, c22, c23, c32, c33 of each ellipse (64 bits each), coefficients
+    /// of the splines (32 bits each), and the checksum FNV-1a of all bytes before (64 bits).
     void write(std::ostream& stream) const;
 
     const CreepForceGrid& grid() const { return grid_; }
@@ -106,8 +106,8 @@ private:
         coefficients_.resize(static_cast<std::size_t>((grid_.shapes() + 2) * per_shape()) * width);
     }
 
-    // Coefficients belong to nodes -1 ... n+1 for xi and phi, -n-1 ... n+1 for eta, -1 ... shapes for log(a/b): the cell
-    // of any point has all its neighbours. Of four numbers in a row the last is 0.
+    // Coefficients belong to nodes -1 ... n+1 for xi and phi, -n-1 ... n+1 for eta, -1 ... shapes for log(a/b): the
+    // cell of any point has all its neighbours. Of four numbers in a row the last is 0.
     static constexpr std::size_t width = 4;
     Eigen::Index side() const { return n_ + 3; }
     Eigen::Index line() const { return 2 * n_ + 3; }
@@ -148,8 +148,8 @@ private:
     CreepForceGrid grid_;
     Eigen::Index n_;
     Eigen::ArrayXXd scales_;  ///< coefficients of splines in log(a/b)
-    /// Derivatives of the splines where creepage vanishes, of F_x by u_x, F_y by u_y and u_phi, M_z by u_y and u_phi, and
-    /// c32, c33, by which they are put right; coefficients of splines in log(a/b).
+    /// Derivatives of the splines where creepage vanishes, of F_x by u_x, F_y by u_y and u_phi, M_z by u_y and u_phi,
+    /// and c32, c33, by which they are put right; coefficients of splines in log(a/b).
     Eigen::ArrayXXd at_rest_;
     std::vector<float> coefficients_;
 };
@@ -179,9 +179,9 @@ public:
     }
 
     /// Spline coefficients of given nodes inside and of what follows outside: there 1/|X| goes on with the opposite
-    /// sign, f(2 n - |u|) = 2 f_slide - f(|u|), so that the derivative with respect to 1/|X| is continuous in full sliding. What lies
-    /// inside depends on the spline, hence the iteration; a step of 2/3 leaves about a third of the error, also at nodes that
-    /// are nearly their own mirror image, where a whole one would only change its sign.
+    /// sign, f(2 n - |u|) = 2 f_slide - f(|u|), so that the derivative with respect to 1/|X| is continuous in full
+    /// sliding. What lies inside depends on the spline, hence the iteration; a step of 2/3 leaves about a third of the
+    /// error, also at nodes that are nearly their own mirror image, where a whole one would only change its sign.
     void complete(const CreepForceGrid& grid, Eigen::Index shape) {
         struct Outer {
             int x, y, spin;
@@ -392,8 +392,8 @@ auto BasicCreepForceTable<Real>::sample(double shape, double x, double y, double
         along_y += by_x.value[p] * row_y;
         along_spin += by_x.value[p] * row_spin;
     }
-    // in a pass of its own, as registers are few, and in float, whose digits serve for a derivative of differences between
-    // ellipses, whose slopes add up to 0; a sum for each, so that additions need not wait for one another
+    // In a pass of its own, as registers are few, and in float, whose digits suffice for a derivative. Of differences
+    // between ellipses, as the slopes add up to 0; in three sums, so that additions need not wait for one another.
     using Single = Eigen::Array4f;
     std::array<Single, 3> differences;
     differences.fill(Single::Zero());
@@ -488,8 +488,8 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     const double x_sign = sign(u[0]), sign_of_pair = u[2] != 0 ? sign(u[2]) : sign(u[1]);
     const double turn = sign_of_pair < 0 ? -1 : 1;
     Sample at = sample(on.shape, std::abs(u[0]), turn * u[1], turn * u[2]);
-    // Second differences do not exist where creepage vanishes (forces are like xi - xi |xi|/3), so that the spline misses
-    // the linear law by some percent there. What it lacks, over the first step only.
+    // Second differences do not exist where creepage vanishes (forces are like xi - xi |xi|/3), so that the spline
+    // misses the linear law by some percent there. What it lacks, over the first step only.
     const double distance = u.matrix().norm();
     const Eigen::Vector3d place(std::abs(u[0]), turn * u[1], turn * u[2]);
     if (distance < 1) {
@@ -543,8 +543,8 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
         const Eigen::Vector3d radial = slope * direction;
         slope -= radial * direction.transpose() * stretch.radial;
     }
-    // Forces over c are homogeneous of degree 1 in mu N and w. By mu N; by the logarithm of c, at constant a/b, in w, in
-    // G a b and in the arm of the moment; and by that of a/b, in w and in the table.
+    // Forces over c are homogeneous of degree 1 in mu N and w. By mu N; by the logarithm of c, at constant a/b, in w,
+    // in G a b and in the arm of the moment; and by that of a/b, in w and in the table.
     const Eigen::Array3d along = slope * w.matrix(), by_bound = -force - along / (bound > 0 ? bound : 1);
     const Eigen::Vector3d w_by_shape = linear_law(linear_by_shape, c, creepage);
     Eigen::Array3d by_size = slope.rightCols<2>() * Eigen::Vector2d(unit[2] * creepage.spin, w[2]);

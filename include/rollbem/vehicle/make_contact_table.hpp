@@ -50,11 +50,11 @@ struct PatchEllipse {
 };
 
 /// The ellipse of a patch for which a table of creep forces comes nearest to friction on its own outline under its own
-/// pressures. Its middle and its semi-axes are those of Hertz's pressures with the same first and second moments, a^2/5 and
-/// b^2/5. The linear law is the patch's own: creepages are multiplied by E^-1 L, where L are the forces of the outline per
-/// creepage and E those of the ellipse, as far as the contact sticks; see ContactTable::look_up. Where a/b lies beyond the
-/// table, the longer semi-axis stays and the correction is kept in full sliding, too. Throws std::invalid_argument unless
-/// the patch has numbers.
+/// pressures. Its middle and its semi-axes are those of Hertz's pressures with the same first and second moments, a^2/5
+/// and b^2/5. The linear law is the patch's own: creepages are multiplied by E^-1 L, where L are the forces of the
+/// outline per creepage and E those of the ellipse, as far as the contact sticks; see ContactTable::look_up. Where a/b
+/// lies beyond the table, the longer semi-axis stays and the correction is kept in full sliding, too. Throws
+/// std::invalid_argument unless the patch has numbers.
 inline PatchEllipse creep_ellipse(const RailPatch& patch, const TrackDimensions& dimensions,
                                   const CreepForceTable& creep, Eigen::Index n = 12, Eigen::Index strips = 13) {
     using enum ContactRow::Of;
@@ -175,8 +175,8 @@ inline std::vector<double> cuts_between(const std::vector<ContactNode>& nodes) {
 
 /// The table of a wheelset whose wheels carry `load` each, on `jobs` threads; `creep` is the table that it will be used
 /// with. `missing`, if given, is set to the share of positions in which wheels do not carry the load (no_contact,
-/// load_not_reached, end_of_profile), which are filled by those beside them. Throws std::invalid_argument if the grid breaks
-/// its invariant, or at some yaw fewer than half of the positions carry the load. A position takes some 0.1 s.
+/// load_not_reached, end_of_profile), which are filled by those beside them. Throws std::invalid_argument if the grid
+/// breaks its invariant, or at some yaw fewer than half of the positions carry the load. A position takes some 0.1 s.
 inline ContactTable make_contact_table(
     const WheelsetOnTrack& track, double load, const CreepForceTable& creep, const ContactTableGrid& grid = {},
     std::size_t jobs = 1, const WheelOnRail::Options& options = {}, double* missing = nullptr,

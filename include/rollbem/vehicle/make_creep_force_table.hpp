@@ -31,8 +31,8 @@
 
 namespace rollbem {
 
-/// Steady forces of one ellipse by about n^2 elements; under large spin with its pole on the ellipse or near its edge, a
-/// mean of two meshes.
+/// Steady forces of one ellipse by about n^2 elements; under large spin with its pole on the ellipse or near its edge,
+/// a mean of two meshes.
 class CreepForceSource {
 public:
     CreepForceSource(double a_over_b, double poisson_ratio, Eigen::Index n)
@@ -103,8 +103,8 @@ private:
         Run<Model> run;
     };
 
-    /// Elements so long that n^2 of them have the least error where spin is large. That error comes from the pole of the
-    /// slip, where one element turns at once, so it falls if strips are equally wide and their number follows the
+    /// Elements so long that n^2 of them have the least error where spin is large. That error comes from the pole of
+    /// the slip, where one element turns at once, so it falls if strips are equally wide and their number follows the
     /// ellipse: with 256 elements, by the sum over the elements in full sliding against full_sliding() at a/b = 0.1,
     /// 0.3, 1, 3, 10, from 5.1e-2, 2.0e-2, 1.2e-2, 1.8e-2, 4.4e-2 (16 x 16, strips graded by the cosine) to 1.0e-2,
     /// 0.9e-2, 0.8e-2, 1.1e-2, 1.9e-2 (the largest of 300 random directions). Strips are even in number: the pole of a
@@ -126,12 +126,13 @@ private:
                           uniform_mesh(mesh().strip_count() + 1));
     }
 
-    /// How much the shifted mesh counts. As the pole of the slip passes from the edge of an element to its centre, forces
-    /// swing about their true value; those of the two meshes swing in opposite directions. They count alike where the
-    /// spin is above 4 and its pole within 1.2 of the ellipse, where all but a few elements slide; below a spin of 2 or
-    /// beyond 1.5 of the ellipse the first mesh counts alone. With n = 18, against n = 32, in 150 random scenes with a
-    /// spin above 2 and its pole inside, the plain mean of both differs by 1.7e-3 of mu N (root of the mean square; 6.3e-3
-    /// at most), the first alone by 2.4e-3 (8.6e-3); with two strips more instead of one the mean would be hardly better.
+    /// How much the shifted mesh counts. As the pole of the slip passes from the edge of an element to its centre,
+    /// forces swing about their true value; those of the two meshes swing in opposite directions. They count alike
+    /// where the spin is above 4 and its pole within 1.2 of the ellipse, where all but a few elements slide; below a
+    /// spin of 2 or beyond 1.5 of the ellipse the first mesh counts alone. With n = 18, against n = 32, in 150 random
+    /// scenes with a spin above 2 and its pole inside, the plain mean of both differs by 1.7e-3 of mu N (root of the
+    /// mean square; 6.3e-3 at most), the first alone by 2.4e-3 (8.6e-3); with two strips more instead of one the mean
+    /// would be hardly better.
     double share_of_shifted(const Creepage<double>& v) const {
         // the pole's distance from the middle in units of the semi-axes, times the spin
         const double a_over_b = contact_.a_over_b(), spin = std::abs(v.spin),
@@ -146,8 +147,8 @@ private:
 };
 
 /// The grid of a range, with the creep coefficients of its ellipses; `jobs` threads share the work. Throws
-/// std::invalid_argument if the range is not a grid's, or the patches of an ellipse have no coefficients or no force under
-/// large spin (n is too small, or a/b too far from 1).
+/// std::invalid_argument if the range is not a grid's, or the patches of an ellipse have no coefficients or no force
+/// under large spin (n is too small, or a/b too far from 1).
 inline CreepForceGrid make_creep_force_grid(const CreepForceGrid::Range& range, std::size_t jobs = 1) {
     constexpr const char* who = "make_creep_force_grid";
     detail::require(range.shapes >= 4 && range.shapes <= 1000, who, "shapes", range.shapes, "lie in [4, 1000]");
@@ -171,8 +172,8 @@ inline CreepForceGrid make_creep_force_grid(const CreepForceGrid::Range& range, 
 
 /// A table of steady creep forces, of the ellipses and creepages of `range`. `jobs` threads share the work, and the
 /// result does not depend on their number; progress(done, all) is called as forces become known, by one thread at a
-/// time. The default range takes some 11 minutes with two jobs. Throws std::invalid_argument as make_creep_force_grid, and
-/// std::runtime_error where a patch has no solution.
+/// time. The default range takes some 11 minutes with two jobs. Throws std::invalid_argument as make_creep_force_grid,
+/// and std::runtime_error where a patch has no solution.
 inline CreepForceTable make_creep_force_table(
     const CreepForceGrid::Range& range, std::size_t jobs = 1,
     const std::function<void(std::size_t, std::size_t)>& progress = [](std::size_t, std::size_t) {}) {

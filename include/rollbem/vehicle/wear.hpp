@@ -20,8 +20,8 @@ inline double t_gamma(const PatchForce& patch) {
 }
 
 /// FI_surf [-] of Ekberg, Kabo and Andersson (2002): the force of friction over the normal force, less k/p_max, k the
-/// yield stress in shear [Pa]; of Hertz's contact p_max = 3N/(2 pi a b). Where it is positive, the surface flows plastically
-/// in every passage, and cracks may start.
+/// yield stress in shear [Pa]; of Hertz's contact p_max = 3N/(2 pi a b). Where it is positive, the surface flows
+/// plastically in every passage, and cracks may start.
 inline double surface_fatigue_index(const RailPatch& patch, const PatchForce& friction, double shear_yield) {
     return std::hypot(friction.force.longitudinal, friction.force.lateral) / patch.load -
            shear_yield / patch.peak_pressure;
@@ -36,8 +36,9 @@ public:
         work_ = Eigen::ArrayXd::Zero(cells);
     }
 
-    /// Adds `weight` times the work of a patch, whose reference point lies at `s` along the profile [m], uniform in each
-    /// of its strips. What lies beyond the profile's ends counts in the outermost cells. Ignores friction without result.
+    /// Adds `weight` times the work of a patch, whose reference point lies at `s` along the profile [m], uniform in
+    /// each of its strips. What lies beyond the profile's ends counts in the outermost cells. Ignores friction without
+    /// result.
     void add(double s, const PatchForce& friction, double weight = 1) {
         for (Eigen::Index k = 0; k < friction.strip_work.size(); ++k) {
             const double low = s + friction.edges[k], high = s + friction.edges[k + 1];

@@ -1,5 +1,5 @@
-// Forces of a wheelset that rolls on real rails: friction on each patch, the pitch rate of free rolling, and the balance of
-// the vertical loads, which normal forces and friction carry together.
+// Forces of a wheelset that rolls on real rails: friction on each patch, the pitch rate of free rolling, and the
+// balance of the vertical loads, which normal forces and friction carry together.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,8 @@ struct RollingFriction {
     double coefficient = 0.3;    ///< mu [-]
     Eigen::Index elements = 12;  ///< of each strip along x
     Eigen::Index strips = 13;    ///< of a patch; fewer where the scheme would gain energy on these, as on some flanges
-    /// Whether slip is that of the curved surfaces (curved_slip_of), or that of three creepages, as in CONTACT's planes.
+    /// Whether slip is that of the curved surfaces (curved_slip_of), or that of three creepages, as in CONTACT's
+    /// planes.
     bool curved_slip = false;
 };
 
@@ -130,8 +131,8 @@ struct WheelsetRolling {
     std::array<double, 2> loads{1e5, 1e5};  ///< vertical, left and right [N]
     WheelsetOnTrack::Free free = WheelsetOnTrack::Free::height_and_roll;
     WheelsetSpeeds speeds{};
-    /// Whether the pitch rate is that at which the longitudinal creepages of both wheels' largest patches add up to zero,
-    /// or that of the only wheel that touches is zero; otherwise that of the speeds.
+    /// Whether the pitch rate is that at which the longitudinal creepages of both wheels' largest patches add up to
+    /// zero, or that of the only wheel that touches is zero; otherwise that of the speeds.
     bool free_pitch = true;
 };
 
@@ -139,8 +140,8 @@ struct WheelsetForces {
     WheelsetOnTrack::Contacts contacts;
     double pitch_rate = std::numeric_limits<double>::quiet_NaN();  ///< [rad/s]; NaN if no wheel touches
     std::array<std::vector<PatchForce>, 2> patches;                ///< those of the contacts
-    /// Of the rails on each wheel and on both, in track axes; moments are about the middle of the axle. Zero where there
-    /// is no contact; NaN if friction has no result.
+    /// Of the rails on each wheel and on both, in track axes; moments are about the middle of the axle. Zero where
+    /// there is no contact; NaN if friction has no result.
     std::array<Wrench, 2> on_wheel;
     Wrench on_wheelset;
     int rounds = 0;  ///< of contacts and friction in turn
@@ -175,8 +176,9 @@ inline double free_pitch_rate(const WheelsetOnTrack::Contacts& contacts, Wheelse
 
 }  // namespace detail
 
-/// The forces of a rolling wheelset. Loads are vertical: contacts and friction are found in turn until the ratios of both
-/// settle to 1e-4; if they do not in 20 rounds, the wheel's status is `unbalanced`. Statuses say what failed; allocates.
+/// The forces of a rolling wheelset. Loads are vertical: contacts and friction are found in turn until the ratios of
+/// both settle to 1e-4; if they do not in 20 rounds, the wheel's status is `unbalanced`. Statuses say what failed;
+/// allocates.
 inline WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const WheelsetRolling& rolling,
                                      const RollingFriction& friction, WheelsetOnTrack::Workspace& workspace,
                                      const WheelOnRail::Options& options = {}) {

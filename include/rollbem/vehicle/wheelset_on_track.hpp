@@ -53,18 +53,19 @@ private:
 
 }  // namespace detail
 
-/// The rigid slip of the wheel on the rail at the reference point of a patch, over the mean of V and the circumferential
-/// speed, in the axes (x, s, n) of its plane [-, -, 1/m]: a braked wheel has a positive longitudinal creepage. Forces by
-/// it act on the wheel. CONTACT's CKSI, CETA and CPHI are the same with the opposite sign, and its forces act on the rail.
+/// The rigid slip of the wheel on the rail at the reference point of a patch, over the mean of V and the
+/// circumferential speed, in the axes (x, s, n) of its plane [-, -, 1/m]: a braked wheel has a positive longitudinal
+/// creepage. Forces by it act on the wheel. CONTACT's CKSI, CETA and CPHI are the same with the opposite sign, and its
+/// forces act on the rail.
 inline Creepage<double> creepage_of(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
                                     double radius) {
     // the wheel's material lies below the rail's surface
     return detail::RigidSlip(patch, at, speeds, radius)(0, 0, patch.penetration, 0);
 }
 
-/// The rigid slip that curved surfaces have at points (x, s) of the plane besides that of creepage_of, a row each, along x
-/// and s [-]: of the wheel's undeformed surface in each row of cells, along the tangent midway between both surfaces. Where
-/// arcs of a rail join, a patch is so wide that its rolling radii differ by 1e-3.
+/// The rigid slip that curved surfaces have at points (x, s) of the plane besides that of creepage_of, a row each,
+/// along x and s [-]: of the wheel's undeformed surface in each row of cells, along the tangent midway between both
+/// surfaces. Where arcs of a rail join, a patch is so wide that its rolling radii differ by 1e-3.
 inline Eigen::MatrixX2d curved_slip_of(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
                                        double radius, const Eigen::ArrayXd& x, const Eigen::ArrayXd& s) {
     const detail::RigidSlip slip(patch, at, speeds, radius);
@@ -119,7 +120,8 @@ public:
 
     struct Contacts {
         WheelsetPosition position;  ///< with the height and the roll that carry the loads; a wheel has its own height
-        /// Left, right, each as on the right wheel: y, angle, roll, yaw and lateral quantities of the left one reversed.
+        /// Left, right, each as on the right wheel: y, angle, roll, yaw and lateral quantities of the left one
+        /// reversed.
         std::array<WheelOnRail::Contact, 2> wheels;
         NormalStatus status = NormalStatus::not_finite;  ///< of the worse
 
@@ -142,8 +144,8 @@ public:
                 speeds.vertical, -speeds.roll_rate, -speeds.yaw_rate};
     }
 
-    /// Where the wheels carry their vertical loads [N], left and right, at this lateral position and yaw. `friction` as in
-    /// WheelOnRail::carry, for each wheel as the right one.
+    /// Where the wheels carry their vertical loads [N], left and right, at this lateral position and yaw. `friction` as
+    /// in WheelOnRail::carry, for each wheel as the right one.
     Contacts carry(WheelsetPosition position, const std::array<double, 2>& loads, Workspace& workspace,
                    Free free = Free::height_and_roll, const std::array<LateralFriction, 2>& friction = {},
                    const WheelOnRail::Options& options = {}) const;

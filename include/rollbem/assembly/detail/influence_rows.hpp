@@ -1,6 +1,6 @@
 // Rows of G or G' for any mesh, scheme and kernel: a whole matrix, or a few rows at a time. Every entry of G and G' of
-// Eqs. (12)-(14) is a line integral: a kernel, or its derivative, integrated over an element and averaged about a point.
-// Compiled once for each scalar type: schemes come as their rows, kernels as a view.
+// Eqs. (12)-(14) is a line integral: a kernel, or its derivative, integrated over an element and averaged about a
+// point. Compiled once for each scalar type: schemes come as their rows, kernels as a view.
 #pragma once
 
 #include <algorithm>

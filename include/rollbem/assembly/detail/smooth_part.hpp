@@ -22,9 +22,9 @@
 namespace rollbem::detail {
 
 /// Adds int w(tau) e^{(q)}(d + tau) dtau, see Entries, of a smooth part e whose singularities lie at +-i b and beyond.
-/// Both ways are accurate to rounding of the largest e^{(q)}. Far behind a narrow strip it cancels the logarithm: G' then
-/// errs by some eps/b, and nothing is left to trust below least_width(), where entries are NaN. Keeps references to its
-/// arguments.
+/// Both ways are accurate to rounding of the largest e^{(q)}. Far behind a narrow strip it cancels the logarithm: G'
+/// then errs by some eps/b, and nothing is left to trust below least_width(), where entries are NaN. Keeps references
+/// to its arguments.
 template <class Scalar>
 class SmoothPart {
 public:
@@ -95,8 +95,8 @@ private:
         return values;
     }
 
-    // Chebyshev nodes, measured from the middle, T_k at them, row by node, and the means of T_k over the intervals, row by
-    // interval.
+    // Chebyshev nodes, measured from the middle, T_k at them, row by node, and the means of T_k over the intervals, row
+    // by interval.
     struct Interpolation {
         ArrayX<Scalar> nodes;
         MatrixX<Scalar> at_nodes, means;

@@ -200,8 +200,8 @@ public:
     void solve(const ElementVectors<Scalar>& s, const BothPartition<Scalar>& part, ElementVectors<Scalar>& change,
                ElementVectors<Scalar>* slip_change);
 
-    /// The same without products with M, the tractions of slipping elements growing by `share` times `sizes`, too. Null:
-    /// no slip, no growth. `slip_change`, unless null, becomes s + ds. False if these factors do not give that.
+    /// The same without products with M; the tractions of slipping elements also grow by `share` times `sizes`. Null:
+    /// no slip, no growth. `slip_change`, unless null, becomes s + ds. False if these factors cannot give that.
     bool respond(const ElementVectors<Scalar>* s, const Vector* sizes, Scalar share, ElementVectors<Scalar>& change,
                  ElementVectors<Scalar>* slip_change) {
         if (!knows_all_slip()) return false;
@@ -501,8 +501,8 @@ private:
     using Corner = Eigen::Block<Matrix>;
     Corner corner(Index row, Index column) { return whole_.block(row, column, slipping_.count, slipping_.count); }
 
-    // couple() for all columns: the slip against the present one into corner(0, n), the change of tractions across, less
-    // its sign, into corner(n, 0). That holds what is added to the slip across, if anything is.
+    // couple() for all columns: into corner(0, n) the slip against the present one, into corner(n, 0) minus the change
+    // of tractions across. If `adds`, the latter holds before what is added to the slip across.
     void couple_reduced(bool adds) {
         const Index count = slipping_.count;
         Corner across = corner(0, 0), along = corner(0, size_), turn = corner(size_, 0);

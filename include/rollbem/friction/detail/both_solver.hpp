@@ -157,7 +157,7 @@ public:
         begin_ = plain_response_;
         respond(nullptr, traction_change, &bound_change, 1, nullptr);
         traction_change += best_;
-        plain_response_ += begin_;
+        if (keeps_plain()) plain_response_ += begin_;
     }
     bool angles_follow() const { return turn_.follows(); }
     bool keeps_plain() const { return is_apart_ || turn_.follows(); }

@@ -18,9 +18,9 @@
 
 namespace rollbem::detail {
 
-/// Along a line of cells the square of the pressure is nearly a polynomial that vanishes at the edge. `squares` are those
-/// of the `count` cells with pressure, in units of the cell. The result is the place of the edge behind cell 0, as the
-/// distance from its centre, between -1/2 (inside) and 1; `squares` count from that edge inwards.
+/// Along a line of cells the square of the pressure is nearly a polynomial that vanishes at the edge. `squares` are
+/// those of the `count` cells with pressure, in units of the cell. The result is the place of the edge behind cell 0,
+/// as the distance from its centre, between -1/2 (inside) and 1; `squares` count from that edge inwards.
 template <class Squares>
 double edge_distance(const Squares& squares, Eigen::Index count) {
     constexpr double inside = -0.5, outside = 1;
@@ -132,8 +132,8 @@ inline std::vector<Eigen::ArrayXXd> pieces(Eigen::ArrayXXd p) {
     }
 }
 
-/// Of the cells with pressure, which every row y = const cuts in one interval; nothing otherwise, or if fewer than 3 rows
-/// have any.
+/// Of the cells with pressure, which every row y = const cuts in one interval; nothing otherwise, or if fewer than 3
+/// rows have any.
 inline std::optional<Outline<double>> contact_outline(const CellGrid& grid, const Eigen::ArrayXXd& p) {
     std::vector<double> y, square, middle;
     Eigen::Index first_row = -1, last_row = -1;
@@ -182,7 +182,8 @@ inline std::optional<Outline<double>> contact_outline(const CellGrid& grid, cons
         return farthest * grid.dy;
     };
     double low = y.front() - end(rows.front(), false), high = y.back() + end(rows.back(), true);
-    // an outermost row of cells may lie beyond the end: the squares of its pressures do not fit to those of the next one
+    // an outermost row of cells may lie beyond the end: then the squares of its pressures do not fit those of the next
+    // row
     const auto beyond = [&](Eigen::Index row, Eigen::Index next, double inside) {
         return inside < 0.02 * grid.dy && 5 * p.col(row).square().maxCoeff() < p.col(next).square().maxCoeff();
     };
