@@ -37,7 +37,7 @@ const Enumeration step_statuses = enumerate_statuses();
 
 void ContactParameters::add_to(Model& model) {
     model.add_parameter(&shear_modulus, "shear_modulus", "Pa", "G of both bodies");
-    model.add_parameter(&poisson_ratio, "poisson_ratio", "", "nu of both bodies");
+    model.add_parameter(&poisson_ratio, "poisson_ratio", "", "nu of both bodies").lies_in(0, 0.5);
     model.add_parameter(&half_width, "half_width", "m", "b: the contact is 2b wide");
     model.add_parameter(&half_length_from, "half_length_from", "", "Where the half-length a comes from",
                         &half_length_sources);

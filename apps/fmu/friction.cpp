@@ -38,7 +38,7 @@ public:
     explicit Friction(Interface used) : FrictionContact(used) {
         parameters_.add_to(*this);
         add_parameter(&friction_coefficient_, "friction_coefficient", "", "mu").min = 0;
-        add_parameter(&elements_, "elements", "", "Number of elements, 1 to 1000");
+        add_parameter(&elements_, "elements", "", "Number of elements, 1 to 1000").lies_in(1, 1000);
         add_parameter(&mesh_, "mesh", "", "Spacing of the elements", &meshes);
         add_parameter(&mesh_length_, "mesh_length", "", "What the mesh covers", &mesh_lengths);
         add_parameter(&largest_load_, "largest_load", "N", "The largest normal_load that a fixed mesh can take");

@@ -57,6 +57,10 @@ struct Variable {
     bool is() const {
         return std::holds_alternative<Value*>(value);
     }
+    void lies_in(double low, double high) {
+        min = low;
+        max = high;
+    }
     double& real() const { return *std::get<double*>(value); }
     int& integer() const { return *std::get<int*>(value); }
     std::string& text() const { return *std::get<std::string*>(value); }

@@ -45,7 +45,7 @@ class Patch final : public FrictionContact<rollbem::HertzPatchLoad<Scalar>> {
 public:
     explicit Patch(Interface used) : FrictionContact(used) {
         add_parameter(&shear_modulus_, "shear_modulus", "Pa", "G of both bodies");
-        add_parameter(&poisson_ratio_, "poisson_ratio", "", "nu of both bodies");
+        add_parameter(&poisson_ratio_, "poisson_ratio", "", "nu of both bodies").lies_in(0, 0.5);
         add_radius(wheel_.rolling, "wheel_rolling_radius", "Radius of the wheel, in the plane of rolling");
         add_radius(wheel_.lateral, "wheel_lateral_radius", "Radius of the wheel's profile at the contact");
         add_radius(rail_.rolling, "rail_rolling_radius", "Radius of the rail in the plane of rolling");
@@ -56,8 +56,9 @@ public:
                       "Path of a table that creep_table made, the .bin; used where mode is table; empty: the "
                       "one packed with this FMU, for nu = 0.28 and a/b from 0.1 to 10");
         add_parameter(&elements_, "elements", "",
-                      "Number of elements a strip, 1 to 32; like the following ones used where mode is patch");
-        add_parameter(&strips_, "strips", "", "Number of strips along the rolling direction, 1 to 32");
+                      "Number of elements a strip, 1 to 32; like the following ones used where mode is patch")
+            .lies_in(1, 32);
+        add_parameter(&strips_, "strips", "", "Number of strips along the rolling direction, 1 to 32").lies_in(1, 32);
         add_parameter(&mesh_size_, "mesh_size", "", "What the mesh covers", &mesh_sizes);
         add_parameter(&largest_load_, "largest_load", "N", "The largest normal_load that a fixed mesh can take");
         add_parameter(&initial_state_, "initial_state", "", "State at the start", &initial_states);
