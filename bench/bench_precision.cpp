@@ -60,7 +60,7 @@ const auto c11_of = [](const auto&... method) { return solve_steady(method..., k
 // Argument: the number of digits requested, for a kernel whose aspect is not given.
 void BM_Recommended(benchmark::State& state) {
     const double tolerance = std::pow(10.0, -static_cast<double>(state.range(0)));
-    const Eigen::Index m = recommended_scheme(tolerance, Purpose::steady).method.states;
+    const Eigen::Index m = recommended_scheme(tolerance, Purpose::steady).scheme.states;
     measure(state, static_cast<double>(m),
             [&] { return recommended_scheme(tolerance, Purpose::steady).evaluate(c11_of); });
 }

@@ -156,7 +156,7 @@ void print_recommendations(const study::Options& options) {
     };
     const auto states = [&](rollbem::Purpose::Adhesion purpose) {
         return "--method chebyshev --n " +
-               std::to_string(rollbem::recommended_scheme(tolerance, purpose).method.states);
+               std::to_string(rollbem::recommended_scheme(tolerance, purpose).scheme.states);
     };
     const auto elements = [&](auto purpose) {
         return std::to_string(rollbem::recommended_elements(tolerance, purpose).n);

@@ -130,7 +130,7 @@ std::vector<double> plane_steps(double aspect, double nu, double dq, int count) 
 TEST_CASE("Elements recommended for steady rolling stay below their error bound", "[recommendation]") {
     for (const double tolerance :
          {0.5, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 1e-7, 1e-8, 1e-9, 1e-11}) {
-        const RecommendedElements best = recommended_elements(tolerance, Purpose::steady);
+        const auto best = recommended_elements(tolerance, Purpose::steady);
         check_promise(best, tolerance, tolerance > 2e-3 ? 1e3 : 4, steady_error(best, kernel, steady_c11(0.28)));
     }
 }
@@ -139,7 +139,7 @@ TEST_CASE("Elements recommended for steady rolling stay below their error bound 
     const StripKernel<double> strip(10, 0.72, 0.28);
     const double exact = reference::strip_c11(0, 0.28, 10).c11.real();
     for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
-        const RecommendedElements best = recommended_elements(tolerance, Purpose::steady);
+        const auto best = recommended_elements(tolerance, Purpose::steady);
         check_promise(best, tolerance, 4, steady_error(best, strip, exact));
     }
 }
@@ -150,7 +150,7 @@ TEST_CASE("Elements recommended for the frequency response stay below their erro
             std::vector<Complex> exact;
             for (const double z : frequencies) exact.push_back(reference::plane_c11({0, z}, nu, aspect));
             for (const double tolerance : {0.5, 0.1, 1e-2, 1e-3, 1e-4, 1e-5}) {
-                const RecommendedElements best = recommended_elements(tolerance, Purpose::frequency);
+                const auto best = recommended_elements(tolerance, Purpose::frequency);
                 const double slack = tolerance > 0.05 ? 1e3 : aspect > 10 ? 20 : 4;
                 check_promise(best, tolerance, slack,
                               harmonic_error(best, PlaneKernel<double>(aspect, 1 - nu, nu), exact));
@@ -164,7 +164,7 @@ TEST_CASE("Elements recommended for a time loop stay below their error bound", "
         for (const double aspect : {10.0, 1e5}) {
             const std::vector<double> exact = plane_steps(aspect, nu, 0.5, 80);
             for (const double tolerance : {0.5, 0.1, 1e-2, 1e-3, 1e-4, 3e-5}) {
-                const RecommendedElements best = recommended_elements(tolerance, Purpose::time_loop);
+                const auto best = recommended_elements(tolerance, Purpose::time_loop);
                 CHECK(best.order == 0);
                 const ElementSystem<double> system =
                     rolling_system(best.mesh(best.n), best.scheme, PlaneKernel<double>(aspect, 1 - nu, nu));
@@ -185,21 +185,21 @@ TEST_CASE("States recommended for steady rolling stay below their error bound", 
             const double exact = reference::strip_c11(0, nu, aspect).c11.real();
             CAPTURE(nu, aspect);
             for (const double tolerance : {0.5, 0.1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-11}) {
-                const RecommendedStates best = recommended_scheme(tolerance, Purpose::steady, aspect);
+                const auto best = recommended_scheme(tolerance, Purpose::steady, aspect);
                 const double error = steady_error(best, strip, exact);
                 check_promise(best, tolerance, std::numeric_limits<double>::infinity(), error);
                 // at most twice the states needed: one of three counts near half of them misses the tolerance
                 if (aspect < 0.03 || aspect > 3 || tolerance > 1e-4) continue;
                 double missed = 0;
-                for (Eigen::Index m = best.method.states / 2; m < best.method.states / 2 + 3; ++m) {
+                for (Eigen::Index m = best.scheme.states / 2; m < best.scheme.states / 2 + 3; ++m) {
                     missed = std::max(missed, std::abs(solve_steady(Chebyshev{m}, strip).c11() / exact - 1));
                 }
-                CAPTURE(best.method.states);
+                CAPTURE(best.scheme.states);
                 CHECK(missed > tolerance);
             }
         }
         for (const double aspect : {10.0, 1e5, std::numeric_limits<double>::infinity()}) {
-            const RecommendedStates best = recommended_scheme(1e-11, Purpose::steady, aspect);
+            const auto best = recommended_scheme(1e-11, Purpose::steady, aspect);
             CHECK(steady_error(best, PlaneKernel<double>(aspect, 1 - nu, nu), steady_c11(nu)) < 1e-14);
         }
     }
@@ -213,10 +213,10 @@ TEST_CASE("States recommended for the frequency response stay below their error 
             for (const double z : frequencies) exact.push_back(reference::plane_c11({0, z}, nu, aspect));
             CAPTURE(nu, aspect);
             for (const double tolerance : {0.5, 0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11}) {
-                const RecommendedStates best = recommended_scheme(tolerance, Purpose::frequency);
+                const auto best = recommended_scheme(tolerance, Purpose::frequency);
                 check_promise(best, tolerance, 100, harmonic_error(best, plane, exact));
-                const RecommendedStates fewer{.method = {.states = best.method.states - 1}};
-                if (fewer.method.states > 0 && aspect == 10 && nu == 0) {
+                const Recommendation<Chebyshev> fewer{.scheme = {.states = best.scheme.states - 1}};
+                if (fewer.scheme.states > 0 && aspect == 10 && nu == 0) {
                     CHECK(harmonic_error(fewer, plane, exact) > 0.85 * tolerance);
                 }
             }
@@ -233,7 +233,7 @@ TEST_CASE("States recommended for the frequency response stay below their error 
             for (const double z : frequencies) exact.push_back(reference::strip_c11({0, z}, nu, aspect).c11);
             CAPTURE(nu, aspect);
             for (const double tolerance : {0.5, 0.1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10}) {
-                const RecommendedStates best = recommended_scheme(tolerance, Purpose::frequency, aspect);
+                const auto best = recommended_scheme(tolerance, Purpose::frequency, aspect);
                 check_promise(best, tolerance, 1e4, harmonic_error(best, strip, exact));
             }
         }
@@ -246,9 +246,9 @@ TEST_CASE("States recommended for a time loop stay below their error bound", "[r
             const std::vector<double> exact = plane_steps(aspect, nu, 0.25, 40);
             CAPTURE(nu, aspect);
             for (const double tolerance : {0.5, 0.1, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6}) {
-                const RecommendedStates best = recommended_scheme(tolerance, Purpose::time_loop);
+                const auto best = recommended_scheme(tolerance, Purpose::time_loop);
                 const RollingSystem<double> system =
-                    rolling_system(best.method, PlaneKernel<double>(aspect, 1 - nu, nu));
+                    rolling_system(best.scheme, PlaneKernel<double>(aspect, 1 - nu, nu));
                 check_promise(best, tolerance, 30, step_error(aspect, nu, system, 0.25, exact));
             }
         }
@@ -264,8 +264,8 @@ TEST_CASE("States recommended for a time loop stay below their error bound", "[r
         }
         CAPTURE(aspect);
         for (const double tolerance : {0.1, 1e-2, 1e-3, 1e-4}) {
-            const RecommendedStates best = recommended_scheme(tolerance, Purpose::time_loop, aspect);
-            const RollingSystem<double> system = rolling_system(best.method, StripKernel<double>(aspect, 0.72, 0.28));
+            const auto best = recommended_scheme(tolerance, Purpose::time_loop, aspect);
+            const RollingSystem<double> system = rolling_system(best.scheme, StripKernel<double>(aspect, 0.72, 0.28));
             check_promise(best, tolerance, 50, step_error(aspect, 0.28, system, 1, exact));
         }
     }
@@ -276,7 +276,7 @@ TEST_CASE("States recommended for a time loop stay below their error bound", "[r
 TEST_CASE("Elements recommended for friction stay below their error bound", "[recommendation]") {
     const double peak = 1e-3;
     for (const double tolerance : {0.5, 0.1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4}) {
-        const RecommendedElements best = recommended_scheme(tolerance, Purpose::friction);
+        const auto best = recommended_scheme(tolerance, Purpose::friction);
         const double error = best.evaluate([&](const Mesh<double>& mesh, const auto& scheme) {
             const FrictionModel model(wide, steady_system(mesh, scheme, kernel), {1, peak * mean_hertz_pressure(mesh)});
             FrictionState<> now = model.at_rest(), next = now;

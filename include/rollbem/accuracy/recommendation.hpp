@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <type_traits>
 
 #include <Eigen/Core>
 
@@ -36,43 +37,37 @@ struct Purpose {
     using enum Friction;
 };
 
-/// Chebyshev states for full adhesion. They are stable for any number of states.
-struct RecommendedStates {
-    Chebyshev method;
+/// A method and the bound of its relative error. Chebyshev states are for full adhesion, stable for any number. Of
+/// AnyScheme n elements on a cosine mesh: differences between centres in steady rolling and in frequency, between
+/// Chebyshev nodes with friction, and in a time loop collocation at alpha_L = alpha_T = 0.5, all stable at every n
+/// tried.
+template <class Scheme>
+struct Recommendation {
+    Scheme scheme;
     double error_bound = 0;  ///< of the relative error, at most the required tolerance
-
-    /// solve(method); `solve` returns a real or complex number. One generic `solve` can serve states and elements
-    /// alike; see RecommendedElements.
-    template <class Scalar = double, class Solve>
-    auto evaluate(const Solve& solve) const {
-        return solve(method);
-    }
-};
-
-/// Elements on a cosine mesh: differences between centres in steady rolling and in frequency, between Chebyshev nodes
-/// with friction, and in a time loop collocation at alpha_L = alpha_T = 0.5. All were stable at every n tried.
-struct RecommendedElements {
-    AnyScheme scheme;
     Eigen::Index n = 0;      ///< elements; if results are extrapolated, those of the finer mesh, an even number
     double order = 0;        ///< of Richardson's extrapolation from n/2 and n elements; 0: none
-    double error_bound = 0;  ///< of the relative error, at most the required tolerance
 
-    /// The cosine mesh with another number of elements. Throws std::invalid_argument if count < 1.
+    /// The cosine mesh with some number of elements. Throws std::invalid_argument if count < 1.
     template <class Scalar = double>
     Mesh<Scalar> mesh(Eigen::Index count) const {
         return cosine_mesh<Scalar>(count);
     }
 
-    /// solve(mesh, scheme), extrapolated if that is recommended; `solve` returns a real or complex number. For states
-    /// and elements alike:
+    /// solve(states), or solve(mesh, scheme), extrapolated if that is recommended; `solve` returns a real or complex
+    /// number. One can serve both:
     ///
     ///     const auto c11 = [&](const auto&... method) { return solve_steady(method..., kernel).c11(); };
     ///     const double by_states = recommended_scheme(1e-6, Purpose::steady).evaluate(c11);
     ///     const double by_elements = recommended_elements(1e-6, Purpose::steady).evaluate(c11);
     template <class Scalar = double, class Solve>
     auto evaluate(const Solve& solve) const {
-        auto fine = solve(mesh<Scalar>(n), scheme);
-        return order > 0 ? richardson(solve(mesh<Scalar>(n / 2), scheme), fine, static_cast<Scalar>(order)) : fine;
+        if constexpr (std::is_same_v<Scheme, Chebyshev>) {
+            return solve(scheme);
+        } else {
+            auto fine = solve(mesh<Scalar>(n), scheme);
+            return order > 0 ? richardson(solve(mesh<Scalar>(n / 2), scheme), fine, static_cast<Scalar>(order)) : fine;
+        }
     }
 };
 
@@ -134,13 +129,11 @@ inline double states_error(Purpose::Adhesion purpose, Eigen::Index m, double asp
 }
 
 template <class AnyPurpose>
-RecommendedElements recommended_elements(double tolerance, AnyPurpose purpose) {
+Recommendation<AnyScheme> recommended_elements(double tolerance, AnyPurpose purpose) {
     constexpr Eigen::Index largest = 640;
     const MeasuredError measured = measured_error(purpose);
     const double factor = measured.factor, exponent = measured.exponent;
-    RecommendedElements result;
-    result.scheme = measured.scheme;
-    result.order = measured.order;
+    Recommendation<AnyScheme> result{.scheme = measured.scheme, .order = measured.order};
     const double smallest = factor * std::pow(static_cast<double>(largest), -exponent);
     if (!is_finite(tolerance) || !(tolerance >= smallest && tolerance < 1)) {
         const std::string rule = "lie in [" + to_text(smallest) + ", 1): smaller ones were not measured";
@@ -163,25 +156,25 @@ RecommendedElements recommended_elements(double tolerance, AnyPurpose purpose) {
 /// b/a >= 10; narrower strips need more elements (steady: up to 5 times the error at b/a = 1, 150 times at 0.1). With
 /// friction, errors jump with the element that contains the border of slip; extrapolation, which helps at some
 /// creepages, is not used. Throws std::invalid_argument unless tolerance < 1 and large enough for n <= 640.
-inline RecommendedElements recommended_elements(double tolerance, Purpose::Adhesion purpose) {
+inline Recommendation<AnyScheme> recommended_elements(double tolerance, Purpose::Adhesion purpose) {
     return detail::recommended_elements(tolerance, purpose);
 }
-inline RecommendedElements recommended_elements(double tolerance, Purpose::Friction purpose) {
+inline Recommendation<AnyScheme> recommended_elements(double tolerance, Purpose::Friction purpose) {
     return detail::recommended_elements(tolerance, purpose);
 }
 
 /// For full adhesion: the fewest Chebyshev states whose relative error stays below the tolerance by the measured bounds
 /// above. `aspect` is b/a of a strip; the default covers all strips with b/a >= 10 and plane kernels.
 ///
-///     const RecommendedStates best = recommended_scheme(1e-6, Purpose::frequency);  // 11 states
-///     const auto system = rolling_system(best.method, kernel);
+///     const auto best = recommended_scheme(1e-6, Purpose::frequency);  // 11 states
+///     const auto system = rolling_system(best.scheme, kernel);
 ///     const std::complex<double> c11 = solve_response(system, {0, 5}).c11();
 ///
 /// The difference between strip and plane, of order (a/b)^2, is one of the models and not part of the error. If only
 /// c11 for the plane kernel is wanted, steady_c11 and polynomial_c11 are exact to rounding at less cost. Throws
 /// std::invalid_argument unless aspect >= 0.01 and tolerance < 1 is large enough for 400 states: 1e-11, for a time loop
 /// 1.4e-7 (4.2e-7 for b/a < 10).
-inline RecommendedStates recommended_scheme(double tolerance, Purpose::Adhesion purpose, double aspect = 10) {
+inline Recommendation<Chebyshev> recommended_scheme(double tolerance, Purpose::Adhesion purpose, double aspect = 10) {
     constexpr Eigen::Index largest = 400;
     detail::require(!detail::is_nan(aspect) && aspect >= 0.01, "recommended_scheme", "aspect", aspect,
                     "be at least 0.01: narrower strips were not measured");
@@ -190,8 +183,8 @@ inline RecommendedStates recommended_scheme(double tolerance, Purpose::Adhesion 
         const std::string rule = "lie in [" + detail::to_text(smallest) + ", 1): smaller ones were not measured";
         detail::require(false, "recommended_scheme", "tolerance", tolerance, rule.c_str());
     }
-    RecommendedStates result{.method = {.states = 1}};
-    Eigen::Index& m = result.method.states;
+    Recommendation<Chebyshev> result{.scheme = {.states = 1}};
+    Eigen::Index& m = result.scheme.states;
     while (detail::states_error(purpose, m, aspect) > tolerance) ++m;
     // rounding dominates once the other errors are gone
     const double rounding = static_cast<double>(10 * m) * std::numeric_limits<double>::epsilon();
@@ -201,10 +194,10 @@ inline RecommendedStates recommended_scheme(double tolerance, Purpose::Adhesion 
 
 /// For friction: elements.
 ///
-///     const RecommendedElements best = recommended_scheme(1e-3, Purpose::friction);
+///     const auto best = recommended_scheme(1e-3, Purpose::friction);
 ///     const Mesh<double> mesh = best.mesh(best.n);
 ///     const FrictionModel<> model(contact, steady_system(mesh, best.scheme, kernel), friction);
-inline RecommendedElements recommended_scheme(double tolerance, Purpose::Friction purpose) {
+inline Recommendation<AnyScheme> recommended_scheme(double tolerance, Purpose::Friction purpose) {
     return recommended_elements(tolerance, purpose);
 }
 

@@ -5,7 +5,7 @@
 
 namespace rollbem {
 
-extern template class BasicCreepForceTable<double>;
+extern template class detail::BasicCreepForceTable<double>;
 extern template class detail::CreepForceCube<double>;
 
 }  // namespace rollbem

@@ -23,6 +23,8 @@ enum class Zone : signed char { slip_negative = -1, stick = 0, slip_positive = 1
 template <class Scalar, int directions = 2>
 using ElementVectors = Eigen::Matrix<Scalar, Eigen::Dynamic, directions>;
 
+namespace detail {
+
 /// What makes the next step cheaper; it changes results by round-off only, unless there are several solutions. Do not
 /// edit; reset to {} to force a full check.
 template <class Scalar>
@@ -36,6 +38,8 @@ struct SolverRecord {
     /// constant.
     ArrayX<Scalar> stage_coefficient;
 };
+
+}  // namespace detail
 
 /// Everything that the next step or solution needs to know about the past. A copy is a checkpoint; a state written to a
 /// file and read back continues identically to the last bit.
@@ -54,7 +58,7 @@ struct FrictionState {
     /// mu [-] of each unknown element, finite and not negative; empty if mu is constant. Without memory it is mu_s(v),
     /// and the next solution is sought from it. After StepStatus::no_solution these are not coefficients to go on with.
     ArrayX<Scalar> friction_coefficient;
-    SolverRecord<Scalar> solver;
+    detail::SolverRecord<Scalar> solver;
     /// The tractions if slip had never been turned (see Friction) [Pa], on whose slip the angles of the next step
     /// depend: like traction where slip is turned, or empty, as if they were the same.
     ElementVectors<Scalar, directions> plain_traction;
@@ -138,7 +142,7 @@ struct FrictionStep {
     /// Largest violation of the law. Of the traction, relative to the largest mu p_n: |p| above mu p_n, or, in two
     /// directions, below it where an element slips. Of the slip, relative to the largest slip without traction: slip of
     /// an element that sticks, along the traction or across it. If mu depends on slip, it is at least the error of a
-    /// coefficient. It is 0 in a step whose slip is not checked (see SolverRecord): tractions and slip satisfy the law
+    /// coefficient. It is 0 in a step whose slip is not checked (see detail::SolverRecord): tractions and slip satisfy the law
     /// exactly there, and the equations up to a round-off error that is not measured.
     Scalar complementarity_residual = detail::unknown<Scalar>;
     Eigen::Index stick_count = 0;  ///< elements that stick

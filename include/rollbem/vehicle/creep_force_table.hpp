@@ -45,18 +45,9 @@ struct TabulatedForce {
     StepStatus status = StepStatus::not_finite;
 };
 
-/// Steady creep forces of ellipses under Hertz's pressure by interpolation in log(a/b), xi, eta and phi (see
-/// CreepForceGrid): cubic splines, so that forces have two continuous derivatives, but where creepage and spin vanish
-/// one. There the force is 0, exactly; forces are exactly symmetric, too. For creepages beyond all bounds they tend to
-/// full_sliding(), which the table takes in as the outermost of its levels: there is no outside. The interpolation may
-/// exceed mu N by its error. Immutable: threads may share it. It is a template only so that programs that do not use
-/// it need not compile it; write CreepForceTable.
-///
-///     std::ifstream file("share/rollbem/steel.creep", std::ios::binary);
-///     const CreepForceTable table = CreepForceTable::read(file);
-///     const PatchContact<double> contact({a, b, G, nu});
-///     const TabulatedForce now = table.look_up(contact, mu, load, {xi, eta, phi});
-///     if (now.status != StepStatus::ok) ...
+namespace detail {
+
+/// CreepForceTable: a template only so that programs that do not use it need not compile it.
 template <std::same_as<double> Real = double>
 class BasicCreepForceTable {
 public:
@@ -133,7 +124,7 @@ private:
         double
             shape_per_log;  ///< its derivative by log(a/b); beyond the table the shape stays that of its last ellipse
         Eigen::Index cell;  ///< of the shape
-        detail::SplineWeights by_shape;
+        SplineWeights by_shape;
         Eigen::Array4d linear, linear_by_shape;  ///< the scales of the grid
     };
     Ellipse ellipse(const PatchContact<double>& contact) const noexcept;
@@ -153,10 +144,6 @@ private:
     Eigen::ArrayXXd at_rest_;
     std::vector<float> coefficients_;
 };
-
-using CreepForceTable = BasicCreepForceTable<>;
-
-namespace detail {
 
 /// The forces of one ellipse on the whole cube of the lattice, -n-2 ... n+2 in all directions, as it is made.
 template <std::same_as<double> Real>
@@ -279,8 +266,6 @@ private:
     std::vector<Value> values_;
 };
 
-}  // namespace detail
-
 template <std::same_as<double> Real>
 Eigen::ArrayXXd BasicCreepForceTable<Real>::with_ends(Eigen::ArrayXXd columns) {
     const Eigen::Index count = columns.cols();
@@ -292,7 +277,7 @@ Eigen::ArrayXXd BasicCreepForceTable<Real>::with_ends(Eigen::ArrayXXd columns) {
     const Eigen::ArrayXd first = curvature(0, 1), last = curvature(count - 1, -1);
     std::vector<double> factors;
     for (Eigen::Index i = 0; i < columns.rows(); ++i) {
-        detail::to_spline_coefficients(columns.data() + i, count, columns.rows(), factors);
+        to_spline_coefficients(columns.data() + i, count, columns.rows(), factors);
     }
     all.middleCols(1, count) = columns;
     all.col(0) = 2 * columns.col(0) - columns.col(1) + first;
@@ -304,17 +289,17 @@ template <std::same_as<double> Real>
 BasicCreepForceTable<Real>::BasicCreepForceTable(CreepForceGrid grid, const Eigen::Ref<const Eigen::Array3Xd>& forces)
     : BasicCreepForceTable(std::move(grid)) {
     const Eigen::Index nodes = grid_.nodes(), shapes = grid_.shapes();
-    detail::require(forces.cols() == nodes * shapes, name, "number of forces", forces.cols(),
-                    "be the number of nodes times that of ellipses");
+    require(forces.cols() == nodes * shapes, name, "number of forces", forces.cols(),
+            "be the number of nodes times that of ellipses");
     for (Eigen::Index i = 0; i < forces.cols(); ++i) {
         for (Eigen::Index k = 0; k < 3; ++k) {
-            detail::require(detail::is_finite(forces(k, i)) && std::abs(forces(k, i)) <= most, name, "force over mu N",
-                            forces(k, i), "be finite and at most 100");
+            require(is_finite(forces(k, i)) && std::abs(forces(k, i)) <= most, name, "force over mu N", forces(k, i),
+                    "be finite and at most 100");
         }
     }
     Eigen::ArrayXXd columns(3 * per_shape(), shapes);
     for (Eigen::Index shape = 0; shape < shapes; ++shape) {
-        detail::CreepForceCube<Real> cube(grid_.levels());
+        CreepForceCube<Real> cube(grid_.levels());
         for (Eigen::Index node = 0; node < nodes; ++node) {
             const CreepForceGrid::Place& place = grid_.place(node);
             cube.set(place.x, place.y, place.spin, forces.col(shape * nodes + node));
@@ -359,7 +344,7 @@ auto BasicCreepForceTable<Real>::sample(double shape, double x, double y, double
     };
     const Eigen::Index s = cell(shape, 0, grid_.shapes() - 2), i = cell(x, 0, n_ - 1), j = cell(y, -n_, n_ - 1),
                        k = cell(spin, 0, n_ - 1);
-    const detail::SplineWeights by_shape(shape - static_cast<double>(s)), by_x(x - static_cast<double>(i)),
+    const SplineWeights by_shape(shape - static_cast<double>(s)), by_x(x - static_cast<double>(i)),
         by_y(y - static_cast<double>(j)), by_spin(spin - static_cast<double>(k));
     // Rows of four neighbours in phi, each of four numbers, of which the last is not used.
     using Number = Eigen::Array4d;
@@ -422,7 +407,7 @@ auto BasicCreepForceTable<Real>::ellipse(const PatchContact<double>& contact) co
     const bool on_table = position >= -1e-12 && position <= 1 + 1e-12;
     const double shape = std::clamp(position, 0.0, 1.0) * static_cast<double>(grid_.shapes() - 1);
     const auto cell = (std::min)(static_cast<Eigen::Index>(shape), grid_.shapes() - 2);
-    const detail::SplineWeights by_shape(shape - static_cast<double>(cell));
+    const SplineWeights by_shape(shape - static_cast<double>(cell));
     const double shape_per_log = on_table ? static_cast<double>(grid_.shapes() - 1) / (last - first) : 0;
     Eigen::Array4d linear = Eigen::Array4d::Zero(), linear_by_shape = linear;
     for (Eigen::Index k = 0; k < 4; ++k) {
@@ -464,26 +449,26 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
         return ended(StepStatus::wrong_table);
     }
     for (const double given : {friction_coefficient, load}) {
-        if (!detail::is_finite(given) || !(given >= 0)) return ended(StepStatus::invalid_load);
+        if (!is_finite(given) || !(given >= 0)) return ended(StepStatus::invalid_load);
     }
-    if (!detail::is_finite(creepage)) return ended(StepStatus::not_finite);
+    if (!is_finite(creepage)) return ended(StepStatus::not_finite);
 
     const double bound = friction_coefficient * load, c = contact.c(), stiffness = contact.shear_modulus() * c * c;
     const Ellipse on = ellipse(contact);
     const Eigen::Index cell = on.cell;
-    const detail::SplineWeights& by_shape = on.by_shape;
+    const SplineWeights& by_shape = on.by_shape;
     const Eigen::Array4d &linear = on.linear, &linear_by_shape = on.linear_by_shape;
     result.a_over_b_on_table = on.on_table;
     const Eigen::Array4d unit = linear * Eigen::Array4d(1, 1, c, c);  // of creepages in coordinates X mu N/(G a b)
     const Eigen::Array3d w = linear_law(linear, c, creepage);
     const double size = w.matrix().stableNorm();
     const CreepForceGrid::Stretch stretch = CreepForceGrid::stretch(bound / stiffness, size);
-    if (!detail::is_finite(stretch.factor)) {  // no creepage, and no friction or too little to divide by
+    if (!is_finite(stretch.factor)) {  // no creepage, and no friction or too little to divide by
         const TangentialForce<double> none{0, 0, 0};
         return {none, {none, none, none}, none, none, none, none, result.a_over_b_on_table, StepStatus::ok};
     }
     const Eigen::Array3d u = w * (stretch.factor * static_cast<double>(n_));
-    if (!detail::is_finite(u.sum())) return ended(StepStatus::not_finite);  // creepage times c overflows
+    if (!is_finite(u.sum())) return ended(StepStatus::not_finite);  // creepage times c overflows
     const auto sign = [](double value) { return value > 0 ? 1.0 : value < 0 ? -1.0 : 0.0; };
     const double x_sign = sign(u[0]), sign_of_pair = u[2] != 0 ? sign(u[2]) : sign(u[1]);
     const double turn = sign_of_pair < 0 ? -1 : 1;
@@ -563,12 +548,12 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     result.tangent_by_half_length = in_si((by_size / 2 + by_a_over_b) / a);
     result.tangent_by_half_width = in_si((by_size / 2 - by_a_over_b) / b);
     const double sum = force.sum() + slope.sum() + by_size.sum() + by_a_over_b.sum() + c + bound;
-    return detail::is_finite(sum) ? ended(StepStatus::ok) : TabulatedForce{};
+    return is_finite(sum) ? ended(StepStatus::ok) : TabulatedForce{};
 }
 
 template <std::same_as<double> Real>
 void BasicCreepForceTable<Real>::write(std::ostream& stream) const {
-    detail::CheckedWriter writer(stream, magic);
+    CheckedWriter writer(stream, magic);
     writer.integer(version);
     writer.integer(static_cast<std::uint32_t>(n_));
     writer.integer(static_cast<std::uint32_t>(grid_.shapes()));
@@ -586,12 +571,12 @@ void BasicCreepForceTable<Real>::write(std::ostream& stream) const {
 
 template <std::same_as<double> Real>
 BasicCreepForceTable<Real> BasicCreepForceTable<Real>::read(std::istream& stream) {
-    detail::CheckedReader reader(stream, name, magic);
+    CheckedReader reader(stream, name, magic);
     const auto found = reader.integer<std::uint32_t>();
-    detail::require(found == version, name, "version", found, "be 4");
+    require(found == version, name, "version", found, "be 4");
     const auto levels = reader.integer<std::uint32_t>(), shapes = reader.integer<std::uint32_t>();
-    detail::require(levels <= 64, name, "levels", levels, "be at most 64");
-    detail::require(shapes <= 1000, name, "number of ellipses", shapes, "be at most 1000");
+    require(levels <= 64, name, "levels", levels, "be at most 64");
+    require(shapes <= 1000, name, "number of ellipses", shapes, "be at most 1000");
     const double nu = reader.number(), smallest = reader.number(), largest = reader.number();
     std::vector<CreepCoefficients<double>> coefficients(shapes);
     for (CreepCoefficients<double>& c : coefficients) {
@@ -602,13 +587,27 @@ BasicCreepForceTable<Real> BasicCreepForceTable<Real>::read(std::istream& stream
     for (std::size_t i = 0; i < table.coefficients_.size(); ++i) {
         if (i % width == 3) continue;
         const float value = reader.single();
-        detail::require(detail::is_finite(value) && std::abs(value) <= 1e3F, name, "coefficient", value,
-                        "be finite and at most 1000");
+        require(is_finite(value) && std::abs(value) <= 1e3F, name, "coefficient", value, "be finite and at most 1000");
         table.coefficients_[i] = value;
     }
     table.look_at_rest();
     reader.finish();
     return table;
 }
+
+}  // namespace detail
+
+/// Steady creep forces of ellipses under Hertz's pressure by interpolation in log(a/b), xi, eta and phi (see
+/// CreepForceGrid): cubic splines, so that forces have two continuous derivatives, but where creepage and spin vanish
+/// one. There the force is 0, exactly; forces are exactly symmetric, too. For creepages beyond all bounds they tend to
+/// full_sliding(), which the table takes in as the outermost of its levels: there is no outside. The interpolation may
+/// exceed mu N by its error. Immutable: threads may share it.
+///
+///     std::ifstream file("share/rollbem/steel.creep", std::ios::binary);
+///     const CreepForceTable table = CreepForceTable::read(file);
+///     const PatchContact<double> contact({a, b, G, nu});
+///     const TabulatedForce now = table.look_up(contact, mu, load, {xi, eta, phi});
+///     if (now.status != StepStatus::ok) ...
+using CreepForceTable = detail::BasicCreepForceTable<>;
 
 }  // namespace rollbem
