@@ -3,7 +3,7 @@
 //
 //     ./examples/curve_wear [radius of the curve, m] [positions] > curve_wear.txt
 //
-// Transition curves are half of the positions each way; the curve turns left, so that the right rail is the outer one.
+// A quarter of the positions each lie on the transition curves; the curve turns left, so that the right rail is the outer one.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -122,7 +122,9 @@ TEST_CASE("Recommended elements follow the measured table, and tolerances beyond
     CHECK(elements(1e-5, Purpose::steady) == 18);
     CHECK(elements(1e-6, Purpose::steady) == 30);
     CHECK(elements(1e-8, Purpose::steady) == 96);
-    const auto nodes = [](const auto& best) { return best.scheme.get_if<NodeDifference>()->nodes; };
+    const auto nodes = [](const Recommendation<AnyScheme>& best) {
+        return best.scheme.get_if<NodeDifference>()->nodes;
+    };
     for (const double tolerance : {0.1, 1e-6}) {
         CHECK(nodes(recommended_elements(tolerance, Purpose::steady)) == Nodes::centres);
         CHECK(nodes(recommended_elements(tolerance, Purpose::frequency)) == Nodes::centres);
