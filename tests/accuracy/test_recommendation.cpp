@@ -63,7 +63,8 @@ TEST_CASE("The tangent by the distance rolled is exact for squares and not for c
     }
 }
 
-TEST_CASE("Extrapolation is rejected where the observed order differs from the assumed one", "[richardson]") {
+TEST_CASE("Extrapolation is rejected where the observed order differs from the assumed one",
+          "[richardson][not_finite]") {
     const auto run = [](const std::function<double(double)>& value, double order, double band = 0.25) {
         return extrapolate([&](std::ptrdiff_t n) { return value(static_cast<double>(n)); }, 4, order, band);
     };
@@ -107,7 +108,7 @@ TEST_CASE("Values that differ by round-off have converged", "[richardson]") {
         CHECK(result.status == Status::ok);
         CHECK(result.value == 1);
         CHECK(result.error_estimate < 1e-12);
-        CHECK(std::isnan(result.observed_order));
+        CHECK(detail::is_nan(result.observed_order));
     }
     const auto coarse = [](std::ptrdiff_t n) { return 1 + (n == 8 ? 1e-12 : 0.0); };
     CHECK(extrapolate(coarse, 4, 2).status == Status::order_differs);

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/stability.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
@@ -152,17 +151,6 @@ TEST_CASE("Reductions are nested: the reduced system has the first singular valu
         CHECK((P - sigma).cwiseAbs().maxCoeff() < 1e-11 * unit);
         CHECK((Q - sigma).cwiseAbs().maxCoeff() < 1e-11 * unit);
     }
-}
-
-TEST_CASE("Other states of the same contact change nothing", "[reduction]") {
-    const StateSpace<double> space = drawn(9, 2, 6), mixing = drawn(9, 2, 7);
-    const StateSpace<double> mixed{
-        dense::product(mixing.A, dense::product(space.A, dense::solve(mixing.A, Eigen::MatrixXd::Identity(9, 9)))),
-        dense::product(mixing.A, space.B), dense::solve(mixing.A.transpose(), space.C.transpose()).transpose(),
-        space.D};
-    const BalancedReduction<double> one = balanced_reduction(space, 4), other = balanced_reduction(mixed, 4);
-    CHECK((one.hankel_singular_values - other.hankel_singular_values).abs().maxCoeff() < 1e-11);
-    CHECK(largest_difference(one.space, other.space) < 1e-10);
 }
 
 TEST_CASE("One state of closed form", "[reduction]") {

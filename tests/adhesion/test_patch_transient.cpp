@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <utility>
 #include <vector>
 
@@ -14,7 +13,6 @@
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
-#include "support/observed_order.hpp"
 
 namespace patch_transient_tests {
 
@@ -118,39 +116,6 @@ TEST_CASE("patch_transient: the state space in SI units settles at the steady fo
     CHECK_THAT((space.C * x)[2], WithinRel(rolled.moment, 1e-8));
     CHECK_THROWS_WITH(in_si(StateSpace<double>{space.A, space.B.leftCols(2), space.C, space.D}, longer.contact, 30),
                       Catch::Matchers::ContainsSubstring("number of inputs = 2 must be 1, or 3 with spin"));
-}
-
-TEST_CASE("patch_transient: sdirk2 is of second order in dq, against steps exact in dq") {
-    const Patch long_ellipse = ellipse(a / 2, 6);
-    const Creepage<double> creepage{1e-3, -2e-3, 0.4};
-    const auto force = [&](Integrator integrator, double dq) {
-        const AdhesionModel model(long_ellipse.contact, long_ellipse.system, long_ellipse.verdict, integrator);
-        return step_response(model, creepage, dq, {a}).back();
-    };
-    const TangentialForce<double> exact = force(Integrator::matrix_exponential, a);
-    std::vector<double> counts, longitudinal, lateral, moment;
-    for (const double count : {8.0, 16.0, 32.0, 64.0}) {
-        const TangentialForce<double> computed = force(Integrator::sdirk2, a / count);
-        counts.push_back(count);
-        longitudinal.push_back(computed.longitudinal - exact.longitudinal);
-        lateral.push_back(computed.lateral - exact.lateral);
-        moment.push_back(computed.moment - exact.moment);
-    }
-    for (const auto& errors : {longitudinal, lateral, moment}) {
-        const double order = support::observed_order(counts, errors);
-        INFO("order " << order);
-        CHECK(order > 1.8);
-        CHECK(order < 2.3);
-    }
-}
-
-TEST_CASE("patch_transient: the verdict must be one on all halves") {
-    const Patch circle = ellipse(a, 4);
-    CHECK(circle.verdict.n == 32);
-    StabilityVerdict half = circle.verdict;
-    half.n = 16;
-    CHECK_THROWS_WITH((AdhesionModel(circle.contact, circle.system, half)),
-                      Catch::Matchers::ContainsSubstring("n of the verdict"));
 }
 
 TEST_CASE("patch_transient: 14 balanced states are the patch") {

@@ -252,12 +252,6 @@ TEST_CASE("A lambda below one half removes the instability of finite differences
     CHECK(count(knothe_mesh(60, 0.1), Collocation{0, 0.63, Derivative::analytic, 0.45}) > 0);
 }
 
-TEST_CASE("Stability rejects a plane kernel with a negative Lambda", "[stability]") {
-    CHECK_THROWS_WITH(count_unstable(rolling_system(uniform_mesh(5), Collocation{}, plane(0.1))),
-                      Catch::Matchers::ContainsSubstring("Lambda"));
-    CHECK_THROWS_AS(solve_stability(rolling_system(uniform_mesh(5), Collocation{}, plane(0.1))), std::invalid_argument);
-}
-
 TEST_CASE("A sign is settled if and only if it exceeds its uncertainty", "[stability]") {
     // the uncertainty of both eigenvalues is 2 eps
     const double eps = std::numeric_limits<double>::epsilon();

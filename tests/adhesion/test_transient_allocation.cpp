@@ -1,5 +1,5 @@
 // rollbem/adhesion/transient.hpp, rollbem/friction/model.hpp, vehicle/creep_force_table.hpp, vehicle/contact_table.hpp:
-// no step and no look-up touches the heap.
+// no step and no look-up touches the heap. adhesion/steady.hpp: a large problem holds one matrix.
 // A program of its own, because it replaces operator new and, where it can, malloc.
 #include <algorithm>
 #include <atomic>
@@ -13,9 +13,11 @@
 #include <vector>
 
 #include <rollbem/assembly/patch_shapes.hpp>
+#include <rollbem/closed_form/carter.hpp>
 #include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
+#include <rollbem/compiled/steady.hpp>
 #include <rollbem/normal/hertz_patch_load.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 
@@ -26,31 +28,58 @@
 
 namespace {
 
-std::atomic<long> allocations{0};
+std::atomic<long> allocations{0}, held{0}, peak{0};  // held, at most: bytes
 
 }  // namespace
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+
+#include <malloc.h>
+
+namespace {
+
+constexpr bool counts_bytes = true;
+
+void* counted(void* memory) {
+    ++allocations;
+    if (memory != nullptr) {
+        const long now = held += static_cast<long>(malloc_usable_size(memory));
+        peak = std::max(peak.load(), now);
+    }
+    return memory;
+}
+void released(void* memory) {
+    if (memory != nullptr) held -= static_cast<long>(malloc_usable_size(memory));
+}
+
+}  // namespace
 
 // Eigen takes its memory from malloc, not from operator new.
 extern "C" {
 void* __libc_malloc(std::size_t size);                     // NOLINT: glibc's own names
 void* __libc_calloc(std::size_t count, std::size_t size);  // NOLINT
 void* __libc_realloc(void* memory, std::size_t size);      // NOLINT
+void __libc_free(void* memory);                            // NOLINT
 
-void* malloc(std::size_t size) {
-    ++allocations;
-    return __libc_malloc(size);
-}
-void* calloc(std::size_t count, std::size_t size) {
-    ++allocations;
-    return __libc_calloc(count, size);
-}
+void* malloc(std::size_t size) { return counted(__libc_malloc(size)); }
+void* calloc(std::size_t count, std::size_t size) { return counted(__libc_calloc(count, size)); }
 void* realloc(void* memory, std::size_t size) {
-    ++allocations;
-    return __libc_realloc(memory, size);
+    released(memory);
+    return counted(__libc_realloc(memory, size));
+}
+void free(void* memory) {
+    released(memory);
+    __libc_free(memory);
 }
 }
+
+#else
+
+namespace {
+
+constexpr bool counts_bytes = false;
+
+}  // namespace
 
 #endif
 
@@ -105,12 +134,37 @@ TEST_CASE("The counters see new and malloc", "[transient]") {
     int* volatile number = new int(1);  // volatile: the compiler may leave out a pair of new and delete
     delete number;
     CHECK(allocations > before);
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+    if (!counts_bytes) return;
     before = allocations;
+    const long bytes = held;
     const VectorX<double> vector = VectorX<double>::Ones(100);
     CHECK(allocations > before);
+    CHECK(held - bytes >= 800);
+    CHECK(held - bytes < 900);
     CHECK(vector.sum() == 100);
-#endif
+}
+
+TEST_CASE("A steady problem of 2000 elements holds one matrix and O(n) more", "[steady]") {
+    if (!counts_bytes) return;
+    const PlaneKernel<double> kernel(1000, 0.72, 0.28);
+    for (const bool uniform : {true, false}) {
+        for (const double n : {1200.0, 2000.0}) {
+            const Mesh<double> mesh =
+                uniform ? uniform_mesh(static_cast<Eigen::Index>(n)) : cosine_mesh(static_cast<Eigen::Index>(n));
+            const long before = held;
+            peak = before;
+            const Response<double> solution = solve_steady(mesh, Collocation{}, kernel);
+            const double doubles = static_cast<double>(peak - before) / sizeof(double);
+            CAPTURE(uniform, n, (doubles - n * n) / n);
+            CHECK(doubles >= n * n);
+            CHECK(doubles < n * n + 300 * n);  // LU copies blocks of up to 256 columns
+            CHECK(solution.status == Status::ok);
+            CHECK(solution.residual < 1e-14);
+            CHECK(solution.residual > 0);
+            const double error = solution.c11() / steady_c11(0.28) - 1;
+            CHECK(std::abs(error / (uniform ? 0.1507 / n : 0.1672 / (n * n)) - 1) < 0.01);
+        }
+    }
 }
 
 TEST_CASE("A step in full adhesion does not allocate, whatever the size", "[transient]") {

@@ -172,40 +172,6 @@ TEST_CASE("The tangent of three forces by three motions is the difference quotie
     }
 }
 
-TEST_CASE("Long steps of all inputs end in the steady response", "[transient]") {
-    const auto check = [](const auto& where, const ElementSystem<double, 2>& system, double width) {
-        const Response<double> response = solve_steady(system.whole());
-        const Creepage<double> creepage{1e-3, -4e-4, 0.7};
-        const Forces inputs(creepage.longitudinal, creepage.lateral, a * creepage.spin);
-        const Forces expected = -width * a * G * Forces(1, 1, a).cwiseProduct(Forces(response.coefficients * inputs));
-        for (const Integrator integrator : all_integrators) {
-            const Model model(where, system, unchecked, integrator);
-            Model::Workspace workspace = model.workspace();
-            Model::State now = model.at_rest(), next = now;
-            const AdhesionStep<3> steady = model.steady(now, creepage, next, workspace);
-            REQUIRE(steady.status == StepStatus::ok);
-            for (Eigen::Index i = 0; i < 3; ++i) {
-                CHECK(vector(steady.force)[i] == Approx(expected[i]).epsilon(1e-11));
-                for (Eigen::Index j = 0; j < 3; ++j) {
-                    const double arms = (i == 2 ? a : 1) * (j == 2 ? a : 1);
-                    const double coefficient = -width * a * G * arms * response.coefficients(i, j);
-                    CHECK(std::abs(matrix(steady.tangent)(i, j) - coefficient) < 1e-11 * width * a * G * arms);
-                }
-            }
-            CHECK(next.traction == model.steady(creepage).traction);
-            AdhesionStep<3> last;
-            for (int k = 0; k < 6; ++k) {
-                last = model.advance(now, 1e5 * a, creepage, next, workspace);
-                std::swap(now, next);
-            }
-            CAPTURE(name(integrator));
-            for (Eigen::Index i = 0; i < 3; ++i) CHECK(vector(last.force)[i] == Approx(expected[i]).epsilon(1e-10));
-        }
-    };
-    check(contact, ElementSystem(along, across), 2 * b);
-    check(patch, patch_system(), a);
-}
-
 TEST_CASE("The result of a step depends on state and arguments alone, to the last bit", "[transient]") {
     // whatever the workspace has been used for
     const Model model(patch, patch_system(), unchecked);

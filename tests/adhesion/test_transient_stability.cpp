@@ -102,20 +102,5 @@ TEST_CASE("A stable scheme decays at the rate of its largest eigenvalue", "[tran
     CHECK(rate(Integrator::implicit_euler, 0.1) == Approx(std::log(1 / (1 - 0.1 * abscissa)) / 0.1).epsilon(1e-10));
 }
 
-TEST_CASE("A model is built only with a verdict that says stable", "[transient]") {
-    const auto build = [](const Mesh<double>& mesh, const Collocation& scheme) {
-        const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact());
-        AdhesionModel<>(contact(), rolling_system(mesh, scheme, kernel),
-                        judge_stability(rolling_system(mesh, scheme, kernel)));
-    };
-    CHECK_NOTHROW(build(cosine_mesh<double>(40), {.alpha_L = 0.5, .alpha_T = 0.5}));
-    CHECK_NOTHROW(build(uniform_mesh<double>(20), {.alpha_L = 0, .alpha_T = 0.63}));
-    using Catch::Matchers::ContainsSubstring;
-    CHECK_THROWS_WITH(build(uniform_mesh<double>(20), {.alpha_L = 0.6, .alpha_T = 0.6}),
-                      ContainsSubstring("unstable_count"));
-    CHECK_THROWS_WITH(build(uniform_mesh<double>(20), {.alpha_L = 0, .alpha_T = 0.95}),
-                      ContainsSubstring("unstable_count"));
-}
-
 }  // namespace
 }  // namespace transient_stability_tests

@@ -5,7 +5,6 @@
 #include <memory>
 #include <numbers>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <rollbem/compiled/steady.hpp>
@@ -65,24 +64,6 @@ TEMPLATE_TEST_CASE("Every entry of G and G' agrees with brute force", "[influenc
                         const bool third = scheme_name.find("exact fd") != std::string::npos;
                         CHECK(in_eps < (kernel.b < 1 ? (third ? 8e4 : 4e4) : third ? 4e4 : 4e3));
                     }
-                }
-            }
-        }
-    }
-}
-
-TEST_CASE("Galerkin's method with one point is collocation", "[influence]") {
-    for (const auto& [name, mesh] : brute_force::every_mesh<double>(9)) {
-        for (const auto derivative : {fd, analytic}) {
-            for (const auto& [alpha_L, alpha_T] : {std::pair{0.0, 0.63}, {0.5, 0.5}}) {
-                for (const bool slope : {true, false}) {
-                    const brute_force::Kernel kernel{false, 10, 0.75L, 0.25L};
-                    const MatrixX<double> one =
-                        build(mesh, Galerkin{alpha_L, alpha_T, derivative, 0.5, 1}, kernel, slope);
-                    const MatrixX<double> point =
-                        build(mesh, Collocation{alpha_L, alpha_T, derivative, 0.5}, kernel, slope);
-                    CAPTURE(name, alpha_T, slope);
-                    CHECK(one == point);
                 }
             }
         }

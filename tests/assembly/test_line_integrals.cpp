@@ -96,22 +96,4 @@ TEST_CASE("The slope of one element is accurate at any distance", "[line_integra
     }
 }
 
-TEST_CASE("Columns may be fewer than rows and may lie anywhere", "[line_integrals]") {
-    // one element seen from the points of a mesh: the rows and columns of G' may come from different meshes
-    const Mesh<double> mesh = cosine_mesh(13);
-    const StripKernel<double> kernel(3, 0.75, 0.25);
-    const detail::RowPoints<double> rows{mesh.from_trailing(), mesh.from_leading(), 0.25 * mesh.widths(),
-                                         mesh.widths() / 2};
-    const detail::ColumnElements<double> all{mesh.from_trailing(), mesh.from_leading(), mesh.widths() / 2};
-    MatrixX<double> whole(13, 13), part(13, 1);
-    detail::LineIntegrals<double>(kernel, Quantity::slope, 1, rows, all).fill(whole);
-    for (Eigen::Index m = 0; m < 13; ++m) {
-        const detail::ColumnElements<double> single{all.from_trailing.segment(m, 1), all.from_leading.segment(m, 1),
-                                                    all.half.segment(m, 1)};
-        detail::LineIntegrals<double>(kernel, Quantity::slope, 1, rows, single).fill(part);
-        CAPTURE(m);
-        CHECK((part.col(0) - whole.col(m)).cwiseAbs().maxCoeff() < 1e-12 * whole.cwiseAbs().maxCoeff());
-    }
-}
-
 }  // namespace

@@ -231,35 +231,6 @@ TEST_CASE("A mesh from edges keeps them", "[mesh]") {
     }
 }
 
-TEST_CASE("Mesh makers reject invalid input and give name and value", "[mesh]") {
-    const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-    CHECK_THROWS_WITH(uniform_mesh(0), "uniform_mesh: n = 0 must be at least 1");
-    CHECK_THROWS_WITH(uniform_mesh(-3), "uniform_mesh: n = -3 must be at least 1");
-    CHECK_THROWS_WITH(cosine_mesh(0), "cosine_mesh: n = 0 must be at least 1");
-    CHECK_THROWS_WITH(geometric_mesh(1, 2.0), "geometric_mesh: n = 1 must be at least 2");
-    CHECK_THROWS_WITH(geometric_mesh(4, 0.0), "geometric_mesh: size_ratio = 0 must be positive and finite");
-    CHECK_THROWS_WITH(geometric_mesh(4, -1.0), "geometric_mesh: size_ratio = -1 must be positive and finite");
-    CHECK_THROWS_WITH(geometric_mesh(4, infinity), "geometric_mesh: size_ratio = inf must be positive and finite");
-    CHECK_THROWS_WITH(geometric_mesh(4, nan), "geometric_mesh: size_ratio = nan must be positive and finite");
-    CHECK_THROWS_WITH(knothe_mesh(2, 0.5), "knothe_mesh: n = 2 must be at least 3");
-    CHECK_THROWS_WITH(knothe_mesh(3, 0.0), "knothe_mesh: epsilon = 0 must be positive and finite");
-    CHECK_THROWS_WITH(knothe_mesh(3, nan), "knothe_mesh: epsilon = nan must be positive and finite");
-    CHECK_THROWS_WITH(modified_knothe_mesh(1, 0.5), "modified_knothe_mesh: n = 1 must be at least 2");
-    CHECK_THROWS_WITH(modified_knothe_mesh(2, infinity),
-                      "modified_knothe_mesh: epsilon = inf must be positive and finite");
-    const auto from = [](std::vector<double> edges) {
-        return mesh_from_edges<double>(
-            Eigen::Map<Eigen::ArrayXd>(edges.data(), static_cast<Eigen::Index>(edges.size())));
-    };
-    CHECK_THROWS_WITH(from({}), "mesh_from_edges: number of edges = 0 must be at least 2");
-    CHECK_THROWS_WITH(from({-1}), "mesh_from_edges: number of edges = 1 must be at least 2");
-    CHECK_THROWS_WITH(from({-0.5, 1}), "mesh_from_edges: first edge = -0.5 must be -1");
-    CHECK_THROWS_WITH(from({-1, 0.5}), "mesh_from_edges: last edge = 0.5 must be 1");
-    CHECK_THROWS_WITH(from({-1, 0.25, 0.25, 1}), "mesh_from_edges: edge = 0.25 must be larger than the edge before it");
-    CHECK_THROWS_WITH(from({-1, nan, 1}), "mesh_from_edges: edge = nan must be larger than the edge before it");
-    CHECK_THROWS_AS(from({-1, 2, 1}), std::invalid_argument);
-}
-
 TEST_CASE("A mesh rejects data that break its invariant", "[mesh]") {
     using Data = Mesh<double>::Data;
     const Data good{Eigen::Array2d(0.5, 1.5), Eigen::Array3d(0, 0.5, 2), Eigen::Array3d(2, 1.5, 0)};

@@ -62,31 +62,6 @@ TEST_CASE("Schemes are imposed at the leading edges by default", "[scheme]") {
     }
 }
 
-TEST_CASE("Schemes reject invalid parameters and give name and value", "[scheme]") {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK_NOTHROW(check_scheme(Collocation{2, -2}, uniform_mesh(2)));
-    CHECK_NOTHROW(check_scheme(Collocation{0.5, 0.5}, uniform_mesh(1)));
-    CHECK_THROWS_WITH(check_scheme(Collocation{2.5, 0}, uniform_mesh(4)),
-                      "Collocation: alpha_L = 2.5 must lie in [-2, 2]");
-    CHECK_THROWS_WITH(check_scheme(Collocation{0, nan}, uniform_mesh(4)),
-                      "Collocation: alpha_T = nan must lie in [-2, 2]");
-    CHECK_THROWS_WITH(check_scheme(Galerkin{0, -3}, uniform_mesh(4)), "Galerkin: alpha_T = -3 must lie in [-2, 2]");
-    CHECK_THROWS_WITH(check_scheme(Collocation{.lambda = 1.5}, uniform_mesh(4)),
-                      "Collocation: lambda = 1.5 must lie in [0, 1]");
-    CHECK_THROWS_WITH(check_scheme(Galerkin{.lambda = nan}, uniform_mesh(4)),
-                      "Galerkin: lambda = nan must lie in [0, 1]");
-    CHECK_THROWS_WITH(check_scheme(Collocation{0, 0.63}, uniform_mesh(1)),
-                      "Collocation: n = 1 must be at least 2 where alpha_L and alpha_T differ");
-    CHECK_THROWS_WITH(check_scheme(Galerkin{0, 0.63}, uniform_mesh(1)),
-                      "Galerkin: n = 1 must be at least 2 where alpha_L and alpha_T differ");
-    CHECK_THROWS_WITH(check_scheme(Galerkin{.quadrature = -1}, uniform_mesh(4)),
-                      "Galerkin: quadrature = -1 must be exact_quadrature (0) or lie in [1, 1000]");
-    CHECK_THROWS_AS(check_scheme(Galerkin{.quadrature = 1001}, uniform_mesh(4)), std::invalid_argument);
-    CHECK_NOTHROW(check_scheme(Galerkin{.quadrature = 1000}, uniform_mesh(4)));
-    CHECK_THROWS_WITH(check_scheme(KnotheBoundary{}, uniform_mesh(1)), "KnotheBoundary: n = 1 must be at least 2");
-    CHECK_NOTHROW(check_scheme(KnotheBoundary{}, uniform_mesh(2)));
-}
-
 TEMPLATE_TEST_CASE("Nodes are the centres or Chebyshev's points, and the last row ends on the leading edge", "[scheme]",
                    SCALARS) {
     using Scalar = TestType;

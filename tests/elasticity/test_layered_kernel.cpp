@@ -6,21 +6,17 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/elasticity/layered_kernel.hpp>
 #include <rollbem/normal/hertz.hpp>
 
 #include "support/brute_force.hpp"
 #include "support/catch.hpp"
-#include "support/observed_order.hpp"
 #include "support/refusal.hpp"
-#include "support/scalars.hpp"
 
 namespace {
 
@@ -175,140 +171,6 @@ TEST_CASE("Steady friction on a layer agrees with CONTACT", "[layer]") {
     // without the layer: Carter
     CHECK(std::abs(force(0, 0.25, 160) - (0.5 - 0.0625)) < 2e-3);
 }
-
-TEST_CASE("A soft layer acts as a brush", "[layer]") {
-    const double nu = 0.28;
-    const PlaneKernel<double> plane(std::numeric_limits<double>::infinity(), 1 - nu, nu);
-    // an upwind difference gives exactly L p(x) = -xi (a - x + dx/2); the bodies contribute a share of 1/L
-    const Mesh<double> mesh = uniform_mesh<double>(40);
-    std::vector<double> softness, errors;
-    for (const double L : {1e2, 1e3, 1e4, 1e5}) {
-        const Response<double> solution = solve_steady(mesh, halves, LayeredKernel(plane, L));
-        REQUIRE(solution.status == Status::ok);
-        softness.push_back(L);
-        double error = 0;
-        for (Eigen::Index l = 0; l < 40; ++l) {
-            const double brush = -(mesh.from_leading()[l] + mesh.widths()[l] / 2);
-            error = std::max(error, std::abs(L * solution.unknowns(l) - brush));
-        }
-        errors.push_back(error);
-        CHECK(std::abs(L * solution.c11() / (2 * (1 + 1 / 40.0)) - 1) < 10 / L);
-    }
-    CAPTURE(errors);
-    CHECK(errors[3] < 1e-4);
-    CHECK(std::abs(support::observed_order(softness, errors) - 1) < 0.1);
-    // first order in the number of elements
-    for (const bool cosine : {false, true}) {
-        std::vector<double> counts, c11_errors;
-        for (const Eigen::Index n : {20, 40, 80, 160}) {
-            const Mesh<double> of_n = cosine ? cosine_mesh<double>(n) : uniform_mesh<double>(n);
-            counts.push_back(static_cast<double>(n));
-            c11_errors.push_back(std::abs(1e7 * solve_steady(of_n, halves, LayeredKernel(plane, 1e7)).c11() / 2 - 1));
-        }
-        CAPTURE(cosine, c11_errors);
-        CHECK(std::abs(support::observed_order(counts, c11_errors) - 1) < 0.15);
-    }
-}
-
-TEST_CASE("Differences between centres of a uniform mesh give a brush exactly", "[layer]") {
-    // bodies that are stiff compared with the layer: L p = -xi (a - x) at every centre, c11 = 2/L
-    const PlaneKernel<double> stiff(std::numeric_limits<double>::infinity(), 1e-14, 0);
-    for (const Eigen::Index n : {1, 2, 7, 40}) {
-        const Mesh<double> mesh = uniform_mesh<double>(n);
-        const Response<double> brush = solve_steady(mesh, NodeDifference{}, LayeredKernel(stiff, 2));
-        CAPTURE(n, brush.c11());
-        CHECK((2 * brush.unknowns.col(0).array() + mesh.from_leading()).abs().maxCoeff() < 1e-12);
-        CHECK(std::abs(brush.c11() - 1) < 1e-12);
-    }
-}
-
-TEST_CASE("Rolling on a layer is stable and tends to the steady state", "[layer]") {
-    const Contact<double> contact = Contact<double>::dimensionless(100, 0.28);
-    for (const Mesh<double>& mesh :
-         {uniform_mesh<double>(20), uniform_mesh<double>(60), cosine_mesh<double>(20), cosine_mesh<double>(60)}) {
-        for (const double L : {0.1, 0.5, 2.0, 10.0, 50.0}) {
-            const ElementSystem<double> system =
-                rolling_system(mesh, halves, LayeredKernel(StripKernel<double>::longitudinal(contact), L));
-            CAPTURE(mesh.is_uniform(), mesh.size(), L);
-            CHECK_FALSE(system.log_strength().has_value());
-            CHECK(system.aspect() == 100.0);
-            const AdhesionModel<> model(contact, system, judge_stability(system));
-            AdhesionState<> now = model.at_rest(), next = now;
-            AdhesionWorkspace<> workspace = model.workspace();
-            const double steady = model.force(model.steady(1));
-            double largest = 0, force = 0;
-            for (int k = 0; k < 400; ++k) {
-                force = model.advance(now, 0.5, 1, next, workspace).force / steady;
-                largest = std::max(largest, force);
-                std::swap(now, next);
-            }
-            CHECK(std::abs(force - 1) < 1e-12);
-            CHECK(largest < 1.02);
-        }
-    }
-}
-
-TEST_CASE("A brush from rest bends each bristle by the distance rolled since it entered", "[layer]") {
-    // the brush from rest: p = -(xi/L) min(a - x, q), F_bar = -(xi/L) (2 a q - q^2/2) while q < 2a
-    const Contact<double> contact = Contact<double>::dimensionless(100, 0.28);
-    const double L = 1e7, dq = 1.0 / 512;
-    for (const bool cosine : {false, true}) {
-        std::vector<double> counts, errors;
-        for (const Eigen::Index n : {20, 40, 80, 160}) {
-            const Mesh<double> mesh = cosine ? cosine_mesh<double>(n) : uniform_mesh<double>(n);
-            const AdhesionModel<> model(
-                contact, rolling_system(mesh, halves, LayeredKernel(PlaneKernel<double>::longitudinal(contact), L)),
-                unchecked);
-            AdhesionWorkspace<> workspace = model.workspace();
-            AdhesionState<> now = model.at_rest(), next = now;
-            double error = 0;
-            for (int k = 1; k <= 1024; ++k) {
-                const double q = k * dq, force = model.advance(now, dq, 1, next, workspace).force_per_width;
-                error = std::max(error, std::abs(-L * force - (2 * q - q * q / 2)) / 2);
-                std::swap(now, next);
-            }
-            counts.push_back(static_cast<double>(n));
-            errors.push_back(error);
-        }
-        CAPTURE(cosine, errors);
-        CHECK(errors[3] < 0.02);
-        CHECK(std::abs(support::observed_order(counts, errors) - 1) < 0.15);
-    }
-}
-
-#ifdef ROLLBEM_SLOW_CHECKS
-TEMPLATE_TEST_CASE("A layer is accurate to round-off in every scalar type", "[layer]", SCALARS) {
-    using Scalar = TestType;
-    const double eps = static_cast<double>(std::numeric_limits<Scalar>::epsilon());
-    const PlaneKernel<Scalar> plane(Scalar(100), Scalar(0.72), Scalar(0.28));
-    const PlaneKernel<Real> exact(100, Scalar(0.72), Scalar(0.28));
-    // even on fine meshes, round-off moves no point across an edge
-    for (const Eigen::Index n : {8, 100, 800}) {
-        const auto difference = [&](const Mesh<Scalar>& mesh, const Mesh<Real>& fine, const Collocation& scheme) {
-            const MatrixX<Scalar> G = assemble_G(mesh, scheme, LayeredKernel(plane, Scalar(0.5)));
-            const MatrixX<Real> fine_G = assemble_G(fine, scheme, LayeredKernel(exact, Real(0.5)));
-            const MatrixX<Scalar> slope = assemble_G_prime(mesh, scheme, LayeredKernel(plane, Scalar(0.5)));
-            const MatrixX<Real> fine_slope = assemble_G_prime(fine, scheme, LayeredKernel(exact, Real(0.5)));
-            const Real least = fine.widths().minCoeff();
-            return std::max(
-                static_cast<double>((G.template cast<Real>() - fine_G).cwiseAbs().maxCoeff()),
-                static_cast<double>((slope.template cast<Real>() - fine_slope).cwiseAbs().maxCoeff() * least));
-        };
-        for (const Collocation& scheme : {halves, Collocation{0, 0}, Collocation{0, 0.5}}) {
-            CAPTURE(n, scheme.alpha_L, scheme.alpha_T);
-            CHECK(difference(uniform_mesh<Scalar>(n), uniform_mesh<Real>(n), scheme) < 2e3 * eps);
-            // where alpha varies, points of a fine cosine mesh come within round-off of an edge
-            if (scheme.alpha_L != scheme.alpha_T) continue;
-            CHECK(difference(cosine_mesh<Scalar>(n), cosine_mesh<Real>(n), scheme) < 2e3 * eps);
-        }
-    }
-    const double c11 =
-        static_cast<double>(solve_steady(uniform_mesh<Scalar>(40), halves, LayeredKernel(plane, Scalar(0.5))).c11());
-    const double fine =
-        static_cast<double>(solve_steady(uniform_mesh<Real>(40), halves, LayeredKernel(exact, Real(0.5))).c11());
-    CHECK(std::abs(c11 / fine - 1) < 1e3 * eps);
-}
-#endif
 
 TEST_CASE("Layers reject invalid compliances and analytic derivatives", "[layer]") {
     const PlaneKernel<double> plane(100.0, 0.75, 0.25);

@@ -4,7 +4,6 @@
 #include <limits>
 #include <memory>
 #include <numbers>
-#include <vector>
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
@@ -15,7 +14,6 @@
 
 #include "support/brute_force.hpp"
 #include "support/catch.hpp"
-#include "support/observed_order.hpp"
 #include "support/scalars.hpp"
 
 namespace {
@@ -108,26 +106,6 @@ TEMPLATE_TEST_CASE("Kernels are accurate to round-off and have the right parity"
             CAPTURE(name);
             CHECK(std::abs(static_cast<double>(slope / kernel.slope(x) - 1)) < 1e-12);
         }
-    }
-}
-
-TEST_CASE("The strip tends to the plane as (a/b)^2", "[kernel][convergence]") {
-    for (const double nu : {0.0, 0.25, 0.5}) {
-        std::vector<double> sizes, errors;
-        for (const double b : {8.0, 16.0, 32.0, 64.0, 128.0}) {
-            const StripKernel<long double> strip(b, 1 - nu, nu);
-            const PlaneKernel<long double> plane(b, 1 - nu, nu);
-            double largest = 0;
-            for (const long double x : {0.1L, 0.5L, 1.0L, 2.0L}) {
-                largest = std::max(largest, static_cast<double>(std::abs(g(strip, x) - g(plane, x))));
-            }
-            sizes.push_back(b);
-            errors.push_back(largest);
-        }
-        const double order = support::observed_order(sizes, errors);
-        CAPTURE(nu, order);
-        CHECK(order > 1.97);
-        CHECK(order < 2.03);
     }
 }
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -143,37 +142,6 @@ TEST_CASE("Definite problems are solved, nearly all others too, or their residua
     CHECK(unsolved < 2);
     CHECK(several > 700);
     CHECK(tangents > 900);
-}
-
-TEST_CASE("The solution of a definite problem is that of a plain projected iteration", "[friction]") {
-    support::Draw draw(5);
-    for (int trial = 0; trial < 200; ++trial) {
-        const Eigen::Index n = 1 + trial % 9;
-        const Problem problem = random_problem(draw, n, Kind::definite, trial % 2 == 1);
-        Solver solver(n, problem.coupled());
-        problem.put_into(solver);
-        REQUIRE(problem.solve_from_rest(solver).status == StepStatus::ok);
-        // Korpelevich's extragradient method
-        ElementVectors<double> p = ElementVectors<double>::Zero(n, 2);
-        const double step =
-            0.5 / (std::max(problem.x.norm(), problem.y.norm()) + problem.x_by_y.norm() + problem.y_by_x.norm());
-        const auto moved = [&](const ElementVectors<double>& at) {
-            ElementVectors<double> result = p - step * problem.slip(at);
-            for (Eigen::Index i = 0; i < n; ++i) {
-                const double norm = result.row(i).norm();
-                if (norm > problem.bound[i]) result.row(i) *= problem.bound[i] / norm;
-            }
-            return result;
-        };
-        double change = 1;
-        for (int k = 0; k < 400000 && change > 1e-13; ++k) {
-            const ElementVectors<double> next = moved(moved(p));
-            change = (next - p).cwiseAbs().maxCoeff();
-            p = next;
-        }
-        CAPTURE(trial, n, change);
-        REQUIRE((p - solver.traction()).cwiseAbs().maxCoeff() < 1e-8);
-    }
 }
 
 TEST_CASE("A leading element without influence on its own slip is solved", "[friction]") {

@@ -1,12 +1,12 @@
-// rollbem/friction/model.hpp: elastic energy, and the balance of work, heat and elastic energy.
+// rollbem/friction/model.hpp, friction/detail/slip_work.hpp: elastic energy and slip work.
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 #include <utility>
 #include <vector>
 
 #include <rollbem/closed_form/friction.hpp>
 #include <rollbem/compiled/steady.hpp>
+#include <rollbem/friction/detail/slip_work.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"
@@ -69,52 +69,6 @@ TEST_CASE("The elastic energy follows the half-length, and scales in SI units", 
     CHECK(rigid.elastic_energy(state) > 0);
 }
 
-// From rest, over a creepage that rises, falls and changes sign: the work lost by the rigid bodies, the heat by slip
-// times traction, and the final elastic energy.
-struct Balance {
-    double spent = 0, heat = 0, elastic = 0;
-
-    double gap() const { return (spent - heat - elastic) / heat; }
-};
-Balance roll(const Mesh<double>& mesh, const AnyScheme& scheme, Integrator integrator, int steps) {
-    const Scene scene(mesh, half, 1, 50);
-    const FrictionModel<> model(scene.contact, rolling_system(mesh, scheme, scene.kernel), unchecked, scene.friction,
-                                integrator);
-    FrictionState<> now = model.at_rest(), next = now;
-    FrictionWorkspace<> workspace = model.workspace();
-    const double dq = 4.0 / steps;
-    const auto xi = [&](int k) { return creepage(1.5 * std::sin(dq * k)); };
-    Balance balance;
-    double force = 0;
-    for (int k = 0; k < steps; ++k) {
-        const FrictionStep<> step =
-            model.advance(now, dq, RigidMotion<double>::linear(xi(k), xi(k + 1)), next, workspace);
-        REQUIRE(step.status == StepStatus::ok);
-        balance.spent -= dq * (xi(k) * force + xi(k + 1) * step.force) / 2;
-        balance.heat += step.slip_work;
-        force = step.force;
-        std::swap(now, next);
-    }
-    balance.elastic = model.elastic_energy(now);
-    return balance;
-}
-
-TEST_CASE("Galerkin's method loses no energy except by slip", "[friction]") {
-    // exactly in space on any mesh; in the time domain at the order of the integrator
-    for (const Mesh<double>& mesh : {cosine_mesh<double>(20), uniform_mesh<double>(15), geometric_mesh(12, 5.0)}) {
-        for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-            std::vector<double> sizes, gaps;
-            for (const int steps : {400, 800, 1600}) {
-                sizes.push_back(steps);
-                gaps.push_back(roll(mesh, Galerkin{.alpha_L = 0, .alpha_T = 0}, integrator, steps).gap());
-            }
-            CAPTURE(mesh.size(), name(integrator), gaps);
-            CHECK(support::observed_order(sizes, gaps) > (integrator == Integrator::sdirk2 ? 1.6 : 0.8));
-            CHECK(std::abs(gaps.back()) < (integrator == Integrator::sdirk2 ? 1e-4 : 2e-2));
-        }
-    }
-}
-
 TEST_CASE("Galerkin about the centres has no force in full adhesion and the right one with slip", "[friction]") {
     std::vector<double> sizes, errors;
     for (const Eigen::Index n : {20, 40, 80, 160}) {
@@ -139,6 +93,91 @@ TEST_CASE("Galerkin about the centres has no force in full adhesion and the righ
     CAPTURE(errors);
     CHECK(std::abs(errors.back()) < 2e-3);
     CHECK(std::abs(support::observed_order(sizes, errors) - 1) < 0.1);
+}
+
+template <class Scheme>
+ArrayX<double> points_of(const Mesh<double>& mesh, const Scheme& scheme) {
+    return detail::line_elements(mesh, detail::BothRows<double>(scheme, mesh)).x;
+}
+
+TEST_CASE("A slip linear in x is interpolated exactly at the centres", "[friction]") {
+    const auto linear = [](const ArrayX<double>& x) { return VectorX<double>((0.7 - 0.4 * x).matrix()); };
+    const auto check = [&](const Mesh<double>& mesh, const auto& scheme) {
+        const ArrayX<double> points = points_of(mesh, scheme);
+        const Eigen::Index n = points.size();
+        const detail::SlipWork<double> slip_work(unknown_widths(mesh, scheme), points);
+        const VectorX<double> slip = linear(points), expected = linear(mesh.centres().head(n));
+        for (Eigen::Index i = 0; i < n; ++i) {
+            CAPTURE(mesh.size(), i);
+            CHECK(std::abs(slip_work.at_centre(i, slip) - expected[i]) < 1e-13);
+        }
+        VectorX<double> work = VectorX<double>::Constant(n, 0.1);
+        slip_work.add(VectorX<double>::Constant(n, -3), slip, work);
+        // element by element, for any slip
+        const VectorX<double> traction = points.sin().matrix(), uneven = (7 * points).cos().matrix();
+        VectorX<double> works = VectorX<double>::Zero(n);
+        slip_work.add(traction, uneven, works, 2.0);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const double one = -2 * mesh.widths()[i] * traction[i] * slip_work.at_centre(i, uneven);
+            CHECK(std::abs(works[i] - one) < 1e-15);
+        }
+        const double length = mesh.widths().head(n).sum();
+        CHECK(std::abs(work.sum() - 0.1 * static_cast<double>(n) -
+                       3 * (expected.array() * mesh.widths().head(n)).sum()) < 1e-13 * length * 3);
+    };
+    for (const Eigen::Index n : {2, 3, 20}) {
+        for (const Mesh<double>& mesh : {uniform_mesh<double>(n), cosine_mesh<double>(n), geometric_mesh(n, 3.0)}) {
+            check(mesh, half);
+            check(mesh, Collocation{.alpha_L = 0, .alpha_T = 0.63});
+            check(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.1});
+            if (n == 2) continue;
+            check(mesh, Galerkin{.alpha_L = 0, .alpha_T = 0.7, .quadrature = 7});
+            check(mesh, KnotheBoundary{});
+        }
+    }
+}
+
+TEST_CASE("The slip is taken as it is without points, with a single one, or where points coincide", "[friction]") {
+    const VectorX<double> slip = VectorX<double>{{5, 3, 2}};
+    const ArrayX<double> widths = ArrayX<double>::Constant(3, 2.0 / 3);
+    const detail::SlipWork<double> bare(widths, ArrayX<double>()), flat(widths, ArrayX<double>::Zero(3));
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        CHECK(bare.at_centre(i, slip) == slip[i]);
+        CHECK(flat.at_centre(i, slip) == slip[i]);
+    }
+    const detail::SlipWork<double> one(ArrayX<double>::Constant(1, 2), ArrayX<double>::Constant(1, 1));
+    CHECK(one.at_centre(0, VectorX<double>::Constant(1, 4)) == 4);
+    // Galerkin's equations are means over the elements themselves and do not involve neighbours
+    const Mesh<double> mesh = uniform_mesh<double>(8);
+    const detail::SlipWork<double> galerkin(mesh.widths(), points_of(mesh, Galerkin{0, 0}));
+    for (Eigen::Index i = 0; i < 8; ++i) {
+        CHECK(std::abs(galerkin.at_centre(i, VectorX<double>::Unit(8, i)) - 1) < 1e-14);
+    }
+}
+
+TEST_CASE("No element gains energy where the slip reverses", "[friction]") {
+    const Scene scene(cosine_mesh<double>(24), half, 1, 10);
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        const FrictionModel<> model = scene.transient(integrator);
+        FrictionState<> now = model.at_rest(), next = now;
+        FrictionWorkspace<> workspace = model.workspace();
+        int turns = 0;
+        for (int k = 0; k < 60; ++k) {
+            const double wave = 1.5 * std::cos(2.3 * k);
+            const FrictionStep<> step = k % 2 == 0 ? model.shift(now, peak * wave, next, workspace)
+                                                   : model.advance(now, 0.3, creepage(4 * wave), next, workspace);
+            REQUIRE(step.status == StepStatus::ok);
+            CHECK(workspace.slip_work().minCoeff() >= 0);
+            CHECK(std::abs(workspace.slip_work().sum() - step.slip_work) <= 1e-14 * step.slip_work);
+            for (Eigen::Index i = 1; i < 24; ++i) {
+                const double mean = (workspace.slip()[i - 1] + workspace.slip()[i]) / 2;
+                if (mean * next.traction[i] > 0) ++turns;
+            }
+            std::swap(now, next);
+        }
+        CAPTURE(name(integrator), turns);
+        CHECK(turns > 0);
+    }
 }
 
 }  // namespace

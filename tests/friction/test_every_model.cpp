@@ -1,17 +1,12 @@
 // rollbem/friction/model.hpp: what holds for every law, in one direction and in two, for both
 // integrators. Fulfilment of the law itself is checked on random scenes, in property/test_friction_scenes.cpp.
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include "friction/any_model.hpp"
 #include "support/catch.hpp"
-#include "support/draw.hpp"
 #include "support/observed_order.hpp"
 
 namespace any_model {
@@ -36,13 +31,6 @@ Load breathing(const Setup& setup, double half_length) {
     return {half_length / a * pressure, half_length, pressure};
 }
 double breath(int k) { return a * std::sqrt(1 + 0.2 * std::sin(0.3 * k)); }
-
-/// Hertz's pressure of another load on a mesh of constant length; the contact ends at `half_length`.
-Load fixed(const Setup& setup, double half_length) {
-    const Eigen::ArrayXd x = a * setup.mesh.centres();
-    const Eigen::ArrayXd pressure = peak_pressure / a * (half_length * half_length - x.square()).max(0).sqrt();
-    return {pressure, a, pressure};
-}
 
 // Steps, shifts and steady solutions in turn, some under a load of their own, of a creepage of varying size and angle.
 Step varied(Ride& ride, const Setup& setup, int k, double degrees, double turning) {
@@ -165,31 +153,6 @@ TEST_CASE("With Poisson's ratio zero, the solution turns with the creepage", "[f
     }
 }
 
-TEST_CASE("Left and right, and forth and back, are alike", "[friction]") {
-    for_each(every_setup_in_time(), [](Setup setup) {
-        setup.turned = true;
-        Ride ride(setup), reversed(setup), mirrored(setup);
-        for (int k = 0; k < 48; ++k) {
-            CAPTURE(k);
-            // by the angle: 180 degrees more reverses both directions, the opposite angle reverses the lateral one
-            const Step step = varied(ride, setup, k, 20, 11), back = varied(reversed, setup, k, 200, 11),
-                       left = varied(mirrored, setup, k, -20, -11);
-            REQUIRE(step.status == StepStatus::ok);
-            const auto alike = [&](const Step& other, const State& state, double x, double y) {
-                const Eigen::RowVector2d sign(x, y);
-                CHECK((ratios(other) - sign.transpose().cwiseProduct(ratios(step))).norm() < 1e-9);
-                CHECK((state.traction - ride.now.traction * sign.asDiagonal()).cwiseAbs().maxCoeff() <
-                      1e-9 * peak_pressure);
-                CHECK((matrix(other.tangent) - sign.asDiagonal() * matrix(step.tangent) * sign.asDiagonal()).norm() <=
-                      1e-6 * matrix(step.tangent).norm());
-                CHECK(other.slip_work == Approx(step.slip_work).epsilon(1e-9));
-            };
-            alike(back, reversed.now, -1, -1);
-            alike(left, mirrored.now, 1, -1);
-        }
-    });
-}
-
 TEST_CASE("In full sliding the force opposes the creepage, at the coefficient of its velocity", "[friction]") {
     for_each(every_setup_in_time(), [](const Setup& setup) {
         for (const double degrees : {0.0, 25.0, 160.0}) {
@@ -249,48 +212,6 @@ TEST_CASE("A run that stands still solves the equations of steady rolling", "[fr
             }
         }
     }
-}
-
-TEST_CASE("With memory, rolling in time tends to steady rolling as mesh and steps are refined", "[friction]") {
-    for (Setup setup : every_setup_in_time(20e-6)) {
-        if (setup.distance == 0) continue;
-        INFO(words(setup));
-        std::vector<double> counts, differences;
-        for (const Eigen::Index n : {20, 40, 80}) {
-            setup.mesh = uniform_mesh<double>(n);
-            Ride ride(setup);
-            const Step steady = ride.steady(creepage(0.75, 39));
-            Step step;
-            const double dq = 4.0 / static_cast<double>(n);
-            for (double q = 0; q < 16; q += dq) step = ride.step(dq, creepage(0.75, 39));
-            REQUIRE(step.status == StepStatus::ok);
-            counts.push_back(static_cast<double>(n));
-            differences.push_back((ratios(step) - ratios(steady)).norm());
-        }
-        CAPTURE(differences, support::observed_order(counts, differences));
-        CHECK(std::abs(support::observed_order(counts, differences) - 1) < 0.12);
-        CHECK(differences.back() < 1e-3);
-    }
-}
-
-TEST_CASE("Steady forces tend to a limit that meshes share", "[friction]") {
-    for_each(every_setup(), [](Setup setup) {
-        const auto solve = [&](const Mesh<double>& mesh) {
-            setup.mesh = mesh;
-            const Step step = Ride(setup).steady(creepage(0.25, 50));
-            REQUIRE(step.status == StepStatus::ok);
-            return ratios(step);
-        };
-        const Vector2d limit = solve(cosine_mesh<double>(160));
-        std::vector<double> counts, errors;
-        for (const Eigen::Index n : {20, 40, 80}) {
-            counts.push_back(static_cast<double>(n));
-            errors.push_back((solve(uniform_mesh<double>(n)) - limit).norm());
-        }
-        CAPTURE(errors, support::observed_order(counts, errors));
-        CHECK(std::abs(support::observed_order(counts, errors) - 1) < 0.2);
-        CHECK(errors.back() < 4e-3);
-    });
 }
 
 // Forces at eight places of a way of 4 a, in which the creepage rises, falls and turns, and the work up to there.
@@ -382,82 +303,6 @@ TEST_CASE("The work of the rigid bodies is spent on slip, jumps and elastic ener
         if (!setup.falls) CHECK(jumps == 0);
         CHECK((jumps > 0.01 * spent) == (setup.falls && setup.distance == 0));
     });
-}
-
-TEST_CASE("Tangents by creepage, shift, load and half-length agree with central differences", "[friction]") {
-    for (Setup setup : every_setup_in_time(10e-6)) {
-        setup.least = 0;  // where mu has no derivative
-        for (const bool breathes : {true, false}) {
-            INFO(words(setup));
-            CAPTURE(breathes);
-            setup.mesh = breathes ? cosine_mesh<double>(24) : uniform_mesh<double>(24);
-            Ride ride(setup);
-            double worst[4] = {};  // by both creepages, by the load, by the half-length
-            int compared[4] = {};
-            for (int k = 0; k < 40; ++k) {
-                const bool shifts = k % 5 == 0, steady = k % 5 == 1;
-                const double half_length = breath(k);
-                const Load load = breathes ? breathing(setup, shifts ? ride.now.half_length : half_length)
-                                           : fixed(setup, 0.8 * half_length);
-                const Creepage<double> at = creepage(0.5 + 0.25 * std::sin(0.3 * k), 8.0 * k);
-                const auto solve = [&](const Vector2d& more, double pressed, double longer) {
-                    const Creepage<double> end{at.longitudinal + more[0], at.lateral + more[1]};
-                    Load changed = load;
-                    changed.normal_pressure += pressed * load.pressure_rate;
-                    changed.half_length += longer;
-                    if (steady) return ride.try_steady(end, &changed);
-                    const Motion motion = shifts ? Motion::shift({0.1 * a * end.longitudinal, 0.1 * a * end.lateral})
-                                          : k % 5 == 2 ? Motion(end)
-                                                       : Motion::linear(creepage(0.5, 40), end);
-                    return ride.try_step(shifts ? 0 : 0.137, motion, &changed);
-                };
-                const Step step = solve(Vector2d::Zero(), 0, 0);
-                REQUIRE(step.status == StepStatus::ok);
-                if (steady) CHECK(std::isnan(step.tangent_by_load.longitudinal));
-                CHECK((vector(ride.model.force(ride.next)) - vector(step.force)).norm() <=
-                      1e-14 * vector(step.force).norm());
-                const State solved = ride.next;
-                const Matrix2d tangent = (shifts ? 0.1 * a : 1) * matrix(step.tangent);
-                const auto compare = [&](std::size_t what, const Vector2d& own, const auto& moved) {
-                    constexpr double h = 1e-5;
-                    bool unchanged = true;
-                    const auto slope = [&](double change) {
-                        const Step high = moved(change);
-                        unchanged = unchanged && ride.next.zones == solved.zones;
-                        const Step low = moved(-change);
-                        unchanged = unchanged && ride.next.zones == solved.zones;
-                        return Vector2d((ratios(low) - ratios(high)) / (2 * change));
-                    };
-                    const Vector2d fine = slope(h), coarse = slope(2 * h);
-                    if (!unchanged) return;                                  // there is a kink in between
-                    const Vector2d difference = fine + (fine - coarse) / 3;  // of fourth order
-                    worst[what] = std::max(worst[what], (difference - own / full_force).norm());
-                    compared[what] += step.stick_count > 0 && step.stick_count < 24 ? 1 : 0;
-                };
-                for (const Eigen::Index by : {0, 1}) {
-                    compare(static_cast<std::size_t>(by), sliding * tangent.col(by),
-                            [&](double h) { return solve(sliding * h * Vector2d::Unit(by), 0, 0); });
-                }
-                if (!steady) {
-                    compare(2, vector(step.tangent_by_load), [&](double h) { return solve(Vector2d::Zero(), h, 0); });
-                }
-                if (breathes && !steady && !shifts) {
-                    compare(3, a * vector(step.tangent_by_half_length),
-                            [&](double h) { return solve(Vector2d::Zero(), 0, h * a); });
-                } else if (steady || shifts) {
-                    CHECK(std::isnan(step.tangent_by_half_length.longitudinal));
-                }
-                solve(Vector2d::Zero(), 0, 0);
-                ride.accept();
-            }
-            for (std::size_t what = 0; what < 4; ++what) {
-                if (what == 3 && !breathes) continue;
-                CAPTURE(what, worst[what], compared[what]);
-                CHECK(worst[what] < 1e-7);
-                CHECK(compared[what] > 15);
-            }
-        }
-    }
 }
 
 }  // namespace

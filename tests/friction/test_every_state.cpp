@@ -7,8 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/stability.hpp>
-
 #include "friction/any_model.hpp"
 #include "support/catch.hpp"
 #include "support/draw.hpp"
@@ -89,8 +87,8 @@ TEST_CASE("Results depend on state and arguments alone, to the last bit", "[fric
                     const Step bare = task.run(rides[3].model, from, alone, fresh);
                     REQUIRE(same(ratios(bare), ratios(found)));
                     REQUIRE(same(ride.next, alone));
-                    REQUIRE(std::isnan(bare.tangent.by_longitudinal.longitudinal));
-                    REQUIRE(std::isnan(bare.tangent_by_load.longitudinal));
+                    REQUIRE(detail::is_nan(bare.tangent.by_longitudinal.longitudinal));
+                    REQUIRE(detail::is_nan(bare.tangent_by_load.longitudinal));
                 }
                 if (!draw.one_in(3)) ride.accept();  // otherwise the trial is rejected
             }
@@ -151,10 +149,10 @@ TEST_CASE("A constant load gives bit for bit the same steps as no load", "[frict
                 const Step step = plain.step(dq, motion);
                 Step same_step = loaded.step(dq, motion, &load);
                 REQUIRE(step.status == StepStatus::ok);
-                CHECK(std::isnan(same_step.tangent_by_load.longitudinal));
-                CHECK(std::isnan(same_step.tangent_by_load.lateral));
-                CHECK(std::isnan(same_step.tangent_by_half_length.longitudinal) == (strip || dq == 0));
-                CHECK(std::isnan(step.tangent_by_half_length.longitudinal));
+                CHECK(detail::is_nan(same_step.tangent_by_load.longitudinal));
+                CHECK(detail::is_nan(same_step.tangent_by_load.lateral));
+                CHECK(detail::is_nan(same_step.tangent_by_half_length.longitudinal) == (strip || dq == 0));
+                CHECK(detail::is_nan(step.tangent_by_half_length.longitudinal));
                 same_step.tangent_by_half_length = step.tangent_by_half_length;
                 REQUIRE(same(step, same_step));
                 REQUIRE(same(plain.now, loaded.now));
@@ -206,17 +204,18 @@ void check_refused(const Ride& ride, const Step& step, StepStatus expected, cons
                    const Eigen::MatrixXd& slip) {
     CAPTURE(name(step.status), name(expected));
     CHECK(step.status == expected);
-    CHECK(std::isnan(step.force.longitudinal));
-    CHECK(std::isnan(step.force.lateral));
-    CHECK(std::isnan(step.tangent.by_longitudinal.longitudinal));
-    CHECK(std::isnan(step.tangent_by_load.longitudinal));
-    CHECK(std::isnan(step.tangent_by_half_length.longitudinal));
-    CHECK(std::isnan(step.slip_work));
+    CHECK(detail::is_nan(step.force.longitudinal));
+    CHECK(detail::is_nan(step.force.lateral));
+    CHECK(detail::is_nan(step.tangent.by_longitudinal.longitudinal));
+    CHECK(detail::is_nan(step.tangent_by_load.longitudinal));
+    CHECK(detail::is_nan(step.tangent_by_half_length.longitudinal));
+    CHECK(detail::is_nan(step.slip_work));
     CHECK(same(ride.next, before));
     CHECK(ride.own.slip() == slip);
 }
 
-TEST_CASE("Invalid steps, states and loads are reported by the status, and nothing is written", "[friction]") {
+TEST_CASE("Invalid steps, states and loads are reported by the status, and nothing is written",
+          "[friction][not_finite]") {
     for (Setup setup : every_setup_in_time(1e-6)) {
         INFO(words(setup));
         setup.mesh = cosine_mesh<double>(8);
@@ -370,12 +369,12 @@ TEST_CASE("A system with a single half-length is reported as needs_fixed_mesh", 
         CHECK(ride.try_step(0.1, creeps).status == StepStatus::needs_fixed_mesh);
         CHECK(ride.try_step(0, shift(0.5)).status == StepStatus::needs_fixed_mesh);
         CHECK(ride.try_steady(creeps).status == StepStatus::needs_fixed_mesh);
-        CHECK(std::isnan(ride.model.elastic_energy(ride.now)));
+        CHECK(detail::is_nan(ride.model.elastic_energy(ride.now)));
         CHECK(ride.model.elastic_energy(rest) == 0);
     }
 }
 
-TEST_CASE("A step that overflows leaves a copy of its initial state", "[friction]") {
+TEST_CASE("A step that overflows leaves a copy of its initial state", "[friction][not_finite]") {
     for (const Setup& setup : every_setup_in_time()) {
         INFO(words(setup));
         Ride ride(setup);
@@ -384,7 +383,7 @@ TEST_CASE("A step that overflows leaves a copy of its initial state", "[friction
         REQUIRE(ride.now.zones != rest.zones);
         const Step failed = ride.try_step(1e3, Creepage<double>{1e308, 1e308});
         CHECK(failed.status == StepStatus::not_finite);
-        CHECK(std::isnan(failed.force.longitudinal));
+        CHECK(detail::is_nan(failed.force.longitudinal));
         CHECK(same(ride.next.traction, ride.now.traction));
         CHECK(ride.next.zones == ride.now.zones);
         CHECK(same(ride.next.friction_coefficient, ride.now.friction_coefficient));
@@ -403,12 +402,12 @@ TEST_CASE("A step that overflows leaves a copy of its initial state", "[friction
             ride.now = rest;
             ride.now.traction(i, setup.directions == 1 ? 0 : i % 2) = nan;
             CHECK(ride.try_step(0.2, creepage(0.5)).status == StepStatus::not_finite);
-            CHECK(ride.next.traction.hasNaN());
+            CHECK_FALSE(detail::all_finite(ride.next.traction));
         }
     }
 }
 
-TEST_CASE("Laws, matrices and verdicts out of range are refused by name", "[friction]") {
+TEST_CASE("Laws, matrices and verdicts out of range are refused by name", "[friction][not_finite]") {
     for (Setup setup : every_setup(1e-6)) {
         INFO(words(setup));
         setup.mesh = cosine_mesh<double>(8);
@@ -447,7 +446,7 @@ TEST_CASE("Laws, matrices and verdicts out of range are refused by name", "[fric
     }
 }
 
-TEST_CASE("A law that returns NaN leads to a status", "[friction]") {
+TEST_CASE("A law that returns NaN leads to a status", "[friction][not_finite]") {
     for (const int directions : {1, 2}) {
         Setup setup{.directions = directions};
         setup.any = [](double v) { return v > 0.05 ? nan : 0.3; };
@@ -456,7 +455,7 @@ TEST_CASE("A law that returns NaN leads to a status", "[friction]") {
         CHECK(ride.try_step(0.1, Creepage<double>{0, 0}).status == StepStatus::ok);
         const Step step = ride.try_step(0.1, Creepage<double>{2e-2, 2e-2});
         CHECK(step.status == StepStatus::not_finite);
-        CHECK(std::isnan(step.force.longitudinal));
+        CHECK(detail::is_nan(step.force.longitudinal));
         CHECK(same(ride.next.traction, ride.now.traction));
         CHECK((ride.next.friction_coefficient == 0.2).all());
         CHECK(ride.try_steady({2e-2, 2e-2}).status == StepStatus::not_finite);

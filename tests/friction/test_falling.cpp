@@ -1,7 +1,6 @@
 // rollbem/friction/law.hpp, and friction that falls with slip: against reference forces and limits.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -98,115 +97,6 @@ TEST_CASE("With little memory, the force oscillates at the peak of the creep cur
         CHECK(std::abs(highest - 0.828) < 0.01);
         CHECK(std::abs(lowest - 0.656) < 0.01);
         CHECK(std::abs(period - c.period) < c.margin);
-    }
-}
-
-TEST_CASE("A point of the creep curve follows the branch of its neighbour", "[friction]") {
-    const Law steep{.mu_0 = 0.3, .mu_k = 0, .half_velocity = 0.002};
-    const Scene scene(cosine_mesh<double>(40));
-    const FrictionModel<Law> model(scene.contact, steady_system(scene.mesh, scene.scheme, scene.kernel),
-                                   {steep, scene.pressure()});
-    auto workspace = model.workspace();
-    constexpr int count = 31;
-    const auto curve = [&](bool down) {
-        std::vector<double> forces(count);
-        State now = model.at_rest(), next = now;
-        for (int k = 0; k < count; ++k) {
-            const int at = down ? count - 1 - k : k;
-            const Step step = model.steady(now, 5e-5 * (at + 1), speed, next, workspace);
-            REQUIRE(step.status == StepStatus::ok);
-            forces[static_cast<std::size_t>(at)] = force_ratio(step);
-            std::swap(now, next);
-        }
-        return forces;
-    };
-    const std::vector<double> up = curve(false), down = curve(true);
-    double apart = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-        CHECK(up[k] >= down[k] - 1e-9);
-        apart = std::max(apart, up[k] - down[k]);
-    }
-    CHECK(apart > 0.1);
-    CHECK(up.back() == Approx(down.back()).epsilon(1e-9));
-}
-
-TEST_CASE("Memory is transported on a breathing mesh", "[friction]") {
-    // full sliding with v = |creepage| V approximately, so that mu of a particle is known
-    Scene scene(uniform_mesh<double>(40), 10e-6);
-    const PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(scene.contact);
-    const Law weak{.mu_0 = 0.3, .mu_k = 0.18, .half_velocity = 0.1};
-    const FrictionModel<Law> model(scene.contact, rolling_system(scene.mesh, scene.scheme, kernel), unchecked,
-                                   {weak, scene.pressure() / 1000, {10e-6, 0}}, Integrator::sdirk2);
-    auto workspace = model.workspace();
-    State now = model.at_rest(), next = now;
-    const double dq = 0.02 * a, creepage = 2e-3;
-    NormalLoad<double> load{now.normal_pressure, a, {}};
-    double half_length = a;
-    for (int k = 1; k <= 150; ++k) {
-        half_length = a * (1 + 0.2 * std::sin(0.04 * k));
-        load.half_length = half_length;
-        const Step step = model.advance(now, {dq, dq / speed}, creepage, load, next, workspace);
-        REQUIRE(step.status == StepStatus::ok);
-        std::swap(now, next);
-        CHECK(now.half_length == half_length);
-    }
-    // d mu/dx = -(creepage/d) (mu - mu_s) from the leading edge, where a particle has entered; the edge moves back and
-    // forth relative to the centre
-    const ElementSystem<double> system = rolling_system(scene.mesh, scene.scheme, kernel);
-    const ArrayX<double>& points = *system.points();
-    const double end = weak(creepage * speed);
-    for (Eigen::Index i = 0; i < 40; i += 3) {
-        // entered where the edge was when it met the particle: q_in + a(q_in) = q + a(q) zeta
-        const double place = half_length / a * points[i];
-        double way = 1 - points[i];
-        for (int iteration = 0; iteration < 200; ++iteration) {
-            way = (1 + 0.2 * std::sin(0.04 * 150 - 2 * way)) - place;
-        }
-        const double expected = end + (0.3 - end) * std::exp(-creepage * way * a / 10e-6);
-        CAPTURE(i, way);
-        CHECK(now.friction_coefficient[i] == Approx(expected).margin(2e-3));
-    }
-}
-
-// Least and largest force over the last 10 a of a run over 20 a in steps of 0.02 a from steady rolling, disturbed in
-// its first step by a part of the creepage.
-std::pair<double, double> swing(const FrictionModel<Law>& model, double disturbance) {
-    constexpr double creepage = 1e-3;
-    auto workspace = model.workspace();
-    State now = model.at_rest(), next = now;
-    model.steady(now, creepage, speed, next, workspace);
-    std::swap(now, next);
-    double least = 1, largest = 0;
-    for (int k = 0; k < 1000; ++k) {
-        const double imposed = creepage * (k == 0 ? 1 + disturbance : 1);
-        const Step step = model.advance(now, {0.02 * a, 0.02 * a / speed}, imposed, next, workspace);
-        REQUIRE(step.status == StepStatus::ok);
-        std::swap(now, next);
-        if (k < 500) continue;
-        least = std::min(least, force_ratio(step));
-        largest = std::max(largest, force_ratio(step));
-    }
-    return {least, largest};
-}
-
-TEST_CASE("Without memory steady rolling is unstable in short steps; with memory it is stable", "[friction]") {
-    for (const bool cosine : {false, true}) {
-        Scene scene(cosine ? cosine_mesh<double>(40) : uniform_mesh<double>(40));
-        CAPTURE(cosine);
-        for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-            CAPTURE(name(integrator));
-            scene.distance = 0;
-            const FrictionModel<Law> forgetful = scene.transient(integrator);
-            const auto [least, largest] = swing(forgetful, 1e-6);
-            CAPTURE(least, largest);
-            CHECK(least > 0.5);
-            CHECK(largest < 0.585);  // of 0.595 and 0.591 in steady rolling
-            CHECK(largest - least > 0.01);
-            scene.distance = 10e-6;
-            const auto [low, high] = swing(scene.transient(integrator), 1e-2);
-            CAPTURE(low, high);
-            CHECK(high - low < 1e-4);
-        }
     }
 }
 

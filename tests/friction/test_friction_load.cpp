@@ -1,84 +1,164 @@
-// rollbem/friction/model.hpp, state.hpp, normal/load.hpp: properties of a step under a varying load, independent of
-// its accuracy.
+// rollbem/friction/model.hpp under a varying load: against a second discretisation and closed forms, and its limits.
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 #include <utility>
 #include <vector>
 
+#include <rollbem/closed_form/friction.hpp>
 #include <rollbem/compiled/friction.hpp>
 
-#include "load_scene.hpp"
+#include "scene.hpp"
 #include "support/catch.hpp"
+#include "support/observed_order.hpp"
 
 namespace friction_tests {
 namespace {
 
-using State = FrictionState<>;
-using Step = FrictionStep<>;
-using Workspace = FrictionWorkspace<>;
-using Motion = RigidMotion<double>;
-using Load = NormalLoad<double>;
+constexpr double load_nu = 0.28;
 
-TEST_CASE("The half-length that a mesh is made for does not change the physics", "[friction][load]") {
-    // the same history on meshes made for other half-lengths of the same contact; then steps without a load against a
-    // model made for the last half-length
-    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(24), 100);
-        const FrictionModel<> model = scene.model(integrator);
-        const SineLoad sine{.L = 4};
-        State now = model.at_rest(), next = now;
-        Workspace workspace = model.workspace();
-        std::vector<double> expected;
-        const auto ride = [&](const LoadScene& of, std::vector<double>& forces) {
-            const FrictionModel<> rolling = of.model(integrator);
-            Workspace own = rolling.workspace();
-            State from = rolling.at_rest(), to = from;
-            Load load = of.hertz.at(sine(0));
-            FrictionStep<> step = rolling.steady(from, load_creepage(0.4), load, to, own);
-            for (int k = 1; k <= 43; ++k) {
-                forces.insert(forces.end(), {step.force, step.tangent, step.slip_work, rolling.force(to)});
-                std::swap(from, to);
-                REQUIRE(of.hertz.set(sine(0.1 * k), load) == StepStatus::ok);
-                const Motion motion = Motion::linear(load_creepage(0.4 + 0.01 * k), load_creepage(0.41 + 0.01 * k));
-                const Step loaded = rolling.advance(from, 0.1, motion, load, to, own);
-                REQUIRE(loaded.status == StepStatus::ok);
-                forces.insert(forces.end(), {loaded.tangent_by_load, loaded.tangent_by_half_length});
-                step = loaded;
-            }
-            return to;
-        };
-        const State end = ride(scene, expected);
-        for (const double made_for : {0.6, 1.7}) {
-            std::vector<double> found;
-            const State other_end = ride(LoadScene::breathing(scene.mesh, 100, made_for), found);
-            CAPTURE(made_for, name(integrator));
-            double worst = 0;
-            for (std::size_t k = 0; k < expected.size(); ++k) {
-                worst = std::max(worst, std::abs(found[k] / expected[k] - 1));
-            }
-            CHECK(worst < 1e-10);
-            CHECK((other_end.traction - end.traction).cwiseAbs().maxCoeff() < 1e-12 * peak);
-        }
-        const FrictionModel<> there = LoadScene::breathing(scene.mesh, 100, end.half_length).model(integrator);
-        State elsewhere = end, elsewhere_next = end;
-        elsewhere.system = there.fingerprint();
-        now = end;
-        Workspace other = there.workspace();
-        for (int k = 0; k < 20; ++k) {
-            const double xi = load_creepage(0.7 * std::sin(0.5 * k));
-            const FrictionStep<> one = model.advance(now, k % 5 == 4 ? 0 : 0.2, Motion::shift(xi), next, workspace);
-            const FrictionStep<> two =
-                there.advance(elsewhere, k % 5 == 4 ? 0 : 0.2, Motion::shift(xi), elsewhere_next, other);
-            REQUIRE(one.status == StepStatus::ok);
-            CHECK(one.force == Approx(two.force).epsilon(1e-10).margin(1e-10 * full_force * scene.contact.width()));
-            CHECK(one.tangent == Approx(two.tangent).epsilon(1e-10));
-            CHECK(one.slip_work ==
-                  Approx(two.slip_work).epsilon(1e-9).margin(1e-12 * full_force * peak * scene.contact.width()));
-            CHECK(next.half_length == end.half_length);
-            CHECK((next.normal_pressure == end.normal_pressure).all());
-            std::swap(now, next);
-            std::swap(elsewhere, elsewhere_next);
-        }
+/// Creepage [-] by its ratio to that of full sliding under the load `full_force`.
+double load_creepage(double ratio) { return 2 * (1 - load_nu) * peak * ratio; }
+
+/// Cylinders of E = 1 with a = 1 and p_0 = `peak` under the load `full_force`; mu = 1.
+HertzLine<double> unit_line() {
+    const double compliance = 2 * (1 - load_nu * load_nu);
+    return HertzLine<double>({.load_per_width = full_force,
+                              .combined_radius = std::numbers::pi / (4 * full_force * compliance),
+                              .body_1 = {1, load_nu},
+                              .body_2 = {1, load_nu}});
+}
+
+struct LoadScene {
+    Contact<double> contact;  // with the half-length that the mesh is made for
+    Mesh<double> mesh;
+    PlaneKernel<double> kernel;
+    HertzLoad<double> hertz;
+    Collocation scheme = half;
+    double mu = 1;
+
+    static LoadScene breathing(Mesh<double> mesh, double half_width = 1000, double half_length = 1) {
+        const Contact<double> contact = contact_of(half_length, half_width);
+        const HertzLoad<double> hertz = HertzLoad<double>::breathing(unit_line(), mesh);
+        return {contact, std::move(mesh), PlaneKernel<double>::longitudinal(contact), hertz};
     }
+    static LoadScene fixed(Mesh<double> mesh, double half_length = 1.25, double half_width = 1000) {
+        const Contact<double> contact = contact_of(half_length, half_width);
+        const HertzLoad<double> hertz = HertzLoad<double>::fixed(unit_line(), mesh, half_length);
+        return {contact, std::move(mesh), PlaneKernel<double>::longitudinal(contact), hertz};
+    }
+    static Contact<double> contact_of(double half_length, double half_width) {
+        return Contact<double>(
+            {.half_length = half_length, .half_width = half_width, .shear_modulus = 1, .poisson_ratio = load_nu});
+    }
+
+    ElementSystem<double> system() const { return rolling_system(mesh, scheme, kernel); }
+    FrictionModel<> model(Integrator integrator = Integrator::sdirk2) const {
+        return {contact, system(), unchecked, law(), integrator};
+    }
+    Friction<> law() const { return {mu, hertz.at(full_force).normal_pressure}; }
+};
+
+/// full_force (1 + 0.5 sin(2 pi q/L)).
+struct SineLoad {
+    double L = 8;
+
+    double operator()(double q) const { return full_force * (1 + 0.5 * std::sin(2 * std::numbers::pi * q / L)); }
+};
+
+// -F/(mu N_0) after each of `steps` steps over the distance Q, from steady rolling at half the creepage of full slip.
+std::vector<double> roll(const LoadScene& scene, const SineLoad& sine, double Q, int steps, Integrator integrator) {
+    const FrictionModel<> model = scene.model(integrator);
+    FrictionWorkspace<> workspace = model.workspace();
+    FrictionState<> now = model.at_rest(), next = now;
+    NormalLoad<double> load = scene.hertz.at(sine(0));
+    FrictionStep<> step = model.steady(now, load_creepage(0.5), load, next, workspace);
+    std::vector<double> forces{force_ratio(step, scene.contact)};
+    bool ok = step.status == StepStatus::ok;
+    for (int k = 1; k <= steps; ++k) {
+        std::swap(now, next);
+        ok = scene.hertz.set(sine(Q * k / steps), load) == StepStatus::ok && ok;
+        step = model.advance(now, Q / steps, load_creepage(0.5), load, next, workspace);
+        ok = ok && step.status == StepStatus::ok && step.complementarity_residual < 1e-11;
+        forces.push_back(force_ratio(step, scene.contact));
+    }
+    CHECK(ok);
+    return forces;
+}
+
+// Largest difference of two series, the second `factor` times as fine.
+double largest_difference(const std::vector<double>& one, const std::vector<double>& fine, std::size_t factor) {
+    double largest = 0;
+    for (std::size_t k = 0; k < one.size(); ++k) largest = std::max(largest, std::abs(one[k] - fine[k * factor]));
+    return largest;
+}
+
+// Values on which two independent discretisations agree: b/a_0 = 1000, A = 0.5, L = 8, q = 0, 0.4, ... 8, dq -> 0.
+const std::vector<double> agreed = {0.7500, 0.7618, 0.7737, 0.7851, 0.7963, 0.8066, 0.8151,
+                                    0.8207, 0.8228, 0.8199, 0.8101, 0.7897, 0.7061, 0.5955,
+                                    0.5245, 0.4980, 0.4937, 0.5000, 0.5129, 0.5299, 0.5494};
+
+TEST_CASE("Forces on a breathing mesh converge at second order in the number of elements", "[friction][load]") {
+    std::vector<double> sizes, changes;
+    std::vector<std::vector<double>> series;
+    for (const Eigen::Index n : {20, 40, 80, 160}) {
+        series.push_back(roll(LoadScene::breathing(cosine_mesh<double>(n)), {}, 8, 80, Integrator::sdirk2));
+        CAPTURE(n);
+        const double error = largest_difference(agreed, series.back(), 4);
+        CAPTURE(error);
+        if (n == 20) CHECK(error < 3e-3);
+        if (n == 40) CHECK(error < 1e-3);
+        if (n >= 80) CHECK(error < 4e-4);  // dq = 0.1
+        if (series.size() < 2) continue;
+        sizes.push_back(static_cast<double>(n));
+        changes.push_back(largest_difference(series[series.size() - 2], series.back(), 1));
+    }
+    const double order = support::observed_order(sizes, changes);
+    CAPTURE(changes[0], changes[1], changes[2], order);
+    CHECK(order > 1.6);
+    CHECK(order < 2.3);
+}
+
+TEST_CASE("Forces on a fixed mesh converge to the same limit at first order", "[friction][load]") {
+    std::vector<double> sizes, errors;
+    for (const Eigen::Index n : {50, 100, 200, 400}) {
+        const std::vector<double> forces =
+            roll(LoadScene::fixed(uniform_mesh<double>(n)), {}, 8, 160, Integrator::sdirk2);
+        sizes.push_back(static_cast<double>(n));
+        errors.push_back(largest_difference(agreed, forces, 8));
+    }
+    const double order = support::observed_order(sizes, errors);
+    CAPTURE(errors[0], errors[1], errors[2], errors[3], order);
+    CHECK(errors[0] < 9e-3);
+    CHECK(errors[1] < 4.4e-3);
+    CHECK(errors[2] < 2.3e-3);
+    CHECK(errors[3] < 1.2e-3);
+    CHECK(order > 0.9);
+    CHECK(order < 1.1);
+}
+
+TEST_CASE("Under a slowly varying load, the force follows Carter's solution", "[friction][load]") {
+    std::vector<double> lengths, differences;
+    for (const double L : {8.0, 40.0, 200.0, 1000.0}) {
+        const SineLoad sine{.L = L};
+        const int steps = 160;
+        const std::vector<double> forces =
+            roll(LoadScene::breathing(cosine_mesh<double>(40)), sine, L, steps, Integrator::sdirk2);
+        double largest = 0;
+        for (int k = 0; k <= steps; ++k) {
+            const double relative = sine(L * k / steps) / full_force;  // a^2
+            largest = std::max(largest, std::abs(forces[static_cast<std::size_t>(k)] -
+                                                 relative * carter_force_ratio(0.5 / std::sqrt(relative))));
+        }
+        lengths.push_back(L);
+        differences.push_back(largest);
+    }
+    CAPTURE(differences[0], differences[1], differences[2], differences[3]);
+    CHECK(differences[0] == Approx(0.20).margin(0.01));
+    CHECK(differences[1] == Approx(0.12).margin(0.01));
+    CHECK(differences[2] == Approx(0.031).margin(0.002));
+    CHECK(differences[3] < 0.009);
 }
 
 TEST_CASE("A contact does not grow to where the plane kernel is unstable", "[friction][load]") {
@@ -89,7 +169,7 @@ TEST_CASE("A contact does not grow to where the plane kernel is unstable", "[fri
     const auto check = [&](const auto& model, double limit, const auto& creepage) {
         auto workspace = model.workspace();
         auto now = model.at_rest(), next = now;
-        Load load = scene.hertz.at(full_force);
+        NormalLoad<double> load = scene.hertz.at(full_force);
         const auto advance = [&](double half_length) {
             load.half_length = half_length;
             return model.advance(now, 0.1, creepage, load, next, workspace).status;

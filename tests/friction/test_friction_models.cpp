@@ -1,6 +1,5 @@
 // rollbem/friction/model.hpp: models with and without G, for every law and both numbers of directions.
 #include <cmath>
-#include <vector>
 
 #include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
@@ -11,25 +10,6 @@
 
 namespace any_model {
 namespace {
-
-TEST_CASE("A steady state starts a run in time", "[friction]") {
-    for (Setup setup : every_setup()) {
-        INFO(words(setup));
-        setup.turned = true;
-        Ride ride(setup);
-        CHECK(ride.alone().fingerprint() == ride.model.fingerprint());
-        // the same workspace serves both, and rolling on changes nothing but the effect of finite steps on the memory
-        const Step point = ride.alone().steady(ride.now, creepage(0.5, 37), speed, ride.next, ride.own);
-        REQUIRE(point.status == StepStatus::ok);
-        CHECK(same(ratios(ride.try_steady(creepage(0.5, 37))), ratios(point)));
-        ride.accept();
-        const Step in_time = ride.step(0.1, creepage(0.5, 37));
-        REQUIRE(in_time.status == StepStatus::ok);
-        // the angles by which slip turns are those of each step's own plain solution
-        const double turn = setup.directions == 2 ? 1e-5 : 1e-11;
-        CHECK((ratios(in_time) - ratios(point)).norm() < (setup.falls ? 0.02 : turn));
-    }
-}
 
 TEST_CASE("Steady forces of a scheme that does not converge are not given", "[friction]") {
     for (Setup setup : every_setup()) {

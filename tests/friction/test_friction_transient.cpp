@@ -1,23 +1,16 @@
-// rollbem/friction/model.hpp: against closed forms, limits, Coulomb's law and full adhesion.
-#include <algorithm>
+// rollbem/friction/model.hpp, state.hpp: against closed forms and full adhesion, and what a state may hold.
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
-
-#include <Eigen/LU>
 
 #include <rollbem/closed_form/friction.hpp>
 #include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/steady.hpp>
 
+#include "friction/same_bits.hpp"
 #include "scene.hpp"
 #include "support/catch.hpp"
-#include "support/dense.hpp"
-#include "support/draw.hpp"
 #include "support/observed_order.hpp"
 #include "support/scalars.hpp"
 
@@ -107,104 +100,6 @@ TEST_CASE("A rigid shift without rolling gives Cattaneo's solution", "[friction]
     }
 }
 
-TEST_CASE("The residual of a step is that of the worse of its two stages", "[friction]") {
-    // The rows of G are equal up to round-off, so whether a right-hand side has a solution to round-off is chance. The
-    // first stage from rest is a step of implicit Euler.
-    support::Draw draw(5);
-    const auto random = [&](Eigen::Index columns) {
-        return MatrixX<double>(MatrixX<double>::NullaryExpr(3, columns, [&] { return draw.normal(); }));
-    };
-    const Contact<double> contact = Contact<double>::dimensionless(10, nu);
-    const double gamma = 1 - std::numbers::sqrt2 / 2;
-    int failed_first = 0, worse_last = 0;
-    for (int trial = 0; trial < 400; ++trial) {
-        const MatrixX<double> row = random(1).transpose(), noise = random(3);
-        const MatrixX<double> G = 1e8 * (row.replicate(3, 1) + 1e-16 * noise);
-        const auto step = [&](Integrator integrator, double dq, double xi) {
-            const FrictionModel<> model(contact, {G, MatrixX<double>::Zero(3, 3), ArrayX<double>::Constant(3, 2.0 / 3)},
-                                        unchecked, {1.0, ArrayX<double>::Constant(3, peak)}, integrator);
-            const FrictionState<> rest = model.at_rest();
-            FrictionState<> to = rest;
-            FrictionWorkspace<> workspace = model.workspace();
-            return model.advance(rest, dq, xi, to, workspace);
-        };
-        const double xi = draw.normal();
-        const FrictionStep<> first = step(Integrator::implicit_euler, gamma * 0.1, xi);
-        const FrictionStep<> whole = step(Integrator::sdirk2, 0.1, xi);
-        CAPTURE(trial, first.complementarity_residual, whole.complementarity_residual);
-        CHECK(whole.complementarity_residual >= first.complementarity_residual);
-        if (first.status == StepStatus::no_solution) {
-            ++failed_first;
-            CHECK(whole.status == StepStatus::no_solution);
-        }
-        if (whole.complementarity_residual > first.complementarity_residual) ++worse_last;
-    }
-    CAPTURE(failed_first, worse_last);
-    CHECK(failed_first > 10);
-    CHECK(worse_last > 0);
-}
-
-TEST_CASE("Ten thousand steps, few of them checked, stay within round-off", "[friction]") {
-    // n = 24, implicit Euler, at a creepage that varies too little for any element to change its zone
-    constexpr Eigen::Index n = 24;
-    constexpr double dq = 0.05;
-    constexpr int steps = 10000;
-    const Scene scene(cosine_mesh<double>(n), half, 1, 10);
-    const ElementSystem<double> system = scene.system();
-    const FrictionModel<> model = scene.transient(Integrator::implicit_euler);
-    FrictionWorkspace<> workspace = model.workspace();
-    FrictionState<> now = model.at_rest(), next = now;
-    for (int k = 0; k < 1000; ++k) {
-        REQUIRE(model.advance(now, dq, creepage(0.5), next, workspace).status == StepStatus::ok);
-        std::swap(now, next);
-    }
-    // the same without an active set, for these zones
-    using Vector = VectorX<double>;
-    const MatrixX<double>& G = system.G();
-    const MatrixX<double> M = G - dq * system.G_prime();
-    std::vector<Eigen::Index> stick;
-    Vector plain = now.traction, sliding = plain;
-    for (Eigen::Index i = 0; i < n; ++i) {
-        if (now.zones[static_cast<std::size_t>(i)] != Zone::stick) continue;
-        stick.push_back(i);
-        sliding[i] = 0;
-    }
-    REQUIRE(stick.size() > 5);
-    REQUIRE(stick.size() < 20);
-    const MatrixX<double> M_stick = M(stick, stick);
-    const Vector product = M * sliding;
-
-    FrictionState<> checked = now, checked_next = now;
-    FrictionWorkspace<> checked_workspace = model.workspace();
-    const std::vector<Zone> zones = now.zones;
-    double error = 0, checked_error = 0;
-    int checks = 0;
-    for (int k = 0; k < steps; ++k) {
-        const double xi = creepage(0.5 * (1 + 1e-3 * std::sin(0.01 * k)));
-        const FrictionStep<> step = model.advance(now, dq, xi, next, workspace);
-        checked.solver.unchanged_steps = 0;
-        model.advance(checked, dq, xi, checked_next, checked_workspace);
-        std::swap(now, next);
-        std::swap(checked, checked_next);
-        REQUIRE(step.status == StepStatus::ok);
-        REQUIRE(now.zones == zones);
-        checks += step.complementarity_residual > 0 ? 1 : 0;
-        Vector constant = product - G * plain;
-        constant.array() += xi * dq;
-        const Vector solution = dense::solve(M_stick, constant(stick));
-        for (std::size_t j = 0; j < stick.size(); ++j) plain[stick[j]] = -solution[static_cast<Eigen::Index>(j)];
-        const auto off = [&](const FrictionState<>& state) {
-            return (state.traction - plain).cwiseAbs().maxCoeff() / peak;
-        };
-        error = std::max(error, off(now));
-        checked_error = std::max(checked_error, off(checked));
-    }
-    CAPTURE(error, checked_error, checks);
-    CHECK(error < 1e-13);
-    CHECK(checked_error < 1e-13);
-    CHECK(std::abs(checks - steps / 64) <= 1);
-}
-
 #ifdef ROLLBEM_SLOW_CHECKS
 TEST_CASE("Steps and steady rolling with friction agree in every scalar type", "[friction]") {
     const Scene scene(cosine_mesh<double>(20), {.alpha_L = 0, .alpha_T = 0.5}, 1, 10);
@@ -260,6 +155,82 @@ TEST_CASE("Matrices that are not those of elements are rejected by name", "[fric
     const FrictionModel<> gap = scene.transient();
     CHECK(gap.advance(gap.at_rest(), 0.1, 1e-3, next, workspace).status == StepStatus::ok);
     CHECK(next.traction[5] == 0);
+}
+
+using State = FrictionState<>;
+using Step = FrictionStep<>;
+using Workspace = FrictionWorkspace<>;
+using same_bits::same;
+
+TEST_CASE("Invalid counts in a state do not change the solution", "[friction]") {
+    const Scene scene(cosine_mesh<double>(20), half, 1, 10);
+    constexpr int high = std::numeric_limits<int>::max(), low = std::numeric_limits<int>::min();
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
+        const FrictionModel<> model = scene.transient(integrator);
+        Workspace workspace = model.workspace();
+        State now = model.at_rest(), next = now, expected = now;
+        for (int k = 0; k < 60; ++k) {
+            REQUIRE(model.advance(now, 0.1, creepage(0.5), next, workspace).status == StepStatus::ok);
+            std::swap(now, next);
+        }
+        const State rolled = now;
+        REQUIRE(rolled.solver.unchanged_steps > 10);
+        now.solver.unchanged_steps = 0;
+        const Step step = model.advance(now, 0.1, creepage(0.5), expected, workspace);
+        REQUIRE(step.status == StepStatus::ok);
+        CHECK(expected.solver.unchanged_steps == 1);
+        for (const int steps : {high, low, -1, 75}) {
+            now.solver.unchanged_steps = steps;
+            CAPTURE(name(integrator), steps);
+            CHECK(same(model.advance(now, 0.1, creepage(0.5), next, workspace), step));
+            CHECK(same(next, expected));
+        }
+        for (const double distance :
+             {nan, 0.0, -rolled.solver.unchanged_distance, 2 * rolled.solver.unchanged_distance}) {
+            now = rolled;
+            now.solver.unchanged_distance = distance;
+            CAPTURE(name(integrator), distance);
+            CHECK(same(model.advance(now, 0.1, creepage(0.5), next, workspace), step));
+            CHECK(same(next, expected));
+        }
+        // possible, but untrue counts
+        for (const int steps : {1, 11, 12, 74}) {
+            for (const double xi : {0.5, 1.2, -0.4}) {
+                now = rolled;
+                now.solver.unchanged_steps = 0;
+                const Step found = model.advance(now, 0.1, creepage(xi), expected, workspace);
+                now.solver.unchanged_steps = steps;
+                const Step claimed = model.advance(now, 0.1, creepage(xi), next, workspace);
+                CAPTURE(name(integrator), steps, xi);
+                CHECK(claimed.status == StepStatus::ok);
+                CHECK(claimed.force == Approx(found.force).epsilon(1e-12));
+                CHECK(next.zones == expected.zones);
+            }
+        }
+        // a step of the other integrator has another matrix
+        const FrictionModel<> other =
+            scene.transient(integrator == Integrator::sdirk2 ? Integrator::implicit_euler : Integrator::sdirk2);
+        CHECK(other.advance(rolled, 0.1, creepage(0.5), next, workspace).status == StepStatus::ok);
+        CHECK(next.solver.unchanged_steps <= 1);
+    }
+}
+
+TEST_CASE("Fingerprints distinguish systems but not friction laws", "[friction]") {
+    const Scene scene(cosine_mesh<double>(8), half, 1, 10);
+    const ElementSystem<double> system = scene.system();
+    CHECK(system.fingerprint() == scene.system().fingerprint());
+    const auto changed = [&](int what) {
+        MatrixX<double> G = system.G(), G_prime = system.G_prime();
+        ArrayX<double> widths = system.weights();
+        double& entry = what == 0 ? G(3, 5) : what == 1 ? G_prime(7, 0) : widths[7];
+        entry = std::nextafter(entry, 1e9);
+        return ElementSystem<double>(G, G_prime, widths).fingerprint();
+    };
+    for (const int what : {0, 1, 2}) CHECK(changed(what) != system.fingerprint());
+    CHECK(scene.transient().fingerprint() == scene.transient(Integrator::implicit_euler).fingerprint());
+    CHECK(scene.transient().fingerprint() == Scene(scene.mesh, half, 0.1, 10).transient().fingerprint());
+    CHECK(scene.transient().fingerprint() != Scene(scene.mesh, half, 1, 11).transient().fingerprint());
 }
 
 }  // namespace

@@ -334,23 +334,6 @@ TEST_CASE("patch_friction: limits and symmetries") {
     CHECK(alone.step.slip_work > 0);
 }
 
-TEST_CASE("patch_friction: small creepages adhere as Kalker's coefficients say") {
-    const Scene scene(6e-3, 4e-3, 6, 5);
-    const auto adhesion = solve_steady(scene.contact, scene.mesh, chebyshev, scene.kernel);
-    const auto model = scene.steady();
-    // without slip tangents are those of full adhesion
-    const auto tangent = solve(model, {0, 0, 0}).step.tangent;
-    const TangentialForce<double> columns[] = {tangent.by_longitudinal, tangent.by_lateral, tangent.by_spin};
-    const double units[][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto exact = creep_force(scene.contact, adhesion, {units[k][0], units[k][1], units[k][2]});
-        const double scale = G * scene.c * scene.c * (k == 2 ? scene.c : 1);
-        CHECK(std::abs(columns[k].longitudinal - exact.longitudinal) < 1e-11 * scale);
-        CHECK(std::abs(columns[k].lateral - exact.lateral) < 1e-11 * scale);
-        CHECK(std::abs(columns[k].moment - exact.moment) < 1e-11 * scale * scene.c);
-    }
-}
-
 TEST_CASE("patch_friction: a step of creepage from rest") {
     // -F_x, -F_y over mu N, -M_z over mu N a at q/a = 0.5, 1, 2, 4, by implicit Euler, dq = 0.05 a, of another program,
     // which turns slip by the angles of steps that each start from turned slip

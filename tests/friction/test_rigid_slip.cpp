@@ -124,60 +124,6 @@ struct Line {
     }
 };
 
-/// The law of friction of tractions p and slip s: |p| <= bound, and where p does not stick it has this length against
-/// s.
-template <class Rows>
-double violation(const Rows& p, const Rows& s, const ArrayX<double>& bound) {
-    double largest = 0;
-    for (Eigen::Index i = 0; i < p.rows(); ++i) {
-        const Rows target = [&] {
-            Rows moved = p.row(i) - s.row(i);
-            const double size = moved.norm();
-            if (size > bound[i]) moved *= bound[i] / size;
-            return moved;
-        }();
-        largest = std::max(largest, (p.row(i) - target.row(0)).norm());
-    }
-    return largest;
-}
-
-TEMPLATE_TEST_CASE_SIG("Slip by rows satisfies law and equations", "[friction]", ((int directions), directions), 1, 2) {
-    const Line line;
-    const auto model = line.model<directions>();
-    using Rows = ElementVectors<double, directions>;
-    const Rows rows = line.rows.leftCols(directions);
-    const auto moved = [&] {
-        if constexpr (directions == 1) {
-            return RigidMotion<double>(0.2).with_rows(rows);
-        } else {
-            return Motion({0.2, 0.1}).with_rows(rows);
-        }
-    }();
-    Rows rigid = rows;
-    rigid.col(0).array() += 0.2;
-    if (directions == 2) rigid.col(directions - 1).array() += 0.1;
-    const auto product = [&](bool slope, const Rows& p) {
-        Rows result(p.rows(), directions);
-        for (int d = 0; d < directions; ++d) {
-            const auto& system = d == 0 ? line.along : line.across;
-            result.col(d) = (slope ? system.G_prime() : system.G()) * p.col(d);
-        }
-        return result;
-    };
-    auto workspace = model.workspace();
-    auto now = model.at_rest(), next = now;
-    const auto contains = [&](Eigen::Index count) { return count > 2 && count < model.size() - 2; };
-    REQUIRE(contains(model.steady(now, moved, 1, next, workspace).stick_count));
-    CHECK(violation<Rows>(next.traction, rigid - product(true, next.traction), line.pressure) < 1e-12);
-    for (const double dq : {0.3, 0.1}) {
-        const Rows old = product(false, now.traction);
-        REQUIRE(contains(model.advance(now, dq, moved, next, workspace).stick_count));
-        const Rows p = next.traction;
-        CHECK(violation<Rows>(p, dq * rigid - dq * product(true, p) + product(false, p) - old, line.pressure) < 1e-12);
-        now = next;
-    }
-}
-
 TEST_CASE("Any contact with friction takes slip by rows", "[friction]") {
     const Line line;
     const Vectors rows = line.rows;

@@ -5,7 +5,6 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include <rollbem/closed_form/carter.hpp>
@@ -16,7 +15,6 @@
 
 #include "scene.hpp"
 #include "support/catch.hpp"
-#include "support/scalars.hpp"
 #include "support/strip_instances.hpp"
 
 namespace friction_tests {
@@ -172,45 +170,6 @@ TEST_CASE("The exact border covers both ends of the creep curve", "[friction]") 
     CHECK_THROWS_AS(solve_stick_border(plane.contact, plane.kernel, -0.1, hertz, 0.1), std::invalid_argument);
 }
 
-TEST_CASE("The exact border holds under other smooth pressures", "[friction]") {
-    const Contact<double> contact = Contact<double>::dimensionless(1e4, 0.28);
-    const PlaneKernel<double> kernel = PlaneKernel<double>::longitudinal(contact);
-    const Shaped pressure{[](double x) { return 1 + 0.15 * 2 * x - 0.1 * (4 * x * x - 1); }};
-    const auto solve = [&](double ratio) {
-        return solve_stick_border(contact, kernel, 1.0, AnyPressure(pressure), 2 * (1 - 0.28) * peak * ratio);
-    };
-    struct Case {
-        double ratio, force;
-    };
-    for (const Case& expected : {Case{0.3, 0.7518756441}, Case{0.6, 1.2512194097}}) {
-        const auto solution = solve(expected.ratio), mirrored = solve(-expected.ratio);
-        CAPTURE(expected.ratio, solution.force_per_width / peak);
-        CHECK(solution.exact);
-        CHECK(std::abs(-solution.force_per_width / peak - expected.force) < 1e-10);
-        CHECK(solution.coefficients <= 64);
-        CHECK(mirrored.force_per_width == -solution.force_per_width);
-        CHECK(mirrored.border == solution.border);
-        CHECK(mirrored.traction(0.5) == -solution.traction(0.5));
-        const double step = 1e-4;
-        const double difference =
-            (solve(expected.ratio + step).force_per_width - solve(expected.ratio - step).force_per_width) /
-            (4 * (1 - 0.28) * peak * step);
-        CHECK(solution.tangent_per_width == Approx(difference).epsilon(1e-7));
-        // the cosine mesh converges to it
-        const double elements =
-            plain_force(contact, kernel, cosine_mesh<double>(640), pressure, 2 * (1 - 0.28) * peak * expected.ratio);
-        CHECK(std::abs(elements / solution.force_per_width - 1) < 2e-5);
-    }
-    // in SI units, with mu separate from the pressure
-    const Contact<double> steel({.half_length = 5e-3, .half_width = 0.1, .shear_modulus = 8e10, .poisson_ratio = 0.28});
-    const PlaneKernel<double> steel_kernel = PlaneKernel<double>::longitudinal(steel);
-    const HertzPressure<double> real{8e8};
-    const double unit = 0.25 * 8e8 / 8e10;
-    const auto si = solve_stick_border(steel, steel_kernel, 0.25, real, 2 * 0.72 * unit * 0.5);
-    CHECK(-si.force_per_width == Approx(0.75 * 0.25 * 8e8 * 5e-3 * pi / 2).epsilon(1e-13));
-    CHECK(si.traction(0.5) == Approx(0.25 * 8e8 * carter_friction_traction(0.5, 0.5)).epsilon(1e-12));
-}
-
 /// Two cosine meshes that meet at the border.
 Mesh<double> mesh_about(double border, Eigen::Index n) {
     ArrayX<double> edges(2 * n + 1);
@@ -286,76 +245,6 @@ TEST_CASE("The exact border on a strip agrees with fitted meshes", "[friction]")
     }
 }
 
-TEST_CASE("The exact border on narrow strips agrees with fitted meshes", "[friction]") {
-    for (const double aspect : {0.02, 0.05, 0.1}) {
-        const Contact<double> contact = Contact<double>::dimensionless(aspect, nu);
-        const StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
-        const auto still = solve_stick_border(contact, kernel, 1.0, any_hertz, 0);
-        const double c11 = reference::strip_c11(0, nu, aspect).c11.real();
-        CAPTURE(aspect, still.tangent_per_width, c11);
-        CHECK(still.exact);
-        CHECK(still.tangent_per_width == Approx(-c11).epsilon(2e-11));
-        const double ratio = 0.3 * aspect;  // about half of the contact slips
-        const auto solution = solve_stick_border(contact, kernel, 1.0, any_hertz, creepage(ratio));
-        REQUIRE(solution.exact);
-        const Mesh<double> coarse = mesh_about(solution.border, 80), fine = mesh_about(solution.border, 160);
-        const double on_coarse = plain_force(contact, kernel, coarse, hertz, creepage(ratio)),
-                     on_fine = plain_force(contact, kernel, fine, hertz, creepage(ratio));
-        CAPTURE(solution.force_per_width, on_coarse, on_fine);
-        CHECK(on_fine + (on_fine - on_coarse) / 3 == Approx(solution.force_per_width).epsilon(2e-4));
-    }
-    // narrower strips are not resolved
-    const Contact<double> contact = Contact<double>::dimensionless(0.015, nu);
-    const auto kernel = StripKernel<double>::longitudinal(contact);
-    CHECK_FALSE(solve_stick_border(contact, kernel, 1.0, any_hertz, 0).exact);
-    CHECK(solve_stick_border(contact, kernel, 1.0, any_hertz, 0).elements);
-}
-
-/// A user's kernel, of a contact that yields less where the load extends over more than `distance`.
-struct OwnKernel {
-    using Scalar = double;
-    double constant = 2, strength = 0.4, rest = 0.3, distance = 0.5;
-
-    SmoothSplit<double> smooth_split() const { return {constant, strength, distance}; }
-    double smooth_part(double x) const { return -rest * x * x / (x * x + distance * distance); }
-    double smooth_slope(double x) const {
-        const double sum = x * x + distance * distance;
-        return -2 * rest * distance * distance * x / (sum * sum);
-    }
-};
-static_assert(LineKernel<OwnKernel>);
-
-struct NoSlope : OwnKernel {
-    double smooth_slope(double) const = delete;
-};
-template <class Kernel>
-concept HasBorder = requires(const Contact<double>& contact, const Kernel& kernel) {
-    solve_stick_border(contact, kernel, 1.0, hertz, 1e-3);
-};
-static_assert(HasBorder<OwnKernel> && !HasBorder<NoSlope>);
-
-TEST_CASE("The exact border of a user's kernel agrees with fitted meshes", "[friction]") {
-    const Contact<double> contact = Contact<double>::dimensionless(1, nu);
-    const OwnKernel kernel;
-    const auto solve = [&](double xi) { return solve_stick_border(contact, kernel, 1.0, hertz, xi); };
-    CHECK(solve(0).tangent_per_width == Approx(-solve_steady(Chebyshev{60}, kernel).c11()).epsilon(1e-11));
-    for (const double xi : {0.3e-3, 0.8e-3}) {
-        const auto solution = solve(xi);
-        REQUIRE(solution.exact);
-        CAPTURE(xi, solution.border);
-        CHECK(solution.border > -0.9);
-        CHECK(solution.border < 0.9);
-        CHECK(solution.force_error < 1e-12 * full_force);
-        const double coarse = plain_force(contact, kernel, mesh_about(solution.border, 80), hertz, xi),
-                     fine = plain_force(contact, kernel, mesh_about(solution.border, 160), hertz, xi);
-        CAPTURE(solution.force_per_width, coarse, fine);
-        CHECK(fine + (fine - coarse) / 3 == Approx(solution.force_per_width).epsilon(5e-5));
-        const double step = 1e-8;
-        CHECK((solve(xi + step).force_per_width - solve(xi - step).force_per_width) / (2 * step) ==
-              Approx(solution.tangent_per_width).epsilon(1e-6));
-    }
-}
-
 /// A table of the pressure at -cos of equidistant angles, zero at both ends.
 PressureTable<double> table_of(const Shaped& pressure, int count) {
     ArrayX<double> x(count + 1), value(count + 1);
@@ -409,32 +298,6 @@ TEST_CASE("The exact border under a tabulated pressure satisfies Carter's integr
     CHECK(strip.force_error < 1e-6 * full_force);
     const auto smooth = solve_stick_border(contact, kernel, 1.0, AnyPressure(shape), creepage(0.3));
     CHECK(strip.force_per_width == Approx(smooth.force_per_width).epsilon(1e-4));
-}
-
-TEST_CASE("A table that falls linearly to zero leaves slip at the leading edge", "[friction]") {
-    const Plane plane;
-    const Shaped shape{[](double) { return 1.0; }};
-    const auto with = [&](int count, double ratio) { return plane.solve(table_of(shape, count), ratio, 160); };
-    // negligible slip where the last piece is short
-    for (const auto& [count, ratio] : {std::pair(40, 0.6), std::pair(100, 0.9)}) {
-        const auto solution = with(count, ratio);
-        CAPTURE(count, ratio, solution.force_error / full_force);
-        CHECK(solution.exact);
-        CHECK(solution.complementarity_residual > 1e-4);
-        const double elements =
-            plain_force(plane.contact, plane.kernel, cosine_mesh<double>(640), table_of(shape, count), creepage(ratio));
-        CHECK(std::abs(elements / solution.force_per_width - 1) < 2e-4);
-    }
-    for (const auto& [count, ratio] : {std::pair(10, 0.3), std::pair(40, 0.9)}) {
-        const auto solution = with(count, ratio);
-        CAPTURE(count, ratio);
-        CHECK_FALSE(solution.exact);
-        CHECK(solution.status == StepStatus::ok);
-        // slip at both ends, stick between
-        CHECK(solution.slip(1) > 0);
-        CHECK(solution.slip(-1) > 0);
-        CHECK(solution.slip(ratio) == 0);
-    }
 }
 
 TEST_CASE("The exact border under a uniform pressure has its closed form", "[friction]") {
@@ -493,20 +356,6 @@ TEST_CASE("A contact without a single border is solved by elements", "[friction]
     by_elements(table({-1, 0.5, 0.5, 1}, {1, 1, 2, 2}), 0.1);
     by_elements(table({-1, -0.2, -0.2, 0.2, 0.2, 1}, {2, 2, 0, 0, 2, 2}), 0.3);
 }
-
-#ifdef ROLLBEM_SLOW_CHECKS
-TEST_CASE("The exact border in long double has its digits", "[friction]") {
-    using Scalar = long double;
-    const Contact<Scalar> contact = Contact<Scalar>::dimensionless(Scalar(10), Scalar(0.25));
-    const PlaneKernel<Scalar> plane = PlaneKernel<Scalar>::longitudinal(contact);
-    const HertzPressure<Scalar> unit;
-    const Scalar ratio = Scalar(2) / 5, xi = ratio * 3 / 2;
-    const auto solution = solve_stick_border(contact, plane, Scalar(1), unit, xi);
-    CHECK(solution.exact);
-    CHECK(std::abs(-solution.force_per_width * 2 / std::numbers::pi_v<Scalar> - Scalar(16) / 25) < 1e-18L);
-    CHECK(std::abs(solution.traction(Scalar(0.5)) - carter_friction_traction(Scalar(0.5), ratio)) < 1e-17L);
-}
-#endif
 
 }  // namespace
 }  // namespace friction_tests

@@ -1,4 +1,4 @@
-// rollbem/friction: slip turned by half an element, and spin
+// rollbem/friction/model.hpp: both creepages and spin, with slip turned by half an element and as it is.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -6,15 +6,94 @@
 #include <utility>
 
 #include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
 
-#include "friction/combined_scene.hpp"
 #include "support/catch.hpp"
+#include "support/refusal.hpp"
+#include "support/unturned.hpp"
 
+namespace turned_slip_tests {
 namespace {
 
-using namespace combined_tests;
+using namespace rollbem;
 
-/// A scene of combined_scene.hpp whose equations are node differences between Chebyshev points.
+constexpr double peak = 1e-3;                               // mu p0, with a = G = 1
+constexpr double full_force = peak * std::numbers::pi / 2;  // per width
+constexpr Collocation half{.alpha_L = 0.5, .alpha_T = 0.5};
+constexpr Integrator integrators[] = {Integrator::implicit_euler, Integrator::sdirk2};
+
+using State = FrictionState<2>;
+using Step = FrictionStep<2>;
+using Workspace = FrictionWorkspace<2>;
+using Model = FrictionModel<ConstantFriction<>, 2>;
+using Motion = RigidMotion<Creepage<double>>;
+
+struct Scene {
+    explicit Scene(Mesh<double> mesh_, double nu_ = 0.28, Collocation scheme_ = half, double aspect = 1000)
+        : nu(nu_),
+          contact(Contact<double>::dimensionless(aspect, nu)),
+          longitudinal(PlaneKernel<double>::longitudinal(contact)),
+          lateral(PlaneKernel<double>::lateral(contact)),
+          mesh(std::move(mesh_)),
+          scheme(scheme_),
+          friction{1, peak * mean_hertz_pressure(mesh)} {}
+
+    /// Creepage by its ratio to that of full sliding in Carter's problem, and its angle in degrees.
+    Creepage<double> creepage(double ratio, double degrees) const {
+        const double size = 2 * (1 - nu) * peak * ratio, angle = degrees * std::numbers::pi / 180;
+        return {size * std::cos(angle), size * std::sin(angle)};
+    }
+    ElementSystem<double> as_turned(const ElementSystem<double>& of) const {
+        return turned ? of : support::unturned(of);
+    }
+    ElementSystem<double> along() const { return as_turned(rolling_system(mesh, scheme, longitudinal)); }
+    ElementSystem<double> across() const { return as_turned(rolling_system(mesh, scheme, lateral)); }
+    ElementSystem<double, 2> system() const { return {along(), across()}; }
+    /// The same with slip that is not turned.
+    Scene plain() const {
+        Scene scene = *this;
+        scene.turned = false;
+        return scene;
+    }
+    Model steady() const { return steady(longitudinal, lateral, friction); }
+    Model steady(const PlaneKernel<double>& along_x, const PlaneKernel<double>& along_y, const Friction<>& law) const {
+        return {contact,
+                {as_turned(steady_system(mesh, scheme, along_x)), as_turned(steady_system(mesh, scheme, along_y))},
+                law};
+    }
+
+    double nu;
+    Contact<double> contact;
+    PlaneKernel<double> longitudinal, lateral;
+    Mesh<double> mesh;
+    Collocation scheme;
+    Friction<> friction;
+    bool turned = true;
+};
+
+/// The solution from rest, in a new workspace.
+Step from_scratch(const Model& model, const Creepage<double>& creepage, State& state) {
+    const State rest = model.at_rest();
+    state = rest;
+    Workspace workspace = model.workspace();
+    return model.steady(rest, creepage, state, workspace);
+}
+Step from_scratch(const Model& model, const Creepage<double>& creepage) {
+    State state;
+    return from_scratch(model, creepage, state);
+}
+
+/// Negative forces over mu N.
+struct Ratios {
+    double longitudinal, lateral;
+};
+Ratios ratios(const Step& step, const Contact<double>& contact) {
+    const double full = full_force * contact.width();
+    return {-step.force.longitudinal / full, -step.force.lateral / full};
+}
+
+/// A scene whose equations are node differences between Chebyshev points.
 struct Nodal : Scene {
     explicit Nodal(Eigen::Index n, double nu_ = 0.28, double aspect = 1000)
         : Scene(cosine_mesh<double>(n), nu_, half, aspect) {}
@@ -121,20 +200,6 @@ TEST_CASE("Spin that makes everything slip has the moment of full sliding about 
     CHECK(single.stick_count == 0);
 }
 
-TEST_CASE("Lengths enter spin and moment as they should", "[friction]") {
-    // a scene of another size, with the same spin times a
-    const Nodal scene(20);
-    const Contact<double> large({.half_length = 5e-3, .half_width = 5, .shear_modulus = 8e10, .poisson_ratio = 0.28});
-    const Model model(large, scene.slopes(), {1, 8e10 * scene.friction.normal_pressure});
-    const Creepage<double> creepage = scene.creepage(0.3, 30, 0.8);
-    const Step small = from_scratch(scene.steady(), creepage);
-    const Step step = from_scratch(model, {creepage.longitudinal, creepage.lateral, creepage.spin / 5e-3});
-    const double unit = 8e10 * 5e-3 * 5e-3;  // of another width, too
-    CHECK(step.force.lateral == Approx(unit * small.force.lateral).epsilon(1e-10));
-    CHECK(step.force.moment == Approx(unit * 5e-3 * small.force.moment).epsilon(1e-10));
-    CHECK(step.tangent.by_spin.moment == Approx(unit * 5e-3 * 5e-3 * small.tangent.by_spin.moment).epsilon(1e-8));
-}
-
 TEST_CASE("Rolling with turned slip and spin tends to the solution of steady rolling", "[friction]") {
     for (const Integrator integrator : integrators) {
         for (const Eigen::Index n : {10, 40}) {
@@ -212,4 +277,81 @@ TEST_CASE("Spin needs the points of the equations", "[friction]") {
     CHECK(step.force.lateral == Approx(expected.force.lateral).epsilon(1e-12));
 }
 
+TEST_CASE("Steady forces under both creepages agree with two other programs", "[friction]") {
+    const Model model = Scene(cosine_mesh<double>(160)).plain().steady();
+    struct Point {
+        double ratio, degrees, longitudinal, lateral;
+    };
+    State state;
+    for (const Point& point : {Point{0.25, 30, 0.3809, 0.1617},
+                               {0.25, 45, 0.3128, 0.2296},
+                               {0.25, 60, 0.2225, 0.2824},
+                               {0.25, 90, 0, 0.3276},
+                               {0.5, 30, 0.6575, 0.2868},
+                               {0.5, 45, 0.5438, 0.4093},
+                               {0.5, 60, 0.3898, 0.5061},
+                               {0.5, 90, 0, 0.5905},
+                               {0.9, 45, 0.7433, 0.5931},
+                               {1.1, 45, 0.7645, 0.6371},
+                               {1.1, 90, 0, 0.9568}}) {
+        const Scene scene(cosine_mesh<double>(160));
+        const Step step = from_scratch(model, scene.creepage(point.ratio, point.degrees), state);
+        CAPTURE(point.ratio, point.degrees, step.rounds);
+        CHECK(step.status == StepStatus::ok);
+        CHECK(step.complementarity_residual < 1e-11);
+        CHECK(std::abs(ratios(step, scene.contact).longitudinal - point.longitudinal) < 3e-4);
+        CHECK(std::abs(ratios(step, scene.contact).lateral - point.lateral) < 3e-4);
+        // Coulomb's law, from the definition
+        Workspace workspace = model.workspace();
+        const Creepage<double> creepage = scene.creepage(point.ratio, point.degrees);
+        const MatrixX<double> G_x = assemble_G_prime(scene.mesh, scene.scheme, scene.longitudinal);
+        const MatrixX<double> G_y = assemble_G_prime(scene.mesh, scene.scheme, scene.lateral);
+        const VectorX<double> u = (-G_x * state.traction.col(0)).array() + creepage.longitudinal;
+        const VectorX<double> v = (-G_y * state.traction.col(1)).array() + creepage.lateral;
+        for (Eigen::Index i = 0; i < 160; ++i) {
+            const double x = state.traction(i, 0), y = state.traction(i, 1), bound = scene.friction.normal_pressure[i];
+            REQUIRE(std::hypot(x, y) <= bound * (1 + 1e-13));
+            if (state.zones[static_cast<std::size_t>(i)] == Zone::stick) {
+                REQUIRE(std::hypot(u[i], v[i]) < 1e-11 * peak);
+            } else {
+                REQUIRE(std::hypot(x, y) == Approx(bound).epsilon(1e-13));
+                REQUIRE(std::abs(x * v[i] - y * u[i]) < 1e-11 * peak * bound);
+                REQUIRE(x * u[i] + y * v[i] < 1e-11 * peak * bound);
+            }
+        }
+    }
+}
+
+TEST_CASE("Directions that do not belong together, or one of which grows, are refused", "[friction]") {
+    const Scene scene(cosine_mesh<double>(8), 0.28, half, 10);
+    const ElementSystem<double> along = scene.along(), across = scene.across();
+    const auto paired = [&](const Scene& other) {
+        return refusal([&] { ElementSystem<double, 2>(along, other.across()); });
+    };
+    CHECK(paired(scene) == "");
+    CHECK(paired(Scene(cosine_mesh<double>(7), 0.28, half, 10)) ==
+          "ElementSystem: number of lateral elements = 7 must equal the number of longitudinal ones");
+    CHECK(paired(Scene(uniform_mesh<double>(8), 0.28, half, 10))
+              .find("ElementSystem: width of a lateral element over that of the longitudinal one = ") == 0);
+    CHECK(paired(Scene(scene.mesh, 0.28, half, 11)).find("ElementSystem: b/a of the lateral kernel = 11 must be") == 0);
+    const StabilityVerdict settled{.n = 16, .unstable_count = 0, .uncertain_count = 0, .status = Status::ok};
+    StabilityVerdict grows = settled;
+    grows.unstable_count = 1;
+    const auto judged = [&](const ElementSystem<double, 2>& pair, const StabilityVerdict& verdict) {
+        return refusal([&] { Model(scene.contact, pair, verdict, scene.friction); });
+    };
+    CHECK(judged({along, across}, settled) == "");
+    CHECK(judged({along, across}, grows) ==
+          "FrictionModel: unstable_count = 1 must be 0: a mode of the scheme grows without bound");
+    const ElementSystem<double> central = Scene(scene.mesh, 0.28, {.alpha_L = 0, .alpha_T = 0}, 10).across();
+    for (const ElementSystem<double, 2>& pair : {ElementSystem(along, central), ElementSystem(central, along)}) {
+        const StabilityVerdict verdict = judge_stability(pair);
+        CHECK(verdict.n == 16);
+        CHECK(verdict.uncertain_count == judge_stability(central).uncertain_count);
+        CHECK_FALSE(verdict.stable());
+        CHECK(judged(pair, settled).find("FrictionModel: share of steady traction that assists the creepage = ") == 0);
+    }
+}
+
 }  // namespace
+}  // namespace turned_slip_tests

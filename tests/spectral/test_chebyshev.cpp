@@ -15,7 +15,6 @@
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/reference/bessel.hpp>
-#include <rollbem/reference/step_response.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 
 #include "support/catch.hpp"
@@ -97,69 +96,6 @@ TEST_CASE("The frequency response of the plane has the known errors", "[chebyshe
     CHECK(FrequencySweep<double>(rolling_system(Chebyshev{96}, plane)).reduced());
 }
 
-TEST_CASE("The largest error over all frequencies falls with the square of the number of states", "[chebyshev]") {
-    const double steady = steady_c11(0.25);
-    for (const auto& [m, found] :
-         {std::pair<Eigen::Index, double>{6, 4.5e-4}, {8, 2.7e-4}, {12, 1.3e-4}, {24, 3.5e-5}, {96, 0.024 / 96 / 96}}) {
-        const FrequencySweep<double> sweep(rolling_system(Chebyshev{m}, plane));
-        double largest = 0, where = 0;
-        for (double z = 0.1; z < 20.0 * static_cast<double>(m); z *= 1.005) {
-            const double error = std::abs(sweep(z).c11() - reference::plane_c11({0, z}, 0.25, 100)) / steady;
-            if (error > largest) where = z;
-            largest = std::max(largest, error);
-        }
-        CAPTURE(m, largest, where);
-        CHECK(largest > 0.9 * found);
-        CHECK(largest < 1.1 * found);
-        CHECK_THAT(where, about(static_cast<double>(m)));
-    }
-}
-
-// Least-squares slope of -ln(error) over m = first ... last.
-template <class Error>
-double geometric_rate(Eigen::Index first, Eigen::Index last, const Error& error) {
-    double count = 0, mean_m = 0, mean_log = 0, square = 0, product = 0;
-    for (Eigen::Index m = first; m <= last; ++m) {
-        const double x = static_cast<double>(m), log = std::log(error(m) + eps);
-        count += 1;
-        mean_m += x;
-        mean_log += log;
-        square += x * x;
-        product += x * log;
-    }
-    return -(product - mean_m * mean_log / count) / (square - mean_m * mean_m / count);
-}
-
-// The integral over y of a kernel that is singular at x - y = +-ib is singular at the ends of y, x = +-1 +-ib: the
-// Bernstein ellipse through these points determines the rate of all Chebyshev series.
-TEST_CASE("Strips converge down to round-off at the geometric rate of their singularities", "[chebyshev]") {
-    for (const auto& [aspect, first, last] :
-         {std::tuple<double, Eigen::Index, Eigen::Index>{0.1, 24, 80}, {0.3, 12, 44}, {1.0, 6, 24}, {3.0, 3, 12}}) {
-        const Complex corner(1, aspect);
-        const double expected = std::log(std::abs(corner + std::sqrt(corner * corner - 1.0)));
-        const auto steady_error = [&, exact = solve_steady(Chebyshev{4 * last}, strip(aspect)).c11(),
-                                   kernel = strip(aspect)](Eigen::Index m) {
-            return std::abs(solve_steady(Chebyshev{m}, kernel).c11() / exact - 1);
-        };
-        const auto harmonic_error = [&, exact = reference::strip_c11(Complex(0, 1), 0.28, aspect).c11,
-                                     kernel = strip(aspect)](Eigen::Index m) {
-            return relative_error(solve_response(rolling_system(Chebyshev{m}, kernel), {0, 1}).c11(), exact);
-        };
-        const double steady = geometric_rate(first, last, steady_error),
-                     harmonic = geometric_rate(first, last, harmonic_error);
-        CAPTURE(aspect, steady, harmonic, expected);
-        CHECK(steady > 0.85 * expected);
-        CHECK(steady < 1.15 * expected);
-        CHECK(harmonic > 0.85 * expected);
-        CHECK(harmonic < 1.15 * expected);
-        for (const Eigen::Index m : {2 * last, 3 * last, 4 * last}) {
-            CAPTURE(m, steady_error(m), harmonic_error(m));
-            CHECK(steady_error(m) < 1e-12);
-            CHECK(harmonic_error(m) < 1e-12);
-        }
-    }
-}
-
 double nearest(const VectorX<Complex>& values, Complex exact) { return (values.array() - exact).abs().minCoeff(); }
 
 TEST_CASE("Eigenvalues of Chebyshev states converge to the exact ones and are stable", "[chebyshev]") {
@@ -216,30 +152,6 @@ TEST_CASE("The system of the plane has its elementary closed form", "[chebyshev]
     }
 }
 
-TEST_CASE("Time steps of Chebyshev states have the known errors", "[chebyshev]") {
-    const Contact<double> contact = Contact<double>::dimensionless(100, 0.25);
-    const auto step_error = [&](Eigen::Index m, double q) {
-        const RollingSystem<double> system = rolling_system(Chebyshev{m}, plane);
-        const AdhesionModel<> model(contact, system, judge_stability(system), Integrator::matrix_exponential);
-        AdhesionWorkspace<> workspace = model.workspace();
-        AdhesionState<> now = model.at_rest(), next = now;
-        double force = 0;
-        for (int k = 0; k < static_cast<int>(4 * q); ++k) {
-            const AdhesionStep<> taken = model.advance(now, 0.25, 1.0, next, workspace);
-            CHECK(taken.status == StepStatus::ok);
-            force = taken.force_per_width;
-            std::swap(now, next);
-        }
-        return std::abs(-force - reference::StepResponse(0.25, 100).step(q)) /
-               reference::StepResponse(0.25, 100).step(q);
-    };
-    CHECK_THAT(step_error(8, 1), about(1.8e-4));
-    CHECK_THAT(step_error(12, 1), about(3.7e-5));
-    CHECK_THAT(step_error(48, 1), about(1.1e-6));
-    CHECK_THAT(step_error(8, 5), about(1.8e-7));
-    CHECK_THAT(step_error(24, 5), about(5e-10));
-}
-
 TEST_CASE("The error estimate of steady rolling bounds the error on narrow strips", "[chebyshev]") {
     const double exact = solve_steady(Chebyshev{400}, strip(0.02)).c11();
     CHECK(std::abs(exact / reference::strip_c11(0, 0.28, 0.02).c11.real() - 1) < 1e-11);
@@ -250,37 +162,6 @@ TEST_CASE("The error estimate of steady rolling bounds the error on narrow strip
         CHECK(error <= solution.error_estimate());
         CHECK(solution.error_estimate() < 30 * error);
         CHECK(solution.status == (m < 20 ? Status::not_converged : Status::ok));
-    }
-}
-
-TEST_CASE("Strips by Chebyshev states agree with elements, longitudinally and laterally", "[chebyshev]") {
-    const Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
-    for (const double aspect : {0.3, 1.0, 10.0}) {
-        for (const bool lateral : {false, true}) {
-            const StripKernel<double> kernel = lateral ? StripKernel<double>(aspect, 1, -0.28) : strip(aspect);
-            const ChebyshevSystem<double> system = rolling_system(Chebyshev{48}, kernel);
-            const auto steady =
-                extrapolate([&](Eigen::Index n) { return solve_steady(cosine_mesh(n), halves, kernel).c11(); }, 40, 2);
-            const auto harmonic = extrapolate(
-                [&](Eigen::Index n) {
-                    return solve_response(rolling_system(cosine_mesh(n), halves, kernel), {0, 1}).c11();
-                },
-                40, 2);
-            CAPTURE(aspect, lateral, steady.error_estimate, harmonic.error_estimate);
-            CHECK(steady.status == Status::ok);
-            CHECK(harmonic.status == Status::ok);
-            CHECK(std::abs(solve_steady(Chebyshev{48}, kernel).c11() / steady.value - 1) < 3e-6);
-            CHECK(relative_error(solve_response(system, {0, 1}).c11(), harmonic.value) < 3e-6);
-        }
-        // tractions at the centres of elements away from the edges
-        const Mesh<double> mesh = cosine_mesh(160);
-        const Response<double> elements = solve_steady(mesh, halves, strip(aspect));
-        const Response<double> states = solve_steady(Chebyshev{48}, strip(aspect));
-        for (Eigen::Index l = 5; l < 155; l += 7) {
-            const double p = traction_of(states)({mesh.from_trailing()[l], mesh.from_leading()[l]});
-            CAPTURE(l, p, elements.unknowns(l));
-            CHECK(std::abs(elements.unknowns(l) / p - 1) < 0.02);
-        }
     }
 }
 
@@ -316,10 +197,6 @@ TEST_CASE("The number of quadrature points is just enough for round-off in the s
         }
     }
     CHECK(detail::smooth_quadrature_points<double>(12, infinity) == 13);
-}
-
-TEST_CASE("An infinitely wide strip has the coefficient of the plane", "[chebyshev]") {
-    CHECK(solve_steady(Chebyshev{4}, strip(infinity)).c11() == Approx(steady_c11(0.28)).epsilon(4 * eps));
 }
 
 TEST_CASE("Round-off of steady states does not grow with their number", "[chebyshev]") {
@@ -434,43 +311,6 @@ TEST_CASE("Under harmonic spin elements tend to states, and force and moment are
             CAPTURE(z, nodes == Nodes::centres, errors);
             CHECK(std::abs(support::observed_order(sizes, errors) - 2) < 0.15);
         }
-    }
-}
-
-TEST_CASE("States of both directions with spin are stepped as elements are", "[chebyshev]") {
-    const Contact<double> contact(
-        {.half_length = 5e-3, .half_width = 0.5, .shear_modulus = 8e10, .poisson_ratio = 0.28});
-    const auto along = PlaneKernel<double>::longitudinal(contact), across = PlaneKernel<double>::lateral(contact);
-    const auto states = both_directions<double>(rolling_system(Chebyshev{12}, along),
-                                                rolling_system(Chebyshev{12}, across).with_spin());
-    const auto verdict =
-        judge_stability(rolling_system(Chebyshev{12}, along)) + judge_stability(rolling_system(Chebyshev{12}, across));
-    CHECK(judge_stability(states).n == verdict.n);
-    CHECK(judge_stability(states).spectral_abscissa == Approx(verdict.spectral_abscissa).epsilon(1e-9));
-    const AdhesionModel<3> spectral(contact, states, verdict, Integrator::matrix_exponential);
-    const Mesh<double> mesh = cosine_mesh(80);
-    const AdhesionModel elements(
-        contact,
-        ElementSystem(rolling_system(mesh, NodeDifference{}, along), rolling_system(mesh, NodeDifference{}, across)),
-        unchecked, Integrator::matrix_exponential);
-    AdhesionState<> one = spectral.at_rest(), one_next = one, other = elements.at_rest(), other_next = other;
-    auto one_workspace = spectral.workspace();
-    auto other_workspace = elements.workspace();
-    const Creepage<double> creepage{1e-3, -5e-4, 0.3};
-    const double dq = 0.5 * contact.half_length();
-    const auto differs = [](const TangentialForce<double>& x, const TangentialForce<double>& y, double a) {
-        return std::hypot(x.longitudinal - y.longitudinal, x.lateral - y.lateral, (x.moment - y.moment) / a);
-    };
-    for (int k = 0; k < 12; ++k) {
-        const auto step = spectral.advance(one, dq, creepage, one_next, one_workspace);
-        const auto expected = elements.advance(other, dq, creepage, other_next, other_workspace);
-        REQUIRE(step.status == StepStatus::ok);
-        CAPTURE(k, step.force.longitudinal, step.force.lateral, step.force.moment);
-        const double size = std::hypot(expected.force.longitudinal, expected.force.lateral);
-        CHECK(differs(step.force, expected.force, contact.half_length()) < 2e-3 * size);
-        CHECK(step.force.moment != 0);
-        std::swap(one, one_next);
-        std::swap(other, other_next);
     }
 }
 

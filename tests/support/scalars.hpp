@@ -1,8 +1,7 @@
 // The scalar types in which tests of templates run: double, and with ROLLBEM_SLOW_CHECKS float and long double, too,
 // which take long to compile. Then the large templates are compiled once for these, in scalars_float.cpp and
 // scalars_long_double.cpp: ROLLBEM_SCALARS(extern, Scalar) declares the instantiations, ROLLBEM_SCALARS(, Scalar)
-// defines them. What is little more than a decomposition of Eigen's is compiled for double alone, except for the
-// eigenvalues that long double judges.
+// defines them. What is little more than a decomposition of Eigen's is compiled for double alone.
 #pragma once
 
 #ifndef ROLLBEM_SLOW_CHECKS
@@ -10,7 +9,6 @@
 #else
 #define SCALARS float, double, long double
 
-#include <rollbem/adhesion/stability.hpp>
 #include <rollbem/adhesion/steady.hpp>
 #include <rollbem/adhesion/transient.hpp>
 
@@ -26,14 +24,10 @@
     keyword template class detail::FrictionCore<ConstantFriction<Scalar>, 1, Scalar>;               \
     keyword template decltype(rolled_and_steady<Scalar>) rolled_and_steady<Scalar>;
 
-#define ROLLBEM_LONG_DOUBLE(keyword)      \
-    ROLLBEM_SCALARS(keyword, long double) \
-    keyword template decltype(detail::find_eigenvalues<long double>) detail::find_eigenvalues<long double>;
-
 namespace rollbem {
 
 ROLLBEM_SCALARS(extern, float)
-ROLLBEM_LONG_DOUBLE(extern)
+ROLLBEM_SCALARS(extern, long double)
 
 }  // namespace rollbem
 
