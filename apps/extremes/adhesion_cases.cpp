@@ -252,11 +252,6 @@ void add_steps(Cases& cases) {
                  return rolled(stable_model(si, Integrator::sdirk2), dq, 20, unit.value * 1e-4 * 8e10, 1e-11);
              }});
     }
-    for (const double dq : {-1.0, infinity, nothing}) {
-        cases.push_back({"dq = " + shown(dq), "force",
-                         [=] { return rolled(stable_model(1000, Integrator::sdirk2), dq, 1, nothing, 0); },
-                         "invalid_step"});
-    }
 }
 
 }  // namespace
