@@ -127,7 +127,14 @@ void add_layers(Cases& cases) {
                              const auto step = with(1e-12).alone(false, 0.5);
                              return compare(step, step.force, with(0).alone(false, 0.5).force, 1e-11);
                          }});
-        // a brush is the same in both directions: at this ratio it has begun to slip
+        // Independent bristles, p_i = -(xi/L) h (n - i) by upwind differences: c11 = (2/L)(1 + 1/n).
+        for (const double layer : {1e6, 1e12}) {
+            cases.push_back({"layer " + shown(layer) + elements, "c11 against a brush", [=] {
+                                 const double brush = 2 / layer * (1 + 1.0 / n);
+                                 return compare(with(layer).adhesion(false), brush, 3 / layer + 1e-13);
+                             }});
+        }
+        // the same in both directions, also with friction: at this ratio the brush has begun to slip
         cases.push_back({"layer 1e6, creepage at 60 degrees" + elements, "lateral over longitudinal force", [=] {
                              const auto step = with(1e6).both(0.2 * 1e6, 0.5, std::sqrt(0.75));
                              return compare(step, step.force.lateral / step.force.longitudinal, std::sqrt(3.0), 1e-6);
