@@ -131,17 +131,10 @@ Eigen::Array3Xd read_forces(const Job& job, const std::vector<std::string>& line
         }
         for (const std::size_t k : {7, 8, 9}) {
             const auto force = study::number_of(cells[k], ',');
-            require(force.has_value(), columns[k] + " must be a number; status = " + cells[14]);
+            require(force && std::isfinite(*force), columns[k] + " must be a number; status = " + cells[14]);
             forces(static_cast<Eigen::Index>(k) - 7, column) = *force;
         }
-        require(
-            std::hypot(forces(0, column), forces(1, column)) <= 1 + 1e-6,
-            "longitudinal_force, lateral_force = " + cells[7] + ", " + cells[8] + " must be a force of at most mu N");
         require(cells[14] == "ok", "status = " + cells[14] + " must be ok");
-        const double arm = std::sqrt(std::max(grid.a_over_b(shape), 1 / grid.a_over_b(shape)));
-        require(
-            std::abs(forces(2, column)) <= arm,
-            "spin_moment = " + cells[9] + " must be at most the longer semi-axis over c, " + study::Cell(arm).text(4));
     }
     return forces;
 }

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,9 +18,9 @@
 #include <rollbem/compiled/adhesion.hpp>
 
 #include "frequency/polynomial.hpp"
-#include "frequency/state_space.hpp"
 #include "support/non_steady.hpp"
 #include "support/sheet.hpp"
+#include "support/state_space_files.hpp"
 
 namespace {
 
@@ -103,9 +102,32 @@ void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, bo
     }
 }
 
+/// Throws BadInput unless there is one scene, whose G is regular and whose tractions converge to full adhesion.
+std::function<void()> state_space_writer(const study::Options& options, const std::vector<study::Scene>& scenes) {
+    const auto make = [&] {
+        const study::Scene& scene = scenes.front();
+        const auto space_of = [&](const auto& system) {
+            const std::string flaw = study::flaw_in_steady_rolling(scene, system);
+            if (flaw.empty()) return rollbem::state_space(system);
+            throw study::BadInput(options.said("state-space") + " must go with another scheme: that of n = " +
+                                  std::to_string(scene.n()) + " " + flaw);
+        };
+        return scene.chebyshev ? space_of(rolling_system(*scene.chebyshev, scene.kernel))
+                               : space_of(rolling_system(*scene.mesh, scene.scheme, scene.kernel));
+    };
+    return study::state_space_writer(
+        options, scenes.size(), make,
+        {.one = "scheme",
+         .lists = "--n, --alpha-L, --alpha-T and --lambda",
+         .conventions = "equations = \"d x/d(q/a) = A x + B xi, -F/(a G) = C x + D xi; q = V t, F per unit width\"\n"
+                        "response = \"c11(s) = C (s I - A)^-1 B + D, s in V/a\"\n",
+         .states = "by elements: their tractions p/G, trailing to leading; chebyshev: coefficients of T_0, T_1, ... "
+                   "in u/a",
+         .bounded = "c11"});
+}
+
 /// The Argand diagram, beside it both parts over the frequency, and the errors, as the curves coincide.
-study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
-                          const std::vector<study::Scene>& scenes, const std::vector<double>& omegas) {
+study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given, const std::vector<double>& omegas) {
     std::vector<std::string> also;
     if (order_given) also.emplace_back("order");  // otherwise it depends on the frequency
     const auto [lowest, highest] = std::minmax_element(omegas.begin(), omegas.end());
@@ -114,35 +136,20 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
     study::Plot parts{.x_label = "ω a / V", .y_label = "Re c_{11}, Im c_{11}", .log_x = log_x};
     study::Plot errors{
         .x_label = parts.x_label, .y_label = "|c_{11} / c_{11,exact} - 1|", .log_x = log_x, .log_y = true};
-    sheet.draw(argand, rows, "c11_re", "c11_im", {}, false, also);
+    const bool markers = omegas.size() <= 30;
+    sheet.draw(argand, rows, {.by = also, .x = "c11_re", .y = "c11_im", .markers = markers});
     sheet.draw_exact(argand, rows, "omega", "exact_re", "exact_im");
     for (const std::string part : {"re", "im"}) {
-        const std::string prefix = part == "re" ? "Re, " : "Im, ";
+        const std::string prefix = part == "re" ? "Re" : "Im";
         const std::size_t first = parts.series.size();
-        sheet.draw(parts, rows, "omega", "c11_" + part, {}, false, also);
-        for (std::size_t k = first; k < parts.series.size(); ++k) {
-            parts.series[k].label = prefix + parts.series[k].label;
-            parts.series[k].style = k - first;
-        }
-        sheet.draw_exact(parts, rows, "omega", "omega", "exact_" + part, prefix);
+        sheet.draw(parts, rows, {.by = also, .x = "omega", .y = "c11_" + part, .prefix = prefix, .markers = markers});
+        for (std::size_t k = first; k < parts.series.size(); ++k) parts.series[k].style = k - first;
+        sheet.draw_exact(parts, rows, "omega", "omega", "exact_" + part, prefix + ", ");
     }
-    sheet.draw(errors, rows, "omega", "relative_error", {}, true, also);
-    for (study::Plot* panel : {&argand, &parts, &errors}) {
-        for (study::Series& series : panel->series) series.markers = series.markers && omegas.size() <= 30;
-    }
+    sheet.draw(errors, rows, {.by = also, .x = "omega", .y = "relative_error", .absolute = true, .markers = markers});
     parts.title.clear();
     errors.title.clear();
     study::raise_to_drawn(errors);
-    study::add_model_differences(errors, scenes, [&](const auto& states, const auto& kernel, const auto& contact) {
-        std::vector<std::pair<double, double>> points;
-        if (!study::plane_model_decays(contact)) return points;
-        const rollbem::FrequencySweep<double> strip(rolling_system(states, kernel));
-        for (const double omega : omegas) {
-            if (omega > 20) continue;  // more than the states resolve
-            points.emplace_back(omega, std::abs(strip(omega).c11() / exact_c11(contact, omega) - 1.0));
-        }
-        return points;
-    });
     argand.beside.push_back(std::move(parts));
     if (can_be_drawn(errors)) argand.beside.push_back(std::move(errors));
     return argand;
@@ -168,7 +175,7 @@ int main(int argc, char** argv) {
              "at each frequency")
         .only_with({"method=polynomial"});
     options.add_flag("unchecked", "print c11 whatever its status, also where --basis monomial has broken down");
-    study::StateSpaceFiles::add_options(options, "the scheme, a single one,");
+    study::add_state_space_options(options, "the scheme, a single one,");
     options.not_with({"n", "mesh", "edges", "derivative", "state-space"}, "method=polynomial",
                      ", which has no elements and no states");
     study::offer_chebyshev(options, "; or polynomial, of an --order");
@@ -199,8 +206,6 @@ holds for |c11| at every omega, and is twice the sum of the Hankel singular valu
         const std::vector<study::Scene> scenes =
             by_polynomials ? polynomials.scenes
                            : study::make_non_steady_scenes(given, study::Methods::elements_and_states);
-        std::unique_ptr<study::StateSpaceFiles> state_space;
-        if (given.given("state-space")) state_space = frequency::state_space_files(given, scenes);
         study::Table table = sheet.table(
             scenes, [&](const study::Scene&) { return omegas.size(); },
             [&](const study::Scene& scene, study::RowRange range, const study::Results<Response>& emit) {
@@ -209,11 +214,9 @@ holds for |c11| at every omega, and is twice the sum of the Hankel singular valu
                 for (std::size_t i = range.first; i < range.last; ++i) emit(known[i]);
             });
         if (by_polynomials) table.label = {};
-        table.written = [&] {
-            if (state_space) state_space->commit();
-        };
+        if (given.given("state-space")) table.written = state_space_writer(given, scenes);
         table.plot = [&](const std::vector<study::Row>& drawn) {
-            return draw_response(drawn, given.given("order"), scenes, omegas);
+            return draw_response(drawn, given.given("order"), omegas);
         };
         study::write_table(given, table);
         return study::exit_ok;

@@ -5,7 +5,6 @@
 //     ./friction_study --transient --n 40 --creepage-ratio 0.5 --shift 2 --until 10
 #include "friction/help.hpp"
 #include "friction/steady.hpp"
-#include "friction/transient.hpp"
 #include "support/options.hpp"
 #include "support/runs.hpp"
 
@@ -80,7 +79,7 @@ int main(int argc, char** argv) {
     options.not_with({"creepage-ratio"}, "sine");
     options.add_flag("unchecked", "step even a scheme that is, or may be, unstable, or that does not converge")
         .only_with({"transient"});
-    options.footer(friction::help, friction::topics());
+    options.footer(friction::help());
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. Rows, tractions and pictures: friction/steady.cpp, friction/transient.cpp.

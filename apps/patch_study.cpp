@@ -10,9 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <memory>
+#include <functional>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -20,11 +19,8 @@
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
 
-#include "patch/friction.hpp"
 #include "patch/help.hpp"
-#include "patch/patches.hpp"
-#include "patch/plots.hpp"
-#include "patch/transient.hpp"
+#include "patch/patch.hpp"
 #include "support/options.hpp"
 #include "support/sheet.hpp"
 #include "support/state_space_files.hpp"
@@ -159,33 +155,28 @@ void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::Ro
 
 // --- differential equations ----------------------------------------------------------------------------------------
 
-std::unique_ptr<study::StateSpaceFiles> state_space_files(const study::Options& options,
-                                                          const std::vector<Patch>& patches) {
-    const std::string said = options.said("state-space");
-    if (patches.size() != 1) {
-        throw study::BadInput(said +
-                              " must go with one patch; the values of --n, --strips, --a-over-b and --poisson make " +
-                              std::to_string(patches.size()));
-    }
-    const Patch& patch = patches.front();
-    rollbem::StateSpace<double> space;
-    try {
-        space = rollbem::state_space(rollbem::rolling_system(patch.mesh, patch.scheme, patch.kernel()).whole());
-    } catch (const std::invalid_argument& singular) {
-        throw study::BadInput(said + " must go with a patch that has one: " + singular.what());
-    }
-    // from forces over G a^2, moments over G a^3 and spin times a to Kalker's a b and c
-    const double force = patch.contact.a_over_b(), length = std::sqrt(force);
-    space.B.col(2) *= length;
-    space.C *= force;
-    space.C.row(2) *= length;
-    return std::make_unique<study::StateSpaceFiles>(
-        options, space,
-        "equations = \"d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D (xi, eta, phi "
-        "c); q = V t, c = sqrt(a b); outlines: a, b and c are sqrt(area/pi)\"\n"
-        "response = \"(c11 c12 c13; c21 c22 c23; c31 c32 c33) = C (s I - A)^-1 B + D, s in V/a\"\n",
-        "tractions p_x/G of the elements, strip by strip from trailing to leading, then p_y/G",
-        "the matrix of coefficients");
+std::function<void()> state_space_writer(const study::Options& options, const std::vector<Patch>& patches) {
+    const auto make = [&] {
+        const Patch& patch = patches.front();
+        rollbem::StateSpace<double> space =
+            rollbem::state_space(rollbem::rolling_system(patch.mesh, patch.scheme, patch.kernel()).whole());
+        // from forces over G a^2, moments over G a^3 and spin times a to Kalker's a b and c
+        const double force = patch.contact.a_over_b(), length = std::sqrt(force);
+        space.B.col(2) *= length;
+        space.C *= force;
+        space.C.row(2) *= length;
+        return space;
+    };
+    return study::state_space_writer(
+        options, patches.size(), make,
+        {.one = "patch",
+         .lists = "--n, --strips, --a-over-b and --poisson",
+         .conventions = "equations = \"d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D "
+                        "(xi, eta, phi "
+                        "c); q = V t, c = sqrt(a b); outlines: a, b and c are sqrt(area/pi)\"\n"
+                        "response = \"(c11 c12 c13; c21 c22 c23; c31 c32 c33) = C (s I - A)^-1 B + D, s in V/a\"\n",
+         .states = "tractions p_x/G of the elements, strip by strip from trailing to leading, then p_y/G",
+         .bounded = "the matrix of coefficients"});
 }
 
 }  // namespace
@@ -198,7 +189,7 @@ int main(int argc, char** argv) {
     options.group("Result");
     options.add_flag("stability", "also count growing modes (the eigenvalues of G' p = nu G p)");
     options.add("omega", "LIST", "instead: response to creepages at frequencies omega a/V, at least 0 (dimensionless)");
-    study::StateSpaceFiles::add_options(options, "one patch");
+    study::add_state_space_options(options, "one patch");
     patch::add_friction_options(options);
     patch::add_transient_options(options);
     const std::vector<std::string> friction{"longitudinal", "lateral", "spin"};
@@ -206,7 +197,7 @@ int main(int argc, char** argv) {
     for (const std::string& creepage : friction) options.not_with({"stability", "omega", "state-space"}, creepage);
     options.only_with({"pressure", "tractions", "transient"}, friction);
     options.not_with({"tractions"}, "transient");
-    options.footer(patch::help + steady_sheet(true).help(), patch::topics());
+    options.footer(patch::help(steady_sheet(true).help()));
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row for each patch, or for each patch and frequency.
@@ -223,18 +214,13 @@ int main(int argc, char** argv) {
             (given.flag("transient") ? patch::run_transient : patch::run_friction)(given, patches);
             return study::exit_ok;
         }
-        std::unique_ptr<study::StateSpaceFiles> state_space;
-        if (given.given("state-space")) state_space = state_space_files(given, patches);
-
         const Sheet sheet = harmonic ? response_sheet() : steady_sheet(given.flag("stability"));
         study::Table table = sheet.table(
             patches, [&](const Patch&) { return harmonic ? omegas.size() : 1; },
             [&](const Patch& patch, study::RowRange range, const study::Results<Found>& emit) {
                 harmonic ? emit_sweep(patch, omegas, range, emit) : emit(steady(given, patch));
             });
-        table.written = [&] {
-            if (state_space) state_space->commit();
-        };
+        if (given.given("state-space")) table.written = state_space_writer(given, patches);
         table.plot = [&](const std::vector<study::Row>& rows) {
             return (harmonic ? patch::draw_responses : patch::draw_coefficients)(table.columns, rows);
         };

@@ -95,7 +95,7 @@ study::Plot draw_counts(const std::vector<study::Scene>& scenes, const std::vect
                      .y_label = "share of unstable eigenvalues",
                      .log_x = x.is_n(),
                      .y_range = study::PlotRange{0, 1}};
-    counts.draw(plot, rows, x.column, "unstable_fraction", x.same);
+    counts.draw(plot, rows, {.x = x.column, .y = "unstable_fraction"}, x.same);
     return plot;
 }
 
@@ -130,7 +130,7 @@ Critical critical(const study::Scene& scene) {
 study::Plot draw_criticals(const std::vector<study::Row>& rows) {
     study::Plot plot{
         .title = "Smallest unstable α_T", .x_label = "number of elements n", .y_label = "critical α_T", .log_x = true};
-    criticals.draw(plot, rows, "n", "critical_alpha_T");
+    criticals.draw(plot, rows, {.x = "n", .y = "critical_alpha_T"});
     return plot;
 }
 
@@ -210,7 +210,7 @@ study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::ve
     for (const study::Scene& scene : scenes) n = std::max(n, scene.n());
     const double height = std::numbers::pi / 2 * static_cast<double>(n);
     study::Plot plot{.title = "Eigenvalues", .x_label = "Re(ν a)", .y_label = "Im(ν a)"};
-    spectrum.draw(plot, rows, "re", "im");
+    spectrum.draw(plot, rows, {.x = "re", .y = "im"});
     double left = -1, right = 0;
     for (study::Series& series : plot.series) {
         series.line = false;
@@ -231,16 +231,6 @@ study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::ve
     const double margin = (right - left) / 20;
     plot.x_range = {left - margin, right + margin};
     plot.y_range = {-height, height};
-    std::size_t inside = 0;
-    for (const study::Series& series : plot.series) {
-        for (const auto& [re, im] : series.points) {
-            if (re >= plot.x_range->low && re <= plot.x_range->high && std::abs(im) <= height) ++inside;
-        }
-    }
-    if (inside < rows.size()) {
-        plot.title +=
-            "; " + std::to_string(rows.size() - inside) + " of " + std::to_string(rows.size()) + " are not shown";
-    }
     plot.series.push_back(std::move(exact));
     return plot;
 }

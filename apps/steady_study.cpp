@@ -87,18 +87,8 @@ study::Plot draw_errors(const std::vector<study::Scene>& scenes, const std::vect
                      .y_label = "|c_{11} / c_{11,exact} - 1|",
                      .log_x = x.is_n(),
                      .log_y = true};
-    sheet.draw(plot, rows, x.column, "relative_error", x.same, true);
+    sheet.draw(plot, rows, {.x = x.column, .y = "relative_error", .absolute = true}, x.same);
     study::raise_to_drawn(plot);
-    study::add_model_differences(plot, scenes, [&](const auto& states, const auto& kernel, const auto& contact) {
-        const double c11 = solve_steady(states, kernel).c11();
-        const double difference = std::abs(c11 / rollbem::steady_c11(contact.poisson_ratio()) - 1);
-        std::vector<std::pair<double, double>> points;
-        for (const study::Series& series : plot.series) {
-            for (const auto& point : series.points) points.emplace_back(point.first, difference);
-        }
-        std::sort(points.begin(), points.end());
-        return points;
-    });
     return plot;
 }
 

@@ -100,7 +100,7 @@ study::Plot draw_tractions(const std::vector<study::Scene>& scenes, const std::v
                      .x_label = "x / a (leading edge at 1)",
                      .y_label = "p / (G ξ)",
                      .x_range = study::PlotRange{-1, 1}};
-    sheet.draw(plot, rows, "x_over_a", "traction");
+    sheet.draw(plot, rows, {.x = "x_over_a", .y = "traction"});
     double largest = 0;
     for (study::Series& series : plot.series) {
         series.line = false;

@@ -172,7 +172,7 @@ study::Plot draw_force(const History& history, const std::vector<study::Row>& ro
     study::Plot plot{.title = "Rolling from rest, " + history.label(),
                      .x_label = "distance rolled q/a",
                      .y_label = "-F / (a G ξ_{ref})"};
-    sheet.draw(plot, rows, "q_over_a", "force");
+    sheet.draw(plot, rows, {.x = "q_over_a", .y = "force", .markers = false});
     if (rows.empty()) return plot;  // of a shard
     sheet.draw_exact(plot, rows, "q_over_a", "q_over_a", "exact");
     plot.x_range = study::PlotRange{0, rows.back()[0].number().value_or(0)};
@@ -185,11 +185,8 @@ study::Plot draw_force(const History& history, const std::vector<study::Row>& ro
         const std::optional<double> force = cell.number(), known = row[study::index_of(columns, "exact")].number();
         cell = force && known ? study::Cell(*force - *known) : study::Cell();
     }
-    sheet.draw(beside, errors, "q_over_a", "force", {}, true);
+    sheet.draw(beside, errors, {.x = "q_over_a", .y = "force", .absolute = true, .markers = false});
     beside.title.clear();
-    for (study::Plot* panel : {&plot, &beside}) {
-        for (study::Series& series : panel->series) series.markers = false;
-    }
     if (can_be_drawn(beside)) plot.beside.push_back(std::move(beside));
     return plot;
 }

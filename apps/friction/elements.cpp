@@ -38,23 +38,23 @@ std::optional<Contact> contact_of(const Curve& curve, const study::Scene& scene)
     return curve.line.contact(scene, *along, across, curve.line.pressure(*scene.mesh), rollbem::StabilityVerdict{});
 }
 
-/// The states that the points of a curve start from in a sweep, the solutions of their neighbours; `see` is told of
-/// the steps in its order. Each pair of lateral ratio and spin has a sweep of its own, unless it has one point only.
-template <class See>
-std::vector<Contact::State> sweep(const Curve& curve, const study::Scene& scene, const Contact& contact, bool up,
-                                  const See& see) {
+/// The states that the points of a curve start from: rest, or in a sweep the solutions of their neighbours. Each pair of
+/// lateral ratio and spin has a sweep of its own, unless it has one point only.
+std::vector<Contact::State> starts_of(const Curve& curve, const study::Scene& scene, const Contact& contact) {
     const std::vector<CreepPoint>& points = curve.points;
+    const auto rest = contact.at_rest();
+    std::vector<Contact::State> starts(points.size(), rest);
+    if (curve.sweep.empty()) return starts;
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+        const bool up = curve.sweep == "up";
         const CreepPoint &x = points[up ? i : j], &y = points[up ? j : i];
         return std::tie(x.lateral, x.spin, x.longitudinal) < std::tie(y.lateral, y.spin, y.longitudinal);
     });
     const bool along = std::any_of(points.begin(), points.end(), [&](const CreepPoint& point) {
         return point.longitudinal != points.front().longitudinal;
     });
-    const auto rest = contact.at_rest();
-    std::vector<Contact::State> starts(points.size(), rest);
     auto state = rest, next = rest;
     auto workspace = contact.workspace();
     const CreepPoint* before = nullptr;
@@ -67,7 +67,6 @@ std::vector<Contact::State> sweep(const Curve& curve, const study::Scene& scene,
         const auto step = contact.steady(state, point.times(creepage_unit(scene)), V, next, workspace);
         const bool solved = step.status == rollbem::StepStatus::ok;
         if (solved || step.status == rollbem::StepStatus::assists_creepage) std::swap(state, next);
-        if (solved) see(point, step);
     }
     return starts;
 }
@@ -105,9 +104,7 @@ void solve_by_elements(const Curve& curve, const study::Scene& scene, study::Row
                    (across ? across->G_prime()(0, 0) : 0);
         });
     }
-    const auto starts = curve.sweep.empty() ? std::vector<Contact::State>(curve.points.size(), contact->at_rest())
-                                            : sweep(curve, scene, *contact, curve.sweep == "up",
-                                                    [](const CreepPoint&, const Contact::Step&) {});
+    const auto starts = starts_of(curve, scene, *contact);
     auto state = contact->at_rest();
     const auto fresh = contact->workspace();
     auto workspace = fresh;
@@ -123,16 +120,6 @@ void solve_by_elements(const Curve& curve, const study::Scene& scene, study::Row
         fill(state, workspace.slip(), solution);
         see(i, solution);
     }
-}
-
-std::vector<std::pair<double, double>> other_branch(const Curve& curve, const study::Scene& scene) {
-    std::vector<std::pair<double, double>> points;
-    const std::optional<Contact> contact = contact_of(curve, scene);
-    if (!contact) return points;
-    sweep(curve, scene, *contact, curve.sweep != "up", [&](const CreepPoint& point, const Contact::Step& step) {
-        points.emplace_back(point.longitudinal, -step.force.longitudinal / (mu_N * scene.contact.width()));
-    });
-    return points;
 }
 
 }  // namespace friction

@@ -6,8 +6,6 @@
 
 #include <rollbem/closed_form/friction.hpp>
 
-#include "plots.hpp"
-
 namespace friction {
 
 namespace {
@@ -182,11 +180,9 @@ std::vector<study::Plot> draw_tractions(const Tractions& tractions, const Line& 
     return {std::move(panel)};
 }
 
-/// With the other branches of a sweep, and beside it the tractions at the creepage nearest to half of full sliding, for
-/// the last mesh.
+/// With the tractions beside it at the creepage nearest to half of full sliding, for the last mesh.
 study::Plot creep_picture(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
-                          const Curve& curve, const Tractions& tractions,
-                          const std::vector<std::vector<std::pair<double, double>>>& others) {
+                          const Curve& curve, const Tractions& tractions) {
     const bool falling = curve.line.falling.has_value();
     study::Plot plot{.title = "Creep curve" + scene_in_title(curve.options),
                      .x_label = creepage_label(falling, "δ = ξ"),
@@ -201,11 +197,6 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
         if (plot.series.size() == 1) series.label = curve.sweep.empty() ? "computed" : "sweep " + curve.sweep;
     }
     plot.y_range = force_range(plot);
-    for (const auto& points : others) {
-        if (points.empty()) continue;
-        plot.series.push_back(
-            {.label = curve.sweep == "up" ? "sweep down" : "sweep up", .points = points, .markers = false});
-    }
     const auto [least, most] = std::minmax_element(
         curve.points.begin(), curve.points.end(),
         [](const CreepPoint& one, const CreepPoint& other) { return one.longitudinal < other.longitudinal; });
@@ -261,15 +252,12 @@ void run_steady(const study::Options& options) {
     Curve curve{options, Line(options), read_points(options), "", study::has_times(options)};
     if (options.given("sweep")) curve.sweep = options.choice("sweep", {"up", "down"});
     const std::vector<study::Scene> scenes = study::make_scenes(options, study::Problem::steady);
-    const bool draws = options.given("plot"), branches = !curve.sweep.empty() && !curve.line.both && draws;
     const auto solve = options.flag("fit-border") ? solve_by_border : solve_by_elements;
-    Tractions tractions(options, traction_sheet().names(), scenes.size(), draws);
-    std::vector<std::vector<std::pair<double, double>>> others(scenes.size());
+    Tractions tractions(options, traction_sheet().names(), scenes.size(), options.given("plot"));
 
     study::Table table = study::table_of(creep_sheet().names(), scenes, curve.points.size());
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
         const study::Scene& scene = scenes[task];
-        if (branches) others[task] = other_branch(curve, scene);
         solve(curve, scene, range, [&](std::size_t k, const Solution& solution) {
             CreepRow row{curve, curve.line, scene, curve.points[k], solution};
             emit(creep_sheet().row(scene, row));
@@ -281,7 +269,7 @@ void run_steady(const study::Options& options) {
     table.written = [&] { tractions.write(); };
     table.plot = [&](const std::vector<study::Row>& rows) {
         return curve.line.both ? combined_creep(table.columns, rows, curve)
-                               : creep_picture(table.columns, rows, curve, tractions, others);
+                               : creep_picture(table.columns, rows, curve, tractions);
     };
     study::write_table(options, table);
 }

@@ -1,4 +1,4 @@
-// Steady rolling with friction: creep curves by elements or with the exact stick border.
+// The modes of friction_study: steady rolling, creep curves by elements or with the exact stick border, and time.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "line.hpp"
+#include "support/plot.hpp"
 #include "tractions.hpp"
 
 namespace friction {
@@ -47,12 +48,30 @@ void solve_by_border(const Curve& curve, const study::Scene& scene, study::RowRa
 /// The points without a solution, where G' is not finite, as for b/a or a layer near the limits of double.
 void leave_out(const study::Scene& scene, study::RowRange range, const Line& line, const See& see);
 
-/// Points of ratio and force of the sweep in the other direction, for the picture.
-std::vector<std::pair<double, double>> other_branch(const Curve& curve, const study::Scene& scene);
+// --- what pictures share
 
-std::string creep_help();  ///< the columns and their meanings
+inline constexpr int line_points = 400;  ///< of an exact curve
+inline const std::vector<std::string> scheme_columns{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T"};
 
-/// Writes the table, and the tractions where they are asked for. Throws what write_table throws.
+/// Carter's creep curve between two ratios, 0 included.
+study::Series carter_curve(double from, double to);
+
+/// Range of forces up to full sliding, for the signs that occur.
+study::PlotRange force_range(const study::Plot& plot);
+
+/// What forces and tractions are drawn in units of.
+std::string coefficient(bool falling);
+std::string creepage_label(bool falling, const std::string& ratio);
+std::string force_label(bool falling, const std::string& force = "-F", const std::string& load = "N");
+
+/// Options of pressure, law, layer, load and, in the time domain, creepage as given, for a title, each after ", ".
+std::string scene_in_title(const study::Options& options);
+
+// --- the modes: their columns and meanings, and what writes their tables and throws what write_table throws
+
+std::string creep_help();
+std::string transient_help();
 void run_steady(const study::Options& options);
+void run_transient(const study::Options& options);
 
 }  // namespace friction

@@ -1,5 +1,3 @@
-#include "transient.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -9,8 +7,8 @@
 
 #include <rollbem/closed_form/friction.hpp>
 
-#include "plots.hpp"
 #include "rolling.hpp"
+#include "steady.hpp"
 #include "support/errors.hpp"
 #include "support/non_steady.hpp"
 
@@ -204,37 +202,28 @@ study::Plot force_in_time(const std::vector<study::Row>& rows, const History& hi
     const bool lateral = history.line.both, load_changes = history.load.has_value();
     const bool carter = history.line.carter() && !lateral && !load_changes;
     const double ratio = history.point.longitudinal, end = double(history.steps.count) * history.steps.dq;
-    study::Selection selection{
-        .by = study::joined(scheme_columns, {"lambda"}), .x = "", .y = "", .apart = study::columns_of(study::settings)};
-    // the column y over x; the prefix of the label says which
-    const auto add = [&](study::Plot& plot, const char* x, const char* y, const std::string& prefix) {
-        selection.x = x;
-        selection.y = y;
-        study::Plot more{.title = plot.title};
-        study::add_series(more, columns, rows, selection);
-        if (plot.series.empty()) plot.title = more.title;
-        for (study::Series& series : more.series) {
-            if (series.points.empty()) continue;
-            series.markers = false;
-            if (!prefix.empty()) series.label = series.label.empty() ? prefix : prefix + ", " + series.label;
-            plot.series.push_back(std::move(series));
-        }
-        if (plot.series.size() == 1 && plot.series[0].label.empty()) plot.series[0].label = "computed";
+    const auto add = [&](study::Plot& plot, const char* x, const char* y, const std::string& prefix,
+                         bool reference = false) {
+        study::add_series(plot, columns, rows,
+                          {.by = study::joined(scheme_columns, {"lambda"}),
+                           .x = x,
+                           .y = y,
+                           .apart = study::columns_of(study::settings),
+                           .prefix = prefix,
+                           .markers = false,
+                           .reference = reference});
     };
     study::Plot plot{.title = "Rolling with friction" + scene,
                      .x_label = "distance rolled q/a",
                      .y_label = force_label(history.line.falling.has_value(), "-F", load_changes ? "N_0" : "N"),
                      .x_range = study::PlotRange{0, end}};
     if (rows.empty()) return plot;  // of a shard
-    add(plot, "q_over_a", "force_ratio", lateral ? "longitudinal" : load_changes ? "force" : "");
+    add(plot, "q_over_a", "force_ratio", lateral ? "longitudinal" : "computed");
     if (lateral) add(plot, "q_over_a", "lateral_force_ratio", "lateral");
-    if (load_changes) {
-        selection.y = "load_ratio";
-        study::add_reference(plot, columns, rows, selection, "load N/N_0");
-    }
+    if (load_changes) add(plot, "q_over_a", "load_ratio", "load N/N_0", true);
     if (history.omega) {
         study::Plot loop{.x_label = "creepage ratio δ", .y_label = plot.y_label};
-        add(loop, "creepage_ratio", "force_ratio", "");
+        add(loop, "creepage_ratio", "force_ratio", "computed");
         loop.title = "Hysteresis";
         const double most = std::abs(ratio);
         if (carter) loop.series.push_back(carter_curve(-most, most));

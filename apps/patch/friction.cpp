@@ -1,5 +1,3 @@
-#include "friction.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -12,8 +10,7 @@
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/rolling/run.hpp>
 
-#include "friction/tractions.hpp"
-#include "plots.hpp"
+#include "patch.hpp"
 #include "support/errors.hpp"
 #include "support/timing.hpp"
 

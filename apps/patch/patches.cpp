@@ -1,5 +1,3 @@
-#include "patches.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -7,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "patch.hpp"
 #include "support/errors.hpp"
 #include "support/input.hpp"
 
@@ -45,27 +44,9 @@ Outline read_outline(const study::Options& options) {
 std::vector<Mesh> make_strips(const study::Options& options, double low, double high,
                               const std::vector<std::ptrdiff_t>& counts) {
     if (options.given("strip-edges")) {
-        study::Lines lines(options, "strip-edges");
-        Numbers edges;
-        while (lines.next()) {
-            const auto edge = study::number_of(lines.text(), '\n');
-            const std::string where = lines.where() + " = " + lines.text();
-            if (!edge || !std::isfinite(*edge)) throw study::BadInput(where + " must be a finite number");
-            edges.push_back((*edge - (low + high) / 2) / ((high - low) / 2));
-            const double end = edges.size() == 1 ? -1 : 1;
-            if (std::abs(edges.back() - end) < 1e-12) edges.back() = end;
-            if (edges.size() == 1 && edges[0] != -1) {
-                throw study::BadInput(where + " must be " + study::Cell(low).text(12) + ", the smallest y");
-            }
-            if (edges.size() > 1 && !(edges.back() > edges[edges.size() - 2] && edges.back() <= 1)) {
-                throw study::BadInput(where + " must be larger than the line before and at most " +
-                                      study::Cell(high).text(12) + ", the largest y");
-            }
-        }
-        if (edges.size() < 2 || edges.back() != 1) {
-            throw study::BadInput(options.said("strip-edges") + " must end with " + study::Cell(high).text(12) +
-                                  ", the largest y");
-        }
+        const auto end = [](double y, const char* which) { return study::Cell(y).text(12) + ", the " + which + " y"; };
+        const Numbers edges =
+            study::read_edges(options, "strip-edges", low, high, end(low, "smallest"), end(high, "largest"));
         return {rollbem::mesh_from_edges(array(edges))};
     }
     const bool cosine = options.choice("strip-grading", {"cosine", "uniform"}) == "cosine";

@@ -1,5 +1,3 @@
-#include "plots.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,8 @@
 #include <utility>
 
 #include <rollbem/studies/kalker_table.hpp>
+
+#include "patch.hpp"
 
 namespace patch {
 
@@ -29,10 +29,38 @@ std::set<double> values(const Columns& columns, const Rows& rows, const std::str
     return found;
 }
 
+/// What a picture of patches may have along x.
+struct Axis {
+    std::string column, label;
+};
+const std::vector<Axis> axes{{"longitudinal", "ξ G a b / (μ N)"}, {"lateral", "η G a b / (μ N)"},
+                             {"spin", "φ G a b c / (μ N)"},       {"a_over_b", "a/b"},
+                             {"n", "elements of a strip n"},      {"strips", "number of strips m"},
+                             {"poisson", "Poisson's ratio ν"}};
+
+/// That of the axes `first` ... `last` - 1 whose column has the most values.
+Axis most_varied(const Columns& columns, const Rows& rows, std::ptrdiff_t first, std::ptrdiff_t last) {
+    const auto count = [&](const Axis& axis) { return values(columns, rows, axis.column).size(); };
+    return *std::max_element(axes.begin() + first, axes.begin() + last,
+                             [&](const Axis& one, const Axis& other) { return count(one) < count(other); });
+}
+
+/// The columns of the other axes; not the strips over n if there are as many.
+Columns others(const Columns& columns, const Rows& rows, const Axis& x) {
+    const bool as_many = values(columns, rows, "strips").size() == values(columns, rows, "n").size();
+    Columns by;
+    for (const Axis& axis : axes) {
+        const bool is_there = study::index_of(columns, axis.column) < columns.size();
+        if (is_there && axis.column != x.column && !(x.column == "n" && axis.column == "strips" && as_many)) {
+            by.push_back(axis.column);
+        }
+    }
+    return by;
+}
+
 /// A panel like `frame` for each column with its label, side by side; its title is the first one's.
 std::vector<study::Plot> panels_of(const study::Plot& frame, const Columns& columns, const Rows& rows,
-                                   study::Selection selection,
-                                   const std::vector<std::pair<std::string, std::string>>& labels) {
+                                   study::Selection selection, const std::vector<Axis>& labels) {
     std::vector<study::Plot> panels;
     for (const auto& [column, label] : labels) {
         study::Plot panel = frame;
@@ -46,7 +74,7 @@ std::vector<study::Plot> panels_of(const study::Plot& frame, const Columns& colu
 }
 
 /// Forces and moment, and how their axes call them.
-std::vector<std::pair<std::string, std::string>> forces_over(const std::string& force, const std::string& c) {
+std::vector<Axis> forces_over(const std::string& force, const std::string& c) {
     return {{"longitudinal_force", "-F_x / (" + force + ")"},
             {"lateral_force", "-F_y / (" + force + ")"},
             {"spin_moment", "-M_z / (" + force + " " + c + ")"}};
@@ -88,8 +116,7 @@ std::vector<std::pair<double, double>> edge_of(const rollbem::PatchContact<doubl
     return points;
 }
 
-/// What sticks, what slips, tractions on body 1 and the pole of the rigid slip. y points down: z points away from who
-/// looks.
+/// What sticks, what slips, and tractions on body 1. y points down: z points away from who looks.
 study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const friction::Tractions& tractions,
                             const Rows& rows) {
     const rollbem::PatchContact<double>& contact = patch.contact;
@@ -104,8 +131,6 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const f
     study::Series slip{.label = "slip", .style = 4, .shape = study::Shape::rectangles};
     study::Series arrows{.reference = true, .shape = study::Shape::arrows};
     const auto number = [&](const study::Row& row, const char* name) { return tractions.number(row, name); };
-    const double pole_x = -point.lateral / point.spin, pole_y = point.longitudinal / point.spin;
-    bool shows_pole = false;
     const double a = contact.half_length() / contact.c(), b = contact.half_width() / contact.c();
     double longest = 0, area = 0;
     for (const study::Row& row : rows) {
@@ -117,8 +142,6 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const f
         auto& zone = (*number(row, "stick") > 0 ? stick : slip).points;
         zone.emplace_back(x - dx, y - dy);
         zone.emplace_back(x + dx, y + dy);
-        // it may lie on an edge between two elements
-        shows_pole = shows_pole || (std::abs(pole_x - x) <= 1.001 * dx && std::abs(pole_y - y) <= 1.001 * dy);
         arrows.points.emplace_back(x, y);
         arrows.points.emplace_back(*traction_x, *traction_y);
         longest = std::max(longest, std::hypot(*traction_x, *traction_y));
@@ -147,9 +170,6 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const f
     plot.x_range = along;
     plot.y_range = across;
     plot.series = {std::move(stick), std::move(slip), std::move(edge), std::move(arrows)};
-    if (shows_pole) {
-        plot.series.push_back({.label = "pole of spin", .points = {{pole_x, pole_y}}, .line = false, .style = 6});
-    }
     return plot;
 }
 
@@ -158,20 +178,11 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const f
 study::Plot draw_coefficients(const Columns& columns, const Rows& rows) {
     const std::set<double> ratios = values(columns, rows, "a_over_b"), poisson = values(columns, rows, "poisson");
     const bool over_ratio = ratios.size() > 1;
-    const bool all_strips = values(columns, rows, "strips").size() == values(columns, rows, "n").size();
-    const Columns by = over_ratio   ? Columns{"poisson", "n", "strips"}
-                       : all_strips ? Columns{"poisson"}
-                                    : Columns{"poisson", "strips"};
-    const study::Plot frame{.title = "Contact patch",
-                            .x_label = over_ratio ? "a/b" : "elements of a strip n",
-                            .log_x = true,
-                            .log_y = over_ratio};
+    const Axis x = axes[over_ratio ? 3 : 4];
+    const study::Plot frame{.title = "Contact patch", .x_label = x.label, .log_x = true, .log_y = over_ratio};
     std::vector<study::Plot> panels =
-        panels_of(frame, columns, rows, {.by = by, .x = over_ratio ? "a_over_b" : "n", .y = ""},
+        panels_of(frame, columns, rows, {.by = others(columns, rows, x), .x = x.column},
                   {{"c11", "c_{11}"}, {"c22", "c_{22}"}, {"c23", "c_{23}"}, {"c33", "c_{33}"}});
-    for (std::size_t k = 0; over_ratio && k < panels.size(); ++k) {
-        for (study::Series& series : panels[k].series) series.markers = false;
-    }
     if (over_ratio) {
         add_table(panels[0], &rollbem::studies::KalkerRow::c11, ratios, poisson);
         add_table(panels[1], &rollbem::studies::KalkerRow::c22, ratios, poisson);
@@ -187,60 +198,30 @@ study::Plot draw_responses(const Columns& columns, const Rows& rows) {
     const study::Plot frame{.title = "Contact patch",
                             .x_label = "ω a / V",
                             .log_x = !omegas.empty() && *omegas.begin() > 0 && *omegas.rbegin() > 20 * *omegas.begin()};
-    const auto parts = [&](const std::string& part) {
-        std::vector<std::pair<std::string, std::string>> labels;
-        for (const std::string ij : {"11", "22", "23", "33"}) {
-            labels.emplace_back("c" + ij + part, "Re c_{" + ij + "}, Im c_{" + ij + "}");
+    std::vector<study::Plot> panels;
+    for (const std::string ij : {"11", "22", "23", "33"}) {
+        study::Plot& panel = panels.emplace_back(frame);
+        panel.y_label = "Re c_{" + ij + "}, Im c_{" + ij + "}";
+        for (const auto& [part, prefix] : {std::pair{"_re", "Re"}, {"_im", "Im"}}) {
+            study::add_series(panel, columns, rows,
+                              {.by = patch_columns,
+                               .x = "omega",
+                               .y = "c" + ij + part,
+                               .prefix = prefix,
+                               .markers = omegas.size() <= 30});
         }
-        return panels_of(frame, columns, rows, {.by = patch_columns, .x = "omega", .y = ""}, labels);
-    };
-    std::vector<study::Plot> panels = parts("_re"), imaginary = parts("_im");
-    for (std::size_t k = 0; k < panels.size(); ++k) {
-        std::vector<study::Series>& series = panels[k].series;
-        const std::size_t count = series.size();
-        std::move(imaginary[k].series.begin(), imaginary[k].series.end(), std::back_inserter(series));
-        for (std::size_t i = 0; i < series.size(); ++i) {
-            const bool real = i < count;
-            series[i].label = (real ? "Re" : "Im") + (series[i].label.empty() ? "" : ", " + series[i].label);
-            series[i].style = 2 * (i % count) + (real ? 0 : 1);
-            series[i].markers = series[i].points.size() <= 30;
-        }
+        if (panels.size() > 1) panel.title.clear();
     }
     return study::side_by_side(std::move(panels));
 }
 
 study::Plot draw_friction(const Columns& columns, const Rows& rows) {
-    const std::vector<std::pair<std::string, std::string>> axes{
-        {"longitudinal", "ξ G a b / (μ N)"}, {"lateral", "η G a b / (μ N)"},
-        {"spin", "φ G a b c / (μ N)"},       {"a_over_b", "a/b"},
-        {"n", "elements of a strip n"},      {"strips", "number of strips m"},
-        {"poisson", "Poisson's ratio ν"}};
-    // a creepage if any varies
-    const auto count = [&](const auto& axis) { return values(columns, rows, axis.first).size(); };
-    auto most = std::max_element(axes.begin(), axes.begin() + 3,
-                                 [&](const auto& one, const auto& other) { return count(one) < count(other); });
-    if (count(*most) <= 1) {
-        most = std::find_if(axes.begin() + 3, axes.end() - 1, [&](const auto& axis) { return count(axis) > 1; });
-    }
-    const bool as_many_strips = std::all_of(rows.begin(), rows.end(), [](const study::Row& row) {
-        return row[2].number() == row[3].number();  // n and strips
-    });
-    Columns by;
-    for (const auto& [name, label] : axes) {
-        if (name != most->first && !(most->first == "n" && name == "strips" && as_many_strips)) by.push_back(name);
-    }
+    Axis x = most_varied(columns, rows, 0, 3);  // a creepage if any varies
+    if (values(columns, rows, x.column).size() <= 1) x = most_varied(columns, rows, 3, 7);
     const study::Plot frame{
-        .title = "Contact patch with friction", .x_label = most->second, .log_x = most->first == "a_over_b"};
-    std::vector<study::Plot> panels =
-        panels_of(frame, columns, rows, {.by = by, .x = most->first, .y = ""}, forces_over("μ N", "c"));
-    for (study::Plot& panel : panels) {
-        const bool rounding = std::all_of(panel.series.begin(), panel.series.end(), [](const study::Series& series) {
-            return std::all_of(series.points.begin(), series.points.end(),
-                               [](const auto& point) { return std::abs(point.second) < 1e-13; });
-        });
-        if (rounding) panel.y_range = study::PlotRange{-1, 1};
-    }
-    return study::side_by_side(std::move(panels));
+        .title = "Contact patch with friction", .x_label = x.label, .log_x = x.column == "a_over_b"};
+    return study::side_by_side(
+        panels_of(frame, columns, rows, {.by = others(columns, rows, x), .x = x.column}, forces_over("μ N", "c")));
 }
 
 study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint& point,
@@ -256,15 +237,15 @@ study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint&
 
 study::Plot draw_in_time(const Columns& columns, const Rows& rows, bool load_varies) {
     const std::string force = load_varies ? "μ N_0" : "μ N", c = load_varies ? "c_0" : "c";
-    const study::Selection selection{.by = study::joined(patch_columns, {"nodes", "longitudinal", "lateral", "spin"}),
-                                     .x = "q_over_a",
-                                     .y = "load_ratio"};
+    study::Selection selection{.by = study::joined(patch_columns, {"nodes", "longitudinal", "lateral", "spin"}),
+                               .x = "q_over_a",
+                               .y = "load_ratio",
+                               .markers = false};
     const study::Plot frame{.title = "Patch in time", .x_label = "distance rolled q/a"};
     std::vector<study::Plot> panels = panels_of(frame, columns, rows, selection, forces_over(force, c));
-    for (study::Plot& panel : panels) {
-        for (study::Series& series : panel.series) series.markers = false;
-    }
-    if (load_varies && !rows.empty()) study::add_reference(panels[0], columns, rows, selection, "load N/N_0");
+    selection.prefix = "load N/N_0";
+    selection.reference = true;
+    if (load_varies && !rows.empty()) study::add_series(panels[0], columns, rows, selection);
     return study::side_by_side(std::move(panels));
 }
 

@@ -8,7 +8,7 @@
 
 #include <rollbem/normal/hertz_ellipse.hpp>
 
-#include "friction.hpp"
+#include "patch.hpp"
 #include "support/csv.hpp"
 #include "support/errors.hpp"
 #include "support/input.hpp"

@@ -1,5 +1,3 @@
-#include "transient.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -12,9 +10,8 @@
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/normal/hertz_patch_load.hpp>
 
-#include "friction.hpp"
 #include "friction/rolling.hpp"
-#include "plots.hpp"
+#include "patch.hpp"
 #include "support/errors.hpp"
 #include "support/non_steady.hpp"
 

@@ -77,7 +77,7 @@ const std::vector<std::string>& columns();
 study::Row row(const Point& point);
 
 /// The rows of this program's earlier output for the chosen quantities. Throws BadInput if they are malformed or do not
-/// have one kernel, aspect, poisson, size_ratio and epsilon.
+/// have one kernel, aspect and poisson.
 std::vector<Point> read_points(const study::Options& options, const std::vector<Quantity>& quantities);
 
 /// The fastest scheme for every quantity and tolerance. Throws WriteError.

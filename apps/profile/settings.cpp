@@ -54,8 +54,7 @@ void add_options(study::Options& options) {
         "linear");
     options.add("shear-yield", "K", "with --friction: yield stress in shear, for the fatigue index [Pa]", "3e8");
     options.group("Result");
-    options.add_folder("outline", "also write outlines and pressures of all patches into this folder, for patch_study",
-                       {});
+    options.add_folder("outline", "also write outlines and pressures of all patches into this folder, for patch_study");
     options.add("wear", "FILE", "with --friction: also write frictional work over both profiles to this CSV file");
     options.footer(help);
     options.set_conventions(

@@ -43,6 +43,13 @@ std::vector<std::string> lines_of(const std::string& path, std::string_view firs
     return lines;
 }
 
+/// Whether `path` is there and is not a regular file.
+bool is_stream(const std::string& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return fs::exists(status) && !fs::is_regular_file(status);
+}
+
 }  // namespace
 
 std::string Cell::text(std::optional<int> digits) const {
@@ -86,20 +93,6 @@ void make_folder(const std::string& path, const std::string& name) {
                    (error ? ": " + error.message() : ""));
 }
 
-bool is_stream(const std::string& path) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    return fs::exists(status) && !fs::is_regular_file(status);
-}
-
-bool same_place(const std::string& first, const std::string& second) {
-    if (first == "-" || second == "-") return first == second;
-    std::error_code error;
-    if (fs::is_character_file(first, error)) return false;
-    const fs::path one = fs::weakly_canonical(fs::absolute(first), error);
-    return one == fs::weakly_canonical(fs::absolute(second), error) || fs::equivalent(first, second, error);
-}
-
 OutputFile::OutputFile(const std::string& path, const std::string& name, std::size_t kept)
     : path_(path == "-" ? "standard output" : path), to_(&file_) {
     const auto refuse = [&](const std::string& why) {
@@ -127,15 +120,9 @@ void OutputFile::require(bool done) const {
     if (!done) throw WriteError(path_ + " cannot be written: " + std::strerror(errno));
 }
 
-void OutputFile::write(std::string_view text) {
-    buffer_ += text;
-    if (buffer_.size() >= 65536) flush();
-}
+void OutputFile::write(std::string_view text) { require(bool(*to_ << text)); }
 
-void OutputFile::flush() {
-    require(bool(*to_ << buffer_ << std::flush));
-    buffer_.clear();
-}
+void OutputFile::flush() { require(bool(to_->flush())); }
 
 void OutputFile::commit() {
     flush();

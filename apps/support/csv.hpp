@@ -69,12 +69,6 @@ void ignore_write_signals();
 /// A folder that results are written to, created if it does not exist. Throws BadInput, which names `name`.
 void make_folder(const std::string& path, const std::string& name);
 
-/// Whether `path` is there and is not a regular file.
-bool is_stream(const std::string& path);
-
-/// Whether both are the same file, or - for the same standard stream, whatever their names. Devices never are the same.
-bool same_place(const std::string& first, const std::string& second);
-
 /// A file to write from start to end. A regular file is written to FILE.part and takes its own name in commit();
 /// without commit() nothing is left. Pipes and devices are written to directly.
 class OutputFile {
@@ -92,7 +86,7 @@ public:
     bool is_regular() const { return !part_.empty(); }  ///< written to FILE.part first
     const std::string& path() const { return path_; }
 
-    /// Nothing reaches standard output before flush(), unless there is much. Throws WriteError.
+    /// Throws WriteError.
     void write(std::string_view text);
 
     /// Passes everything written so far to the system. Throws WriteError.
@@ -107,7 +101,7 @@ public:
 private:
     void require(bool done) const;
 
-    std::string path_, target_, part_, buffer_;
+    std::string path_, target_, part_;
     std::ofstream file_;
     std::ostream* to_ = nullptr;
 };

@@ -87,6 +87,27 @@ bool Lines::next() {
     return true;
 }
 
+Numbers read_edges(const Options& options, const std::string& name, double low, double high, const std::string& lowest,
+                   const std::string& highest) {
+    Lines lines(options, name);
+    Numbers edges;
+    while (lines.next()) {
+        const std::string where = lines.where() + " = " + lines.text();
+        const std::optional<double> place = detail::parse_number<double>(lines.text());
+        if (!place || !std::isfinite(*place)) throw BadInput(where + " must be a finite number");
+        double edge = (*place - (low + high) / 2) / ((high - low) / 2);
+        const double end = edges.empty() ? -1 : 1;
+        if (std::abs(edge - end) < 1e-12) edge = end;
+        if (edges.empty() && edge != -1) throw BadInput(where + " must be " + lowest);
+        if (!edges.empty() && !(edge > edges.back() && edge <= 1)) {
+            throw BadInput(where + " must be larger than the line before and at most " + highest);
+        }
+        edges.push_back(edge);
+    }
+    if (edges.size() < 2 || edges.back() != 1) throw BadInput(options.said(name) + " must end with " + highest);
+    return edges;
+}
+
 std::vector<Numbers> read_columns(
     const Options& options, const std::string& name, const std::string& names, const std::string& further,
     const std::function<void(const std::vector<Numbers>& columns, const std::string& where)>& check) {

@@ -51,6 +51,12 @@ private:
 
 using Numbers = std::vector<double>;
 
+/// Ascending edges, one a line, from `low` to `high`, which messages call by these names; scaled to -1 ... 1. Throws
+/// BadInput.
+Numbers read_edges(const Options& options, const std::string& name, double low = -1, double high = 1,
+                   const std::string& lowest = "-1, the trailing edge",
+                   const std::string& highest = "1, the leading edge");
+
 /// The columns `names` of the file that --name gives, separated by commas in `names`: finite numbers. They are found by
 /// their names in the first line; further columns are ignored, and a semicolon or tab may take the place of the comma.
 /// Those of `further` follow if the file has all of these, and are empty if it has none. `check` is called after each

@@ -1,10 +1,10 @@
 // The files that options name: configurations, inputs and what is written.
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <iomanip>
 #include <sstream>
 
-#include "csv.hpp"
 #include "input.hpp"
 #include "options.hpp"
 #include "sidecar.hpp"
@@ -70,38 +70,20 @@ void Options::read_config() {
 }
 
 void Options::check_files() const {
-    struct File {
-        std::string said, path;
-        bool written, is_sidecar = false;
+    std::map<std::string, std::string> names;  // of each file, however it is written
+    const auto add = [&](const std::string& path, const std::string& said, bool written) {
+        std::error_code error;
+        if (path != "-" && std::filesystem::is_character_file(path, error)) return;
+        const std::string key =
+            path == "-" ? (written ? "standard output" : "standard input")
+                        : std::filesystem::weakly_canonical(std::filesystem::absolute(path), error).string();
+        const auto [found, is_new] = names.emplace(key, said);
+        if (!is_new) throw BadInput(said + " must not be the same file as " + found->second);
     };
-    std::vector<File> files;
-    if (!given("output")) files.push_back({"standard output", "-", true});
+    if (!given("output")) add("-", "standard output", true);
     for (const auto& [name, entry] : entries_) {
-        if (!given(name) || entry.kind == Kind::value || entry.kind == Kind::flag) continue;
-        const std::string path = text(name);
-        if (entry.kind != Kind::folder) files.push_back({said(name), path, entry.kind != Kind::input});
-        for (const std::string& file : entry.files) {
-            files.push_back({file + " of " + said(name), path + "/" + file, true});
-        }
-        if (entry.kind == Kind::table && path != "-" && !is_stream(path)) {
-            files.push_back({said(name) + ".toml, written beside it,", path + ".toml", true, true});
-        }
-    }
-    for (const File& file : files) {
-        for (const File& other : files) {
-            if (&file == &other || !same_place(file.path, other.path)) continue;
-            if (!file.written && !other.written && file.path == "-" && &file > &other) {
-                throw BadInput(file.said + " must be a file: standard input is read as " + other.said);
-            }
-            // a repeated run may overwrite the file that describes it: it has been read by then
-            const bool repeats = replays_ && file.is_sidecar && other.said == said("config");
-            if (file.written && !other.written && file.path != "-" && !repeats) {
-                throw BadInput(file.said + " must not be a file that this run reads: " + other.said);
-            }
-            if (file.written && other.written && &file > &other) {
-                throw BadInput(file.said + " must not be written to as well as " + other.said);
-            }
-        }
+        const bool is_file = entry.kind == Kind::input || entry.kind == Kind::output || entry.kind == Kind::table;
+        if (given(name) && is_file) add(text(name), said(name), entry.kind != Kind::input);
     }
 }
 

@@ -135,12 +135,6 @@ Options::Added Options::add(const std::string& name, const std::string& value, c
     return {*this, {name}};
 }
 
-Options::Added Options::add_folder(const std::string& name, const std::string& help, std::vector<std::string> files) {
-    add(name, "DIR", help, Kind::folder);
-    entries_[name].files = std::move(files);
-    return {*this, {name}};
-}
-
 Options::Added Options::add_flag(const std::string& name, const std::string& help) {
     return add(name, "", help, Kind::flag);
 }
@@ -219,15 +213,9 @@ void Options::refuse_group(const std::string& heading, const std::string& reason
     }
 }
 
-void Options::footer(const std::string& text, std::vector<Topic> topics) {
-    topics_ = std::move(topics);
-    std::string listed = topics_.empty() ? "" : "\nMore by --help TOPIC:\n";
-    for (const Topic& topic : topics_) {
-        listed += "  " + topic.name + std::string(topic.name.size() < 11 ? 11 - topic.name.size() : 1, ' ') +
-                  topic.summary + "\n";
-    }
+void Options::footer(const std::string& text) {
     app_->footer(
-        text + listed +
+        text +
         "\nExit codes: 0 done; 1 a run or the program failed; 2 bad input or output that cannot be written; "
         "3 no picture, as gnuplot\nis missing or fails or no row has a point to draw (the CSV is written); 4 error "
         "while writing; 130 interrupted.");
@@ -238,14 +226,6 @@ std::optional<std::string> Options::parse(int argc, const char* const* argv) {
     try {
         app_->parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
-        std::vector<std::string> names;
-        for (const Topic& topic : topics_) {
-            if (contains(app_->remaining(), topic.name)) return topic.text;
-            names.push_back(topic.name);
-        }
-        if (!names.empty() && app_->remaining_size() > 0) {
-            throw BadInput("--help = " + app_->remaining().front() + " must be one of " + join(names, ", "));
-        }
         std::string help = app_->help();
         for (std::size_t i = 0; (i = help.find("\n\n\n", i)) != std::string::npos;) help.erase(i, 1);
         return help;

@@ -60,12 +60,6 @@ std::string join(const std::vector<std::string>& words, const std::string& separ
 /// "a, b or c" with last = "or".
 std::string listed(const std::vector<std::string>& words, const std::string& last);
 
-/// A part of the help that --help NAME prints instead of the options.
-struct Topic {
-    std::string name, summary;  ///< one line
-    std::string text;
-};
-
 class Options {
 public:
     /// Declares the options all studies share. `purpose` is the first line of --help.
@@ -108,8 +102,8 @@ public:
     /// The same with a file beside it, FILE.toml.
     Added add_table(const std::string& name, const std::string& help) { return add(name, "FILE", help, Kind::table); }
 
-    /// Declares --name DIR, a folder that `files` are written to.
-    Added add_folder(const std::string& name, const std::string& help, std::vector<std::string> files);
+    /// Declares --name DIR, a folder that files are written to.
+    Added add_folder(const std::string& name, const std::string& help) { return add(name, "DIR", help, Kind::folder); }
 
     /// Declares --name, which takes no value.
     Added add_flag(const std::string& name, const std::string& help);
@@ -135,8 +129,8 @@ public:
     void only_with(const std::vector<std::string>& names, const std::vector<std::string>& modes,
                    const std::string& why = "");
 
-    /// Text below the options in --help, exactly as given; the topics and the exit codes follow it.
-    void footer(const std::string& text, std::vector<Topic> topics = {});
+    /// Text below the options in --help, exactly as given; the exit codes follow it.
+    void footer(const std::string& text);
 
     /// Replaces what the file beside the results says of axes, signs and units: lines of TOML.
     void set_conventions(std::string text) { conventions_ = std::move(text); }
@@ -201,7 +195,6 @@ private:
         std::string help, default_text;
         Kind kind = Kind::value;
         std::vector<std::string> configured{};  ///< by the configuration file
-        std::vector<std::string> files{};       ///< of a folder
         std::string refusal{};                  ///< why the study does not take it
 
         bool typed() const;
@@ -224,7 +217,7 @@ private:
 
     void read_config();
 
-    /// Throws BadInput if an output is also an input of this run or another output, or two inputs are standard input.
+    /// Throws BadInput if two files of this run are the same.
     void check_files() const;
 
     /// "; did you mean --name?" if an option has a similar name.
@@ -242,7 +235,6 @@ private:
     std::map<std::string, Entry> entries_;
     std::vector<Limit> limits_;
     std::vector<std::string> words_;
-    std::vector<Topic> topics_;
     bool replays_ = false;                         ///< --config is the file beside a CSV file
     std::map<std::string, std::string> expected_;  ///< checksums of the run to repeat, by option
     mutable std::map<std::string, std::string> inputs_;

@@ -40,16 +40,6 @@ std::string logarithmic_axis(const Plot& plot) {
            (few ? "set xtics (" + join(marks, ",") + ")\n" : "");
 }
 
-/// "set title", in two lines if one would be longer than `widest` characters.
-std::string title_command(const std::string& title, std::ptrdiff_t widest) {
-    const auto is_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80 && c != '_'; };
-    const bool fits = std::count_if(title.begin(), title.end(), is_character) <= widest;
-    const std::size_t end = fits ? std::string::npos : title.rfind(", ", title.size() * 3 / 5);
-    if (end == std::string::npos) return "set title " + gnuplot_string(title) + "\n";
-    return "set title " + gnuplot_string(title.substr(0, end + 1)) + ".\"\\n\"." +
-           gnuplot_string(title.substr(end + 2)) + "\n";
-}
-
 /// Colour, dashes and markers of a series. References are black.
 std::string style_of(const Series& given, std::size_t style) {
     Series series = given;
@@ -103,7 +93,7 @@ std::string data_of(const Plot& plot, const Series& series) {
     return text;
 }
 
-std::string panel_script(const Plot& plot, bool alone) {
+std::string panel_script(const Plot& plot) {
     if (!can_be_drawn(plot)) throw PlotError("the plot has no point to draw");
     const auto usable = [&](const std::pair<double, double>& point) { return has_place(plot, point); };
     const auto is_counted = [&](const Series& series) {
@@ -117,7 +107,7 @@ std::string panel_script(const Plot& plot, bool alone) {
                  std::to_string(labelled) + " curves";
     }
     std::string script;
-    script += title_command(title, alone ? 105 : 76) + "set xlabel " + gnuplot_string(plot.x_label) + "\nset ylabel " +
+    script += "set title " + gnuplot_string(title) + "\nset xlabel " + gnuplot_string(plot.x_label) + "\nset ylabel " +
               gnuplot_string(plot.y_label) + "\nset grid lt 1 lc rgb '#dddddd' lw 1\n";
     script += "set key above samplen 3\nset autoscale xfix\nset format '%h'\n";
     if (plot.true_scale) script += "set size ratio -1\n";
@@ -153,18 +143,15 @@ std::string gnuplot_script(const Plot& plot, bool png) {
     };
     std::string script = "set encoding utf8\n";
     if (png) {
-        const std::string pixels = one ? size(1200, 800) : size(900, 780);
-        script += "if (strstrt(GPVAL_TERMINALS, 'pngcairo') > 0) set terminal pngcairo " + pixels +
-                  "enhanced font 'sans,14' linewidth 1.3 dashlength 1.3 pointscale 1.4 background '#ffffff'; else set "
-                  "terminal png " +
-                  pixels + "enhanced background '#ffffff'\n";
+        script += "set terminal pngcairo " + (one ? size(1200, 800) : size(900, 780)) +
+                  "enhanced font 'sans,14' linewidth 1.3 dashlength 1.3 pointscale 1.4 background '#ffffff'\n";
     } else {
         script += "set terminal svg " + (one ? size(900, 600) : size(675, 585)) +
                   "dynamic enhanced font 'sans-serif,14' background '#ffffff'\n";
     }
     if (!one) script += "set multiplot layout 1," + std::to_string(panels) + "\n";
-    script += panel_script(plot, one);
-    for (const Plot& panel : plot.beside) script += "reset\n" + panel_script(panel, one);
+    script += panel_script(plot);
+    for (const Plot& panel : plot.beside) script += "reset\n" + panel_script(panel);
     if (!one) script += "unset multiplot\n";
     return script;
 }
@@ -256,22 +243,20 @@ void add_series(Plot& plot, const std::vector<std::string>& columns, const std::
     for (std::size_t i = 0; i < names.size(); ++i) {
         const bool shared =
             std::all_of(keys.begin(), keys.end(), [&](const auto& key) { return key[i] == keys[0][i]; });
-        if (shared && !keys.empty()) append(plot.title, names[i], keys[0][i]);
+        if (shared && !keys.empty() && plot.series.empty()) append(plot.title, names[i], keys[0][i]);
         for (std::size_t k = 0; k < keys.size() && !shared; ++k) append(series[k].label, names[i], keys[k][i]);
     }
-    if (series.size() == 1) series[0].label = plot.y_label;
+    if (series.size() == 1) series[0].label = selection.prefix.empty() ? plot.y_label : "";
+    if (selection.reference) series.resize(std::min<std::size_t>(series.size(), 1), Series{});
+    for (Series& each : series) {
+        const std::string& prefix = selection.prefix;
+        if (!prefix.empty()) {
+            each.label = prefix + (each.label.empty() || selection.reference ? "" : ", " + each.label);
+        }
+        each.markers = selection.markers && !selection.reference;
+        each.reference = selection.reference;
+    }
     plot.series.insert(plot.series.end(), series.begin(), series.end());
-}
-
-void add_reference(Plot& plot, const std::vector<std::string>& columns, const std::vector<Row>& rows,
-                   const Selection& selection, const std::string& label) {
-    Plot own;
-    add_series(own, columns, rows, selection);
-    Series& series = own.series.front();
-    series.label = label;
-    series.markers = false;
-    series.reference = true;
-    plot.series.push_back(std::move(series));
 }
 
 Plot side_by_side(std::vector<Plot> panels) {
@@ -294,11 +279,6 @@ std::string picture(const Plot& plot, bool png, const std::string& path) {
     if (drawn.find(png ? "\0\0\0\0IEND"sv : "</svg>"sv) == std::string::npos) {
         throw PlotError("--plot = " + path + ": gnuplot drew " + (drawn.empty() ? "nothing" : "only a part") +
                         "; the rows are written");
-    }
-    // gnuplot puts what follows a subscript into a part of its own, whose leading space some viewers drop
-    constexpr std::string_view tag = "<text>", kept = "<text xml:space=\"preserve\">";
-    for (std::size_t i = 0; !png && (i = drawn.find(tag, i)) != std::string::npos; i += kept.size()) {
-        drawn.replace(i, tag.size(), kept);
     }
     return drawn;
 }

@@ -64,18 +64,17 @@ bool can_be_drawn(const Plot& plot);
 /// Rows as series: one for each combination of the columns `by`, which `y` over `x`. What differs between the series is
 /// their label, what they share is appended to the title. Where y is undefined the line is interrupted.
 struct Selection {
-    std::vector<std::string> by;
-    std::string x, y;
+    std::vector<std::string> by{};
+    std::string x{}, y{};
     bool absolute = false;             ///< |y|
     std::vector<std::string> apart{};  ///< as `by`, behind those in titles and labels
+    std::string prefix{};              ///< of labels
+    bool markers = true;
+    bool reference = false;  ///< the first series alone, as a black line that the prefix names
 };
 
 void add_series(Plot& plot, const std::vector<std::string>& columns, const std::vector<Row>& rows,
                 const Selection& selection);
-
-/// The first of these series as a black line.
-void add_reference(Plot& plot, const std::vector<std::string>& columns, const std::vector<Row>& rows,
-                   const Selection& selection, const std::string& label);
 
 /// The first panel with the others to its right; an empty plot if there is none.
 Plot side_by_side(std::vector<Plot> panels);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -24,25 +23,6 @@ struct Unknowns {
     std::optional<rollbem::Chebyshev> chebyshev{};
 };
 
-Unknowns unknowns_from_file(const Options& options) {
-    Lines lines(options, "edges");
-    std::vector<double> edges;
-    while (lines.next()) {
-        const std::string where = lines.where() + " = " + lines.text();
-        const std::optional<double> edge = detail::parse_number<double>(lines.text());
-        if (!edge || !(*edge >= -1 && *edge <= 1)) throw BadInput(where + " must be a number in [-1, 1]");
-        if (edges.empty() && *edge != -1) throw BadInput(where + " must be -1, the trailing edge");
-        if (!edges.empty() && !(*edge > edges.back())) throw BadInput(where + " must be larger than the line before");
-        edges.push_back(*edge);
-    }
-    if (edges.size() < 2 || edges.back() != 1 || std::ptrdiff_t(edges.size()) > largest_n + 1) {
-        throw BadInput(options.said("edges") + " must end with 1, the leading edge, after at most " +
-                       std::to_string(largest_n) + " lines");
-    }
-    const Eigen::Map<const Eigen::ArrayXd> values(edges.data(), Eigen::Index(edges.size()));
-    return {.mesh = std::make_shared<rollbem::Mesh<double>>(rollbem::mesh_from_edges<double>(values))};
-}
-
 /// For every n, a mesh of each grading.
 std::vector<std::vector<Unknowns>> make_unknowns(const Options& options, const std::string& method) {
     std::vector<std::vector<Unknowns>> unknowns;
@@ -52,7 +32,11 @@ std::vector<std::vector<Unknowns>> make_unknowns(const Options& options, const s
         }
         return unknowns;
     }
-    if (options.given("edges")) return {{unknowns_from_file(options)}};
+    if (options.given("edges")) {
+        const Numbers edges = read_edges(options, "edges");
+        const Eigen::Map<const Eigen::ArrayXd> values(edges.data(), Eigen::Index(edges.size()));
+        return {{{.mesh = std::make_shared<rollbem::Mesh<double>>(rollbem::mesh_from_edges<double>(values))}}};
+    }
     std::vector<std::string> names;
     for (const rollbem::TopologyInfo& known : rollbem::topologies) names.emplace_back(known.name);
     const std::string name = options.choice("mesh", names);
@@ -273,32 +257,6 @@ Axis most_varied(const std::vector<Scene>& scenes) {
     if (most == "n") return {most, scenes.front().n_label()};
     if (most == "alpha_T" && equal) return {most, "α_L = α_T", {"alpha_L"}};
     return {most, shown_name(most)};
-}
-
-void add_model_differences(
-    Plot& plot, const std::vector<Scene>& scenes,
-    const std::function<std::vector<std::pair<double, double>>(
-        const rollbem::Chebyshev&, const rollbem::StripKernel<double>&, const rollbem::Contact<double>&)>& difference) {
-    constexpr Eigen::Index states = 64;  // exact to rounding for b/a down to 0.3
-    double least = HUGE_VAL;
-    for (const Series& series : plot.series) {
-        for (const auto& [x, error] : series.points) least = error > 0 ? std::min(least, error) : least;
-    }
-    std::vector<Scene> strips;
-    std::copy_if(scenes.begin(), scenes.end(), std::back_inserter(strips),
-                 [](const Scene& scene) { return !scene.is_plane() && scene.contact.aspect() >= 0.3; });
-    const std::vector<rollbem::Contact<double>> contacts = contacts_of(strips);
-    for (const rollbem::Contact<double>& contact : contacts) {
-        const auto kernel = rollbem::StripKernel<double>::longitudinal(contact);
-        Series line{.label = "strip against plane", .markers = false, .reference = true};
-        if (contacts.size() > 1) {
-            line.label +=
-                ", b/a = " + Cell(contact.aspect()).text(6) + ", ν = " + Cell(contact.poisson_ratio()).text(6);
-        }
-        line.points = difference(rollbem::Chebyshev{states}, kernel, contact);
-        const auto is_near = [&](const auto& point) { return point.second > least / 10; };
-        if (std::any_of(line.points.begin(), line.points.end(), is_near)) plot.series.push_back(std::move(line));
-    }
 }
 
 }  // namespace study

@@ -2,7 +2,6 @@
 // kernel. n is the outermost loop, then lambda, alpha_L, alpha_T, the mesh's grading, the aspect and Poisson's ratio.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -101,13 +100,5 @@ struct Axis {
     bool is_n() const { return column == "n"; }
 };
 Axis most_varied(const std::vector<Scene>& scenes);
-
-/// The difference between the models of strip and plane as a line beside curves of errors against the plane's exact
-/// values, which can fall no further: for each contact of scenes with the strip kernel, difference(Chebyshev, kernel,
-/// contact) are the points (x, |strip/plane - 1|). Left out where the curves lie far above.
-void add_model_differences(
-    Plot& plot, const std::vector<Scene>& scenes,
-    const std::function<std::vector<std::pair<double, double>>(
-        const rollbem::Chebyshev&, const rollbem::StripKernel<double>&, const rollbem::Contact<double>&)>& difference);
 
 }  // namespace study

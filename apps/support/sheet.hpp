@@ -99,23 +99,24 @@ public:
             [=](const Case& scene, RowRange, const Results<Result>& emit) { emit(compute(scene)); });
     }
 
-    /// Adds the column `y` over the column `x`, a curve for each combination of the columns of the case, and of those
-    /// of `also`, but not of x and those of `without`. A single curve is called computed.
-    void draw(Plot& plot, const std::vector<Row>& rows, const std::string& x, const std::string& y,
-              const std::vector<std::string>& without = {}, bool absolute = false,
-              const std::vector<std::string>& also = {}) const {
-        std::vector<std::string> by;
+    /// Adds the column y over the column x, a curve for each combination of the columns of the case, and of `by`, but
+    /// not of x and `without`. A single curve is called computed.
+    void draw(Plot& plot, const std::vector<Row>& rows, Selection selection,
+              const std::vector<std::string>& without = {}) const {
+        const std::vector<std::string> also = std::move(selection.by);
+        selection.by.clear();
         const auto add = [&](const std::string& name) {
-            if (name != x && index_of(without, name) == without.size()) by.push_back(name);
+            if (name != selection.x && !contains(without, name)) selection.by.push_back(name);
         };
         for (const std::string& name : before_) add(name);
         for (const Column<Result>& column : own_) {
             if (!column.value) add(column.name);
         }
+        selection.by = joined(std::move(selection.by), also);
+        selection.apart = behind_;
         const std::size_t curves = plot.series.size();
-        add_series(plot, names(), rows,
-                   {.by = joined(std::move(by), also), .x = x, .y = y, .absolute = absolute, .apart = behind_});
-        if (plot.series.size() == curves + 1) plot.series.back().label = "computed";
+        add_series(plot, names(), rows, selection);
+        if (plot.series.size() == curves + 1 && selection.prefix.empty()) plot.series.back().label = "computed";
     }
 
     /// Adds the exact values `y` over `x`, which the cases share, as a black line for each contact. `place` is the
@@ -133,7 +134,7 @@ public:
             if (seen.insert(key).second) once.push_back(row);
         }
         Plot exact;
-        add_series(exact, columns, once, {.by = {}, .x = x, .y = y, .apart = {"aspect", "poisson"}});
+        add_series(exact, columns, once, {.x = x, .y = y, .apart = {"aspect", "poisson"}});
         for (Series& series : exact.series) {
             series.label = prefix + (exact.series.size() > 1 ? "exact, " + series.label : "exact");
             series.markers = false;

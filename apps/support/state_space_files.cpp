@@ -1,11 +1,12 @@
 #include "state_space_files.hpp"
 
-#include <cstddef>
+#include <stdexcept>
 
 #include <Eigen/Core>
 
 #include <rollbem/compiled/stability.hpp>
 
+#include "csv.hpp"
 #include "sidecar.hpp"
 
 namespace study {
@@ -37,25 +38,23 @@ std::string reduce(const Options& options, Space& space, const std::string& boun
 }
 
 /// Plain numbers, comma-separated, one row a line.
-void write(OutputFile& file, const Eigen::MatrixXd& matrix) {
+std::string text_of(const Eigen::MatrixXd& matrix) {
+    std::string text;
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
         Row row;
         for (Eigen::Index k = 0; k < matrix.cols(); ++k) row.emplace_back(matrix(i, k));
-        file.write(csv_line(row));
+        text += csv_line(row);
     }
-    file.flush();
+    return text;
 }
 
 }  // namespace
 
-std::vector<std::string> StateSpaceFiles::names() { return {"A.csv", "B.csv", "C.csv", "D.csv", "state_space.toml"}; }
-
-void StateSpaceFiles::add_options(Options& options, const std::string& what) {
-    options.add_folder("state-space",
-                       "also write " + what +
-                           " as linear differential equations: A.csv, B.csv, C.csv, D.csv and state_space.toml in this "
-                           "folder, which is made if it does not exist (dimensionless)",
-                       names());
+void add_state_space_options(Options& options, const std::string& what) {
+    options.add_folder("state-space", "also write " + what +
+                                          " as linear differential equations: A.csv, B.csv, C.csv, D.csv and "
+                                          "state_space.toml in this folder, which is made if it does not exist "
+                                          "(dimensionless)");
     options
         .add("states", "K",
              "reduce to the K states that matter most (balanced reduction, the steady state "
@@ -64,20 +63,37 @@ void StateSpaceFiles::add_options(Options& options, const std::string& what) {
     options.not_with({"shard"}, "state-space", ": every part would write it");
 }
 
-StateSpaceFiles::StateSpaceFiles(const Options& options, Space space, const std::string& conventions,
-                                 const std::string& states, const std::string& bounded) {
-    const std::string folder = options.text("state-space");
-    const std::string meaning = options.given("states") ? reduce(options, space, bounded) : "x = \"" + states + "\"\n";
+std::function<void()> state_space_writer(const Options& options, std::size_t count, const std::function<Space()>& make,
+                                         const StateSpaceWords& words) {
+    const std::string said = options.said("state-space"), folder = options.text("state-space");
+    if (count != 1) {
+        throw BadInput(said + " must go with one " + words.one + "; the values of " + words.lists + " make " +
+                       std::to_string(count));
+    }
+    Space space;
+    try {
+        space = make();
+    } catch (const BadInput&) {
+        throw;
+    } catch (const std::invalid_argument& singular) {
+        throw BadInput(said + " must go with a " + words.one + " that has one: " + singular.what());
+    }
+    const std::string meaning =
+        options.given("states") ? reduce(options, space, words.bounded) : "x = \"" + words.states + "\"\n";
     make_folder(folder, "--state-space");
-    for (const std::string& name : names()) files_.emplace_back(folder + "/" + name, "--state-space");
-    std::size_t next = 0;
-    for (const Eigen::MatrixXd* matrix : {&space.A, &space.B, &space.C, &space.D}) write(files_[next++], *matrix);
-    files_[next].write(sidecar_text(options) + "\n[state_space]\n" + conventions + meaning);
-    files_[next].flush();
-}
-
-void StateSpaceFiles::commit() {
-    for (OutputFile& file : files_) file.commit();
+    const std::string toml = sidecar_text(options) + "\n[state_space]\n" + words.conventions + meaning;
+    return [=] {
+        const auto write = [&](const std::string& name, const std::string& text) {
+            OutputFile file(folder + "/" + name, "--state-space");
+            file.write(text);
+            file.commit();
+        };
+        write("A.csv", text_of(space.A));
+        write("B.csv", text_of(space.B));
+        write("C.csv", text_of(space.C));
+        write("D.csv", text_of(space.D));
+        write("state_space.toml", toml);
+    };
 }
 
 }  // namespace study

@@ -1,37 +1,34 @@
 // --state-space: linear ordinary differential equations, a file for each matrix, reduced to --states if that is given.
 #pragma once
 
-#include <deque>
+#include <cstddef>
+#include <functional>
 #include <string>
-#include <vector>
 
 #include <rollbem/adhesion/state_space.hpp>
 
-#include "csv.hpp"
 #include "options.hpp"
 
 namespace study {
 
-/// A.csv, B.csv, C.csv, D.csv and state_space.toml, which says how they were made. All are written before the first
-/// gets its final name.
-class StateSpaceFiles {
-public:
-    static std::vector<std::string> names();
+/// Declares --state-space and --states; `what` has the equations.
+void add_state_space_options(Options& options, const std::string& what);
 
-    /// Declares --state-space and --states; `what` has the equations.
-    static void add_options(Options& options, const std::string& what);
-
-    /// Writes the files, to which commit() gives their names. The sidecar says `conventions`, lines of TOML, and
-    /// `states`, what x is unless it is reduced; `bounded` is what the bound of the reduction's error is of. Throws
-    /// BadInput if the folder cannot be written, or if a system to be reduced does not decay; throws WriteError.
-    StateSpaceFiles(const Options& options, rollbem::StateSpace<double> space, const std::string& conventions,
-                    const std::string& states, const std::string& bounded);
-
-    /// Throws WriteError.
-    void commit();
-
-private:
-    std::deque<OutputFile> files_;
+/// What the equations are of, for messages, and what stands in state_space.toml.
+struct StateSpaceWords {
+    std::string one;          ///< scheme, or patch
+    std::string lists;        ///< options whose values make several
+    std::string conventions;  ///< lines of TOML
+    std::string states;       ///< what x is unless it is reduced
+    std::string bounded;      ///< what the bound of the reduction's error is of
 };
+
+/// Writes A.csv, B.csv, C.csv, D.csv and state_space.toml of the one of `count` cases, whose equations `make` returns.
+/// They are found, and the folder made, before the function is returned, which throws WriteError. Throws BadInput if
+/// there are several cases, no equations (`make` throws std::invalid_argument) or no folder, or if a system to be
+/// reduced does not decay.
+std::function<void()> state_space_writer(const Options& options, std::size_t count,
+                                         const std::function<rollbem::StateSpace<double>()>& make,
+                                         const StateSpaceWords& words);
 
 }  // namespace study

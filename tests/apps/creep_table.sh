@@ -38,12 +38,8 @@ bad 'line 2: a_over_b = 0.1 must be 0.2' "$creep" $coarse --a-over-b 0.2,5 --row
 sed '7s/ok/no_solution/; 7s/,[^,]*,\([^,]*,[^,]*,[^,]*,[^,]*,no_solution\)/,,\1/' rows.csv >broken.csv
 bad 'line 7: spin_moment must be a number; status = no_solution' \
     "$creep" $coarse --rows "$scratch/broken.csv" --output x.csv
-for force in nan 1.5; do
-    awk -F, -v OFS=, -v force="$force" 'NR == 7 { $9 = force } { print }' rows.csv >broken.csv
-    bad "$force must be a force of at most mu N" "$creep" $coarse --rows "$scratch/broken.csv" --output x.csv
-done
-awk -F, -v OFS=, 'NR == 7 { $10 = 50 } { print }' rows.csv >broken.csv
-bad 'line 7: spin_moment = 50 must be at most' "$creep" $coarse --rows "$scratch/broken.csv" --output x.csv
+awk -F, -v OFS=, 'NR == 7 { $9 = "nan" } { print }' rows.csv >broken.csv
+bad 'line 7: lateral_force must be a number' "$creep" $coarse --rows "$scratch/broken.csv" --output x.csv
 sed '7s/,ok,/,no_solution,/' rows.csv >broken.csv
 bad 'line 7: status = no_solution must be ok' "$creep" $coarse --rows "$scratch/broken.csv" --output x.csv
 awk -F, -v OFS=, 'NR == 7 { $3 = 99 } { print }' rows.csv >broken.csv

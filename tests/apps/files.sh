@@ -76,9 +76,6 @@ printf '%s\n' -1 -0.2 0.6 1 >own
 "$steady" --config run.csv.toml >out 2>err || fail "a table that has changed: $(cat err)"
 ! cmp -s out before && [ "$(cat err)" = "steady_study: --edges = own is not as it was in the run that --config = run.csv.toml repeats" ] || fail "a table that has changed: $(cat out err)"
 bad 'program = steady_study must be traction_study' "$programs/traction_study" --config "$scratch/run.csv.toml"
-cp run.csv.toml run.svg
-"$steady" --config run.svg --plot run.svg 2>err
-[ $? -eq 2 ] && grep -q 'must not be a file that this run reads' err || fail "a plot over the run that it repeats"
 "$programs/stability_study" --n 6 --critical --output run.csv || fail "--critical"
 good 2 "$programs/stability_study" --config run.csv.toml
 cmp -s out run.csv || fail "a flag of a run that is repeated"
@@ -99,53 +96,20 @@ bad "--edges = $scratch must be a file that can be read" "$steady" --edges "$scr
 "$steady" --n 10 --output - >/dev/full 2>err
 [ $? -eq 4 ] || fail "--output - to a full disk"
 
-# no output of a run is also its input or another output
-# state: everything in the folder names
-state() {
-    for file in names/*; do
-        echo "$file $(readlink "$file")"
-        [ -h "$file" ] || cat "$file"
-    done
-}
-# taken TEXT ARG...: refused, and no file has changed
-taken() {
-    text=$1
-    shift
-    before=$(state)
-    (cd names && "$@" >../out 2>../err </dev/null)
-    [ $? -eq 2 ] && [ "$(wc -l <err)" -eq 1 ] && [ ! -s out ] || fail "not refused: $*: $(cat err)"
-    grep -qF -e "$text" err || fail "no '$text' in '$(cat err)': $*"
-    [ "$(state)" = "$before" ] || fail "changed by: $*"
-}
-mkdir names
-cp "$scratch/edges" names/edges
-(cd names && ln edges hard && ln -s edges soft && printf 'n = 10\n' >c.csv.toml)
-for name in edges ./edges hard soft "$scratch/names/edges" ../names/edges; do
-    taken "--output = $name must not be a file that this run reads: --edges = edges" \
-        "$steady" --edges edges --output "$name"
+# no two files of a run are the same
+mkdir names && cp "$scratch/edges" names/edges
+same() { text=$1 && shift && bad "$text" sh -c 'cd ../names && exec "$@"' - "$@"; }
+for name in edges ./edges "$scratch/names/edges" ../names/edges; do
+    same "--output = $name must not be the same file as --edges = edges" "$steady" --edges edges --output "$name"
 done
-taken '--output = edges must not' "$steady" --edges soft --output edges
-cp "$scratch/edges" names/e.svg
-taken '--plot = e.svg must not be a file that this run reads: --edges = e.svg' "$steady" --edges e.svg --plot e.svg
-taken '--output = c.csv.toml must not' "$steady" --config c.csv.toml --output c.csv.toml
-taken '--output = c.csv.toml, written beside it, must not' "$steady" --config c.csv.toml --output c.csv
-taken '--plot = ./p.svg must not be written to as well as --output = p.svg' "$steady" --n 10 --output p.svg --plot ./p.svg
+same '--plot = ./p.svg must not be the same file as --output = p.svg' "$steady" --n 10 --output p.svg --plot ./p.svg
 printf 'output = "edges"\nedges = "edges"\n' >names/both.toml
-taken '--output = edges must not' "$steady" --config both.toml
-printf 'q_over_a,creepage\n0,0\n1,1\n' >names/h
-taken '--output = ./h must not be a file that this run reads: --history = h' "$programs/transient_study" --history h --output ./h
-taken '--edges = - must be a file: standard input is read as --config = -' \
-    sh -c "echo 'n = 10' | \"$steady\" --config - --edges -"
-printf 'x_over_a,pressure\n-1,0\n0.3,1\n1,0\n' >names/p
+same '--output = edges must not be' "$steady" --config both.toml
 friction="$programs/friction_study --n 10 --creepage-ratio 0.5"
-taken '--output = p must not be a file that this run reads: --pressure = p' $friction --pressure p --output p
-taken '--tractions = ./p must not be a file that this run reads: --pressure = p' $friction --pressure p --tractions ./p
-taken '--tractions = t must not be written to as well as --output = ./t' $friction --tractions t --output ./t
-taken '--tractions = o.toml must not be written to as well as --output = o.toml, written beside it' $friction --tractions o.toml --output o
-taken '--tractions = - must not be written to as well as standard output' $friction --tractions -
-taken '--tractions = - must not be written to as well as standard output' sh -c "$friction --tractions - >/dev/null"
-taken '--cheapest = f must not be a file that this run reads: --front = ./f' "$programs/precision_study" --front ./f --cheapest f
-taken '--output = f must not be a file that this run reads: --front = f' "$programs/precision_study" --front f --output f
+same '--tractions = t must not be the same file as --output = ./t' $friction --tractions t --output ./t
+same '--tractions = - must not be the same file as standard output' $friction --tractions -
+same '--edges = - must not be the same file as --config = -' "$steady" --config - --edges -
+cmp -s "$scratch/edges" names/edges && [ "$(ls names | tr '\n' ' ')" = 'both.toml edges ' ] || fail "changed: $(ls names)"
 good 0 $friction --config /dev/null --output /dev/null --tractions /dev/null
 good 11 $friction --tractions - --output names/new
 header n,creepage_ratio,x_over_a,traction

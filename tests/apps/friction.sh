@@ -17,9 +17,6 @@ for unit in tiny huge; do
     good 2 $study --n 10 --creepage-ratio 0.5 --no-timing --pressure $unit
     cmp -s out same || fail "pressures of $unit numbers"
 done
-# one topic of the help
-$study --help falling >out || fail "--help falling"
-grep -q 'd mu/dt' out && ! grep -q -e '--alpha-T LIST' out || fail "--help falling: $(cat out)"
 # exact under other pressures without jumps, too; by elements with a jump or stick that ends before the leading edge
 awk 'BEGIN { print "x_over_a,pressure"; for (i = 0; i <= 400; ++i) { t = 3.14159265358979 * i / 400
     printf "%.15g,%.15g\n", -cos(t), (i % 400 ? sin(t) : 0) } }' >"$scratch/round"
@@ -51,7 +48,7 @@ rows 'NR > 1 && $alpha_L == 0.5 && $alpha_T == 0.5 && $status == "ok" && $tracti
     NR > 1 && $mesh == "uniform" && $method == "collocation" && $derivative == "fd" { named += 1 }
     END { exit !(trusted == 20 && refused == 20 && named == 40 && NR == 41) }' t || fail "tractions of two schemes: $(cat t)"
 (ulimit -f 1 && $steady --n 10 --creepage-ratio 0.5 --output /dev/null --tractions t 2>err)
-[ $? -eq 4 ] && grep -q ' t cannot be written' err && [ "$(wc -l <t)" -eq 41 ] || fail "a full disk under the tractions"
+[ $? -eq 4 ] && grep -q ' t.* cannot be written' err && [ "$(wc -l <t)" -eq 41 ] || fail "a full disk under the tractions"
 for k in 1 2 3; do $steady --n 6,9 --creepage-ratio 0.2,0.5 --shard $k/3 --tractions t$k >/dev/null; done
 $steady --n 6,9 --creepage-ratio 0.2,0.5 --jobs 2 --tractions t >/dev/null
 cat t1 t2 t3 | cmp -s t - || fail 'shards of the tractions'
@@ -123,8 +120,6 @@ if command -v gnuplot >/dev/null; then
     grep -q lateral v.svg && grep -q load v.svg && ! grep -q Carter v.svg || fail 'load and lateral force in the plot'
     good 5 $study --n 20 --creepage-ratio 0.2,0.5 --lateral-ratio 0,0.3 --plot b.svg
     grep -q 'Longitudinal force' b.svg && grep -q 'Lateral force' b.svg || fail 'both forces in the plot'
-    good 9 $branches --sweep up --plot f.svg
-    grep -q 'sweep down' f.svg && ! grep -q Carter f.svg || fail 'both branches in the plot'
     good 41 $rolling --sine 1,1 --until 2 --plot l.svg
     grep -q Hysteresis l.svg || fail 'hysteresis in the plot'
 fi

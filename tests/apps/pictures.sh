@@ -12,7 +12,7 @@ draws() {
     sed -n 's/.*<text[^>]*>\(.*\)<\/text>.*/\1/p' p.svg | sed 's/<[^>]*>//g' >words
 }
 says() { grep -qxF -e "$1" words || fail "no '$1' in: $(tr '\n' ';' <words)"; }
-# title TEXT: in one line or two
+# title TEXT
 title() { tr '\n' ' ' <words | grep -qF -e "$1" || fail "no title '$1' in: $(tr '\n' ';' <words)"; }
 says_not() { ! grep -qF -e "$1" words || fail "'$1' in: $(tr '\n' ';' <words)"; }
 curves() { [ "$(grep -c 'id="gnuplot_plot_' p.svg)" -eq "$1" ] || fail "not $1 curves: $(tr '\n' ';' <words)"; }
@@ -30,9 +30,6 @@ says 10 && says_not 9.9 && says_not 10.0
 # no ticks at measured times
 draws "$programs/precision_study" --schemes cosine --quantity c11 --n 10,20,40
 ! grep -Ex '[0-9]+\.[0-9]{2,}' words || fail "ticks at times: $(cat words)"
-# and powers of ten for many frequencies
-draws "$programs/frequency_study" --n 10 --omega-min 0.01 --omega-max 10 --points 20
-for omega in 0.01 0.1 1 10; do says $omega; done
 
 # at most twelve curves, and a note; exact values are always drawn
 alphas=$(seq -s, 0.4 0.02 0.68)
@@ -44,7 +41,7 @@ draws $traction --n 10 --alpha-T 0.5,0.6
 says_not 'the first'
 curves 3
 
-# Greek letters, with spaces after subscripts, in a font that every browser has
+# Greek letters, in a font that every browser has
 draws $traction --n 10 --poisson 0,0.25
 says 'ν = 0.25' && says 'Carter, ν = 0.25'
 draws $steady --n 10,20 --mesh geometric --size-ratio 1,2 --aspect 10,100
@@ -56,15 +53,10 @@ says 'critical αT' && says_not alpha
 draws "$programs/transient_study" --step 1 --n 10 --until 1
 says '-F / (a G ξref)' && says '|F - Fexact| / (a G ξref)'
 grep -q 'font-family="sans-serif"' p.svg && ! grep -q Symbol p.svg || fail 'fonts'
-! grep '<text>' p.svg || fail 'texts without xml:space'
-[ "$(grep -c 'xml:space="preserve"' p.svg)" -gt 10 ] || fail 'texts with xml:space'
-# no legend for a single curve, a long title in two lines
+# no legend for a single curve
 draws $steady --n 10,20
 title 'Steady rolling, collocation, fd, uniform, αL = 0, αT = 0.63, strip kernel, b/a = 1000, ν = 0.28'
 [ "$(grep -c '^|c11 / c11,exact - 1|$' words)" -eq 1 ] || fail "a legend of one curve: $(cat words)"
-draws "$programs/friction_study" --transient --n 10 --sine 1,1 --until 2 --derivative analytic --mesh modified-knothe
-grep -q '^Rolling with friction, .*,$' words && says_not 'analytic, modified-knothe, n = 10, αL = 0.5, αT = 0.5, λ = 1' ||
-    fail "a long title: $(cat words)"
 
 # a panel of errors beside curves that coincide, unless there is no exact value
 draws "$programs/frequency_study" --n 10,20 --omega 0.1,1,5
@@ -77,22 +69,10 @@ draws $traction --n 80 --mesh cosine --alpha 0.5
 title 'Traction in steady rolling, n = 80, αL = 0.5, αT = 0.5, collocation, fd, cosine, strip kernel, b/a = 1000, ν = 0.28; down to -64.4 at the trailing edge'
 says_not '-20'
 
-# the difference between strip and plane beside errors that come near it, and only there
-draws $steady --n 20,40 --mesh cosine --alpha 0.5 --aspect 10
-says 'strip against plane'
-draws $steady --n 20,40 --mesh cosine --alpha 0.5 --aspect 1000
-says_not 'strip against plane'
-draws $steady --n 20,40 --mesh cosine --alpha 0.5 --aspect 10 --kernel plane
-says_not 'strip against plane'
-draws "$programs/frequency_study" --n 10,20 --omega 0.1,1,5 --mesh cosine --alpha 0.5 --aspect 10
-says 'strip against plane'
 # no line across a point without a value
 draws $steady --n 40 --alpha-T 0.1,0.4,-0.03,0.6,0.9
 [ "$(cut -d, -f15 out | tr '\n' ' ')" = 'status ok ok assists_creepage ok ok ' ] || fail "no gap: $(cat out)"
 grep "^.<path stroke='rgb(  0, 114, 178)'" p.svg | grep -o 'M[^M]*L' | wc -l | grep -qw 2 || fail 'a line across a gap'
-# eigenvalues outside the picture are counted
-draws "$programs/stability_study" --spectrum --mesh cosine --alpha 0.5 --kernel plane --aspect 100 --n 40
-title '; 13 of 40 are not shown'
 # what the creepage, the law and the load are; one symbol for the creepage ratio in axis and legend
 draws "$programs/friction_study" --n 10 --lateral-ratio 0,0.3
 says 'δy = 0.3' && says 'creepage ratio δx = ξx G / (2 (1 - ν) μ p0)'
@@ -100,9 +80,9 @@ draws "$programs/friction_study" --n 10 --lateral-ratio 0,0.3 --spin-ratio 0,1
 says 'δy = 0.3, δφ = 1'
 curves 8
 draws "$programs/friction_study" --transient --n 10 --creepage-ratio 0.5 --load-sine 0.5,8 --until 1
-title 'Rolling with friction, δ = 0.5, N/N0 = 1 + 0.5 sin(2π q/8), collocation'
+title 'Rolling with friction, load-sine 0.5,8, creepage-ratio 0.5, collocation'
 draws "$programs/friction_study" --n 10 --falling 0.6,1.2 --layer 0.5 --creepage-ratio 0.5,1
-title 'Creep curve, μ falls to μ0 times 0.6, by half at a slip of 1.2, layer 0.5, collocation'
+title 'Creep curve, falling 0.6,1.2, layer 0.5, collocation'
 draws "$programs/transient_study" --sine 1,2 --n 10 --until 1
 title 'Rolling from rest, a sine of creepage, ω a/V = 2, collocation'
 
@@ -110,19 +90,17 @@ title 'Rolling from rest, a sine of creepage, ω a/V = 2, collocation'
 for study in "friction_study --n 10" "precision_study --n 4,8 --quantity c11,traction,c11_z1" "frequency_study --n 10"; do
     "$programs/"$study --plot p.png >out 2>err && [ "$(tail -c 8 p.png | head -c 4)" = IEND ] || fail "$study as PNG: $(cat err)"
 done
-# a patch from above: stick, slip, outline, tractions and the pole of spin; curves if there is more to compare
+# a patch from above: stick, slip, outline and tractions; curves if there is more to compare
 set -- "$programs/patch_study" --n 6 --no-timing
 draws "$@" --longitudinal 0.1 --spin 0.2
 title 'Patch from above, a/b = 1, ν = 0.28, 6 × 6 elements, ξ = 0.1, η = 0, φ c = 0.2 in μ N / (G a b)'
-says stick && says slip && says 'pole of spin' && grep -q '^traction, at most 0\.[0-9]* μ p0$' words || fail "$(cat words)"
-curves 5
+says stick && says slip && grep -q '^traction, at most 0\.[0-9]* μ p0$' words || fail "$(cat words)"
+curves 4
 draws "$@" --longitudinal 2 --spin 0.2 --a-over-b 0.3,3
-says slip && says_not stick && says_not 'pole of spin'
+says slip && says_not stick
 curves 6
 draws "$@" --longitudinal 0.1,0.2 --spin 0.2
 says_not above && says 'ξ G a b / (μ N)' && says '-Mz / (μ N c)'
-draws "$@" --longitudinal 0.1,0.2 # rounding is not drawn as a force
-says_not ×10
 draws "$@" --longitudinal 0.1 --a-over-b 0.5,1,2,4
 says a/b && says '-Fx / (μ N)'
 draws "$@" --longitudinal 0.1 --transient --dq 0.5 --until 2 --load-sine 0.5,8
