@@ -221,8 +221,8 @@ study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::ve
         }
     }
     study::Series exact{.label = "exact", .line = false, .open = true, .style = 2, .reference = true};
-    for (const rollbem::Contact<double>& contact : study::contacts_of(scenes)) {
-        for (const Complex& nu : exact_eigenvalues(contact, height)) {
+    for (const study::Scene& scene : scenes) {
+        for (const Complex& nu : exact_eigenvalues(scene.contact, height)) {
             exact.points.emplace_back(nu.real(), nu.imag());
             if (nu.imag() > 0) exact.points.emplace_back(nu.real(), -nu.imag());
             left = std::min(left, nu.real());

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,7 +16,6 @@
 #include <rollbem/reference/step_response.hpp>
 
 #include "support/non_steady.hpp"
-#include "support/progress.hpp"
 #include "support/runs.hpp"
 #include "support/sheet.hpp"
 
@@ -128,14 +126,14 @@ const study::Sheet<Moment> sheet{
 
 /// One run: emits the rows of `range`, but steps from the start, because each state needs the one before.
 void run(const Model& model, const History& history, const study::Steps& steps,
-         const rollbem::reference::StepResponse* exact, bool checked, study::RowRange range,
+         const std::optional<rollbem::reference::StepResponse>& exact, bool checked, study::RowRange range,
          const study::Results<Moment>& emit) {
     const std::string status = !history.resolved ? study::unresolved : checked ? study::ok : study::unchecked;
 
-    // 4. The reference for the force.
+    // 3. The reference for the force.
     const double reference = largest_creepage(history, steps);
 
-    // 5. Step by step, with creepage linear over each. A step with a knot inside is divided there.
+    // 4. Step by step, with creepage linear over each. A step with a knot inside is divided there.
     Model::Workspace workspace = model.workspace();
     Model::State state = model.at_rest(), next = state;
     const double dq = steps.dq;
@@ -158,7 +156,7 @@ void run(const Model& model, const History& history, const study::Steps& steps,
         }
         if (k <= range.first) continue;
 
-        // 6. Compare with the exact response of the plane model.
+        // 5. Compare with the exact response of the plane model.
         const double force = history.resolved ? -step.force_per_width / reference : std::nan("");  // a = G = 1
         emit({to, history.at(to, false), force,
               exact ? std::optional(history.exact(*exact, to) / reference) : std::nullopt,
@@ -235,37 +233,31 @@ One row per step:
         const Integrator integrator = study::read_integrator(
             given, {Integrator::sdirk2, Integrator::implicit_euler, Integrator::matrix_exponential});
 
-        // 2. One model for each scene. Eigenvalues and steady rolling tell whether stepping makes sense.
+        // 2. One model for each scene, if eigenvalues and steady rolling tell that stepping makes sense, and the exact
+        // response of its contact.
         const std::vector<study::Scene> scenes =
             study::make_non_steady_scenes(given, study::Methods::elements_and_states);
-        std::vector<Model> models;
-        study::Progress checking(given.program(), scenes.size(), study::shows_progress(given), "schemes checked");
-        for (const study::Scene& scene : scenes) {
-            checking.doing(scene.label());
+        struct Rolling {
+            Model model;
+            std::optional<rollbem::reference::StepResponse> exact{};
+        };
+        const auto runs = study::prepared<Rolling>(given, scenes, [&](const study::Scene& scene) {
             rollbem::RollingSystem<double> system = study::system_of(scene);
             study::require_steppable(given, scene, system);
-            models.emplace_back(scene.contact, std::move(system), rollbem::unchecked, integrator);
-            checking.update(models.size());
-        }
-        checking.clear();
-
-        // 3. The exact response of every contact, which is the same for all schemes.
-        using Response = rollbem::reference::StepResponse;
-        std::map<std::pair<double, double>, Response> responses;
-        for (const rollbem::Contact<double>& contact : study::contacts_of(scenes)) {
-            if (!study::plane_model_decays(contact)) continue;
-            const double nu = contact.poisson_ratio();
-            responses.emplace(std::pair(nu, contact.aspect()), Response(nu, contact.aspect()));
-        }
+            Rolling rolling{Model(scene.contact, std::move(system), rollbem::unchecked, integrator)};
+            if (study::plane_model_decays(scene.contact)) {
+                rolling.exact.emplace(scene.contact.poisson_ratio(), scene.contact.aspect());
+            }
+            return rolling;
+        });
 
         const auto one_each_step = [&](const study::Scene&) { return steps.count; };
-        study::Table table = sheet.table(
-            scenes, one_each_step,
-            [&](const study::Scene& scene, study::RowRange range, const study::Results<Moment>& emit) {
-                const auto exact = responses.find({scene.contact.poisson_ratio(), scene.contact.aspect()});
-                run(models[std::size_t(&scene - scenes.data())], history, steps,
-                    exact == responses.end() ? nullptr : &exact->second, !given.flag("unchecked"), range, emit);
-            });
+        study::Table table =
+            sheet.table(scenes, one_each_step,
+                        [&](const study::Scene& scene, study::RowRange range, const study::Results<Moment>& emit) {
+                            const Rolling& rolling = runs[std::size_t(&scene - scenes.data())];
+                            run(rolling.model, history, steps, rolling.exact, !given.flag("unchecked"), range, emit);
+                        });
         table.plot = [&](const std::vector<study::Row>& rows) { return draw_force(history, rows); };
         table.resumable = !given.given("plot");
         study::write_table(given, table);

@@ -60,12 +60,8 @@ Pressure make_pressure(const study::Options& options) {
     const auto column = [](const std::vector<double>& values) {
         return Eigen::ArrayXd(Eigen::Map<const Eigen::ArrayXd>(values.data(), Eigen::Index(values.size())));
     };
-    Eigen::ArrayXd pressures = column(points.values);
-    const double largest = pressures.maxCoeff();
-    if (largest > 0 && pressures.minCoeff() >= 0)
-        pressures /= largest;  // the unit does not matter, however small or large it makes the numbers
     try {
-        const rollbem::PressureTable<double> table(column(points.places), pressures);
+        const rollbem::PressureTable<double> table(column(points.places), column(points.values));
         const double scale = mu_N / table.integral();
         return {[=](double x_over_a) { return scale * table(x_over_a); },
                 [=](const rollbem::Mesh<double>& mesh) { return Eigen::ArrayXd(scale * table(mesh)); }, false};

@@ -10,7 +10,6 @@
 
 #include <rollbem/friction/friction_contact.hpp>
 
-#include "support/progress.hpp"
 #include "support/runs.hpp"
 #include "support/table.hpp"
 
@@ -64,14 +63,7 @@ template <class Case, class Prepare, class Row, class Draw>
 void write_rolling(const study::Options& options, const std::vector<std::string>& columns,
                    const std::vector<Case>& cases, std::size_t rows, const Prepare& prepare, const Row& row,
                    const Draw& plot) {
-    std::vector<Rolling> runs;
-    study::Progress checking(options.program(), cases.size(), study::shows_progress(options), "checked");
-    for (const Case& one : cases) {
-        checking.doing(one.label());
-        runs.push_back(prepare(one));
-        checking.update(runs.size());
-    }
-    checking.clear();
+    const auto runs = study::prepared<Rolling>(options, cases, prepare);
     std::vector<std::string> ended(cases.size());
     study::Table table = study::table_of(columns, cases, rows);
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {

@@ -45,8 +45,6 @@ rollbem::PressureGrid<double> read_grid(const study::Options& options) {
             pressures(i, j) = point->second;
         }
     }
-    // the unit does not matter, however small or large it makes the numbers
-    if (pressures.size() > 0 && pressures.maxCoeff() > 0) pressures /= pressures.maxCoeff();
     try {
         return {x, y, std::move(pressures)};
     } catch (const std::invalid_argument& error) {

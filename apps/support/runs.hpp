@@ -13,6 +13,7 @@
 
 #include "input.hpp"
 #include "options.hpp"
+#include "progress.hpp"
 #include "table.hpp"
 
 namespace study {
@@ -83,6 +84,19 @@ void add_run_options(Options& options, const std::string& load, const std::strin
 /// --load-sine or --load, and --breathing; nothing if the load is constant. The run is `until` long [a_0]. A table may
 /// have the columns `further` besides. Throws BadInput.
 std::optional<LoadHistory> read_load_history(const Options& options, double until, const std::string& further = "");
+
+/// What make(case) returns for each of the cases, which have a label(), with a progress line: checks may take long.
+template <class Run, class Case, class Make>
+std::vector<Run> prepared(const Options& options, const std::vector<Case>& cases, const Make& make) {
+    std::vector<Run> runs;
+    Progress checking(options.program(), cases.size(), shows_progress(options), "checked");
+    for (const Case& one : cases) {
+        checking.doing(one.label());
+        runs.push_back(make(one));
+        checking.update(runs.size());
+    }
+    return runs;
+}
 
 /// How often a step without a solution is divided in halves before the run ends.
 inline constexpr int most_halvings = 6;

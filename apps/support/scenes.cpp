@@ -138,17 +138,6 @@ std::vector<rollbem::Contact<double>> make_contacts(const Options& options, Prob
     return contacts;
 }
 
-std::vector<rollbem::Contact<double>> contacts_of(const std::vector<Scene>& scenes) {
-    std::vector<rollbem::Contact<double>> contacts;
-    for (const Scene& scene : scenes) {
-        const auto same = [&](const rollbem::Contact<double>& other) {
-            return other.aspect() == scene.contact.aspect() && other.poisson_ratio() == scene.contact.poisson_ratio();
-        };
-        if (std::none_of(contacts.begin(), contacts.end(), same)) contacts.push_back(scene.contact);
-    }
-    return contacts;
-}
-
 rollbem::Contact<double> make_contact(const Options& options, Problem problem) {
     const Rule aspect = problem == Problem::steady ? positive_or_infinite() : positive();
     return rollbem::Contact<double>::dimensionless(options.number("aspect", aspect),

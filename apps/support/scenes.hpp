@@ -72,9 +72,6 @@ std::vector<rollbem::Contact<double>> make_contacts(const Options& options, Prob
 /// The same if there can only be one.
 rollbem::Contact<double> make_contact(const Options& options, Problem problem);
 
-/// The contacts of the scenes, each once.
-std::vector<rollbem::Contact<double>> contacts_of(const std::vector<Scene>& scenes);
-
 /// Why studies of steady rolling refuse --lambda.
 inline constexpr const char* no_lambda = "a steady problem builds no G, the only matrix lambda acts on";
 

@@ -33,16 +33,6 @@ echo old >real.csv && ln -s real.csv link.csv
 "$steady" --n 10 --output link.csv || fail "--output link.csv"
 [ -h link.csv ] && [ "$(wc -l <real.csv)" -eq 2 ] || fail "link as output"
 grep -q '^command_line = ".*--n 10 --output link.csv"$' link.csv.toml || fail "companion file"
-if command -v python3 >/dev/null && python3 -c 'import tomllib' 2>/dev/null; then
-    "$steady" --n 10 --output "$(printf 'q"\\\001.csv')" || fail "odd file name"
-    cat ./q*.toml | python3 -c 'import sys, tomllib; tomllib.loads(sys.stdin.buffer.read().decode())' || fail "TOML"
-    rm -f ./q*
-fi
-if shared=$(mktemp /dev/shm/rollbem-XXXXXX 2>/dev/null); then
-    "$steady" --n 10 --output "$shared" && [ "$(wc -l <"$shared")" -eq 2 ] && [ -e "$shared.toml" ] ||
-        fail "a file below /dev that is there"
-    rm -f "$shared" "$shared.toml"
-fi
 [ -z "$(find . -name '*.part')" ] || fail "temporary files are left"
 
 # errors while writing
