@@ -33,15 +33,15 @@ std::set<double> values(const Columns& columns, const Rows& rows, const std::str
 struct Axis {
     std::string column, label;
 };
-const std::vector<Axis> axes{{"longitudinal", "ξ G a b / (μ N)"}, {"lateral", "η G a b / (μ N)"},
-                             {"spin", "φ G a b c / (μ N)"},       {"a_over_b", "a/b"},
-                             {"n", "elements of a strip n"},      {"strips", "number of strips m"},
-                             {"poisson", "Poisson's ratio ν"}};
+const std::vector<Axis> picture_axes{{"longitudinal", "ξ G a b / (μ N)"}, {"lateral", "η G a b / (μ N)"},
+                                     {"spin", "φ G a b c / (μ N)"},       {"a_over_b", "a/b"},
+                                     {"n", "elements of a strip n"},      {"strips", "number of strips m"},
+                                     {"poisson", "Poisson's ratio ν"}};
 
 /// That of the axes `first` ... `last` - 1 whose column has the most values.
 Axis most_varied(const Columns& columns, const Rows& rows, std::ptrdiff_t first, std::ptrdiff_t last) {
     const auto count = [&](const Axis& axis) { return values(columns, rows, axis.column).size(); };
-    return *std::max_element(axes.begin() + first, axes.begin() + last,
+    return *std::max_element(picture_axes.begin() + first, picture_axes.begin() + last,
                              [&](const Axis& one, const Axis& other) { return count(one) < count(other); });
 }
 
@@ -49,7 +49,7 @@ Axis most_varied(const Columns& columns, const Rows& rows, std::ptrdiff_t first,
 Columns others(const Columns& columns, const Rows& rows, const Axis& x) {
     const bool as_many = values(columns, rows, "strips").size() == values(columns, rows, "n").size();
     Columns by;
-    for (const Axis& axis : axes) {
+    for (const Axis& axis : picture_axes) {
         const bool is_there = study::index_of(columns, axis.column) < columns.size();
         if (is_there && axis.column != x.column && !(x.column == "n" && axis.column == "strips" && as_many)) {
             by.push_back(axis.column);
@@ -178,7 +178,7 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const f
 study::Plot draw_coefficients(const Columns& columns, const Rows& rows) {
     const std::set<double> ratios = values(columns, rows, "a_over_b"), poisson = values(columns, rows, "poisson");
     const bool over_ratio = ratios.size() > 1;
-    const Axis x = axes[over_ratio ? 3 : 4];
+    const Axis x = picture_axes[over_ratio ? 3 : 4];
     const study::Plot frame{.title = "Contact patch", .x_label = x.label, .log_x = true, .log_y = over_ratio};
     std::vector<study::Plot> panels =
         panels_of(frame, columns, rows, {.by = others(columns, rows, x), .x = x.column},

@@ -106,7 +106,8 @@ struct Covered {
 /// Throws BadInput if modes of the patch grow.
 rollbem::FrictionContact make_contact(const Scene& scene, const Patch& patch, const Covered& covered,
                                       const Eigen::ArrayXd& pressures) {
-    const auto& [contact, mesh] = covered;
+    const PatchContact& contact = covered.contact;
+    const rollbem::PatchMesh<double>& mesh = covered.mesh;
     const auto make = [&](rollbem::ElementSystem<double, 2> system, const rollbem::StabilityVerdict& verdict) {
         if (!verdict.stable()) {
             throw std::invalid_argument("modes must decay, whatever rounding does; take another --n or --strips");
