@@ -277,7 +277,7 @@ TEST_CASE("patch_steady: the decay of all modes is proved where single eigenvalu
     CHECK(verdict.stable());
 
     // shifted, so that the slowest mode grows, is neutral to rounding, or just decays
-    const RollingSystem<double> system = parts(8).front().system;
+    const RollingSystem<double> system = parts(8).front();
     const StabilityResult<double> result = solve_stability(system);
     const auto proved = [&](double abscissa) {
         const MatrixX<double> shifted = system.G_prime() + (abscissa - result.spectral_abscissa) * system.G();

@@ -68,7 +68,7 @@ TEST_CASE("a sweep, the response and the state space agree for three inputs") {
 TEST_CASE("a sweep of independent parts has the coefficients of the whole and the worse of both numbers") {
     const Both both;
     const FrequencySweep<double> whole(both.whole);
-    const FrequencySweep<double> parts({SystemPart<double>{both.longitudinal, 0}, {both.lateral.with_spin(), 1}});
+    const FrequencySweep<double> parts({both.longitudinal, both.lateral.with_spin()});
     const FrequencySweep<double> along(both.longitudinal), across(both.lateral.with_spin());
     for (const double z : {0.0, 0.3, 30.0}) {
         const Response<Complex> point = parts(z);
@@ -81,8 +81,7 @@ TEST_CASE("a sweep of independent parts has the coefficients of the whole and th
     // one part that cannot be trusted spoils the whole
     const auto singular = rolling_system(cosine_mesh<double>(16), Collocation{.alpha_L = -0.5, .alpha_T = -0.5},
                                          PlaneKernel<double>::longitudinal(both.contact));
-    CHECK(FrequencySweep<double>({SystemPart<double>{singular, 0}, {both.lateral, 1}})(1).status ==
-          Status::assists_creepage);
+    CHECK(FrequencySweep<double>({singular, both.lateral})(1).status == Status::assists_creepage);
 }
 
 TEST_CASE("systems of both directions are checked") {

@@ -36,18 +36,12 @@ public:
     using Complex = std::complex<Scalar>;
 
     /// Of one system.
-    explicit FrequencySweep(RollingSystem<Scalar> system) { add({std::move(system)}); }
-    /// Of several that do not couple, as patch_parts makes them, in the order of their creepages. Throws
-    /// std::invalid_argument if there is none, or if their creepages do not follow each other from number 0 on.
-    explicit FrequencySweep(std::vector<SystemPart<Scalar>> parts) {
+    explicit FrequencySweep(RollingSystem<Scalar> system) { add(std::move(system)); }
+    /// Of several that do not couple, as patch_parts makes them: creepages are those of the first part, then of the
+    /// next. Throws std::invalid_argument if there is none.
+    explicit FrequencySweep(std::vector<RollingSystem<Scalar>> parts) {
         detail::require(!parts.empty(), "FrequencySweep", "number of parts", parts.size(), "be positive");
-        Eigen::Index next = 0;
-        for (const SystemPart<Scalar>& part : parts) {
-            detail::require(part.first == next, "FrequencySweep", "number of the first creepage of a part", part.first,
-                            "be that of creepages before it");
-            next += part.system.input_count();
-        }
-        for (SystemPart<Scalar>& part : parts) add(std::move(part));
+        for (RollingSystem<Scalar>& part : parts) add(std::move(part));
     }
 
     /// Whether the reduction is used, in all parts.
@@ -98,12 +92,12 @@ private:
 
     struct Part {
         RollingSystem<Scalar> system;
-        Eigen::Index first;
-        bool consistent;  // the steady tractions oppose the creepage
+        Eigen::Index first;  // of its creepages among those of all parts
+        bool consistent;     // the steady tractions oppose the creepage
         std::optional<Reduced> reduced;
     };
 
-    void add(SystemPart<Scalar> part);
+    void add(RollingSystem<Scalar> part);
 
     // (I - s H) y = b column by column from the right: one column operation, with the larger of two pivots, eliminates
     // the entry below the diagonal; the remaining column gives one unknown of the triangular system and is not needed
@@ -119,11 +113,11 @@ private:
 };
 
 template <class Scalar_>
-void FrequencySweep<Scalar_>::add(SystemPart<Scalar> given) {
-    input_count_ = (std::max)(input_count_, given.first + given.system.input_count());
-    parts_.push_back({std::move(given.system), given.first, true, {}});
+void FrequencySweep<Scalar_>::add(RollingSystem<Scalar> given) {
+    parts_.push_back({std::move(given), input_count_, true, {}});
     Part& part = parts_.back();
     const RollingSystem<Scalar>& system = part.system;
+    input_count_ += system.input_count();
     const Eigen::PartialPivLU<MatrixX<Scalar>> lu(system.G_prime());
     MatrixX<Scalar> steady(system.size(), system.input_count());
     for (Eigen::Index j = 0; j < steady.cols(); ++j) steady.col(j) = lu.solve(system.inputs().col(j));

@@ -287,9 +287,9 @@ StabilityVerdict judge_stability(const ElementSystem<Scalar, 2>& system) {
 
 /// The verdict on all eigenvalues of independent parts; two halves of a patch cost a quarter of the whole.
 template <class Scalar>
-StabilityVerdict judge_stability(const std::vector<SystemPart<Scalar>>& parts) {
+StabilityVerdict judge_stability(const std::vector<RollingSystem<Scalar>>& parts) {
     StabilityVerdict all{.spectral_abscissa = -std::numeric_limits<double>::infinity(), .status = Status::ok};
-    for (const SystemPart<Scalar>& part : parts) all = all + judge_stability(part.system);
+    for (const RollingSystem<Scalar>& part : parts) all = all + judge_stability(part);
     return all;
 }
 

@@ -155,7 +155,7 @@ public:
     ElementSystem<Scalar, 2> system(std::type_identity_t<Scalar> a_over_b) const;
 
     /// The system at a node in independent parts, as patch_parts.
-    std::vector<SystemPart<Scalar>> parts(std::size_t node) const;
+    std::vector<RollingSystem<Scalar>> parts(std::size_t node) const;
 
 private:
     // At semi-axes 1 and 1/a_over_b.
@@ -179,7 +179,7 @@ ElementSystem<Scalar_, 2> PatchShapes<Scalar_>::system(std::type_identity_t<Scal
 }
 
 template <class Scalar_>
-std::vector<SystemPart<Scalar_>> PatchShapes<Scalar_>::parts(std::size_t node) const {
+std::vector<RollingSystem<Scalar_>> PatchShapes<Scalar_>::parts(std::size_t node) const {
     const Scalar a_over_b = std::exp(set_->first + static_cast<Scalar>(node) * set_->step);
     if (!mirrored_) return {{system(a_over_b).whole()}};
     const detail::ShapeNode<Scalar>& at = set_->nodes[node];

@@ -156,13 +156,12 @@ struct MirroredHalf {
 
 /// Both halves as systems; G is divided by `scale`.
 template <class Scalar>
-std::vector<SystemPart<Scalar>> mirrored_parts(const InfluenceRows<Scalar>& G, const InfluenceRows<Scalar>& G_prime,
-                                               const Elements<Scalar>& elements, Eigen::Index strips, Scalar scale) {
+std::vector<RollingSystem<Scalar>> mirrored_parts(const InfluenceRows<Scalar>& G, const InfluenceRows<Scalar>& G_prime,
+                                                  const Elements<Scalar>& elements, Eigen::Index strips, Scalar scale) {
     const MatrixX<Scalar> inputs = rigid_slip(elements), outputs = force_weights(elements);
-    std::vector<SystemPart<Scalar>> parts;
+    std::vector<RollingSystem<Scalar>> parts;
     for (const auto& half : MirroredHalf<Scalar>::both(elements.size() / strips, strips)) {
-        parts.push_back(
-            {{half.matrix(G) / scale, half.matrix(G_prime), half.inputs(inputs), half.outputs(outputs)}, half.first});
+        parts.emplace_back(half.matrix(G) / scale, half.matrix(G_prime), half.inputs(inputs), half.outputs(outputs));
     }
     return parts;
 }
@@ -196,7 +195,8 @@ ElementSystem<Scalar, 2> rolling_system(const PatchMesh<Scalar>& mesh, const Sch
 /// std::invalid_argument unless the scheme takes differences of u and fits the strips' mesh, and all entries are
 /// finite.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
-std::vector<SystemPart<Scalar>> patch_parts(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
+std::vector<RollingSystem<Scalar>> patch_parts(const PatchMesh<Scalar>& mesh, const Scheme& scheme,
+                                               const Kernel& kernel) {
     if (!mesh.is_mirrored()) return {{rolling_system(mesh, scheme, kernel).whole()}};
     const auto rows = [&](Quantity quantity) {
         return detail::patch_rows(mesh, detail::strip_rows(mesh.along(), scheme, quantity), kernel, quantity,

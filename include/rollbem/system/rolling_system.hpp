@@ -109,13 +109,6 @@ private:
     Origin origin_;
 };
 
-/// A part of a linear problem: a system of some of its creepages, which cause none of the forces of the others.
-template <class Scalar>
-struct SystemPart {
-    RollingSystem<Scalar> system;
-    Eigen::Index first = 0;  ///< of its creepages among those of the whole; of a patch 0 xi, 1 eta, 2 phi
-};
-
 template <class Scalar>
 RollingSystem<Scalar>::RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, MatrixX<Scalar> inputs,
                                      MatrixX<Scalar> outputs, Origin origin)
