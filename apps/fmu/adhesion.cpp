@@ -34,9 +34,9 @@ using Vector = rollbem::VectorX<Scalar>;
 
 constexpr Eigen::Index state_count = ROLLBEM_FMU_STATES;
 
-enum class Direction { longitudinal = 1, lateral };
+enum Direction { in_rolling_direction = 1, across };
 
-enum class Length { fixed = 1, follows_load };
+enum Length { fixed_length = 1, length_of_load };
 
 const Enumeration directions{"Direction", {{"longitudinal"}, {"lateral"}}};
 
@@ -59,37 +59,20 @@ public:
                   "follows_load");
         add_input(load_rate_, "normal_load_rate", "N/s",
                   "dN/dt, in model exchange; used where contact_length is follows_load");
-        add({.name = "force",
-             .value = &force_,
-             .unit = "N",
-             .description = "Force on the wheel, over the width 2b; opposes the slip velocity in steady rolling",
-             .causality = Causality::output,
-             .depends_on = {"displacement", "normal_load"}});
-        add({.name = "contact_half_length",
-             .value = &half_length_,
-             .unit = "m",
-             .description = "a",
-             .causality = Causality::output,
-             .depends_on = {"normal_load"}});
+        add_output(&force_, "force", "N",
+                   "Force on the wheel, over the width 2b; opposes the slip velocity in steady rolling")
+            .depends_on = {"displacement", "normal_load"};
+        add_output(&half_length_, "contact_half_length", "m", "a").depends_on = {"normal_load"};
         add_output(&status_, "status", "", "Status of the last step or evaluation", &step_statuses);
-        int first_state = 0;
+        const int first_state = static_cast<int>(variables().size());
+        const std::string meaning = "Displacement of the wheel relative to the rail, coefficient of T_";
         for (Eigen::Index k = 0; k < state_count; ++k) {
-            const int place = add({.name = state_name(k),
-                                   .value = &displacement_[k],
-                                   .unit = "m",
-                                   .description = "Displacement of the wheel relative to the rail, coefficient of T_" +
-                                                  std::to_string(k) + "(x/a)",
-                                   .causality = Causality::state,
-                                   .nominal = 1e-6});
-            if (k == 0) first_state = place;
+            add({state_name(k), &displacement_[k], "m", meaning + std::to_string(k) + "(x/a)", Causality::state})
+                .nominal = 1e-6;
         }
-        for (Eigen::Index k = 0; k < state_count; ++k) {
-            add({.name = "der(" + state_name(k) + ")",
-                 .value = &rates_[k],
-                 .unit = "m/s",
-                 .description = "Its time derivative",
-                 .causality = Causality::derivative,
-                 .state = first_state + static_cast<int>(k)});
+        for (int k = 0; k < state_count; ++k) {
+            add({"der(" + state_name(k) + ")", &rates_[k], "m/s", "Its time derivative", Causality::derivative}).state =
+                first_state + k;
         }
     }
 
@@ -105,7 +88,7 @@ public:
         }
         build(contact);
         now_ = model_->at_rest();
-        if (initial_state_ == static_cast<int>(InitialState::steady)) {
+        if (initial_state_ == in_steady_rolling) {
             require(speed_.value > 0, "rolling_speed", speed_.value, "be positive where initial_state is steady");
             now_ = model_->steady(slip_.value / speed_.value);  // the same unknowns at any half-length
         }
@@ -113,7 +96,7 @@ public:
         next_ = from_ = now_;
         past_ = {};
         show(now_);
-        status_ = initial_state_ == static_cast<int>(InitialState::steady) ? value_of(StepStatus::ok) : 0;
+        status_ = initial_state_ == in_steady_rolling ? value_of(StepStatus::ok) : 0;
     }
 
     Outcome step(Scalar duration) override {
@@ -159,7 +142,7 @@ public:
         if (used() == Interface::model_exchange) {
             if (const std::optional<Scalar> value = partial_now(unknown, known)) return *value;
         } else if (&unknown.real() == &force_ && known.causality == Causality::input) {
-            if (past_.duration == 0 && initial_state_ == static_cast<int>(InitialState::steady)) {
+            if (past_.duration == 0 && initial_state_ == in_steady_rolling) {
                 throw NoDerivative(unknown, known, " before the first step");
             }
             return partial_of_step(known);
@@ -194,7 +177,7 @@ private:
 
     void build(const rollbem::Contact<Scalar>& contact) {
         using Kernel = rollbem::AnyKernel<Scalar>;
-        const bool longitudinal = direction_ == static_cast<int>(Direction::longitudinal);
+        const bool longitudinal = direction_ == in_rolling_direction;
         const auto kernel_of = longitudinal ? Kernel::longitudinal : Kernel::lateral;
         const auto system =
             rolling_system(rollbem::Chebyshev{.states = state_count}, kernel_of(parameters_.model(), contact));
@@ -207,7 +190,7 @@ private:
         unit_traction_ = contact.shear_modulus();
     }
 
-    bool follows_load() const { return length_ == static_cast<int>(Length::follows_load); }
+    bool follows_load() const { return length_ == length_of_load; }
 
     // Hertz's law.
     Scalar half_length_at(Scalar load) const {
@@ -330,9 +313,9 @@ private:
     }
 
     ContactParameters parameters_;
-    int direction_ = static_cast<int>(Direction::longitudinal);
-    int initial_state_ = static_cast<int>(InitialState::rest);
-    int length_ = static_cast<int>(Length::fixed);
+    int direction_ = in_rolling_direction;
+    int initial_state_ = at_rest;
+    int length_ = fixed_length;
     Input slip_{0}, speed_{20}, load_{1e5}, load_rate_{0};
     Scalar force_ = 0, half_length_ = 0;
     int status_ = 0;

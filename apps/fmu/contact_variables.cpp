@@ -79,9 +79,7 @@ rollbem::Contact<double> ContactParameters::contact_of(double length) const {
     return contact;
 }
 
-bool ContactParameters::half_length_is_given() const {
-    return half_length_from == static_cast<int>(HalfLengthFrom::half_length);
-}
+bool ContactParameters::half_length_is_given() const { return half_length_from == half_length_given; }
 
 Outcome outcome_of(rollbem::StepStatus status) {
     if (status == rollbem::StepStatus::ok) return Outcome::ok;

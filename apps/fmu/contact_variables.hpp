@@ -11,29 +11,29 @@
 namespace fmu {
 
 /// Where the half-length comes from.
-enum class HalfLengthFrom { half_length = 1, nominal_load };
+enum HalfLengthFrom { half_length_given = 1, of_nominal_load };
 
 /// Which line kernel.
-enum class KernelName { plane = 1, strip };
+enum KernelName { plane_kernel = 1, strip_kernel };
 
 /// Where a simulation begins.
-enum class InitialState { rest = 1, steady };
+enum InitialState { at_rest = 1, in_steady_rolling };
 
 /// Sizes and material of a contact, with the library's names, as its messages use them.
 struct ContactParameters {
     double shear_modulus = 8e10;  // steel
     double poisson_ratio = 0.28;
     double half_width = 0.05;
-    int half_length_from = static_cast<int>(HalfLengthFrom::half_length);
+    int half_length_from = half_length_given;
     double half_length = 0.005;
     double combined_radius = 0.46;
     double nominal_load = 1e5;
-    int kernel = static_cast<int>(KernelName::plane);
+    int kernel = plane_kernel;
 
     void add_to(Model& model);
 
     rollbem::LineModel model() const {
-        return kernel == static_cast<int>(KernelName::plane) ? rollbem::LineModel::plane : rollbem::LineModel::strip;
+        return kernel == plane_kernel ? rollbem::LineModel::plane : rollbem::LineModel::strip;
     }
 
     /// Hertz's line contact under the nominal load, and the contact that results; a given half-length determines the

@@ -23,7 +23,7 @@ namespace {
 
 using Scalar = double;
 
-enum class MeshName { cosine = 1, uniform };
+enum MeshName { cosine_elements = 1, uniform_elements };
 
 const Enumeration meshes{"Mesh",
                          {{"cosine", "second order where the mesh follows the load"}, {"uniform", "for a fixed mesh"}}};
@@ -63,7 +63,7 @@ public:
     void initialise() override {
         const rollbem::HertzLine<Scalar> line = parameters_.line();
         require(elements_ >= 1 && elements_ <= 1000, "elements", elements_, "lie in [1, 1000]");
-        const bool fixed = mesh_length_ == static_cast<int>(MeshLength::fixed);
+        const bool fixed = mesh_length_ == fixed_mesh;
         const rollbem::LineModel model = parameters_.model();
         require(fixed || model == rollbem::LineModel::plane, "mesh_length", mesh_length_,
                 "be 2 (fixed) where kernel is strip, which knows one length only");
@@ -77,7 +77,7 @@ public:
             require(load_.value <= largest_load_, "normal_load", load_.value, "be at most largest_load");
             length *= std::sqrt(per_width(largest_load_) / line.load_per_width());
         }
-        const bool cosine = mesh_ == static_cast<int>(MeshName::cosine);
+        const bool cosine = mesh_ == cosine_elements;
         const rollbem::Mesh<Scalar> mesh =
             cosine ? rollbem::cosine_mesh<Scalar>(elements_) : rollbem::uniform_mesh<Scalar>(elements_);
         const rollbem::NodeDifference scheme{cosine ? rollbem::Nodes::chebyshev : rollbem::Nodes::centres};
@@ -102,8 +102,8 @@ private:
     ContactParameters parameters_;
     Scalar friction_coefficient_ = 0.3;
     int elements_ = 40;
-    int mesh_ = static_cast<int>(MeshName::cosine);
-    int mesh_length_ = static_cast<int>(MeshLength::follows_load);
+    int mesh_ = cosine_elements;
+    int mesh_length_ = mesh_follows_load;
     Scalar largest_load_ = 2e5;
     Scalar half_length_ = 0;
 };

@@ -22,7 +22,7 @@
 namespace fmu {
 
 /// How long or large a mesh is.
-enum class MeshLength { follows_load = 1, fixed };
+enum MeshLength { mesh_follows_load = 1, fixed_mesh };
 
 /// Coulomb friction in both directions under Hertz's pressure. `Hertz` is a HertzLoad or a HertzPatchLoad. Derived
 /// classes add variables, and in initialise() give the contact to begin().
@@ -59,7 +59,7 @@ public:
             throw NoDerivative(unknown, known, ": the forces have some by the inputs");
         }
         const bool stepped = past_.duration > 0;
-        if (!stepped && initial_state_ == static_cast<int>(InitialState::steady)) {
+        if (!stepped && initial_state_ == in_steady_rolling) {
             throw NoDerivative(unknown, known, " before the first step");
         }
         const Force by = stepped ? partial_by(known.real()) : Force{0, 0, 0};  // at rest there is no force
@@ -120,7 +120,7 @@ protected:
         last_ = {};
         last_.force = {0, 0, 0};
         last_.stick_count = model_->size();
-        if (initial_state_ == static_cast<int>(InitialState::steady)) roll_steadily();
+        if (initial_state_ == in_steady_rolling) roll_steadily();
         past_ = {};
         slip_work_ = 0;
         show();
@@ -202,7 +202,7 @@ protected:
     Force force_{0, 0, 0};
     Scalar slip_work_ = 0;
     int sticking_elements_ = 0;
-    int initial_state_ = static_cast<int>(InitialState::rest);
+    int initial_state_ = at_rest;
     int status_ = 0;
 
     std::optional<Hertz> hertz_;
@@ -241,7 +241,7 @@ private:
         force_ = last_.force;
         show_size(past_.duration > 0 ? past_.load : load_.value);
         sticking_elements_ = static_cast<int>(last_.stick_count);
-        const bool computed = past_.duration > 0 || initial_state_ == static_cast<int>(InitialState::steady);
+        const bool computed = past_.duration > 0 || initial_state_ == in_steady_rolling;
         status_ = computed ? value_of(StepStatus::ok) : 0;
     }
 

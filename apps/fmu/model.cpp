@@ -13,45 +13,19 @@ std::span<const Unit> known_units() {
     return units;
 }
 
-int Model::add(Variable variable) {
-    const int place = static_cast<int>(variables_.size());
+Variable& Model::add(Variable variable) {
+    const std::size_t place = variables_.size();
     variables_.push_back(variable);
-    if (variable.items == nullptr) return place;
-    const bool sets = variable.causality == Causality::parameter;
-    variables_.push_back({.name = variable.name + "_code",
-                          .value = sets ? &codes_.emplace_back(0) : &variable.integer(),
-                          .description = variable.name + (sets ? " as an integer; 0: as that says" : " as an integer"),
-                          .causality = variable.causality,
-                          .is_code = true});
-    return place;
-}
-
-Variable& Model::add_parameter(Variable::Value value, const char* name, const char* unit, std::string description,
-                               const Enumeration* items) {
-    const int place =
-        add({.name = name, .value = value, .unit = unit, .description = std::move(description), .items = items});
-    return variables_[static_cast<std::size_t>(place)];
-}
-
-Variable& Model::add_input(Input& input, const char* name, const char* unit, const char* description) {
-    const int place = add({.name = name,
-                           .value = &input.value,
-                           .unit = unit,
-                           .description = description,
-                           .causality = Causality::input,
-                           .rate = &input.rate});
-    return variables_[static_cast<std::size_t>(place)];
-}
-
-Variable& Model::add_output(Variable::Value value, const char* name, const char* unit, const char* description,
-                            const Enumeration* items) {
-    const int place = add({.name = name,
-                           .value = value,
-                           .unit = unit,
-                           .description = description,
-                           .causality = Causality::output,
-                           .items = items});
-    return variables_[static_cast<std::size_t>(place)];
+    if (variable.items != nullptr) {
+        const bool sets = variable.causality == Causality::parameter;
+        const char* meaning = sets ? " as an integer; 0: as that says" : " as an integer";
+        variables_.push_back({.name = variable.name + "_code",
+                              .value = sets ? &codes_.emplace_back(0) : &variable.integer(),
+                              .description = variable.name + meaning,
+                              .causality = variable.causality,
+                              .is_code = true});
+    }
+    return variables_[place];
 }
 
 void Model::require_finite_inputs() const {

@@ -165,11 +165,14 @@ public:
     /// Names what an instance keeps in addition to the variables.
     virtual void archive(Archive& archive) = 0;
 
-    /// Returns the place in the table. An enumeration NAME gets an integer twin NAME_code, because some importing
-    /// programs know no enumerations: an output's has the same value, a parameter's sets it unless it is 0, its start.
-    int add(Variable variable);
-    Variable& add_parameter(Variable::Value value, const char* name, const char* unit, std::string description,
-                            const Enumeration* items = nullptr);
+    /// Returns the variable in the table, until the next one comes. An enumeration NAME gets an integer twin NAME_code,
+    /// because some importing programs know no enumerations: an output's has the same value, a parameter's sets it
+    /// unless it is 0, its start.
+    Variable& add(Variable variable);
+    Variable& add_parameter(Variable::Value value, std::string name, const char* unit, std::string description,
+                            const Enumeration* items = nullptr) {
+        return add({std::move(name), value, unit, std::move(description), Causality::parameter, items});
+    }
 
 protected:
     /// An input and its time derivative during the next step.
@@ -190,9 +193,14 @@ protected:
     /// Throws std::invalid_argument unless the inputs are finite, naming the first that is not.
     void require_finite_inputs() const;
 
-    Variable& add_input(Input& input, const char* name, const char* unit, const char* description);
-    Variable& add_output(Variable::Value value, const char* name, const char* unit, const char* description,
-                         const Enumeration* items = nullptr);
+    Variable& add_input(Input& input, std::string name, const char* unit, std::string description) {
+        return add(
+            {std::move(name), &input.value, unit, std::move(description), Causality::input, nullptr, &input.rate});
+    }
+    Variable& add_output(Variable::Value value, std::string name, const char* unit, std::string description,
+                         const Enumeration* items = nullptr) {
+        return add({std::move(name), value, unit, std::move(description), Causality::output, items});
+    }
 
 private:
     Interface interface_;

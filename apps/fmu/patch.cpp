@@ -31,7 +31,7 @@ namespace {
 
 using Scalar = double;
 
-enum class Mode { patch = 1, table };
+enum Mode { by_elements = 1, by_table };
 
 const Enumeration modes{"Mode",
                         {{"patch", "in time, element by element"}, {"table", "quasi-steady, by look-up in a table"}}};
@@ -107,7 +107,7 @@ public:
         // not at normal_load, so that a state can be restored in a contact built under another one
         ellipse_.emplace(rollbem::HertzEllipse<Scalar>::Parameters{
             .load = largest_load_, .radii_1 = wheel_, .radii_2 = rail_, .body_1 = body, .body_2 = body});
-        if (mode_ == static_cast<int>(Mode::table)) {
+        if (mode_ == by_table) {
             begin_by_table();
         } else {
             begin_patch();
@@ -124,7 +124,7 @@ private:
         for (const auto& [name, count] : {std::pair("elements", elements_), std::pair("strips", strips_)}) {
             require(count >= 1 && count <= 32, name, count, "lie in [1, 32]");
         }
-        const bool fixed = mesh_size_ == static_cast<int>(MeshLength::fixed);
+        const bool fixed = mesh_size_ == fixed_mesh;
         require(load_.value >= 0 && (fixed || load_.value > 0), "normal_load", load_.value,
                 fixed ? "not be negative" : "be positive where mesh_size is follows_load");
         require(!fixed || load_.value <= largest_load_, "normal_load", load_.value, "be at most largest_load");
@@ -306,8 +306,8 @@ private:
 
     Scalar shear_modulus_ = 8e10, poisson_ratio_ = 0.28, friction_coefficient_ = 0.3, largest_load_ = 2e5;
     rollbem::HertzEllipse<Scalar>::Radii wheel_{.rolling = 0.46, .lateral = 1e9}, rail_{.rolling = 1e9, .lateral = 0.3};
-    int elements_ = 8, strips_ = 8, mesh_size_ = static_cast<int>(MeshLength::follows_load);
-    int mode_ = static_cast<int>(Mode::patch);
+    int elements_ = 8, strips_ = 8, mesh_size_ = mesh_follows_load;
+    int mode_ = by_elements;
     std::string table_file_;
     Scalar half_length_ = 0, half_width_ = 0;
 

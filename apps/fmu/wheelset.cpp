@@ -52,12 +52,9 @@ public:
         constexpr std::array prefixes{"", "left_", "right_"};
         for (std::size_t k = 0; k < 3; ++k) {
             for (std::size_t i = 0; i < names.size(); ++i) {
-                const char axis = "xyz"[i % 3];
-                add_output(&forces_[k][Eigen::Index(i)], (std::string(prefixes[k]) + names[i]).c_str(),
-                           i < 3 ? "N" : "N.m",
-                           (std::string(i < 3 ? "Force" : "Moment") + " of the rail on " + on[k] +
-                            (i < 3 ? ", along " : " about the middle of the axle, about ") + axis)
-                               .c_str());
+                const std::string of = i < 3 ? "Force of the rail on " : "Moment of the rail on ";
+                add_output(&forces_[k][Eigen::Index(i)], std::string(prefixes[k]) + names[i], i < 3 ? "N" : "N.m",
+                           of + on[k] + (i < 3 ? ", along " : " about the middle of the axle, about ") + "xyz"[i % 3]);
             }
         }
         add_output(&height_, "height", "m",

@@ -27,45 +27,18 @@ static void fail(const char *what) {
     exit(1);
 }
 
-static void *function(void *library, const char *name) {
-    void *const address = dlsym(library, name);
-    if (address == NULL) fail(name);
-    return address;
-}
-
 /* POSIX lets an object pointer be converted to a function pointer; ISO C has no cast for it. */
-#define LOAD(member, name) *(void **)&fmu.member = function(library, name)
-#define LOAD_IF_THERE(member, name) *(void **)&fmu.member = dlsym(library, name)
+#define LOAD_IF_THERE(type, member) *(void **)&fmu.member = dlsym(library, "fmi2" #type);
+#define LOAD(type, member)         \
+    LOAD_IF_THERE(type, member)    \
+    if (fmu.member == NULL) fail(#type);
 
 Fmu load_fmu(const char *path, const char *description) {
     Fmu fmu;
     void *const library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     if (library == NULL) fail(dlerror());
-    LOAD(instantiate, "fmi2Instantiate");
-    LOAD(free_instance, "fmi2FreeInstance");
-    LOAD(setup_experiment, "fmi2SetupExperiment");
-    LOAD(enter_initialization_mode, "fmi2EnterInitializationMode");
-    LOAD(exit_initialization_mode, "fmi2ExitInitializationMode");
-    LOAD(terminate, "fmi2Terminate");
-    LOAD(reset, "fmi2Reset");
-    LOAD(set_real, "fmi2SetReal");
-    LOAD(get_real, "fmi2GetReal");
-    LOAD(set_integer, "fmi2SetInteger");
-    LOAD(do_step, "fmi2DoStep");
-    LOAD(get_real_status, "fmi2GetRealStatus");
-    LOAD(get_state, "fmi2GetFMUstate");
-    LOAD(set_state, "fmi2SetFMUstate");
-    LOAD(free_state, "fmi2FreeFMUstate");
-    LOAD(serialized_size, "fmi2SerializedFMUstateSize");
-    LOAD(serialize, "fmi2SerializeFMUstate");
-    LOAD(deserialize, "fmi2DeSerializeFMUstate");
-    LOAD(directional_derivative, "fmi2GetDirectionalDerivative");
-    LOAD_IF_THERE(new_discrete_states, "fmi2NewDiscreteStates");
-    LOAD_IF_THERE(enter_continuous_time_mode, "fmi2EnterContinuousTimeMode");
-    LOAD_IF_THERE(set_time, "fmi2SetTime");
-    LOAD_IF_THERE(get_states, "fmi2GetContinuousStates");
-    LOAD_IF_THERE(set_states, "fmi2SetContinuousStates");
-    LOAD_IF_THERE(get_derivatives, "fmi2GetDerivatives");
+    FMU_FUNCTIONS(LOAD)
+    FMU_MODEL_EXCHANGE(LOAD_IF_THERE)
 
     FILE *const file = fopen(description, "rb");
     if (file == NULL) fail(description);

@@ -5,36 +5,27 @@
 
 #include <fmi2FunctionTypes.h>
 
+/* The functions called, by their names in FMI and here; the latter null where the FMU has no model exchange. */
+#define FMU_FUNCTIONS(X) \
+    X(Instantiate, instantiate) X(FreeInstance, free_instance) X(SetupExperiment, setup_experiment) \
+    X(EnterInitializationMode, enter_initialization_mode) \
+    X(ExitInitializationMode, exit_initialization_mode) X(Terminate, terminate) X(Reset, reset) \
+    X(SetReal, set_real) X(GetReal, get_real) X(SetInteger, set_integer) X(DoStep, do_step) \
+    X(GetRealStatus, get_real_status) X(GetFMUstate, get_state) X(SetFMUstate, set_state) \
+    X(FreeFMUstate, free_state) X(SerializedFMUstateSize, serialized_size) X(SerializeFMUstate, serialize) \
+    X(DeSerializeFMUstate, deserialize) X(GetDirectionalDerivative, directional_derivative)
+#define FMU_MODEL_EXCHANGE(X) \
+    X(NewDiscreteStates, new_discrete_states) X(EnterContinuousTimeMode, enter_continuous_time_mode) \
+    X(SetTime, set_time) X(GetContinuousStates, get_states) X(SetContinuousStates, set_states) \
+    X(GetDerivatives, get_derivatives)
+
 typedef struct {
-    char *description; /* the text of modelDescription.xml */
+    char *description;    /* the text of modelDescription.xml */
     char resources[1024]; /* beside it, as a URI */
     char guid[64];
-    fmi2InstantiateTYPE *instantiate;
-    fmi2FreeInstanceTYPE *free_instance;
-    fmi2SetupExperimentTYPE *setup_experiment;
-    fmi2EnterInitializationModeTYPE *enter_initialization_mode;
-    fmi2ExitInitializationModeTYPE *exit_initialization_mode;
-    fmi2TerminateTYPE *terminate;
-    fmi2ResetTYPE *reset;
-    fmi2SetRealTYPE *set_real;
-    fmi2GetRealTYPE *get_real;
-    fmi2SetIntegerTYPE *set_integer;
-    fmi2DoStepTYPE *do_step;
-    fmi2GetRealStatusTYPE *get_real_status;
-    fmi2GetFMUstateTYPE *get_state;
-    fmi2SetFMUstateTYPE *set_state;
-    fmi2FreeFMUstateTYPE *free_state;
-    fmi2SerializedFMUstateSizeTYPE *serialized_size;
-    fmi2SerializeFMUstateTYPE *serialize;
-    fmi2DeSerializeFMUstateTYPE *deserialize;
-    fmi2GetDirectionalDerivativeTYPE *directional_derivative;
-    /* null where the FMU has no model exchange */
-    fmi2NewDiscreteStatesTYPE *new_discrete_states;
-    fmi2EnterContinuousTimeModeTYPE *enter_continuous_time_mode;
-    fmi2SetTimeTYPE *set_time;
-    fmi2GetContinuousStatesTYPE *get_states;
-    fmi2SetContinuousStatesTYPE *set_states;
-    fmi2GetDerivativesTYPE *get_derivatives;
+#define MEMBER(type, name) fmi2##type##TYPE *name;
+    FMU_FUNCTIONS(MEMBER) FMU_MODEL_EXCHANGE(MEMBER)
+#undef MEMBER
 } Fmu;
 
 /* Ends the program with a message if something is missing. */

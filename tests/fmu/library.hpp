@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cmath>
+#include <fstream>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include <rollbem/adhesion/transient.hpp>
@@ -22,6 +24,12 @@ namespace library {
 
 constexpr double half_length = 5e-3, half_width = 0.05, shear_modulus = 8e10, poisson_ratio = 0.28;
 constexpr double friction_coefficient = 0.3, nominal_load = 1e5, largest_load = 2e5;
+
+template <class Table>
+Table read(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return Table::read(file);
+}
 
 /// Steps of a contact with friction under Hertz's pressure, from rest.
 template <class Hertz>
@@ -44,16 +52,32 @@ public:
         next_ = now_;
     }
 
-    /// `duration` [s], slip velocities [m/s], spin [rad/s], rolling speed [m/s], load at the end [N].
-    Step step(double duration, double longitudinal, double lateral, double spin, double speed, double load) {
-        hertz_.set(load / load_width_, load_);
-        const auto motion = Model::Motion::shift({duration * longitudinal, duration * lateral, duration * spin});
-        const Step result = model_.advance(now_, duration * speed, motion, load_, next_, workspace_);
-        if (result.status == rollbem::StepStatus::ok) std::swap(now_, next_);
-        return result;
+    /// `duration` [s], slip velocities [m/s] and spin [rad/s], rolling speed [m/s], load [N] and factor of mu at the end.
+    Step step(double duration, const rollbem::Creepage<double>& slip, double speed, double load, double factor = 1) {
+        set(load, factor);
+        return keep(model_.advance(
+            now_, duration * speed,
+            Model::Motion::shift({duration * slip.longitudinal, duration * slip.lateral, duration * slip.spin}), load_,
+            next_, workspace_));
+    }
+    Step steady(const rollbem::Creepage<double>& slip, double speed, double load, double factor) {
+        set(load, factor);
+        const auto& [longitudinal, lateral, spin] = slip;
+        return keep(
+            model_.steady(now_, {longitudinal / speed, lateral / speed, spin / speed}, load_, next_, workspace_));
     }
 
 private:
+    void set(double load, double factor) {
+        hertz_.set(load / load_width_, load_);
+        load_.normal_pressure *= factor;
+        load_.pressure_rate *= factor;
+    }
+    Step keep(const Step& step) {
+        if (step.status == rollbem::StepStatus::ok) std::swap(now_, next_);
+        return step;
+    }
+
     Hertz hertz_;
     double load_width_;
     rollbem::NormalLoad<double> load_;

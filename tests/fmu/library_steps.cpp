@@ -1,10 +1,9 @@
 // Steps of the library, timed by cost.c.
 #include "library_steps.h"
 
-#include <fstream>
 #include <string>
 
-#include <rollbem/vehicle/creep_force_table.hpp>
+#include <rollbem/vehicle/contact_table.hpp>
 
 #include "library.hpp"
 
@@ -18,7 +17,7 @@ double library_adhesion(double duration, int count) {
 double library_friction(double duration, int count) {
     static auto contact = library::line(false);
     double force = 0;
-    for (int i = 0; i < count; ++i) force = contact.step(duration, 1e-3, 0, 0, 20, 1e5).force.longitudinal;
+    for (int i = 0; i < count; ++i) force = contact.step(duration, {1e-3, 0, 0}, 20, 1e5).force.longitudinal;
     return force;
 }
 
@@ -31,15 +30,26 @@ std::string folder;
 void library_resources(const char* name) { folder = name; }
 
 double library_table(double, int count) {
-    static const rollbem::CreepForceTable table = [] {
-        std::ifstream file(folder + "/steel.creep", std::ios::binary);
-        return rollbem::CreepForceTable::read(file);
-    }();
+    static const auto table = library::read<rollbem::CreepForceTable>(folder + "/steel.creep");
     static const rollbem::HertzEllipse<double> ellipse = library::ellipse().under(1e5);
     double force = 0;
     for (int i = 0; i < count; ++i) {
         const rollbem::PatchContact<double> contact = ellipse.contact();
         force = table.look_up(contact, library::friction_coefficient, 1e5, {1e-3 / 20, 0, 0}).force.longitudinal;
+    }
+    return force;
+}
+
+double library_wheelset(double, int count) {
+    static const auto creep = library::read<rollbem::CreepForceTable>(folder + "/steel.creep");
+    static const auto contacts = library::read<rollbem::ContactTable>(folder + "/s1002_60e1.contact");
+    double force = 0;
+    for (int i = 0; i < count; ++i) {
+        force = 0;
+        for (const auto side : {rollbem::WheelsetSide::left, rollbem::WheelsetSide::right}) {
+            force +=
+                contacts.look_up(creep, side, {}, {20, -20 / 0.46, 1e-3}, 1e5, library::friction_coefficient).force[0];
+        }
     }
     return force;
 }

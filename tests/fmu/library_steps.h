@@ -1,4 +1,4 @@
-/* Steps of the library, timed by cost.c: `count` of them at 20 m/s with a slip velocity of 1 mm/s, of a table look-ups.
+/* Steps of the library, timed by cost.c: `count` of them at 20 m/s with a slip velocity of 1 mm/s, by a table look-ups.
    Returns the force [N]. */
 #ifdef __cplusplus
 extern "C" {
@@ -6,7 +6,8 @@ extern "C" {
 double library_adhesion(double duration, int count);
 double library_friction(double duration, int count);
 double library_table(double duration, int count);
-/* The folder of the table. */
+double library_wheelset(double duration, int count); /* of both wheels */
+/* The folder of the tables. */
 void library_resources(const char* folder);
 #ifdef __cplusplus
 }

@@ -1,6 +1,5 @@
 """Shared by the tests of the FMUs: an instance with variables by name, and a runner for test functions."""
 import shutil
-import subprocess
 import sys
 import traceback
 from ctypes import byref, c_double, c_int
@@ -11,19 +10,6 @@ from fmpy.fmi1 import FMICallException
 from fmpy.logging import addLoggerProxy
 
 ok, discard, error = fmi2.fmi2OK, fmi2.fmi2Discard, fmi2.fmi2Error
-
-
-def library_steps(program, kind, mesh, rows):
-    """The results of the library's steps under rows of duration, slip, spin rate, speed and load: F_x, F_y, M_z, slip
-    work, sticking elements."""
-    text = "".join(" ".join(value.hex() for value in row) + "\n" for row in rows)
-    lines = subprocess.run([program, kind, mesh], input=text, capture_output=True, text=True, check=True).stdout
-    result = []
-    for line in lines.splitlines():
-        *numbers, sticking = line.split()
-        result.append((*map(float.fromhex, numbers), int(sticking)))
-    assert len(result) == len(rows)
-    return result
 
 
 class Fmu:

@@ -66,24 +66,28 @@ def test_step_response():
             close_to(-row["force"] / force_unit / creepage, exact, 1e-4 if q < 3 else 1e-6, f"{kind}, q/a = {q}")
 
 
-def sine_by_model_exchange(z, distances):
-    """Forces at q/a by FMPy's CVode, with the slip velocity of every instant at which it evaluates the model;
-    simulate_fmu would hold it between communication points."""
-    instance = Instance(fmu, True).start(**scene, rolling_speed=V)
-    instance.calls.enterContinuousTimeMode()
+def by_model_exchange(distances, set_inputs, **parameters):
+    """Forces at q/a by FMPy's CVode, with the inputs of every instant at which it evaluates the model, set by
+    set_inputs(instance, q/a); simulate_fmu would hold them between communication points."""
+    instance = Instance(fmu, True).start(**scene, rolling_speed=V, **parameters)
     calls = instance.calls
+    calls.enterContinuousTimeMode()
     solver = CVodeSolver(nx=fmu.states, nz=0, get_x=calls.getContinuousStates, set_x=calls.setContinuousStates,
                          get_dx=calls.getDerivatives, get_z=calls.getEventIndicators,
                          get_nominals=calls.getNominalsOfContinuousStates,
-                         set_time=lambda t: instance.set(slip_velocity=creepage * V * math.sin(z * t * V / a)),
+                         set_time=lambda t: set_inputs(instance, t * V / a),
                          startTime=0.0, maxStep=a / V, relativeTolerance=1e-10, input=None)
-    forces = []
-    time = 0.0
+    forces, time = [], 0.0
     for q in distances:
         _, _, time = solver.step(time, q * a / V)
+        set_inputs(instance, time * V / a)
         forces.append(instance.get("force"))
     instance.close()
     return np.array(forces)
+
+
+def sine_by_model_exchange(z, distances):
+    return by_model_exchange(distances, lambda instance, q: instance.set(slip_velocity=creepage * V * math.sin(z * q)))
 
 
 def sine_by_co_simulation(z, distances):
@@ -110,29 +114,6 @@ def test_sine():
             distance = abs(c11 - exact_c11(z)) / abs(exact_c11(z))
             print(f"    {method.__name__}, omega a/V = {z}: {c11:.9f}, exact {exact_c11(z):.9f}, error {distance:.1e}")
             assert distance < 1e-6
-
-
-def test_input_rates():
-    # a slip velocity that grows linearly, given by its rate: exact at second order, not at first
-    errors = []
-    for steps in (20, 40):
-        instance = Instance(fmu).start(**scene, rolling_speed=V)
-        duration = 2 * a / V / steps
-        for i in range(steps):
-            instance.set(slip_velocity=creepage * V * i / steps)
-            instance.rate("slip_velocity", creepage * V / steps / duration)
-            assert instance.step(i * duration, duration) == ok
-        errors.append(instance.get("force"))
-        instance.close()
-    fine = Instance(fmu).start(**scene, rolling_speed=V)
-    for i in range(2000):
-        fine.set(slip_velocity=creepage * V * (i + 0.5) / 2000)
-        fine.step(i * a / V / 1000, a / V / 1000)
-    exact = fine.get("force")
-    fine.close()
-    coarse, finer = (abs(force / exact - 1) for force in errors)
-    print(f"    errors {coarse:.2e}, {finer:.2e}")
-    assert coarse < 2e-4 and 3.5 < coarse / finer < 4.5
 
 
 def test_steps_of_any_length():
@@ -233,28 +214,11 @@ def load_at(q):
 
 def test_load_that_varies():
     # model exchange and the library's steps in co-simulation have different equations and integrators
-    distances = np.arange(1, 17) / 2
-    exchange = Instance(fmu, True).start(**scene, contact_length=2, rolling_speed=V, slip_velocity=creepage * V)
-    exchange.calls.enterContinuousTimeMode()
-    calls = exchange.calls
+    def set_load(instance, q):
+        load, by_distance = load_at(q)
+        instance.set(normal_load=load, normal_load_rate=by_distance * V / a)
 
-    def set_load(t):
-        load, by_distance = load_at(t * V / a)
-        exchange.set(normal_load=load, normal_load_rate=by_distance * V / a)
-
-    solver = CVodeSolver(nx=fmu.states, nz=0, get_x=calls.getContinuousStates, set_x=calls.setContinuousStates,
-                         get_dx=calls.getDerivatives, get_z=calls.getEventIndicators,
-                         get_nominals=calls.getNominalsOfContinuousStates, set_time=set_load, startTime=0.0,
-                         maxStep=a / V, relativeTolerance=1e-10, input=None)
-    exact, time = [], 0.0
-    for q in distances:
-        _, _, time = solver.step(time, q * a / V)
-        set_load(time)
-        exact.append(exchange.get("force"))
-    exact = np.array(exact)
-    close_to(exchange.get("contact_half_length"), a * math.sqrt(load_at(8)[0] / 1e5), 1e-12, "half-length")
-    exchange.close()
-
+    exact = by_model_exchange(np.arange(1, 17) / 2, set_load, contact_length=2, slip_velocity=creepage * V)
     errors = []
     for steps in (20, 40, 80):  # per half of the half-length
         instance = Instance(fmu).start(**scene, contact_length=2, rolling_speed=V, slip_velocity=creepage * V)
@@ -289,23 +253,16 @@ def test_model_exchange_state_is_saved():
 
 
 def test_what_model_exchange_refuses():
-    instance = Instance(fmu, True).start(**scene)
-    instance.set(rolling_speed=-1.0)
-    assert status_of(instance.rates) == discard
-    instance.set(rolling_speed=1.0)
-    instance.rates()
-    assert status_of(lambda: (instance.set_states([math.nan] * fmu.states), instance.rates())) == error
-    instance.close()
-
-
-def test_what_model_exchange_refuses_of_a_load():
-    for values, status in (({"normal_load": 0.0}, "invalid_load"), ({"normal_load_rate": 1e10}, "needs_fixed_mesh"),
+    for values, status in (({"rolling_speed": -1.0}, "invalid_step"), ({"normal_load": 0.0}, "invalid_load"), ({"normal_load_rate": 1e10}, "needs_fixed_mesh"),
                            ({"normal_load_rate": -1e10}, "needs_fixed_mesh"), ({"normal_load": 1e12}, "invalid_load")):
         instance = Instance(fmu, True).start(**scene, contact_length=2, rolling_speed=V)
         instance.rates()
         instance.set(**values)
         assert status_of(instance.rates) == discard
         assert f"status = {status}" in instance.messages[-1], instance.messages
+        instance.set(rolling_speed=V, normal_load=1e5, normal_load_rate=0.0)
+        instance.rates()
+        assert status_of(lambda: (instance.set_states([math.nan] * fmu.states), instance.rates())) == error
         instance.close()
 
 

@@ -1,4 +1,4 @@
-// reference NU B_OVER_A Q...: prints the exact -F/(a G xi) at each distance Q = q/a after a step of the creepage.
+// step_response NU B_OVER_A Q...: prints the exact -F/(a G xi) at each distance Q = q/a after a step of the creepage.
 #include <cstdio>
 #include <cstdlib>
 
