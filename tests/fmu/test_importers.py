@@ -2,7 +2,7 @@
 import math
 import sys
 
-from libcosimpy.CosimEnums import CosimVariableCausality, CosimVariableType
+from libcosimpy.CosimEnums import CosimVariableType
 from libcosimpy.CosimExecution import CosimExecution
 from libcosimpy.CosimLogging import CosimLogLevel, log_output_level
 from libcosimpy.CosimManipulator import CosimManipulator
