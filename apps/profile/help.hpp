@@ -15,7 +15,7 @@ plane, in which s lies along y turned by it, and n points into the rail; normal 
 undeformed surfaces would touch; half_length along x and half_width along s, half the extents; iterations of the last
 solution for pressures; time_us of the whole position [microseconds], once. Lengths in m, angles in rad, forces in N,
 pressures in Pa, all of them SI. status: ok; doubtful_plane, surfaces turn by more than 0.2 rad over the patch;
-unbalanced, loads and friction did not settle to 1e-4; and without numbers: no_contact, end_of_profile, undefined_section, load_not_reached, not_converged, few_cells, not_finite.
+unbalanced, normal forces and friction did not come to carry the loads to 1e-6; and without numbers: no_contact, end_of_profile, undefined_section, load_not_reached, not_converged, few_cells, not_finite.
 --friction: longitudinal_creepage, lateral_creepage and spin [1/m] are numbers as CONTACT's CKSI, CETA and CPHI, those
 of the rail on the wheel, over the mean of V and the circumferential speed: a driven wheel has a positive longitudinal
 creepage. longitudinal_force, lateral_force (along s) and spin_moment, about n at the reference point, act on the wheel

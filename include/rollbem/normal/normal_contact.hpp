@@ -21,7 +21,7 @@ namespace rollbem {
 enum class NormalStatus {
     ok,
     doubtful_plane,     ///< numbers, but surfaces turn by more than 0.2 rad over the contact: a plane is an assumption
-    unbalanced,         ///< numbers, but normal forces and friction did not settle to 1e-4 of the normal force
+    unbalanced,         ///< numbers, but normal forces and friction did not come to carry the load to 1e-6
     no_contact,         ///< the surfaces do not touch: a wheel is lifted, or beside the rail
     end_of_profile,     ///< contact reaches the end of a profile, which is not known beyond
     undefined_section,  ///< the wheel's section is not a function there: yaw is too large

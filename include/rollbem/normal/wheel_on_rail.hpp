@@ -45,19 +45,6 @@ inline bool is_finite(const WheelsetPosition& at) {
 
 }  // namespace detail
 
-/// The force of friction on the rail along s over the normal force, by the angle of the plane: linear between two
-/// patches of a wheel, constant beyond them; of one patch both are the same.
-struct LateralFriction {
-    std::array<double, 2> angle{0, 0};  ///< [rad], in any order
-    std::array<double, 2> ratio{0, 0};  ///< [-]
-
-    double operator()(double at) const {
-        if (angle[0] == angle[1]) return ratio[0];
-        const double part = std::clamp((at - angle[0]) / (angle[1] - angle[0]), 0.0, 1.0);
-        return ratio[0] + part * (ratio[1] - ratio[0]);
-    }
-};
-
 /// One patch of a wheel on a rail. The plane of contact has its origin at the reference point, s along y turned by the
 /// angle, and n into the rail; patch and pressures are in the axes (x, s) from there.
 struct RailPatch {
@@ -136,12 +123,11 @@ public:
         NormalStatus status = NormalStatus::not_finite;  ///< that of the worst patch
     };
 
-    /// The contact that carries the vertical load [N] at this lateral position, roll and yaw; the height of `position`
-    /// is not used. With `friction` the rail carries N (cos delta + ratio sin delta) of a normal force N.
-    Contact carry(const WheelsetPosition& position, double load, const LateralFriction& friction, Workspace& workspace,
-                  const Options& options) const;
+    /// The contact whose normal forces carry the vertical load [N], sum N cos delta, at this lateral position, roll and
+    /// yaw; the height of `position` is not used.
+    Contact carry(const WheelsetPosition& position, double load, Workspace& workspace, const Options& options) const;
     Contact carry(const WheelsetPosition& position, double load, Workspace& workspace) const {
-        return carry(position, load, {}, workspace, Options{});
+        return carry(position, load, workspace, Options{});
     }
     /// The contact at this position and height, whatever it carries; no_contact where the wheel is lifted.
     Contact press(const WheelsetPosition& position, Workspace& workspace, const Options& options) const;
@@ -529,14 +515,8 @@ inline void WheelOnRail::add_patches(const Part& part, double lower, const Norma
 // the wheel lower than that by a little, and the planes again where it is then.
 class WheelOnRail::Search {
 public:
-    Search(const WheelOnRail& wheel, const WheelsetPosition& position, const LateralFriction& friction,
-           Workspace& workspace, const Options& options)
-        : wheel_(wheel),
-          attitude_(position),
-          friction_(friction),
-          workspace_(workspace),
-          options_(options),
-          parts_(workspace.parts) {
+    Search(const WheelOnRail& wheel, const WheelsetPosition& position, Workspace& workspace, const Options& options)
+        : wheel_(wheel), attitude_(position), workspace_(workspace), options_(options), parts_(workspace.parts) {
         attitude_.at.height = 0;
     }
 
@@ -703,7 +683,7 @@ private:
         if (parts_.size() == 1) {
             Part& part = parts_[0];
             part.solution =
-                workspace_.normal[0].carry(part.grid, part.h, load / vertical(part), options_.tolerance, warm);
+                workspace_.normal[0].carry(part.grid, part.h, load / part.plane.cosine, options_.tolerance, warm);
             lower = part.solution.approach / part.plane.cosine;
             return true;
         }
@@ -726,12 +706,9 @@ private:
         return false;
     }
 
-    double vertical(const Part& part) const {
-        return part.plane.cosine + friction_(part.plane.angle) * part.plane.sine;
-    }
     double carried() const {
         double sum = 0;
-        for (const Part& part : parts_) sum += part.solution.load * vertical(part);
+        for (const Part& part : parts_) sum += part.solution.load * part.plane.cosine;
         return sum;
     }
     double deepest() const {
@@ -771,7 +748,6 @@ private:
 
     const WheelOnRail& wheel_;
     Attitude attitude_;
-    const LateralFriction& friction_;
     Workspace& workspace_;
     const Options& options_;
     std::vector<Part>& parts_;
@@ -780,16 +756,16 @@ private:
     int times_ = 1;      // as many cells as usual in both directions
 };
 
-inline auto WheelOnRail::carry(const WheelsetPosition& position, double load, const LateralFriction& friction,
-                               Workspace& workspace, const Options& options) const -> Contact {
+inline auto WheelOnRail::carry(const WheelsetPosition& position, double load, Workspace& workspace,
+                               const Options& options) const -> Contact {
     if (!detail::is_finite(position) || !(detail::is_finite(load) && load > 0)) return {};
-    return Search(*this, position, friction, workspace, options).carry(load);
+    return Search(*this, position, workspace, options).carry(load);
 }
 
 inline auto WheelOnRail::press(const WheelsetPosition& position, Workspace& workspace, const Options& options) const
     -> Contact {
     if (!detail::is_finite(position)) return {};
-    return Search(*this, position, {}, workspace, options).press(position.height);
+    return Search(*this, position, workspace, options).press(position.height);
 }
 
 }  // namespace rollbem

@@ -199,7 +199,7 @@ inline ContactTable make_contact_table(
             for (Eigen::Index i = 0; i < grid.shifts; ++i) {
                 start.lateral = grid.shift(i);
                 start.yaw = grid.yaw(k);
-                const auto contacts = track.carry(start, {load, load}, workspace, {}, {}, options);
+                const auto contacts = track.carry(start, {load, load}, workspace, {}, options);
                 const bool carries = std::all_of(contacts.wheels.begin(), contacts.wheels.end(), [](const auto& wheel) {
                     return !wheel.patches.empty() &&
                            (has_numbers(wheel.status) || wheel.status == NormalStatus::few_cells);

@@ -7,11 +7,14 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "../assembly/patch_system.hpp"
+#include "../detail/finite.hpp"
+#include "../detail/rising_root.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/patch_mesh.hpp"
 #include "../discretisation/scheme.hpp"
@@ -174,11 +177,53 @@ inline double free_pitch_rate(const WheelsetOnTrack::Contacts& contacts, Wheelse
     return rate;
 }
 
+/// The vertical load of a wheel's normal forces with which it carries, with friction, the load wanted. Logarithms of
+/// loads over the one wanted.
+class CarriedLoad {
+public:
+    double at = 0;
+
+    /// Whether normal forces and friction carry the one wanted to 1e-6, or the wheel does not touch; else another
+    /// load. Contacts jump a little where grids change: there all forces are scaled.
+    bool settled(WheelOnRail::Contact& wheel, std::vector<PatchForce>& forces, double wanted) {
+        double carried = 0;
+        for (std::size_t i = 0; i < forces.size(); ++i) {
+            const double angle = wheel.patches[i].angle;
+            carried += wheel.patches[i].load * std::cos(angle) - forces[i].force.lateral * std::sin(angle);
+        }
+        const double excess = std::log((std::max)(carried / wanted, 1e-2));
+        if (!is_finite(carried) || std::abs(excess) < 1e-6) return true;
+        before_ = std::exchange(at, root_.next(at, excess));
+        constexpr double jump = 1e-2;
+        if (root_.width() > 1e-6) return false;
+        if (std::abs(excess) > jump) {
+            root_ = RisingRoot(1, largest);  // the bounds were those of another state of the other wheel
+            return false;
+        }
+        for (std::size_t i = 0; i < forces.size(); ++i) {
+            for (double* of : {&wheel.patches[i].load, &wheel.patches[i].peak_pressure, &forces[i].force.longitudinal,
+                               &forces[i].force.lateral, &forces[i].force.moment, &forces[i].slip_work}) {
+                *of *= wanted / carried;
+            }
+            wheel.patches[i].pressure *= wanted / carried;
+            forces[i].strip_work *= wanted / carried;
+        }
+        return true;
+    }
+    /// A load nearer to the last one.
+    void retreat() { at = (at + before_) / 2; }
+
+private:
+    static constexpr double largest = 1.4;  // of a step
+    double before_ = 0;
+    RisingRoot root_{1, largest};
+};
+
 }  // namespace detail
 
-/// The forces of a rolling wheelset. Loads are vertical: contacts and friction are found in turn until the ratios of
-/// both settle to 1e-4; if they do not in 20 rounds, the wheel's status is `unbalanced`. Statuses say what failed;
-/// allocates.
+/// The forces of a rolling wheelset. Loads are vertical, carried by normal forces and friction together: contacts and
+/// friction are found in turn until they carry the loads to 1e-6; if they do not in 40 rounds, the wheel's status is
+/// `unbalanced`, and `load_not_reached` where friction holds the wheel up. Statuses say what failed; allocates.
 inline WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const WheelsetRolling& rolling,
                                      const RollingFriction& friction, WheelsetOnTrack::Workspace& workspace,
                                      const WheelOnRail::Options& options = {}) {
@@ -186,12 +231,19 @@ inline WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const Whee
     const TrackDimensions& dimensions = wheelset.wheel().dimensions();
     WheelsetForces result;
     WheelsetSpeeds speeds = rolling.speeds;
-    std::array<LateralFriction, 2> ratios{};
-    std::array<double, 2> last_change{};
-    constexpr int most = 20;
+    std::array<detail::CarriedLoad, 2> carried;
+    constexpr int most = 40;
+    int failures = 0;
+    constexpr double out_of_reach = 5;  // a load of 150 times the one wanted
     for (bool settled = false; !settled;) {
-        ++result.rounds;
-        result.contacts = wheelset.carry(rolling.position, rolling.loads, workspace, rolling.free, ratios, options);
+        const bool last = ++result.rounds >= most;
+        const std::array loads{rolling.loads[0] * std::exp(carried[0].at), rolling.loads[1] * std::exp(carried[1].at)};
+        result.contacts = wheelset.carry(rolling.position, loads, workspace, rolling.free, options);
+        if (!has_numbers(result.contacts.status) && rolling.free == Free::height_and_roll && result.rounds > 1 &&
+            failures++ < 4) {
+            for (detail::CarriedLoad& of : carried) of.retreat();
+            continue;
+        }
         if (rolling.free_pitch) speeds.pitch_rate = detail::free_pitch_rate(result.contacts, speeds, dimensions.radius);
         settled = true;
         for (const WheelsetOnTrack::Side side : WheelsetOnTrack::sides) {
@@ -204,32 +256,14 @@ inline WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const Whee
                 result.patches[k].push_back(patch_force(
                     patch, result.contacts.seen(side), WheelsetOnTrack::seen_from(side, speeds), dimensions, friction));
             }
-            if (rolling.free == Free::nothing) continue;
-            // by the two largest patches
-            LateralFriction next;
-            for (std::size_t i = 0; i < 2; ++i) {
-                const std::size_t of = (std::min)(i, wheel.patches.size() - 1);
-                next.angle[i] = wheel.patches[of].angle;
-                next.ratio[i] = -result.patches[k][of].force.lateral / wheel.patches[of].load;
+            if (rolling.free == Free::nothing || carried[k].settled(wheel, result.patches[k], rolling.loads[k])) {
+                continue;
             }
-            if (!detail::is_finite(next.ratio[0]) || !detail::is_finite(next.ratio[1])) continue;
-            double change = 0;  // of what the rail carries
-            for (const RailPatch& patch : wheel.patches) {
-                const double sine = std::sin(patch.angle), ratio = ratios[k](patch.angle), there = next(patch.angle);
-                change = (std::max)(change, std::abs((there - ratio) * sine));
-            }
-            if (change < 1e-4) continue;
-            settled = false;
-            // where contacts jump to and fro, half of the way
-            const bool swings = result.rounds > 2 && change > last_change[k] / 2;
-            for (std::size_t i = 0; swings && i < 2; ++i) {
-                next.ratio[i] = (next.ratio[i] + ratios[k](next.angle[i])) / 2;
-            }
-            last_change[k] = change;
-            ratios[k] = next;
-            if (result.rounds == most) wheel.status = (std::max)(wheel.status, NormalStatus::unbalanced);
+            const bool lifted = carried[k].at > out_of_reach;
+            settled = settled && (last || lifted);
+            if (lifted) wheel.status = NormalStatus::load_not_reached;
+            if (last) wheel.status = (std::max)(wheel.status, NormalStatus::unbalanced);
         }
-        if (result.rounds == most) break;
     }
     auto& [left, right] = result.contacts.wheels;
     result.contacts.status = (std::max)(left.status, right.status);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "../detail/finite.hpp"
+#include "../detail/rising_root.hpp"
 #include "../normal/pressure_grid.hpp"
 #include "../normal/wheel_on_rail.hpp"
 #include "../scene/creepage.hpp"
@@ -144,19 +145,16 @@ public:
                 speeds.vertical, -speeds.roll_rate, -speeds.yaw_rate};
     }
 
-    /// Where the wheels carry their vertical loads [N], left and right, at this lateral position and yaw. `friction` as
-    /// in WheelOnRail::carry, for each wheel as the right one.
+    /// Where normal forces carry the wheels' vertical loads [N], left and right, at this lateral position and yaw.
     Contacts carry(WheelsetPosition position, const std::array<double, 2>& loads, Workspace& workspace,
-                   Free free = Free::height_and_roll, const std::array<LateralFriction, 2>& friction = {},
-                   const WheelOnRail::Options& options = {}) const;
+                   Free free = Free::height_and_roll, const WheelOnRail::Options& options = {}) const;
 
 private:
     WheelOnRail wheel_;
 };
 
 inline auto WheelsetOnTrack::carry(WheelsetPosition position, const std::array<double, 2>& loads, Workspace& workspace,
-                                   Free free, const std::array<LateralFriction, 2>& friction,
-                                   const WheelOnRail::Options& options) const -> Contacts {
+                                   Free free, const WheelOnRail::Options& options) const -> Contacts {
     Contacts contacts;
     // by how much the right wheel's height exceeds the left one's; a roll lowers the right wheel, so that it falls
     const auto gap = [&](double roll) {
@@ -164,26 +162,24 @@ inline auto WheelsetOnTrack::carry(WheelsetPosition position, const std::array<d
         for (const Side side : sides) {
             const auto k = static_cast<std::size_t>(side);
             const WheelsetPosition at = seen_from(side, position);
-            contacts.wheels[k] = free == Free::nothing
-                                     ? wheel_.press(at, workspace.wheels[k], options)
-                                     : wheel_.carry(at, loads[k], friction[k], workspace.wheels[k], options);
+            contacts.wheels[k] = free == Free::nothing ? wheel_.press(at, workspace.wheels[k], options)
+                                                       : wheel_.carry(at, loads[k], workspace.wheels[k], options);
         }
         contacts.status = (std::max)(contacts.wheels[0].status, contacts.wheels[1].status);
         return contacts.wheels[1].height - contacts.wheels[0].height;
     };
-    double roll = position.roll, rate = -2 * wheel_.wheel_origin(), value = gap(roll);
+    double roll = position.roll, excess = gap(roll);
     contacts.position = position;
     if (free != Free::height_and_roll) return contacts;
-    constexpr double precise = 1e-10;  // of the height [m]
-    for (int k = 0; k < 20 && has_numbers(contacts.status) && std::abs(value) > precise; ++k) {
-        const double next = roll - std::clamp(value / rate, -5e-3, 5e-3), there = gap(next);
-        const double slope = (there - value) / (next - roll);
-        if (slope < rate / 10 && slope > rate * 10) rate = slope;
-        roll = next;
-        value = there;
+    // contacts, and with them heights, jump a little where grids change
+    constexpr double precise = 1e-10, jump = 1e-6;  // of the height [m]
+    detail::RisingRoot root(2 * wheel_.wheel_origin(), 5e-3);
+    for (int k = 0; k < 40 && has_numbers(contacts.status) && std::abs(excess) > precise; ++k) {
+        roll = root.next(roll, -excess);
+        if (root.width() < 1e-10 && std::abs(excess) < jump) break;
+        excess = gap(roll);
     }
-    if (has_numbers(contacts.status) && std::abs(value) > 100 * precise)
-        contacts.status = NormalStatus::load_not_reached;
+    if (has_numbers(contacts.status) && std::abs(excess) > jump) contacts.status = NormalStatus::load_not_reached;
     if (!has_numbers(contacts.status)) {
         for (WheelOnRail::Contact& wheel : contacts.wheels) wheel.status = contacts.status;
     }
