@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <rollbem/normal/hertz_ellipse.hpp>
+#include <rollbem/normal/pressure_grid.hpp>
 
 #include "patch.hpp"
 #include "support/csv.hpp"
