@@ -9,7 +9,7 @@ set key bottom right
 set xlabel 'speed, m/s'
 set ylabel 'largest |y| of the last third, mm'
 set yrange [0:7]
-rows = "< awk 'NF == 4 && $1 > 0' hunting.txt"
+rows = "< awk 'NF == 6 && $1 > 0' hunting.txt"
 plot rows using 1:2 with linespoints lw 2 pt 7 ps 0.6 lc rgb '#0072b2' title 'from 1 mm', \
      rows using 1:3 with linespoints lw 2 dt 2 pt 6 ps 0.6 lc rgb '#d55e00' title 'from 6 mm'
 unset multiplot
