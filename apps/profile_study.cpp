@@ -31,9 +31,9 @@ namespace {
 using profile::Case;
 using profile::Settings;
 using profile::Side;
-using rollbem::NormalStatus;
 using rollbem::PatchForce;
 using rollbem::RailPatch;
+using rollbem::Status;
 using rollbem::StepStatus;
 
 // --- contacts --------------------------------------------------------------------------------------------------------
@@ -87,9 +87,9 @@ struct Found {
     std::string status() const {
         if (force() != nullptr && solved() == nullptr) return name(force()->status);
         if (!number) return name(wheel().status);
-        const NormalStatus own = wheel().patches[*number].status;
+        const Status own = wheel().patches[*number].status;
         return name(patch() != nullptr && rollbem::has_numbers(wheel().status)
-                        ? std::max(own, wheel().status == NormalStatus::unbalanced ? wheel().status : own)
+                        ? std::max(own, wheel().status == Status::unbalanced ? wheel().status : own)
                         : own);
     }
 };

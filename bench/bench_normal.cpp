@@ -57,7 +57,7 @@ void BM_ProfilePatch(benchmark::State& state) {
         if (fresh) workspace = {};
         const double lateral = -4e-3 - 1e-4 * double(++k % 2);  // one lobe
         const auto contact = wheel.carry({.lateral = lateral, .yaw = 5e-3}, 1e5, workspace, options);
-        if (contact.status != NormalStatus::ok) state.SkipWithError(name(contact.status));
+        if (contact.status != Status::ok) state.SkipWithError(name(contact.status));
         benchmark::DoNotOptimize(contact.height);
     }
     state.counters["n"] = double(n);

@@ -6,18 +6,31 @@
 
 namespace rollbem {
 
-/// Whether a computed number can be used.
+/// Whether what was computed can be used, and if not, why.
 enum class Status {
     ok,
     ill_conditioned,   ///< the matrix is singular to working precision, or the residual is far above rounding
     assists_creepage,  ///< solved accurately, but the tractions of steady rolling assist the creepage: the scheme does
                        ///< not converge to full adhesion, as with alpha <= 0 or alpha > 1
-    not_converged,  ///< the order of a polynomial is too low, or monomials have broken down by cancellation; or other
-                    ///< meshes of a long patch give other coefficients
-    unstable,       ///< a mode of the system grows with the distance rolled
-    order_differs,  ///< values to be extrapolated do not converge with the given order
+    unstable,          ///< a mode of the system grows with the distance rolled
+    order_differs,     ///< values to be extrapolated do not converge with the given order
+    // contact of profiles, the worse the later
+    doubtful_plane,     ///< numbers, but surfaces turn by more than 0.2 rad over the contact: a plane is an assumption
+    unbalanced,         ///< numbers, but normal forces and friction did not settle
+    no_contact,         ///< the surfaces do not touch: a wheel is lifted, or beside the rail
+    end_of_profile,     ///< contact reaches the end of a profile, which is not known beyond
+    undefined_section,  ///< the wheel's section is not a function there: yaw is too large
+    load_not_reached,   ///< no height was found at which the contact carries the load
+    not_converged,  ///< pressures did not settle; the order of a polynomial is too low, or monomials have broken down by
+                    ///< cancellation; other meshes of a long patch give other coefficients
+    few_cells,      ///< fewer than 7 cells touch: the grid is too coarse
     not_finite,     ///< an input or a result is NaN or infinite
 };
+
+/// Whether the contact of profiles has numbers.
+constexpr bool has_numbers(Status status) {
+    return status == Status::ok || status == Status::doubtful_plane || status == Status::unbalanced;
+}
 
 /// Outcome of a step, or of a solution with friction that starts from a state.
 enum class StepStatus {
@@ -50,9 +63,16 @@ constexpr const char* name(Status status) {
         case Status::ok: return "ok";
         case Status::ill_conditioned: return "ill_conditioned";
         case Status::assists_creepage: return "assists_creepage";
-        case Status::not_converged: return "not_converged";
         case Status::unstable: return "unstable";
         case Status::order_differs: return "order_differs";
+        case Status::doubtful_plane: return "doubtful_plane";
+        case Status::unbalanced: return "unbalanced";
+        case Status::no_contact: return "no_contact";
+        case Status::end_of_profile: return "end_of_profile";
+        case Status::undefined_section: return "undefined_section";
+        case Status::load_not_reached: return "load_not_reached";
+        case Status::not_converged: return "not_converged";
+        case Status::few_cells: return "few_cells";
         case Status::not_finite: break;
     }
     return "not_finite";

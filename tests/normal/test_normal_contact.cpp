@@ -54,7 +54,7 @@ TEST_CASE("normal_contact: Hertz's ellipses, by load and by approach, to second 
             Scene scene(n, n, -1.17 * e.a, 1.21 * e.a, -1.23 * e.b, 1.19 * e.b, gap);
             scene.carry(0.0878);
             INFO("B = " << e.B << ", n = " << n << ", steps " << scene.solution.steps);
-            REQUIRE(scene.solution.status == NormalStatus::ok);
+            REQUIRE(scene.solution.status == Status::ok);
             CHECK(scene.solution.load == Approx(0.0878).epsilon(1e-12));
             CHECK(scene.solution.steps < 60);
             counts.push_back(double(n));
@@ -108,7 +108,7 @@ TEST_CASE("normal_contact: pressures push, gaps are open, and both not in one ce
         });
         scene.solution = by_load ? scene.normal.carry(scene.grid, scene.h, 0.06, 1e-9)
                                  : scene.normal.approach(scene.grid, scene.h, 0.015, 1e-9);
-        REQUIRE(scene.solution.status == NormalStatus::ok);
+        REQUIRE(scene.solution.status == Status::ok);
         const auto& p = scene.normal.pressure();
         const double deepest = scene.solution.approach - scene.h.minCoeff();
         CHECK((p >= 0).all());
@@ -144,18 +144,18 @@ TEST_CASE("normal_contact: two equal lobes share a load, and what does not touch
     Scene lobes(64, 30, -7, 7, -2, 2,
                 [](double x, double y) { return std::pow(std::abs(x) - 3.5, 2) / 300 + y * y / 300; });
     lobes.carry(0.05);
-    REQUIRE(lobes.solution.status == NormalStatus::ok);
+    REQUIRE(lobes.solution.status == Status::ok);
     const auto& p = lobes.normal.pressure();
     const double left = p.topRows(32).sum() * lobes.grid.dx * lobes.grid.dy;
     CHECK(left == Approx(0.025).epsilon(1e-6));
     CHECK((p.rowwise().sum() == 0).any());
 
     Scene apart(20, 20, -1, 1, -1, 1, [](double x, double y) { return 1 + x * x + y * y; });
-    CHECK(apart.normal.approach(apart.grid, apart.h, 0.9).status == NormalStatus::no_contact);
-    CHECK(apart.normal.carry(apart.grid, apart.h, 0).status == NormalStatus::no_contact);
-    CHECK(apart.normal.carry(apart.grid, apart.h, NAN).status == NormalStatus::not_finite);
+    CHECK(apart.normal.approach(apart.grid, apart.h, 0.9).status == Status::no_contact);
+    CHECK(apart.normal.carry(apart.grid, apart.h, 0).status == Status::no_contact);
+    CHECK(apart.normal.carry(apart.grid, apart.h, NAN).status == Status::not_finite);
     apart.h(3, 3) = INFINITY;
-    CHECK(apart.normal.carry(apart.grid, apart.h, 1).status == NormalStatus::not_finite);
+    CHECK(apart.normal.carry(apart.grid, apart.h, 1).status == Status::not_finite);
 }
 
 TEST_CASE("patch_shape: outlines interpolate lines exactly, and keep what grows growing", "[normal]") {

@@ -237,7 +237,7 @@ TEST_CASE("wheel_on_rail: Hertz's ellipses from quadratic profiles, to second or
             const double R = 0.05 * std::pow(1.15, k), load = 600;
             const auto contact =
                 cylinder_on_parabola(R).carry({}, load, workspace, {.cells_x = n + 4, .cells_s = n + 4});
-            REQUIRE(contact.status == NormalStatus::ok);
+            REQUIRE(contact.status == Status::ok);
             const RailPatch& patch = contact.patches.at(0);
             const HertzEllipse<double> hertz = hertz_of(R, load);
             const auto add = [&](const char* name, double own, double exact) {
@@ -266,7 +266,7 @@ TEST_CASE("wheel_on_rail: small and large loads, needles, ends of profiles, two 
         const auto contact = cylinder_on_parabola(R).carry({}, load, workspace, {.cells_x = 40, .cells_s = 40});
         const HertzEllipse<double> hertz = hertz_of(R, load);
         CAPTURE(R, load, hertz.half_length(), hertz.half_width());
-        REQUIRE(contact.status == NormalStatus::ok);
+        REQUIRE(contact.status == Status::ok);
         const RailPatch& patch = contact.patches.at(0);
         CHECK(patch.load == Approx(load).epsilon(1e-6));
         CHECK(patch.approach == Approx(hertz.approach()).epsilon(2e-3));
@@ -279,12 +279,12 @@ TEST_CASE("wheel_on_rail: small and large loads, needles, ends of profiles, two 
     one(30, 1e3);    // a/b = 0.06
 
     // pressures at the end of the wheel, which is not known beyond
-    CHECK(cylinder_on_parabola(0.3).carry({.lateral = 0.0295}, 1e5, workspace).status == NormalStatus::end_of_profile);
-    CHECK(standard().carry({.lateral = 1}, 1e5, workspace).status == NormalStatus::no_contact);
-    CHECK(standard().carry({.yaw = 0.8}, 1e5, workspace).status == NormalStatus::undefined_section);
-    CHECK(standard().carry({.roll = 3}, 1e5, workspace).status == NormalStatus::no_contact);
-    CHECK(standard().carry({.lateral = NAN}, 1e5, workspace).status == NormalStatus::not_finite);
-    CHECK(standard().carry({}, 0, workspace).status == NormalStatus::not_finite);
+    CHECK(cylinder_on_parabola(0.3).carry({.lateral = 0.0295}, 1e5, workspace).status == Status::end_of_profile);
+    CHECK(standard().carry({.lateral = 1}, 1e5, workspace).status == Status::no_contact);
+    CHECK(standard().carry({.yaw = 0.8}, 1e5, workspace).status == Status::undefined_section);
+    CHECK(standard().carry({.roll = 3}, 1e5, workspace).status == Status::no_contact);
+    CHECK(standard().carry({.lateral = NAN}, 1e5, workspace).status == Status::not_finite);
+    CHECK(standard().carry({}, 0, workspace).status == Status::not_finite);
 
     // right 11 of the benchmark, 10 mm apart; CONTACT's friction carries a part, a second implementation's loads
     const double vertical = 1e4 - 8557 * 2308 / 8161 * std::sin(0.298) - 1045 * 443 / 1476 * std::sin(0.133);
@@ -300,7 +300,7 @@ TEST_CASE("wheel_on_rail: a cylinder on a round rail is Hertz's contact", "[prof
     const WheelOnRail wheel = cylinder_on_parabola(R);
     WheelOnRail::Workspace workspace;
     const auto contact = wheel.carry({}, load, workspace, {.cells_x = 64, .cells_s = 64});
-    REQUIRE(contact.status == NormalStatus::ok);
+    REQUIRE(contact.status == Status::ok);
     const RailPatch& patch = contact.patches.at(0);
     CHECK(patch.y == Approx(wheel.rail_origin()).margin(2e-6));
     const HertzEllipse<double> hertz = hertz_of(R, load);
@@ -348,8 +348,8 @@ TEST_CASE("wheel_on_rail: a result or a status in random positions, and the load
         const auto contact = wheel.carry(position, load, workspace);
         ++statuses[name(contact.status)];
         CAPTURE(k, position.lateral, position.roll, position.yaw, load, name(contact.status));
-        CHECK(contact.status != NormalStatus::not_finite);
-        CHECK(contact.status != NormalStatus::not_converged);
+        CHECK(contact.status != Status::not_finite);
+        CHECK(contact.status != Status::not_converged);
         if (!has_numbers(contact.status)) continue;
         double vertical = 0;
         bool sound = true;
@@ -373,7 +373,7 @@ TEST_CASE("wheelset_on_track: both wheels carry their loads; mirrored positions 
     const WheelsetOnTrack wheelset(standard());
     WheelsetOnTrack::Workspace workspace;
     const auto one = wheelset.carry({.lateral = 2.5e-3, .yaw = 6e-3}, {1e4, 1e4}, workspace);
-    REQUIRE(one.status == NormalStatus::ok);
+    REQUIRE(one.status == Status::ok);
     CHECK(one.position.roll == Approx(-1.457e-4).margin(2e-6));  // of the benchmark
     CHECK(one.wheels[0].height == Approx(one.wheels[1].height).margin(1e-9));
     const auto other = wheelset.carry({.lateral = -2.5e-3, .yaw = -6e-3}, {1e4, 1e4}, workspace);
@@ -386,7 +386,7 @@ TEST_CASE("wheelset_on_track: regions that join between tread and flange", "[pro
     const WheelsetOnTrack wheelset(standard());
     WheelsetOnTrack::Workspace workspace;
     const auto contacts = wheelset.carry({.lateral = 6.3e-3, .yaw = 0.02}, {1e5, 1e5}, workspace);
-    REQUIRE(contacts.status == NormalStatus::doubtful_plane);
+    REQUIRE(contacts.status == Status::doubtful_plane);
     for (const WheelOnRail::Contact& wheel : contacts.wheels) {
         double vertical = 0;
         for (const RailPatch& patch : wheel.patches) vertical += patch.load * std::cos(patch.angle);
@@ -399,7 +399,7 @@ TEST_CASE("wheelset_on_track: regions that join between tread and flange", "[pro
         CHECK(pressed.wheels[k].patches[0].load == Approx(contacts.wheels[k].patches[0].load).epsilon(2e-2));
     }
     const auto lifted = wheelset.carry({.height = -1e-3}, {0, 0}, workspace, WheelsetOnTrack::Free::nothing);
-    CHECK(lifted.status == NormalStatus::no_contact);
+    CHECK(lifted.status == Status::no_contact);
 }
 
 TEST_CASE("wheelset_forces: a braked wheelset is held back and its axle turned forwards", "[profiles]") {
@@ -408,7 +408,7 @@ TEST_CASE("wheelset_forces: a braked wheelset is held back and its axle turned f
     WheelsetRolling rolling{.position = {.lateral = 4e-3, .yaw = 2e-3}, .speeds = {.forward = 20}};
     const RollingFriction friction{.coefficient = 0.3, .elements = 8, .strips = 9, .curved_slip = false};
     const auto free = rolling_forces(wheelset, rolling, friction, workspace);
-    REQUIRE(free.contacts.status == NormalStatus::ok);
+    REQUIRE(free.contacts.status == Status::ok);
     CHECK(free.patches[0][0].creepage.longitudinal + free.patches[1][0].creepage.longitudinal ==
           Approx(0).margin(1e-14));
     // rails carry the loads, normal forces and friction together; a creepage is against its force
@@ -496,7 +496,7 @@ TEST_CASE("wheelset_forces: normal forces and friction carry the loads on the fl
         const WheelsetRolling rolling{.position = {.lateral = lateral, .yaw = yaw}, .speeds = {.forward = 20}};
         const auto settled = rolling_forces(wheelset, rolling, friction, workspace, {.cells_x = 20, .cells_s = 16});
         CAPTURE(lateral, settled.rounds, name(settled.contacts.status));
-        CHECK(settled.contacts.status <= NormalStatus::doubtful_plane);
+        CHECK(settled.contacts.status <= Status::doubtful_plane);
         for (const auto& wheel : settled.on_wheel) CHECK(wheel.force[2] == Approx(-1e5).epsilon(1.01e-6));
     }
 }

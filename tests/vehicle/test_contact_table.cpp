@@ -212,7 +212,7 @@ TEST_CASE("a shifted wheelset is turned back as by its patches, less than by ell
     WheelsetRolling shifted;
     shifted.position.lateral = 1e-4;
     const WheelsetForces patches = rolling_forces(track, shifted, {.coefficient = mu}, workspace);
-    REQUIRE(patches.contacts.status == NormalStatus::ok);
+    REQUIRE(patches.contacts.status == Status::ok);
     Eigen::ArrayXXd values = s1002().values();
     for (const Eigen::Index point : {Eigen::Index(0), Eigen::Index(ContactRow::point_rows)}) {
         values.middleRows(point + ContactRow::correction, 9).setZero();

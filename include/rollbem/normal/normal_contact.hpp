@@ -12,42 +12,11 @@
 #include <Eigen/Core>
 
 #include "../detail/finite.hpp"
+#include "../status.hpp"
 #include "../types.hpp"
 #include "detail/grid_convolution.hpp"
 
 namespace rollbem {
-
-/// Why a normal contact has no numbers, or doubtful ones.
-enum class NormalStatus {
-    ok,
-    doubtful_plane,     ///< numbers, but surfaces turn by more than 0.2 rad over the contact: a plane is an assumption
-    unbalanced,         ///< numbers, but normal forces and friction did not come to carry the load to 1e-6
-    no_contact,         ///< the surfaces do not touch: a wheel is lifted, or beside the rail
-    end_of_profile,     ///< contact reaches the end of a profile, which is not known beyond
-    undefined_section,  ///< the wheel's section is not a function there: yaw is too large
-    load_not_reached,   ///< no height was found at which the contact carries the load
-    not_converged,      ///< pressures did not settle within 300 steps
-    few_cells,          ///< fewer than 7 cells touch: the grid is too coarse
-    not_finite,         ///< an input or a result is NaN or infinite
-};
-
-constexpr const char* name(NormalStatus status) {
-    switch (status) {
-        case NormalStatus::ok: return "ok";
-        case NormalStatus::doubtful_plane: return "doubtful_plane";
-        case NormalStatus::unbalanced: return "unbalanced";
-        case NormalStatus::no_contact: return "no_contact";
-        case NormalStatus::end_of_profile: return "end_of_profile";
-        case NormalStatus::undefined_section: return "undefined_section";
-        case NormalStatus::load_not_reached: return "load_not_reached";
-        case NormalStatus::not_converged: return "not_converged";
-        case NormalStatus::few_cells: return "few_cells";
-        case NormalStatus::not_finite: break;
-    }
-    return "not_finite";
-}
-
-constexpr bool has_numbers(NormalStatus status) { return status <= NormalStatus::unbalanced; }
 
 /// Cells of size dx x dy [m] around centres x_0 + i dx, y_0 + j dy.
 struct CellGrid {
@@ -69,7 +38,7 @@ public:
         double approach = 0;  ///< of the bodies from where h is the gap [m]
         double residual = 0;  ///< the largest |w| where there is pressure, over the approach from the least h
         int steps = 0;
-        NormalStatus status = NormalStatus::not_finite;
+        Status status = Status::not_finite;
     };
 
     /// 1/E* = (1-nu_1)/(2 G_1) + (1-nu_2)/(2 G_2) [1/Pa]; of equal bodies (1-nu)/G.
@@ -109,7 +78,7 @@ inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const 
     Solution result;
     if (!h.allFinite() || !detail::is_finite(approach) || (load && !detail::is_finite(*load))) return result;
     const double least = h.minCoeff(), cell = grid.dx * grid.dy;
-    result.status = NormalStatus::no_contact;
+    result.status = Status::no_contact;
     if (load ? !(*load > 0) : !(approach > least)) {
         p_ = Grid::Zero(grid.nx, grid.ny);
         result.approach = approach;
@@ -144,10 +113,10 @@ inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const 
         const double square = (p_ > 0).select(g_.square(), 0).sum();
         const double worst = (p_ > 0).select(g_.abs(), 0).maxCoeff();
         const bool outside = ((p_ <= 0) && (g_ < -tolerance * (approach - least))).any();
-        if (!detail::is_finite(square)) return {.status = NormalStatus::not_finite};
+        if (!detail::is_finite(square)) return {.status = Status::not_finite};
         result.residual = worst / (approach - least);
         if (worst <= tolerance * (approach - least) && !outside) {
-            result.status = NormalStatus::ok;
+            result.status = Status::ok;
             break;
         }
         const double beta = grown ? 0 : square / last;
@@ -159,7 +128,7 @@ inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const 
         const double tau = bend > 0 ? (g_ * t_).sum() / bend : 0;
         if (!(tau > 0)) {  // the direction is used up: from the gradient anew, unless it was that
             if (std::exchange(grown, true)) {
-                result.status = NormalStatus::not_converged;
+                result.status = Status::not_converged;
                 break;
             }
             continue;
@@ -176,12 +145,12 @@ inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const 
         }
         if (load) {
             const double sum = p_.sum() * cell;
-            if (!(sum > 0)) return {.status = NormalStatus::not_finite};
+            if (!(sum > 0)) return {.status = Status::not_finite};
             p_ *= *load / sum;
         }
         if (!(p_ > 0).any()) break;
     }
-    if (result.status == NormalStatus::no_contact && result.steps > most) result.status = NormalStatus::not_converged;
+    if (result.status == Status::no_contact && result.steps > most) result.status = Status::not_converged;
     result.load = p_.sum() * cell;
     result.approach = approach;
     return result;

@@ -61,7 +61,7 @@ struct RailPatch {
     double half_length = 0, half_width = 0;  ///< half the extents [m]
     int steps = 0;                           ///< of the normal problem, the last time
     double residual = 0;                     ///< of gaps where there is pressure, over the approach
-    NormalStatus status = NormalStatus::not_finite;
+    Status status = Status::not_finite;
     CellGrid grid{};           ///< of the pressures
     Eigen::ArrayXXd pressure;  ///< [Pa], nx x ny
     /// Of each row of cells, ny: n of the rail's surface, and of the wheel's where it lies deepest, undeformed [m].
@@ -118,9 +118,9 @@ public:
     };
 
     struct Contact {
-        double height = 0;                               ///< z_ws [m] at which the load is carried
-        std::vector<RailPatch> patches;                  ///< by decreasing load
-        NormalStatus status = NormalStatus::not_finite;  ///< that of the worst patch
+        double height = 0;                   ///< z_ws [m] at which the load is carried
+        std::vector<RailPatch> patches;      ///< by decreasing load
+        Status status = Status::not_finite;  ///< that of the worst patch
     };
 
     /// The contact whose normal forces carry the vertical load [N], sum N cos delta, at this lateral position, roll and
@@ -496,16 +496,16 @@ inline void WheelOnRail::add_patches(const Part& part, double lower, const Norma
                 const Point at = rail_.at(plane.rail_s + s);
                 return std::atan2(at.slope[1], at.slope[0]);
             };
-            if (patch.status == NormalStatus::ok && std::abs(angle(outline.high()) - angle(outline.low())) > 0.2) {
-                patch.status = NormalStatus::doubtful_plane;
+            if (patch.status == Status::ok && std::abs(angle(outline.high()) - angle(outline.low())) > 0.2) {
+                patch.status = Status::doubtful_plane;
             }
             if (plane.rail_s + outline.low() < rail_.s()[rail_first_] ||
                 plane.rail_s + outline.high() > rail_.s()[rail_last_] || plane.wheel_s + outline.low() < 0 ||
                 plane.wheel_s + outline.high() > wheel_.length()) {
-                patch.status = NormalStatus::end_of_profile;
+                patch.status = Status::end_of_profile;
             }
         } else if (patch.has_numbers()) {
-            patch.status = NormalStatus::few_cells;
+            patch.status = Status::few_cells;
         }
         patches.push_back(patch);
     }
@@ -523,18 +523,18 @@ public:
     Contact carry(double load) {
         Contact contact;
         contact.status = locate();
-        if (contact.status != NormalStatus::ok) return contact;
+        if (contact.status != Status::ok) return contact;
         // 1. The height on coarse grids, to some percent: loads grow like the power 3/2 of the approach
         double approach = workspace_.approach > 0 ? workspace_.approach : 2e-5 * std::cbrt(load / 1e4 * (load / 1e4));
         double low = 0, high = std::numeric_limits<double>::infinity();
         for (int k = 0;; ++k) {
-            contact.status = NormalStatus::undefined_section;
+            contact.status = Status::undefined_section;
             if (!divide(touch_ + approach)) return contact;
             const double found = carried();
             if (std::abs(found / load - 1) < 0.02) break;
             (found < load ? low : high) = approach;
             if (high - low < 1e-3 * high) break;  // loads jump where regions join
-            contact.status = NormalStatus::load_not_reached;
+            contact.status = Status::load_not_reached;
             if (k == 60) return contact;
             const double to = found > 0 ? approach * std::pow(load / found, 2.0 / 3) : 2 * approach;
             const bool safe = to > low && to < high && (k < 8 || !detail::is_finite(high));
@@ -544,10 +544,10 @@ public:
         for (times_ = 1; times_ <= 4; times_ *= 2) {
             double lower = 0;
             contact.status = settle_height(load, approach, lower);
-            if (contact.status != NormalStatus::ok) return contact;
+            if (contact.status != Status::ok) return contact;
             workspace_.approach = approach;
             contact = result(touch_ + approach, lower);
-            if (contact.status != NormalStatus::few_cells) break;
+            if (contact.status != Status::few_cells) break;
         }
         return contact;
     }
@@ -555,10 +555,10 @@ public:
     Contact press(double height) {
         Contact contact;
         contact.status = locate();
-        if (contact.status != NormalStatus::ok) return contact;
-        contact.status = NormalStatus::no_contact;
+        if (contact.status != Status::ok) return contact;
+        contact.status = Status::no_contact;
         if (!(height > touch_)) return contact;
-        contact.status = NormalStatus::undefined_section;
+        contact.status = Status::undefined_section;
         if (!divide(height) || !refine(height, 0, true)) return contact;
         settle(0, options_.tolerance, false);
         for (int k = 0; k < 4 && outgrown(); ++k) {
@@ -570,15 +570,15 @@ public:
 
 private:
     // Where the wheel touches first.
-    NormalStatus locate() {
+    Status locate() {
         wheel_.find_locus(attitude_, workspace_);
         const Workspace::Sample* nearest = nullptr;
         for (const Workspace::Sample& sample : workspace_.locus) {
             if (detail::is_finite(sample.gap) && (nearest == nullptr || sample.gap < nearest->gap)) nearest = &sample;
         }
-        if (nearest == nullptr) return NormalStatus::no_contact;
+        if (nearest == nullptr) return Status::no_contact;
         touch_ = nearest->gap;
-        return nearest->defined ? NormalStatus::ok : NormalStatus::undefined_section;
+        return nearest->defined ? Status::ok : Status::undefined_section;
     }
 
     // Parts at a height, and their loads on coarse grids; false if a section is undefined.
@@ -597,20 +597,20 @@ private:
     }
 
     // As planes turn with the height, by the secant of what it lacks.
-    NormalStatus settle_height(double load, double& approach, double& lower) {
+    Status settle_height(double load, double& approach, double& lower) {
         double last = 0, step = 0, rate = -1;
         for (int round = times_ == 1 ? 0 : 1, k = 0; k < 12; ++round, ++k) {
-            if (!refine(touch_ + approach, round, k == 0)) return NormalStatus::undefined_section;
-            if (!lower_until(load, k > 0, lower)) return NormalStatus::load_not_reached;
+            if (!refine(touch_ + approach, round, k == 0)) return Status::undefined_section;
+            if (!lower_until(load, k > 0, lower)) return Status::load_not_reached;
             const bool settled = std::abs(lower) < 1e-4 * deepest() && !outgrown();
             if (k > 0) rate = std::clamp((lower - last) / step, -10.0, -0.1);
             last = lower;
             step = settled ? lower : -lower / rate;
             approach += step;
-            if (settled) return NormalStatus::ok;
+            if (settled) return Status::ok;
         }
         lower = step;
-        return std::abs(last) < 1e-2 * deepest() ? NormalStatus::ok : NormalStatus::load_not_reached;
+        return std::abs(last) < 1e-2 * deepest() ? Status::ok : Status::load_not_reached;
     }
 
     // Fine grids over what touches, and planes at a height; regions stay as they are after a few rounds.
@@ -741,7 +741,7 @@ private:
         }
         std::stable_sort(contact.patches.begin(), contact.patches.end(),
                          [](const RailPatch& one, const RailPatch& other) { return one.load > other.load; });
-        contact.status = contact.patches.empty() ? NormalStatus::no_contact : NormalStatus::ok;
+        contact.status = contact.patches.empty() ? Status::no_contact : Status::ok;
         for (const RailPatch& patch : contact.patches) contact.status = (std::max)(contact.status, patch.status);
         return contact;
     }

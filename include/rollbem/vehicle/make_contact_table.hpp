@@ -201,8 +201,7 @@ inline ContactTable make_contact_table(
                 start.yaw = grid.yaw(k);
                 const auto contacts = track.carry(start, {load, load}, workspace, {}, options);
                 const bool carries = std::all_of(contacts.wheels.begin(), contacts.wheels.end(), [](const auto& wheel) {
-                    return !wheel.patches.empty() &&
-                           (has_numbers(wheel.status) || wheel.status == NormalStatus::few_cells);
+                    return !wheel.patches.empty() && (has_numbers(wheel.status) || wheel.status == Status::few_cells);
                 });
                 if (!carries) {
                     workspace = {};

@@ -261,8 +261,8 @@ inline WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const Whee
             }
             const bool lifted = carried[k].at > out_of_reach;
             settled = settled && (last || lifted);
-            if (lifted) wheel.status = NormalStatus::load_not_reached;
-            if (last) wheel.status = (std::max)(wheel.status, NormalStatus::unbalanced);
+            if (lifted) wheel.status = Status::load_not_reached;
+            if (last) wheel.status = (std::max)(wheel.status, Status::unbalanced);
         }
     }
     auto& [left, right] = result.contacts.wheels;

@@ -124,7 +124,7 @@ public:
         /// Left, right, each as on the right wheel: y, angle, roll, yaw and lateral quantities of the left one
         /// reversed.
         std::array<WheelOnRail::Contact, 2> wheels;
-        NormalStatus status = NormalStatus::not_finite;  ///< of the worse
+        Status status = Status::not_finite;  ///< of the worse
 
         /// The position as a wheel sees it.
         WheelsetPosition seen(Side side) const {
@@ -179,7 +179,7 @@ inline auto WheelsetOnTrack::carry(WheelsetPosition position, const std::array<d
         if (root.width() < 1e-10 && std::abs(excess) < jump) break;
         excess = gap(roll);
     }
-    if (has_numbers(contacts.status) && std::abs(excess) > jump) contacts.status = NormalStatus::load_not_reached;
+    if (has_numbers(contacts.status) && std::abs(excess) > jump) contacts.status = Status::load_not_reached;
     if (!has_numbers(contacts.status)) {
         for (WheelOnRail::Contact& wheel : contacts.wheels) wheel.status = contacts.status;
     }
