@@ -116,7 +116,8 @@ std::vector<std::pair<double, double>> edge_of(const rollbem::PatchContact<doubl
     return points;
 }
 
-/// What sticks, what slips, and tractions on body 1. y points down: z points away from who looks.
+/// What sticks, what slips, tractions on body 1 and the pole of the rigid slip. y points down: z points away from who
+/// looks.
 study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const friction::Tractions& tractions,
                             const Rows& rows) {
     const rollbem::PatchContact<double>& contact = patch.contact;
@@ -131,6 +132,8 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const f
     study::Series slip{.label = "slip", .style = 4, .shape = study::Shape::rectangles};
     study::Series arrows{.reference = true, .shape = study::Shape::arrows};
     const auto number = [&](const study::Row& row, const char* name) { return tractions.number(row, name); };
+    const double pole_x = -point.lateral / point.spin, pole_y = point.longitudinal / point.spin;
+    bool shows_pole = false;
     const double a = contact.half_length() / contact.c(), b = contact.half_width() / contact.c();
     double longest = 0, area = 0;
     for (const study::Row& row : rows) {
@@ -142,6 +145,8 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const f
         auto& zone = (*number(row, "stick") > 0 ? stick : slip).points;
         zone.emplace_back(x - dx, y - dy);
         zone.emplace_back(x + dx, y + dy);
+        // it may lie on an edge between two elements
+        shows_pole = shows_pole || (std::abs(pole_x - x) <= 1.001 * dx && std::abs(pole_y - y) <= 1.001 * dy);
         arrows.points.emplace_back(x, y);
         arrows.points.emplace_back(*traction_x, *traction_y);
         longest = std::max(longest, std::hypot(*traction_x, *traction_y));
@@ -170,6 +175,9 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const f
     plot.x_range = along;
     plot.y_range = across;
     plot.series = {std::move(stick), std::move(slip), std::move(edge), std::move(arrows)};
+    if (shows_pole) {
+        plot.series.push_back({.label = "pole of spin", .points = {{pole_x, pole_y}}, .line = false, .style = 6});
+    }
     return plot;
 }
 

@@ -40,6 +40,16 @@ std::string logarithmic_axis(const Plot& plot) {
            (few ? "set xtics (" + join(marks, ",") + ")\n" : "");
 }
 
+/// "set title", in two lines if one would be longer than `widest` characters.
+std::string title_command(const std::string& title, std::ptrdiff_t widest) {
+    const auto is_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80 && c != '_'; };
+    const bool fits = std::count_if(title.begin(), title.end(), is_character) <= widest;
+    const std::size_t end = fits ? std::string::npos : title.rfind(", ", title.size() * 3 / 5);
+    if (end == std::string::npos) return "set title " + gnuplot_string(title) + "\n";
+    return "set title " + gnuplot_string(title.substr(0, end + 1)) + ".\"\\n\"." +
+           gnuplot_string(title.substr(end + 2)) + "\n";
+}
+
 /// Colour, dashes and markers of a series. References are black.
 std::string style_of(const Series& given, std::size_t style) {
     Series series = given;
@@ -93,7 +103,7 @@ std::string data_of(const Plot& plot, const Series& series) {
     return text;
 }
 
-std::string panel_script(const Plot& plot) {
+std::string panel_script(const Plot& plot, bool alone) {
     if (!can_be_drawn(plot)) throw PlotError("the plot has no point to draw");
     const auto usable = [&](const std::pair<double, double>& point) { return has_place(plot, point); };
     const auto is_counted = [&](const Series& series) {
@@ -107,7 +117,7 @@ std::string panel_script(const Plot& plot) {
                  std::to_string(labelled) + " curves";
     }
     std::string script;
-    script += "set title " + gnuplot_string(title) + "\nset xlabel " + gnuplot_string(plot.x_label) + "\nset ylabel " +
+    script += title_command(title, alone ? 105 : 76) + "set xlabel " + gnuplot_string(plot.x_label) + "\nset ylabel " +
               gnuplot_string(plot.y_label) + "\nset grid lt 1 lc rgb '#dddddd' lw 1\n";
     script += "set key above samplen 3\nset autoscale xfix\nset format '%h'\n";
     if (plot.true_scale) script += "set size ratio -1\n";
@@ -150,8 +160,8 @@ std::string gnuplot_script(const Plot& plot, bool png) {
                   "dynamic enhanced font 'sans-serif,14' background '#ffffff'\n";
     }
     if (!one) script += "set multiplot layout 1," + std::to_string(panels) + "\n";
-    script += panel_script(plot);
-    for (const Plot& panel : plot.beside) script += "reset\n" + panel_script(panel);
+    script += panel_script(plot, one);
+    for (const Plot& panel : plot.beside) script += "reset\n" + panel_script(panel, one);
     if (!one) script += "unset multiplot\n";
     return script;
 }

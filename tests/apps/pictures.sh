@@ -12,7 +12,7 @@ draws() {
     sed -n 's/.*<text[^>]*>\(.*\)<\/text>.*/\1/p' p.svg | sed 's/<[^>]*>//g' >words
 }
 says() { grep -qxF -e "$1" words || fail "no '$1' in: $(tr '\n' ';' <words)"; }
-# title TEXT
+# title TEXT: in one line or two
 title() { tr '\n' ' ' <words | grep -qF -e "$1" || fail "no title '$1' in: $(tr '\n' ';' <words)"; }
 says_not() { ! grep -qF -e "$1" words || fail "'$1' in: $(tr '\n' ';' <words)"; }
 curves() { [ "$(grep -c 'id="gnuplot_plot_' p.svg)" -eq "$1" ] || fail "not $1 curves: $(tr '\n' ';' <words)"; }
@@ -53,10 +53,13 @@ says 'critical αT' && says_not alpha
 draws "$programs/transient_study" --step 1 --n 10 --until 1
 says '-F / (a G ξref)' && says '|F - Fexact| / (a G ξref)'
 grep -q 'font-family="sans-serif"' p.svg && ! grep -q Symbol p.svg || fail 'fonts'
-# no legend for a single curve
+# no legend for a single curve, a long title in two lines
 draws $steady --n 10,20
 title 'Steady rolling, collocation, fd, uniform, αL = 0, αT = 0.63, strip kernel, b/a = 1000, ν = 0.28'
 [ "$(grep -c '^|c11 / c11,exact - 1|$' words)" -eq 1 ] || fail "a legend of one curve: $(cat words)"
+draws "$programs/friction_study" --transient --n 10 --sine 1,1 --until 2 --derivative analytic --mesh modified-knothe
+grep -q '^Rolling with friction, .*,$' words && says_not 'analytic, modified-knothe, n = 10, αL = 0.5, αT = 0.5, λ = 1' ||
+    fail "a long title: $(cat words)"
 
 # a panel of errors beside curves that coincide, unless there is no exact value
 draws "$programs/frequency_study" --n 10,20 --omega 0.1,1,5
@@ -90,14 +93,14 @@ title 'Rolling from rest, a sine of creepage, ω a/V = 2, collocation'
 for study in "friction_study --n 10" "precision_study --n 4,8 --quantity c11,traction,c11_z1" "frequency_study --n 10"; do
     "$programs/"$study --plot p.png >out 2>err && [ "$(tail -c 8 p.png | head -c 4)" = IEND ] || fail "$study as PNG: $(cat err)"
 done
-# a patch from above: stick, slip, outline and tractions; curves if there is more to compare
+# a patch from above: stick, slip, outline, tractions and the pole of spin; curves if there is more to compare
 set -- "$programs/patch_study" --n 6 --no-timing
 draws "$@" --longitudinal 0.1 --spin 0.2
 title 'Patch from above, a/b = 1, ν = 0.28, 6 × 6 elements, ξ = 0.1, η = 0, φ c = 0.2 in μ N / (G a b)'
-says stick && says slip && grep -q '^traction, at most 0\.[0-9]* μ p0$' words || fail "$(cat words)"
-curves 4
+says stick && says slip && says 'pole of spin' && grep -q '^traction, at most 0\.[0-9]* μ p0$' words || fail "$(cat words)"
+curves 5
 draws "$@" --longitudinal 2 --spin 0.2 --a-over-b 0.3,3
-says slip && says_not stick
+says slip && says_not stick && says_not 'pole of spin'
 curves 6
 draws "$@" --longitudinal 0.1,0.2 --spin 0.2
 says_not above && says 'ξ G a b / (μ N)' && says '-Mz / (μ N c)'
