@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
+
+#include "finite.hpp"
 
 namespace rollbem::detail {
 
@@ -19,11 +20,11 @@ public:
     double next(double x, double value) {
         (value < 0 ? low_ : high_) = x;
         const double rate = (value - value_) / (x - x_);
-        if (rate > 0 && rate < std::numeric_limits<double>::infinity()) rate_ = rate;
+        if (is_finite(rate) && rate > 0) rate_ = rate;
         x_ = x;
         value_ = value;
         const double to = x - std::clamp(value / rate_, -largest_step_, largest_step_);
-        const bool bounded = width() < std::numeric_limits<double>::infinity();
+        const bool bounded = is_finite(width());
         steps_ = bounded ? steps_ + 1 : 0;
         return (to > low_ && to < high_ && steps_ % 3 != 2) || !bounded ? to : (low_ + high_) / 2;
     }
