@@ -3,7 +3,8 @@
 //
 //     ./examples/curve_wear [radius of the curve, m] [positions] > curve_wear.txt
 //
-// A quarter of the positions each lie on the transition curves; the curve turns left, so that the right rail is the outer one.
+// A quarter of the positions each lie on the transition curves; the curve turns left, so that the right rail is the
+// outer one.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,7 +40,7 @@ Table read(const char* path) {
 /// Lateral shift, yaw and pitch rate in which a wheelset rolls through a curve.
 class Curving {
 public:
-    /// At most on a curve of this radius [m], where superelevation leaves the whole lateral load over.
+    /// `radius` [m] is that of the full curve, where the lateral load is `outwards`; it grows with the curvature.
     explicit Curving(double radius) : radius_(radius) { at_[2] = -speed / 0.46; }
 
     /// Newton's method from the point before. The frame points outwards by the angle of half a wheelbase.

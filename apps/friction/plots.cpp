@@ -38,13 +38,28 @@ std::string force_label(bool falling, const std::string& force, const std::strin
 
 std::string scene_in_title(const study::Options& options) {
     std::string title;
-    for (const char* name : {"pressure", "falling", "memory", "layer", "load-sine", "load", "sine", "shift"}) {
-        if (options.given(name)) title += std::string(", ") + name + " " + options.text(name);
+    const auto say = [&](const char* name, const std::string& before, const std::string& between = "",
+                         const std::string& after = "") {
+        if (!options.given(name)) return;
+        const std::string value = options.text(name);
+        const std::size_t comma = value.find(',');
+        title += ", " + before + value.substr(0, comma);
+        if (comma != std::string::npos) title += between + value.substr(comma + 1) + after;
+    };
+    if (options.given("pressure")) title += ", pressure of a table";
+    if (options.flag("transient")) {
+        const std::string delta = options.given("lateral-ratio") ? "δ_x = " : "δ = ";
+        say("creepage-ratio", delta);
+        say("sine", delta, " sin(", " q/a)");
+        say("lateral-ratio", "δ_y = ");
+        say("spin-ratio", "δ_φ = ");
+        say("shift", "shift ");
+        say("load-sine", "N/N_0 = 1 + ", " sin(2π q/", ")");
+        if (options.given("load")) title += ", load of a table";
     }
-    if (!options.flag("transient")) return title;
-    for (const char* name : {"creepage-ratio", "lateral-ratio", "spin-ratio"}) {
-        if (options.given(name)) title += std::string(", ") + name + " " + options.text(name);
-    }
+    say("falling", "μ falls to μ_0 times ", ", by half at a slip of ");
+    say("memory", "memory ", " and ");
+    say("layer", "layer ");
     return title;
 }
 

@@ -47,7 +47,9 @@ Axis most_varied(const Columns& columns, const Rows& rows, std::ptrdiff_t first,
 
 /// The columns of the other axes; not the strips over n if there are as many.
 Columns others(const Columns& columns, const Rows& rows, const Axis& x) {
-    const bool as_many = values(columns, rows, "strips").size() == values(columns, rows, "n").size();
+    const bool as_many = std::all_of(rows.begin(), rows.end(), [](const study::Row& row) {
+        return row[2].number() == row[3].number();  // n and strips
+    });
     Columns by;
     for (const Axis& axis : picture_axes) {
         const bool is_there = study::index_of(columns, axis.column) < columns.size();
@@ -228,8 +230,16 @@ study::Plot draw_friction(const Columns& columns, const Rows& rows) {
     if (values(columns, rows, x.column).size() <= 1) x = most_varied(columns, rows, 3, 7);
     const study::Plot frame{
         .title = "Contact patch with friction", .x_label = x.label, .log_x = x.column == "a_over_b"};
-    return study::side_by_side(
-        panels_of(frame, columns, rows, {.by = others(columns, rows, x), .x = x.column}, forces_over("μ N", "c")));
+    std::vector<study::Plot> panels =
+        panels_of(frame, columns, rows, {.by = others(columns, rows, x), .x = x.column}, forces_over("μ N", "c"));
+    for (study::Plot& panel : panels) {
+        const bool rounding = std::all_of(panel.series.begin(), panel.series.end(), [](const study::Series& series) {
+            return std::all_of(series.points.begin(), series.points.end(),
+                               [](const auto& point) { return std::abs(point.second) < 1e-13; });
+        });
+        if (rounding) panel.y_range = study::PlotRange{-1, 1};
+    }
+    return study::side_by_side(std::move(panels));
 }
 
 study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint& point,

@@ -64,22 +64,25 @@ study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, co
 study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<study::Row>& rows,
                      const std::vector<Point>& points) {
     constexpr std::size_t most = 3;
-    std::vector<Quantity> shown = quantities;
-    if (shown.size() > most) {
+    const auto has_times = [&](const Quantity& quantity) {
+        return std::any_of(rows.begin(), rows.end(), [&](const study::Row& cells) {
+            return cells[2].text() == quantity.name && cells[4].number().has_value();
+        });
+    };
+    std::vector<Quantity> all, shown;
+    std::copy_if(quantities.begin(), quantities.end(), std::back_inserter(all), has_times);
+    if (all.empty()) all.push_back(quantities.front());
+    if (all.size() > most) {
         const std::vector<std::string> usual{"c11", "c11_z5", "friction_force"};
-        shown.erase(std::remove_if(shown.begin(), shown.end(),
-                                   [&](const Quantity& quantity) { return !study::contains(usual, quantity.name); }),
-                    shown.end());
+        std::copy_if(all.begin(), all.end(), std::back_inserter(shown),
+                     [&](const Quantity& quantity) { return study::contains(usual, quantity.name); });
     }
-    if (shown.empty()) shown.assign(quantities.begin(), quantities.begin() + most);
+    if (shown.empty()) shown.assign(all.begin(), all.begin() + std::ptrdiff_t(std::min(most, all.size())));
     std::vector<study::Plot> panels;
-    for (const Quantity& quantity : shown) {
-        panels.push_back(panel(quantity, rows, points));
-        if (!can_be_drawn(panels.back()) && panels.size() > 1) panels.pop_back();
-    }
-    if (shown.size() < quantities.size()) {
+    for (const Quantity& quantity : shown) panels.push_back(panel(quantity, rows, points));
+    if (shown.size() < all.size()) {
         panels[0].title +=
-            " (" + std::to_string(shown.size()) + " of " + std::to_string(quantities.size()) + " quantities drawn)";
+            " (" + std::to_string(shown.size()) + " of " + std::to_string(all.size()) + " quantities drawn)";
     }
     return study::side_by_side(std::move(panels));
 }

@@ -102,6 +102,7 @@ OutputFile::OutputFile(const std::string& path, const std::string& name, std::si
     if (to_ == &std::cout) return;
     if (fs::is_directory(path)) refuse("it is a directory");
     const bool regular = !is_stream(path);
+    if (regular && fs::exists(path) && ::access(path.c_str(), W_OK) != 0) refuse(std::strerror(errno));
     const std::string opened = regular ? part_of(path) : path;
     if (kept > 0) fs::resize_file(opened, kept);
     file_.open(opened, std::ios::binary | (kept > 0 || !regular ? std::ios::app : std::ios::trunc));

@@ -71,9 +71,13 @@ void Options::read_config() {
 
 void Options::check_files() const {
     std::map<std::string, std::string> names;  // of each file, however it is written
+    const auto is_device = [](const std::string& path) {
+        std::error_code error;
+        return path != "-" && std::filesystem::is_character_file(path, error);
+    };
     const auto add = [&](const std::string& path, const std::string& said, bool written) {
         std::error_code error;
-        if (path != "-" && std::filesystem::is_character_file(path, error)) return;
+        if (is_device(path)) return;
         const std::string key =
             path == "-" ? (written ? "standard output" : "standard input")
                         : std::filesystem::weakly_canonical(std::filesystem::absolute(path), error).string();
@@ -84,6 +88,10 @@ void Options::check_files() const {
     for (const auto& [name, entry] : entries_) {
         const bool is_file = entry.kind == Kind::input || entry.kind == Kind::output || entry.kind == Kind::table;
         if (given(name) && is_file) add(text(name), said(name), entry.kind != Kind::input);
+        // a replay writes its own again
+        if (given(name) && entry.kind == Kind::table && text(name) != "-" && !is_device(text(name)) && !replays_) {
+            add(text(name) + ".toml", said(name) + ", written beside it,", true);
+        }
     }
 }
 

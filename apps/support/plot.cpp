@@ -290,6 +290,11 @@ std::string picture(const Plot& plot, bool png, const std::string& path) {
         throw PlotError("--plot = " + path + ": gnuplot drew " + (drawn.empty() ? "nothing" : "only a part") +
                         "; the rows are written");
     }
+    // gnuplot puts what follows a subscript into a part of its own, whose leading space some viewers drop
+    constexpr std::string_view tag = "<text>", kept = "<text xml:space=\"preserve\">";
+    for (std::size_t i = 0; !png && (i = drawn.find(tag, i)) != std::string::npos; i += kept.size()) {
+        drawn.replace(i, tag.size(), kept);
+    }
     return drawn;
 }
 

@@ -1,6 +1,10 @@
 #include "state_space_files.hpp"
 
+#include <deque>
+#include <memory>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -81,18 +85,20 @@ std::function<void()> state_space_writer(const Options& options, std::size_t cou
     const std::string meaning =
         options.given("states") ? reduce(options, space, words.bounded) : "x = \"" + words.states + "\"\n";
     make_folder(folder, "--state-space");
-    const std::string toml = sidecar_text(options) + "\n[state_space]\n" + words.conventions + meaning;
-    return [=] {
-        const auto write = [&](const std::string& name, const std::string& text) {
-            OutputFile file(folder + "/" + name, "--state-space");
-            file.write(text);
-            file.commit();
-        };
-        write("A.csv", text_of(space.A));
-        write("B.csv", text_of(space.B));
-        write("C.csv", text_of(space.C));
-        write("D.csv", text_of(space.D));
-        write("state_space.toml", toml);
+    const std::pair<const char*, std::string> texts[] = {
+        {"A.csv", text_of(space.A)},
+        {"B.csv", text_of(space.B)},
+        {"C.csv", text_of(space.C)},
+        {"D.csv", text_of(space.D)},
+        {"state_space.toml", sidecar_text(options) + "\n[state_space]\n" + words.conventions + meaning}};
+    const auto files = std::make_shared<std::deque<OutputFile>>();
+    for (const auto& [name, text] : texts) {
+        files->emplace_back(folder + "/" + name, "--state-space");
+        files->back().write(text);
+        files->back().flush();
+    }
+    return [files] {
+        for (OutputFile& file : *files) file.commit();
     };
 }
 

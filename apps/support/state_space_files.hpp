@@ -24,9 +24,9 @@ struct StateSpaceWords {
 };
 
 /// Writes A.csv, B.csv, C.csv, D.csv and state_space.toml of the one of `count` cases, whose equations `make` returns.
-/// They are found, and the folder made, before the function is returned, which throws WriteError. Throws BadInput if
-/// there are several cases, no equations (`make` throws std::invalid_argument) or no folder, or if a system to be
-/// reduced does not decay.
+/// They are found, and the files opened and filled, before the function is returned, which gives them their names.
+/// Throws BadInput if there are several cases, no equations (`make` throws std::invalid_argument), a file that cannot be
+/// opened, or if a system to be reduced does not decay; WriteError where the disk is full.
 std::function<void()> state_space_writer(const Options& options, std::size_t count,
                                          const std::function<rollbem::StateSpace<double>()>& make,
                                          const StateSpaceWords& words);

@@ -108,6 +108,10 @@ same '--output = edges must not be' "$steady" --config both.toml
 friction="$programs/friction_study --n 10 --creepage-ratio 0.5"
 same '--tractions = t must not be the same file as --output = ./t' $friction --tractions t --output ./t
 same '--tractions = - must not be the same file as standard output' $friction --tractions -
+same '--tractions = o.toml must not be the same file as --output = o, written beside it,' $friction --tractions o.toml --output o
+printf 'n = 10\n' >names/c.csv.toml
+same '--output = c.csv, written beside it, must not be the same file as --config = c.csv.toml' "$steady" --config c.csv.toml --output c.csv
+rm names/c.csv.toml
 same '--edges = - must not be the same file as --config = -' "$steady" --config - --edges -
 cmp -s "$scratch/edges" names/edges && [ "$(ls names | tr '\n' ' ')" = 'both.toml edges ' ] || fail "changed: $(ls names)"
 good 0 $friction --config /dev/null --output /dev/null --tractions /dev/null

@@ -41,7 +41,7 @@ draws $traction --n 10 --alpha-T 0.5,0.6
 says_not 'the first'
 curves 3
 
-# Greek letters, in a font that every browser has
+# Greek letters, with spaces after subscripts, in a font that every browser has
 draws $traction --n 10 --poisson 0,0.25
 says 'ν = 0.25' && says 'Carter, ν = 0.25'
 draws $steady --n 10,20 --mesh geometric --size-ratio 1,2 --aspect 10,100
@@ -52,6 +52,7 @@ draws "$programs/stability_study" --n 10,20 --critical
 says 'critical αT' && says_not alpha
 draws "$programs/transient_study" --step 1 --n 10 --until 1
 says '-F / (a G ξref)' && says '|F - Fexact| / (a G ξref)'
+! grep '<text>' p.svg || fail 'texts without xml:space'
 grep -q 'font-family="sans-serif"' p.svg && ! grep -q Symbol p.svg || fail 'fonts'
 # no legend for a single curve, a long title in two lines
 draws $steady --n 10,20
@@ -83,9 +84,9 @@ draws "$programs/friction_study" --n 10 --lateral-ratio 0,0.3 --spin-ratio 0,1
 says 'δy = 0.3, δφ = 1'
 curves 8
 draws "$programs/friction_study" --transient --n 10 --creepage-ratio 0.5 --load-sine 0.5,8 --until 1
-title 'Rolling with friction, load-sine 0.5,8, creepage-ratio 0.5, collocation'
+title 'Rolling with friction, δ = 0.5, N/N0 = 1 + 0.5 sin(2π q/8), collocation'
 draws "$programs/friction_study" --n 10 --falling 0.6,1.2 --layer 0.5 --creepage-ratio 0.5,1
-title 'Creep curve, falling 0.6,1.2, layer 0.5, collocation'
+title 'Creep curve, μ falls to μ0 times 0.6, by half at a slip of 1.2, layer 0.5, collocation'
 draws "$programs/transient_study" --sine 1,2 --n 10 --until 1
 title 'Rolling from rest, a sine of creepage, ω a/V = 2, collocation'
 
@@ -104,6 +105,8 @@ says slip && says_not stick && says_not 'pole of spin'
 curves 6
 draws "$@" --longitudinal 0.1,0.2 --spin 0.2
 says_not above && says 'ξ G a b / (μ N)' && says '-Mz / (μ N c)'
+draws "$@" --longitudinal 0.1,0.2 # rounding is not drawn as a force
+says_not ×10
 draws "$@" --longitudinal 0.1 --a-over-b 0.5,1,2,4
 says a/b && says '-Fx / (μ N)'
 draws "$@" --longitudinal 0.1 --transient --dq 0.5 --until 2 --load-sine 0.5,8

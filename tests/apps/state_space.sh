@@ -10,6 +10,10 @@ f="$frequency --omega 0,0.7,5 --n 8"
 bad '--state-space = /dev/null/d must be a folder that can be written' $f --state-space /dev/null/d
 bad '--output = /nonexistent/x.csv must be' $f --state-space "$scratch/d/e/f" --output /nonexistent/x.csv
 
+mkdir -p blocked/C.csv
+bad '--state-space = blocked/C.csv must be a file' sh -c "cd .. && $f --state-space blocked"
+[ "$(ls blocked)" = C.csv ] || fail "files are left: $(ls blocked)"
+
 # c11 z A B C D: real and imaginary part of C (i z - A)^-1 B + D, by elimination in real numbers.
 c11() {
     awk -v z="$1" -F, 'FILENAME ~ "A.csv" { n = NF; for (k = 1; k <= n; ++k) { m[FNR, k] = -$k; m[FNR + NF, k + NF] = -$k }

@@ -499,6 +499,13 @@ TEST_CASE("wheelset_forces: normal forces and friction carry the loads on the fl
         CHECK(settled.contacts.status <= Status::doubtful_plane);
         for (const auto& wheel : settled.on_wheel) CHECK(wheel.force[2] == Approx(-1e5).epsilon(1.01e-6));
     }
+    // friction that jumps with the load does not settle; the other wheel does
+    WheelsetOnTrack::Workspace workspace;
+    const WheelsetRolling rolling{.position = {.lateral = 7e-3, .yaw = -2e-2}, .speeds = {.forward = 20}};
+    const auto jumps = rolling_forces(wheelset, rolling, {1, 6, 7}, workspace, {.cells_x = 20, .cells_s = 16});
+    CHECK(jumps.contacts.wheels[0].status == Status::ok);
+    CHECK(jumps.contacts.wheels[1].status == Status::unbalanced);
+    CHECK(jumps.contacts.status == Status::unbalanced);
 }
 
 TEST_CASE("wheelset_forces: curved slip where the rail's arcs join, and a patch with a tail", "[profiles]") {

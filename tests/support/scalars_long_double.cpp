@@ -1,0 +1,7 @@
+#include "support/scalars.hpp"
+
+namespace rollbem {
+
+ROLLBEM_SCALARS(, long double)
+
+}  // namespace rollbem

@@ -142,8 +142,8 @@ struct FrictionStep {
     /// Largest violation of the law. Of the traction, relative to the largest mu p_n: |p| above mu p_n, or, in two
     /// directions, below it where an element slips. Of the slip, relative to the largest slip without traction: slip of
     /// an element that sticks, along the traction or across it. If mu depends on slip, it is at least the error of a
-    /// coefficient. It is 0 in a step whose slip is not checked (see detail::SolverRecord): tractions and slip satisfy the law
-    /// exactly there, and the equations up to a round-off error that is not measured.
+    /// coefficient. It is 0 in a step whose slip is not checked (see FrictionState::solver): tractions and slip satisfy
+    /// the law exactly there, and the equations up to a round-off error that is not measured.
     Scalar complementarity_residual = detail::unknown<Scalar>;
     Eigen::Index stick_count = 0;  ///< elements that stick
     int rounds = 0;                ///< rounds of the active set; in two directions Newton steps

@@ -239,9 +239,14 @@ inline WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const Whee
         const bool last = ++result.rounds >= most;
         const std::array loads{rolling.loads[0] * std::exp(carried[0].at), rolling.loads[1] * std::exp(carried[1].at)};
         result.contacts = wheelset.carry(rolling.position, loads, workspace, rolling.free, options);
-        if (!has_numbers(result.contacts.status) && rolling.free == Free::height_and_roll && result.rounds > 1 &&
-            failures++ < 4) {
-            for (detail::CarriedLoad& of : carried) of.retreat();
+        bool lost = false;  // a wheel that the loads before had numbers for
+        for (std::size_t k = 0; k < 2 && failures < 4; ++k) {
+            if (has_numbers(result.contacts.wheels[k].status) || result.patches[k].empty()) continue;
+            carried[k].retreat();
+            lost = true;
+        }
+        if (lost) {
+            ++failures;
             continue;
         }
         if (rolling.free_pitch) speeds.pitch_rate = detail::free_pitch_rate(result.contacts, speeds, dimensions.radius);
@@ -262,6 +267,9 @@ inline WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const Whee
             const bool lifted = carried[k].at > out_of_reach;
             settled = settled && (last || lifted);
             if (lifted) wheel.status = Status::load_not_reached;
+            if (lifted && rolling.free == Free::height_and_roll) {
+                for (WheelOnRail::Contact& both : result.contacts.wheels) both.status = wheel.status;
+            }
             if (last) wheel.status = (std::max)(wheel.status, Status::unbalanced);
         }
     }
@@ -269,6 +277,7 @@ inline WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const Whee
     result.contacts.status = (std::max)(left.status, right.status);
     for (const WheelsetOnTrack::Side side : WheelsetOnTrack::sides) {
         const auto k = static_cast<std::size_t>(side);
+        if (!has_numbers(result.contacts.wheels[k].status)) result.patches[k].clear();
         const WheelsetPosition at = result.contacts.seen(side);
         for (std::size_t i = 0; i < result.patches[k].size(); ++i) {
             result.on_wheel[k] += wrench_of(result.contacts.wheels[k].patches[i], result.patches[k][i], at.lateral,
