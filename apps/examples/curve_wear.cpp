@@ -107,14 +107,19 @@ int main(int argc, char** argv) try {
     std::array<ProfileWear, 2> wear{ProfileWear(rail, cells), ProfileWear(rail, cells)};
     WheelsetOnTrack::Workspace workspace;
     Curving wheelset(radius);
-    double work = 0;  // per metre rolled [J/m]
+    WheelsetRolling rolling;
+    WheelsetForces forces;
+    double work = 0, before = 0;  // per metre rolled [J/m]; curvature of the forces
     std::printf("# curve 1/m, shift mm, yaw mrad, T gamma of the inner and the outer wheel N\n");
     for (int i = 0; i < positions; ++i) {
-        // 1. Balance on a curve that begins and ends in straight lines
         const double along = (i + 0.5) / positions, curvature = std::min({4 * along, 1.0, 4 * (1 - along)}) / radius;
-        const WheelsetRolling rolling = wheelset.at(curvature);
-        // 2. The patches of both wheels and their friction
-        const WheelsetForces forces = rolling_forces(track, rolling, {.coefficient = mu}, workspace);
+        if (curvature != before) {  // the full curve is computed once
+            // 1. Balance on a curve that begins and ends in straight lines
+            rolling = wheelset.at(curvature);
+            // 2. The patches of both wheels and their friction
+            forces = rolling_forces(track, rolling, {.coefficient = mu}, workspace);
+            before = curvature;
+        }
         if (!has_numbers(forces.contacts.status)) throw std::runtime_error(name(forces.contacts.status));
         std::array<double, 2> gamma{};
         for (std::size_t side = 0; side < 2; ++side) {
