@@ -39,7 +39,8 @@ nor a part of it that lies outside the patch, up to half. An outline needs it, a
 --longitudinal, --lateral, --spin: a row for every combination of the creepages, each solved from rest:
 )" + friction_help() +
            R"(Errors of 12 x 12 elements: 1e-3 of mu N without spin, 6e-3 with spin in the mean and 2e-2 under large spin.
---plot draws up to three patches at one creepage from above, with y down: z points away from who looks.
+--plot draws up to three patches at one creepage from above, with y down: z points away from who looks. At the pole of
+spin the rigid slip vanishes.
 
 --transient: creepages are constant, have one value each, and are as above with N_0, a_0 and b_0: those of load_ratio 1.
 p_0 is 3 N/(2 pi a b) always. One row for each step:

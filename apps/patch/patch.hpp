@@ -111,7 +111,7 @@ study::Plot draw_responses(const std::vector<std::string>& columns, const std::v
 /// Forces and moment over the creepage, or else a/b or n, that varies most.
 study::Plot draw_friction(const std::vector<std::string>& columns, const std::vector<study::Row>& rows);
 
-/// Each patch at one creepage, side by side: outline, stick and slip, tractions as arrows.
+/// Each patch at one creepage, side by side: outline, stick and slip, tractions as arrows, pole of spin.
 study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint& point,
                             const friction::Tractions& tractions);
 

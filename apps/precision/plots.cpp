@@ -15,6 +15,20 @@ namespace {
 
 constexpr double floor = 1e-14;  // smaller errors are round-off, or 0, which a logarithmic axis cannot show
 
+std::vector<std::string> all_schemes() {
+    std::vector<std::string> names = line_schemes();
+    for (const std::string& name : patch_schemes()) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    return names;
+}
+
+/// The colour, dashes and marker of a scheme, the same in all panels.
+std::size_t style_of(const std::string& scheme) {
+    const std::vector<std::string> names = all_schemes();
+    return static_cast<std::size_t>(std::find(names.begin(), names.end(), scheme) - names.begin());
+}
+
 std::string title_of(const Quantity& quantity) {
     if (quantity.name == "c11") return "c_{11} in steady rolling";
     if (quantity.problem == Problem::harmonic) return "c_{11} at ω a/V = " + study::Cell(quantity.frequency).text(6);
@@ -24,7 +38,7 @@ std::string title_of(const Quantity& quantity) {
 }
 
 /// A panel for one quantity: the error of every scheme over its time, and the front with the errors that put it there.
-/// Errors below 1e-14 are drawn there.
+/// Errors below the floor are drawn on it.
 study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, const std::vector<Point>& points) {
     const std::string& quantity = shown.name;
     study::Plot plot{.title = title_of(shown),
@@ -40,22 +54,35 @@ study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, co
     }
     std::sort(front.points.begin(), front.points.end());
     front.markers = front.points.size() == 1;
-    std::vector<std::string> schemes = study::joined(line_schemes(), patch_schemes());
-    for (std::size_t style = 0; style < schemes.size(); ++style) {  // the same in all panels
-        const std::string& scheme = schemes[style];
-        study::Series series{.label = scheme, .style = style};
+    bool below = false;
+    int left_out = 0;  // of the front: they serve for comparison
+    double largest_error = floor;
+    std::vector<double> times;
+    for (const std::string& scheme : all_schemes()) {
+        study::Series series{.label = scheme, .style = style_of(scheme)};
         for (const study::Row& cells : rows) {
             if (cells[0].text() != scheme || cells[2].text() != quantity) continue;
             const std::optional<double> error = cells[3].number(), time = cells[4].number();
             if (!error || !time) continue;
             if (scheme == "closed-form" && *error == 0) continue;  // the reference itself
+            below = below || std::abs(*error) < floor;
+            largest_error = std::max(largest_error, std::abs(*error));
+            times.push_back(*time);
             series.points.emplace_back(*time, std::max(std::abs(*error), floor));
         }
-        const auto same = [&](const study::Series& other) { return other.label == scheme; };
-        if (series.points.empty() || std::any_of(plot.series.begin(), plot.series.end(), same)) continue;
+        if (series.points.empty()) continue;
         plot.series.push_back(std::move(series));
+        if (!is_discretisation(scheme)) front.label += (left_out++ == 0 ? " without " : ", ") + scheme;
     }
     if (!front.points.empty()) plot.series.push_back(std::move(front));
+    if (below) {
+        const auto [first, last] = std::minmax_element(times.begin(), times.end());
+        plot.y_range = study::PlotRange{floor / 3, 3 * largest_error};
+        plot.series.push_back({.label = "1e-14 or less",
+                               .points = {{*first, floor}, {*last, floor}},
+                               .markers = false,
+                               .reference = true});
+    }
     return plot;
 }
 
@@ -69,22 +96,21 @@ study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<
             return cells[2].text() == quantity.name && cells[4].number().has_value();
         });
     };
+    const auto is_usual = [](const Quantity& quantity) {
+        return quantity.name == "c11" || quantity.name == "c11_z5" || quantity.name == "friction_force";
+    };
     std::vector<Quantity> all, shown;
     std::copy_if(quantities.begin(), quantities.end(), std::back_inserter(all), has_times);
     if (all.empty()) all.push_back(quantities.front());
-    if (all.size() > most) {
-        const std::vector<std::string> usual{"c11", "c11_z5", "friction_force"};
-        std::copy_if(all.begin(), all.end(), std::back_inserter(shown),
-                     [&](const Quantity& quantity) { return study::contains(usual, quantity.name); });
-    }
+    if (all.size() > most) std::copy_if(all.begin(), all.end(), std::back_inserter(shown), is_usual);
     if (shown.empty()) shown.assign(all.begin(), all.begin() + std::ptrdiff_t(std::min(most, all.size())));
-    std::vector<study::Plot> panels;
-    for (const Quantity& quantity : shown) panels.push_back(panel(quantity, rows, points));
+
+    study::Plot plot = panel(shown.front(), rows, points);
     if (shown.size() < all.size()) {
-        panels[0].title +=
-            " (" + std::to_string(shown.size()) + " of " + std::to_string(all.size()) + " quantities drawn)";
+        plot.title += " (" + std::to_string(shown.size()) + " of " + std::to_string(all.size()) + " quantities drawn)";
     }
-    return study::side_by_side(std::move(panels));
+    for (std::size_t i = 1; i < shown.size(); ++i) plot.beside.push_back(panel(shown[i], rows, points));
+    return plot;
 }
 
 }  // namespace precision

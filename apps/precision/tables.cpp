@@ -67,6 +67,7 @@ std::vector<Point> read_points(const study::Options& options, const std::vector<
         if (!wanted) continue;
         const auto cell = [&](std::size_t column) { return read_cell(cells[column], where); };
         const std::optional<double> n = cell(1), stable = cell(5);
+        if (n && !(*n >= 1 && *n <= 1e9)) throw study::BadInput(where + " must have a number of elements: " + cells[1]);
         points.push_back({.scheme = cells[0],
                           .n = n ? std::optional(std::lround(*n)) : std::nullopt,
                           .quantity = cells[2],
