@@ -294,7 +294,7 @@ int rollbem_wheel_carry(rollbem_wheel* wheel, double lateral, double roll, doubl
     return guarded([&]() -> int {
         *count = 0;
         const auto found = wheel->wheel.carry({.lateral = lateral, .roll = roll, .yaw = yaw}, load, wheel->workspace);
-        if (found.status > Status::doubtful_plane) {
+        if (!has_numbers(found.status)) {
             return failed(std::string("rollbem_wheel_carry: status is ") + name(found.status));
         }
         for (const RailPatch& patch : found.patches) {

@@ -496,7 +496,7 @@ TEST_CASE("wheelset_forces: normal forces and friction carry the loads on the fl
         const WheelsetRolling rolling{.position = {.lateral = lateral, .yaw = yaw}, .speeds = {.forward = 20}};
         const auto settled = rolling_forces(wheelset, rolling, friction, workspace, {.cells_x = 20, .cells_s = 16});
         CAPTURE(lateral, settled.rounds, name(settled.contacts.status));
-        CHECK(settled.contacts.status <= Status::doubtful_plane);
+        CHECK((settled.contacts.status == Status::ok || settled.contacts.status == Status::doubtful_plane));
         for (const auto& wheel : settled.on_wheel) CHECK(wheel.force[2] == Approx(-1e5).epsilon(1.01e-6));
     }
     // friction that jumps with the load does not settle; the other wheel does
