@@ -64,7 +64,7 @@ bool check(const ContactTable& table, const CreepForceTable& creep, const Wheels
         rolling.speeds = {.forward = speed,
                           .pitch_rate = -speed / dimensions.radius * (1 - unit * std::cos(direction)),
                           .lateral = speed * (rolling.position.yaw + unit * std::sin(direction))};
-        const WheelsetOnRails rails = table.on_rails(rolling.position.lateral, rolling.position.yaw);
+        const ContactTable::OnRails rails = table.on_rails(rolling.position.lateral, rolling.position.yaw);
         rolling.speeds.vertical = rails.height_by_lateral * rolling.speeds.lateral;
         rolling.speeds.roll_rate = rails.roll_by_lateral * rolling.speeds.lateral;
         const WheelsetForces forces = rolling_forces(track, rolling, {.coefficient = mu}, workspace);
@@ -91,7 +91,7 @@ bool check(const ContactTable& table, const CreepForceTable& creep, const Wheels
             rule_moments.push_back(std::abs(by_rule.moment - one.force.moment) / (own * c));
         }
         if (!solved) continue;
-        for (const PointForces& point : now.points) {
+        for (const WheelForces::Point& point : now.points) {
             if (point.load_share == 0) continue;
             sum[0] -= point.force.longitudinal;
             sum[1] -= point.force.lateral;
@@ -112,7 +112,7 @@ int main(int argc, char** argv) try {
     const std::string task = argc > 3 ? argv[1] : "";
     const auto creep = read<CreepForceTable>(ROLLBEM_TABLES "/steel.creep");
     if (task == "make" && argc == 5) {
-        const ContactTableGrid grid{.shifts = std::atoi(argv[3]), .yaws = std::atoi(argv[4])};
+        const ContactTable::Grid grid{.shifts = std::atoi(argv[3]), .yaws = std::atoi(argv[4])};
         double missing = 0;
         const ContactTable table = make_contact_table(wheelset(), 1e5, creep, grid, 2, {}, &missing);
         std::printf("%.2g of the positions were filled by those beside them\n", missing);

@@ -75,9 +75,9 @@ private:
         for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
             const WheelForces now = geometry_.look_up(creep_, side, {x[0], 0, 0, x[1]}, speeds(x, curvature), load, mu);
             force += now.force;
-            by.col(0) += now.derivative(WheelInput::lateral);
-            by.col(1) += now.derivative(WheelInput::yaw);
-            by.col(2) += now.derivative(WheelInput::pitch_rate);
+            by.col(0) += now.derivative(WheelForces::lateral);
+            by.col(1) += now.derivative(WheelForces::yaw);
+            by.col(2) += now.derivative(WheelForces::pitch_rate);
         }
         tangent_ << by.row(1), by.row(5), by.row(4);
         tangent_(1, 1) -= yaw_spring;

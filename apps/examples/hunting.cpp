@@ -64,7 +64,7 @@ struct Vehicle {
 
     State rate(const State& x) {
         const double shift = x[y] - x[track], shift_rate = x[lateral_speed] - x[track_speed];
-        const WheelsetOnRails rails = geometry.on_rails(shift, x[yaw]);
+        const ContactTable::OnRails rails = geometry.on_rails(shift, x[yaw]);
         const double fall = rails.height_by_lateral * shift_rate + rails.height_by_yaw * x[yaw_rate],
                      roll_rate = rails.roll_by_lateral * shift_rate + rails.roll_by_yaw * x[yaw_rate],
                      gyro = axle_inertia * x[pitch_rate];
@@ -83,9 +83,9 @@ struct Vehicle {
                 const WheelForces now = wheel(side, shift, x[yaw], speeds, load + side * transfer);
                 status = std::max(status, now.status);
                 force += now.force;
-                by_transfer += side * now.derivative(WheelInput::load);
+                by_transfer += side * now.derivative(WheelForces::load);
                 heating += now.heat;
-                for (const PointForces& point : now.points) {
+                for (const WheelForces::Point& point : now.points) {
                     const Eigen::Vector3d arm(point.arm[0], side * point.arm[1], point.arm[2]),
                         turned = turn.cross(arm);
                     pushing += point.normal_load * (side * (shift_rate + turned[1]) * std::sin(point.angle) -
@@ -161,7 +161,8 @@ struct Vehicle {
 double radius_difference(double shift) {
     double sum = 0;
     for (const double side : {-1.0, 1.0}) {
-        for (const PointForces& point : wheel(side, shift, 0, {.forward = 1, .pitch_rate = -1 / radius}, load).points) {
+        for (const WheelForces::Point& point :
+             wheel(side, shift, 0, {.forward = 1, .pitch_rate = -1 / radius}, load).points) {
             sum += side * point.load_share * point.rolling_radius;
         }
     }

@@ -20,7 +20,6 @@ namespace {
 
 using rollbem::StepStatus;
 using rollbem::WheelForces;
-using rollbem::WheelInput;
 
 constexpr std::array sides{rollbem::WheelsetSide::left, rollbem::WheelsetSide::right};
 constexpr Eigen::Index components = 6;
@@ -34,7 +33,7 @@ public:
                       "with this FMU, S1002 on 60E1 canted 1:40, gauge 1435 mm, 100 kN a wheel");
         add_parameter(&creep_table_, "creep_table_file", "",
                       "Path of a table that creep_table made, the .bin; empty: the one packed with this FMU");
-        // as in WheelInput
+        // as in WheelForces::Input
         add_input(motion_[0], "lateral_shift", "m", "y of the middle of the axle, to the right");
         add_input(motion_[1], "yaw", "rad", "psi, about z, which points down");
         add_input(motion_[2], "rolling_speed", "m/s", "V along the track; not negative").min = 0;
@@ -88,7 +87,7 @@ public:
 
     double partial(const Variable& unknown, const Variable& known) override {
         const auto column_of = [&](std::size_t side) -> Eigen::Index {
-            if (&known.real() == &loads_[side].value) return static_cast<Eigen::Index>(WheelInput::load);
+            if (&known.real() == &loads_[side].value) return WheelForces::load;
             for (std::size_t i = 0; i < motion_.size(); ++i) {
                 if (&known.real() == &motion_[i].value) return static_cast<Eigen::Index>(i);
             }
@@ -128,7 +127,7 @@ private:
                                            loads_[k].after(duration), friction_coefficient_);
             if (wheels[k].status != StepStatus::ok) return wheels[k].status;
         }
-        const rollbem::WheelsetOnRails rails = contacts_->on_rails(lateral, yaw);
+        const rollbem::ContactTable::OnRails rails = contacts_->on_rails(lateral, yaw);
         height_ = rails.height;
         roll_ = rails.roll;
         heat_ = wheels[0].heat + wheels[1].heat;

@@ -364,7 +364,7 @@ TEST_CASE("A look-up of a wheelset does not allocate") {
         for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
             const WheelForces wheel = table.look_up(creep, side, position, speeds, 1e5, 0.3);
             ok = ok && wheel.status == StepStatus::ok;
-            sum += wheel.force[1] + wheel.derivative(WheelInput::yaw)[5];
+            sum += wheel.force[1] + wheel.derivative(WheelForces::yaw)[5];
         }
         sum += table.on_rails(position.lateral, position.yaw).roll_by_yaw;
         position.lateral = 1;

@@ -13,16 +13,11 @@
 namespace falling_tests {
 namespace {
 
-TEST_CASE("Laws fall from mu_0 at rest to mu_k, halfway at their half velocity", "[friction]") {
-    const auto check = [](const auto& falling, double late, double rest) {
-        CHECK(falling(0.0) == Approx(0.3).epsilon(1e-15));
-        CHECK(falling(0.2) == Approx(0.2).epsilon(1e-15));
-        CHECK(falling(late) == Approx(rest).epsilon(1e-14));
-    };
-    check(ExponentialFall<double>{0.3, 0.1, 0.2}, 0.6, 0.1 + 0.2 / 8);
-    check(RationalFall<double>{0.3, 0.1, 0.2}, 0.6, 0.1 + 0.2 / 4);
-    check(LinearFall<double>{0.3, 0.1, 0.2}, 0.3, 0.15);
-    check(LinearFall<double>{0.3, 0.1, 0.2}, 0.6, 0.1);
+TEST_CASE("The law falls from mu_0 at rest to mu_k, halfway at its half velocity; memories fade", "[friction]") {
+    const ExponentialFall<double> falling{0.3, 0.1, 0.2};
+    CHECK(falling(0.0) == Approx(0.3).epsilon(1e-15));
+    CHECK(falling(0.2) == Approx(0.2).epsilon(1e-15));
+    CHECK(falling(0.6) == Approx(0.1 + 0.2 / 8).epsilon(1e-14));
     const Memory memory{.distance = 2e-6, .least_velocity = 1e-3};
     CHECK(memory.kept(0.1, 1e-5) == Approx(2.0 / 3).epsilon(1e-14));
     CHECK(memory.kept(0, 2e-3) == Approx(0.5).epsilon(1e-14));

@@ -123,8 +123,8 @@ enum class Kind { constant, forgetful, remembering };
 AnyLaw drawn_law(int kind, double mu_0, double mu_k, double half_velocity) {
     switch (kind) {
         case 0: return ExponentialFall<double>{mu_0, mu_k, half_velocity};
-        case 1: return RationalFall<double>{mu_0, mu_k, half_velocity};
-        default: return LinearFall<double>{mu_0, mu_k, half_velocity};
+        case 1: return [=](double v) { return mu_k + (mu_0 - mu_k) / (1 + v / half_velocity); };
+        default: return [=](double v) { return mu_k + (mu_0 - mu_k) * std::max(0.0, 1 - v / (2 * half_velocity)); };
     }
 }
 

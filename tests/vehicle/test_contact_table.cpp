@@ -119,7 +119,7 @@ TEST_CASE("a wheel carries its load, and friction makes heat", "[contact_table]"
         const double w_x = x[6] - spin * std::sin(x[1]), w_y = spin * std::cos(tilt) * std::cos(x[1]),
                      w_z = x[7] + spin * std::sin(tilt) * std::cos(x[1]);
         double power = f[0] * x[2] + f[1] * x[4] + f[2] * x[5] + f[3] * w_x + f[4] * w_y + f[5] * w_z, pressed = 0;
-        for (const PointForces& point : at.points) {
+        for (const WheelForces::Point& point : at.points) {
             if (point.load_share == 0) continue;
             const auto& r = point.arm;
             const double v_y = x[4] + w_z * r[0] - w_x * r[2], v_z = x[5] + w_x * r[1] - w_y * r[0];
@@ -154,7 +154,7 @@ TEST_CASE("forces have no steps where the load goes over to another point of con
 
 TEST_CASE("a table agrees with the patches at its nodes, and has their forces between them", "[contact_table]") {
     const WheelsetOnTrack track(WheelOnRail(rollbem::s1002(), rail_60e1()));
-    const ContactTableGrid grid{.largest_shift = 1e-3, .shifts = 5, .largest_yaw = 2e-3, .yaws = 3};
+    const ContactTable::Grid grid{.largest_shift = 1e-3, .shifts = 5, .largest_yaw = 2e-3, .yaws = 3};
     const WheelOnRail::Options coarse{.cells_x = 20, .cells_s = 12};
     double missing = -1;
     const ContactTable table = make_contact_table(track, 1e5, creep(), grid, 2, coarse, &missing);
@@ -165,7 +165,7 @@ TEST_CASE("a table agrees with the patches at its nodes, and has their forces be
     const WheelsetSpeeds speeds{.forward = 30, .pitch_rate = -30 / radius * 1.0005, .lateral = 0.01};
     const WheelForces at = table.look_up(creep(), WheelsetSide::right, contacts.position, speeds, 1e5, mu);
     REQUIRE(at.status == StepStatus::ok);
-    const PointForces& point = at.points[at.points[0].load_share > 0 ? 0 : 1];
+    const WheelForces::Point& point = at.points[at.points[0].load_share > 0 ? 0 : 1];
     REQUIRE_THAT(point.angle, WithinAbs(patch.angle, 1e-7));
     REQUIRE_THAT(point.normal_load, WithinRel(patch.load, 2e-2));  // with friction
     REQUIRE_THAT(table.on_rails(-0.5e-3, -2e-3).roll, WithinAbs(contacts.position.roll, 1e-8));
@@ -214,8 +214,8 @@ TEST_CASE("a shifted wheelset is turned back as by its patches, less than by ell
     const WheelsetForces patches = rolling_forces(track, shifted, {.coefficient = mu}, workspace);
     REQUIRE(patches.contacts.status == Status::ok);
     Eigen::ArrayXXd values = s1002().values();
-    for (const Eigen::Index point : {Eigen::Index(0), Eigen::Index(ContactRow::point_rows)}) {
-        values.middleRows(point + ContactRow::correction, 9).setZero();
+    for (const Eigen::Index point : {Eigen::Index(0), Eigen::Index(detail::ContactRow::point_rows)}) {
+        values.middleRows(point + detail::ContactRow::correction, 9).setZero();
     }
     const ContactTable ellipses(s1002().grid(), 1e5, s1002().shear_modulus(), s1002().poisson_ratio(), values);
     const auto turning = [&](const ContactTable& table) {

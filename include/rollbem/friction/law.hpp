@@ -44,24 +44,6 @@ struct ExponentialFall {
     }
 };
 
-/// mu_k + (mu_0 - mu_k) / (1 + v/v_half).
-template <class Scalar = double>
-struct RationalFall {
-    Scalar mu_0, mu_k, half_velocity;  ///< as in ExponentialFall
-
-    Scalar operator()(Scalar velocity) const noexcept { return mu_k + (mu_0 - mu_k) / (1 + velocity / half_velocity); }
-};
-
-/// mu_0 - (mu_0 - mu_k) v/(2 v_half) for v < 2 v_half, mu_k beyond.
-template <class Scalar = double>
-struct LinearFall {
-    Scalar mu_0, mu_k, half_velocity;  ///< as in ExponentialFall
-
-    Scalar operator()(Scalar velocity) const noexcept {
-        return mu_k + (mu_0 - mu_k) * (std::max)(Scalar(0), 1 - velocity / (2 * half_velocity));
-    }
-};
-
 /// Memory of the friction coefficient. The coefficient of a particle follows d mu/dt = -(max(v, v_0)/d) (mu - mu_s(v));
 /// a particle enters the contact with mu_s(0). Without memory mu = mu_s(v), and several solutions may exist. A constant
 /// coefficient has no use for it.

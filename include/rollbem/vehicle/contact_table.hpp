@@ -28,72 +28,52 @@
 
 namespace rollbem {
 
-/// Positions of a table: lateral shifts and yaw angles in equal steps, from minus the largest to the largest.
-///
-/// Invariant: shifts and yaws are odd, from 5 to 10001 and from 3 to 1001; the largest are positive and finite.
-struct ContactTableGrid {
-    double largest_shift = 9e-3;  ///< [m]
-    Eigen::Index shifts = 181;
-    double largest_yaw = 15e-3;  ///< [rad]
-    Eigen::Index yaws = 13;
-
-    double shift(Eigen::Index i) const { return largest_shift * (2 * double(i) / double(shifts - 1) - 1); }
-    double yaw(Eigen::Index k) const { return largest_yaw * (2 * double(k) / double(yaws - 1) - 1); }
-    Eigen::Index nodes() const { return shifts * yaws; }
-};
-
-/// What a wheel does at one of its points of contact, as on the right wheel.
-struct PointForces {
-    double load_share = 0;        ///< of the wheel's vertical load, without friction [-]; 0: no contact, no numbers
-    std::array<double, 3> arm{};  ///< of the point from the middle of the axle, in track axes [m]
-    double angle = 0;             ///< delta of the plane [rad]
-    double rolling_radius = 0;    ///< [m]
-    double normal_load = 0;       ///< N [N]
-    PatchContact<double> ellipse{{1, 1, 1, 0}};  ///< that the creep forces are those of
-    Creepage<double> creepage{};                 ///< wheel minus rail, as creepage_of
-    TangentialForce<double> force{};             ///< on the wheel, in the plane [N], [N m]
-    double heat = 0;                             ///< that friction makes [W]
-};
-
-/// What a derivative of a wheel's forces is taken with respect to.
-enum class WheelInput {
-    lateral,
-    yaw,
-    forward,
-    pitch_rate,
-    lateral_speed,
-    vertical_speed,
-    roll_rate,
-    yaw_rate,
-    load,
-    mu
-};
-
 /// Forces of the rail on one wheel.
 struct WheelForces {
-    static constexpr Eigen::Index inputs = 10;
+    /// What a wheel does at one of its points of contact, as on the right wheel.
+    struct Point {
+        double load_share = 0;        ///< of the wheel's vertical load, without friction [-]; 0: no contact, no numbers
+        std::array<double, 3> arm{};  ///< of the point from the middle of the axle, in track axes [m]
+        double angle = 0;             ///< delta of the plane [rad]
+        double rolling_radius = 0;    ///< [m]
+        double normal_load = 0;       ///< N [N]
+        PatchContact<double> ellipse{{1, 1, 1, 0}};  ///< that the creep forces are those of
+        Creepage<double> creepage{};                 ///< wheel minus rail, as creepage_of
+        TangentialForce<double> force{};             ///< on the wheel, in the plane [N], [N m]
+        double heat = 0;                             ///< that friction makes [W]
+    };
+
+    /// What a derivative of the forces is taken with respect to.
+    enum Input : Eigen::Index {
+        lateral,
+        yaw,
+        forward,
+        pitch_rate,
+        lateral_speed,
+        vertical_speed,
+        roll_rate,
+        yaw_rate,
+        load,
+        mu,
+        inputs
+    };
 
     /// In track axes F_x, F_y, F_z [N], and M_x, M_y, M_z [N m] about the middle of the axle; NaN unless ok.
     Eigen::Matrix<double, 6, 1, Eigen::DontAlign> force =
         Eigen::Matrix<double, 6, 1, Eigen::DontAlign>::Constant(std::numeric_limits<double>::quiet_NaN());
-    /// Their derivatives, a column for each WheelInput in SI units; exact but at jumps, see ContactTable.
+    /// Their derivatives, a column for each Input in SI units; exact but at jumps, see ContactTable.
     Eigen::Matrix<double, 6, inputs, Eigen::DontAlign> tangent =
         Eigen::Matrix<double, 6, inputs, Eigen::DontAlign>::Zero();
-    std::array<PointForces, 2> points;
+    std::array<Point, 2> points;
     double heat = 0;  ///< of both points [W]
     /// wrong_table (the position lies beyond the table, or Poisson's ratios differ), invalid_load (load or mu is
     /// negative), not_finite, no_solution (the rail cannot carry the load: friction holds the wheel up)
     StepStatus status = StepStatus::not_finite;
 
-    auto derivative(WheelInput input) const { return tangent.col(static_cast<Eigen::Index>(input)); }
+    auto derivative(Input input) const { return tangent.col(input); }
 };
 
-/// Height and roll of a wheelset whose wheels carry equal loads, and their derivatives.
-struct WheelsetOnRails {
-    double height = 0, roll = 0;                        ///< [m], [rad]
-    double height_by_lateral = 0, roll_by_lateral = 0;  ///< [-], [rad/m]
-    double height_by_yaw = 0, roll_by_yaw = 0;          ///< [m/rad], [-]
-};
+namespace detail {
 
 /// Rows of a point of contact in a ContactTable.
 struct ContactRow {
@@ -115,8 +95,6 @@ struct ContactRow {
     };
 };
 
-namespace detail {
-
 /// The creepages at which an ellipse has the forces of the patch that it stands for, from those of the patch: E^-1 L
 /// times them as far as the contact sticks, in full sliding those of rigid bodies. `of(row)` are numbers of the point,
 /// `bound` is mu N. The share of sticking is 1 - |u| of CreepForceGrid.
@@ -124,7 +102,7 @@ template <class Scalar, class Rows>
 std::array<Scalar, 3> ellipse_creepages(const std::array<Scalar, 3>& creepage, const Scalar& a, const Scalar& b,
                                         double shear_modulus, const Scalar& bound, const Rows& of) {
     using std::sqrt;
-    using enum ContactRow::Of;
+    using enum detail::ContactRow::Of;
     const Scalar &xi = creepage[0], &eta = creepage[1];
     const Scalar c = sqrt(a * b), spin = creepage[2] * c;
     const Scalar along = of(c11) * xi, across = of(c22) * eta + of(c23) * spin;
@@ -154,13 +132,34 @@ std::array<Scalar, 3> ellipse_creepages(const std::array<Scalar, 3>& creepage, c
 /// normal load; places and shares stay. Immutable: threads may share it.
 class ContactTable {
 public:
-    /// Rows of a column of nodes: those of both points, each as ContactRow, then
-    enum Row : Eigen::Index { height = 2 * ContactRow::point_rows, roll, rows };
+    /// Positions of a table: lateral shifts and yaw angles in equal steps, from minus the largest to the largest.
+    ///
+    /// Invariant: shifts and yaws are odd, from 5 to 10001 and from 3 to 1001; the largest are positive and finite.
+    struct Grid {
+        double largest_shift = 9e-3;  ///< [m]
+        Eigen::Index shifts = 181;
+        double largest_yaw = 15e-3;  ///< [rad]
+        Eigen::Index yaws = 13;
+
+        double shift(Eigen::Index i) const { return largest_shift * (2 * double(i) / double(shifts - 1) - 1); }
+        double yaw(Eigen::Index k) const { return largest_yaw * (2 * double(k) / double(yaws - 1) - 1); }
+        Eigen::Index nodes() const { return shifts * yaws; }
+    };
+
+    /// Height and roll of a wheelset whose wheels carry equal loads, and their derivatives.
+    struct OnRails {
+        double height = 0, roll = 0;                        ///< [m], [rad]
+        double height_by_lateral = 0, roll_by_lateral = 0;  ///< [-], [rad/m]
+        double height_by_yaw = 0, roll_by_yaw = 0;          ///< [m/rad], [-]
+    };
+
+    /// Rows of a column of nodes: those of both points, each as detail::ContactRow, then
+    enum Row : Eigen::Index { height = 2 * detail::ContactRow::point_rows, roll, rows };
 
     /// `values`: the rows of all nodes, for each yaw in turn all shifts. `nominal_load` is that of a wheel. Throws
     /// std::invalid_argument if the grid breaks its invariant, the number of nodes differs, or one of the values is not
     /// finite.
-    ContactTable(const ContactTableGrid& grid, double nominal_load, double shear_modulus, double poisson_ratio,
+    ContactTable(const Grid& grid, double nominal_load, double shear_modulus, double poisson_ratio,
                  Eigen::ArrayXXd values);
 
     /// From what write() wrote; throws as CreepForceTable::read does.
@@ -171,7 +170,7 @@ public:
     /// rows minus their means (32 bits each), then the checksum FNV-1a of all bytes before (64 bits).
     void write(std::ostream& stream) const;
 
-    const ContactTableGrid& grid() const { return grid_; }
+    const Grid& grid() const { return grid_; }
     double nominal_load() const { return nominal_load_; }  ///< vertical, of each wheel [N]
     double shear_modulus() const { return shear_modulus_; }
     double poisson_ratio() const { return poisson_ratio_; }
@@ -183,7 +182,7 @@ public:
     }
 
     /// The position must be covered.
-    WheelsetOnRails on_rails(double lateral, double yaw) const noexcept;
+    OnRails on_rails(double lateral, double yaw) const noexcept;
 
     /// The forces of one wheel under a vertical load [N] with the coefficient of friction mu. Lateral shift and yaw of
     /// `position` count; vertical speed and roll rate are those that the vehicle has, for one that follows its rails
@@ -204,7 +203,7 @@ private:
     };
     Cell cell(double lateral, double yaw) const noexcept;
     /// Some rows of the table; those of a point with the one behind them, as an even number is quick.
-    static constexpr int whole_packets = static_cast<int>(ContactRow::point_rows) + 1;
+    static constexpr int whole_packets = static_cast<int>(detail::ContactRow::point_rows) + 1;
     template <int Rows>
     struct Sample {
         using Values = Eigen::Array<double, Rows, 1>;
@@ -213,7 +212,7 @@ private:
     template <int Rows>
     Sample<Rows> sample(const Cell& cell, Eigen::Index first) const noexcept;
 
-    // By WheelInput, then by the normal load of the point; the last is 0, for a whole number of packets.
+    // By WheelForces::Input, then by the normal load of the point; the last is 0, for a whole number of packets.
     static constexpr Eigen::Index by_load = WheelForces::inputs, partials = by_load + 2;
     using Gradient = Eigen::Matrix<double, partials, 1>;
     using Dual = Eigen::AutoDiffScalar<Gradient>;
@@ -225,13 +224,13 @@ private:
         return found;
     }
 
-    ContactTableGrid grid_;
+    Grid grid_;
     double nominal_load_, shear_modulus_, poisson_ratio_;
     Eigen::ArrayXXd values_, slopes_;  ///< slopes by the shift, over its step
 };
 
-inline ContactTable::ContactTable(const ContactTableGrid& grid, double nominal_load, double shear_modulus,
-                                  double poisson_ratio, Eigen::ArrayXXd values)
+inline ContactTable::ContactTable(const Grid& grid, double nominal_load, double shear_modulus, double poisson_ratio,
+                                  Eigen::ArrayXXd values)
     : grid_(grid),
       nominal_load_(nominal_load),
       shear_modulus_(shear_modulus),
@@ -315,7 +314,7 @@ auto ContactTable::sample(const Cell& cell, Eigen::Index first) const noexcept -
     return found;
 }
 
-inline WheelsetOnRails ContactTable::on_rails(double lateral, double yaw) const noexcept {
+inline auto ContactTable::on_rails(double lateral, double yaw) const noexcept -> OnRails {
     const Sample<2> at = sample<2>(cell(lateral, yaw), height);
     return {at.value[0], at.value[1], at.by_shift[0], at.by_shift[1], at.by_yaw[0], at.by_yaw[1]};
 }
@@ -323,7 +322,7 @@ inline WheelsetOnRails ContactTable::on_rails(double lateral, double yaw) const 
 inline WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide side,
                                          const WheelsetPosition& position, const WheelsetSpeeds& speeds, double load,
                                          double friction_coefficient) const noexcept {
-    using enum ContactRow::Of;
+    using enum detail::ContactRow::Of;
     WheelForces result;
     const double mirror = side == WheelsetSide::left ? -1 : 1;
     const std::array<double, WheelForces::inputs> inputs{
@@ -342,14 +341,14 @@ inline WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetS
         result.status = StepStatus::wrong_table;
         return result;
     }
-    const auto input = [&](WheelInput which) {
+    const auto input = [&](WheelForces::Input which) {
         return Dual(inputs[static_cast<std::size_t>(which)], partials, static_cast<int>(which));
     };
     const Cell at = cell(inputs[0], inputs[1]);
-    const Dual yaw = input(WheelInput::yaw), rate = input(WheelInput::pitch_rate), mu = input(WheelInput::mu);
+    const Dual yaw = input(WheelForces::yaw), rate = input(WheelForces::pitch_rate), mu = input(WheelForces::mu);
     const Dual rolled = dual(sample<1>(at, roll), 0), turn = cos(yaw);
-    const Dual w_x = input(WheelInput::roll_rate) - rate * sin(yaw), w_y = rate * cos(rolled) * turn,
-               w_z = input(WheelInput::yaw_rate) + rate * sin(rolled) * turn;
+    const Dual w_x = input(WheelForces::roll_rate) - rate * sin(yaw), w_y = rate * cos(rolled) * turn,
+               w_z = input(WheelForces::yaw_rate) + rate * sin(rolled) * turn;
     std::array<Dual, 6> sum;
     sum.fill(Dual(0, Gradient::Zero()));
     for (std::size_t k = 0; k < 2; ++k) {
@@ -359,15 +358,15 @@ inline WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetS
         if (!(part.value() > 0) || load == 0) continue;
         const auto rows_of = sample<whole_packets>(at, first);
         const auto point = [&](Eigen::Index row) { return dual(rows_of, row); };
-        PointForces& found = result.points[k];
+        WheelForces::Point& found = result.points[k];
         const Dual r_x = point(arm_x), r_y = point(arm_y), r_z = point(arm_z), delta = point(angle), r = point(radius);
         const Dual sine = sin(delta), cosine = cos(delta);
-        const Dual v_y = input(WheelInput::lateral_speed) + w_z * r_x - w_x * r_z,
-                   v_z = input(WheelInput::vertical_speed) + w_x * r_y - w_y * r_x;
-        const Dual reference = (input(WheelInput::forward) + (rate.value() < 0 ? Dual(-rate) : rate) * r) * 0.5;
-        const Dual xi = (input(WheelInput::forward) + w_y * r_z - w_z * r_y) / reference,
+        const Dual v_y = input(WheelForces::lateral_speed) + w_z * r_x - w_x * r_z,
+                   v_z = input(WheelForces::vertical_speed) + w_x * r_y - w_y * r_x;
+        const Dual reference = (input(WheelForces::forward) + (rate.value() < 0 ? Dual(-rate) : rate) * r) * 0.5;
+        const Dual xi = (input(WheelForces::forward) + w_y * r_z - w_z * r_y) / reference,
                    eta = (v_y * cosine + v_z * sine) / reference, phi = (w_z * cosine - w_y * sine) / reference;
-        const Dual wanted = part * input(WheelInput::load);
+        const Dual wanted = part * input(WheelForces::load);
 
         // the creep forces under a normal load
         std::array<Dual, 3> force;
@@ -494,7 +493,7 @@ inline ContactTable ContactTable::read(std::istream& stream) {
     detail::CheckedReader reader(stream, name, magic);
     const auto found = reader.integer<std::uint32_t>();
     detail::require(found == version, name, "version", found, "be 1");
-    ContactTableGrid grid;
+    Grid grid;
     grid.shifts = reader.integer<std::uint32_t>();
     grid.yaws = reader.integer<std::uint32_t>();
     detail::require(grid.shifts <= 10001 && grid.yaws <= 1001, name, "number of nodes", grid.nodes(),
