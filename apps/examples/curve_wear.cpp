@@ -47,7 +47,7 @@ public:
     WheelsetRolling at(double curvature) {
         Eigen::Vector3d rest = residual(at_, curvature);
         for (int k = 0; k < 100 && rest.norm() > 1e-6 * load; ++k) {
-            const Eigen::Vector3d step = tangent_.partialPivLu().solve(rest), from = at_;
+            const Eigen::Vector3d step = tangent_.inverse() * rest, from = at_;
             double least = std::numeric_limits<double>::infinity();
             for (double part = 1; part > 0.01; part /= 2) {  // the best of them, as forces bend where contacts jump
                 const double size = residual(from - part * step, curvature).norm();

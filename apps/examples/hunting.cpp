@@ -126,9 +126,9 @@ struct Vehicle {
 
     /// The largest growth of a small deviation [1/s].
     double growth() {
-        Eigen::Matrix<double, motion, motion> A;
+        Eigen::MatrixXd A(motion, motion);
         for (int k = 0; k < motion; ++k) A.col(k) = by(k).head<motion>();
-        return Eigen::EigenSolver<decltype(A)>(A, false).eigenvalues().real().maxCoeff();
+        return Eigen::EigenSolver<Eigen::MatrixXd>(A, false).eigenvalues().real().maxCoeff();
     }
 
     /// `seconds` by the method of Bogacki and Shampine, orders 3 and 2; returns the largest shift of the last third

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include "../../detail/in_place_lu.hpp"
 #include "../../scene/outline.hpp"
 #include "../normal_contact.hpp"
 
@@ -40,7 +40,10 @@ double edge_distance(const Squares& squares, Eigen::Index count) {
         }
     }
     for (Eigen::Index r = degree + 1; r < 5; ++r) normal(r, r) = 1;
-    const Eigen::Matrix<double, 5, 1> c = normal.ldlt().solve(right);
+    Eigen::Index swaps[5];
+    factorise_in_place<double>(normal, swaps);
+    solve_in_place<double>(normal, swaps, right);
+    const Eigen::Matrix<double, 5, 1>& c = right;
     const auto value = [&](double from) {  // at the distance `from` behind the centre of cell 0
         const double t = (-from - middle) / scale;
         return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4])));
