@@ -5,7 +5,9 @@
 #include <Eigen/LU>
 
 #include "../adhesion/frequency.hpp"
+#include "../adhesion/state_space.hpp"
 #include "../adhesion/transient.hpp"
+#include "../closed_form/plane_lambda.hpp"
 #include "steady.hpp"
 
 namespace Eigen {
@@ -28,6 +30,13 @@ extern template decltype(detail::solve_copied<std::complex<double>, double>)
     detail::solve_copied<std::complex<double>, double>;
 extern template decltype(solve_response<double>) solve_response<double>;
 extern template class FrequencySweep<double>;
+extern template StateSpace<double> state_space<double>(const RollingSystem<double>&);
+extern template double detail::stable_plane_lambda<double>(const char*, double, double);
+extern template VectorX<double> detail::steady_tractions<double>(MatrixX<double>, Eigen::Index, Eigen::Index);
+extern template void detail::require_convergent<double, ArrayX<double>>(const char*, const VectorX<double>&,
+                                                                        const ArrayX<double>&, double);
+extern template void detail::require_usable_in_time<double>(const char*, const RollingSystem<double>&,
+                                                            const StabilityVerdict&);
 extern template class AdhesionModel<1, double>;
 extern template class AdhesionModel<3, double>;
 

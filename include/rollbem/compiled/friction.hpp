@@ -23,6 +23,12 @@ extern template bool detail::converges<double>(MatrixX<double>, const ArrayX<dou
 extern template bool detail::converges<double>(const detail::DirectionBlocks<double>&, const ArrayX<double>&);
 extern template void detail::require_blocks<double>(const char*, const char*, const detail::DirectionBlocks<double>&,
                                                     Eigen::Index);
+extern template MatrixX<double> detail::joined<double>(const detail::DirectionBlocks<double>&);
+extern template void detail::require_usable_in_time<double>(const char*, const ElementSystem<double, 2>&,
+                                                            const StabilityVerdict&);
+extern template std::array<double, 2> detail::integrate_hemisphere<double>(const Rectangle<double>&);
+extern template ArrayX<double> hertz_pressures<double>(const PatchContact<double>&,
+                                                       const std::vector<Rectangle<double>>&, double);
 extern template MatrixX<double> detail::rigid_slip<double>(const Elements<double>&);
 extern template MatrixX<double> detail::force_weights<double>(const Elements<double>&);
 extern template class ElementSystem<double, 2>;
@@ -31,6 +37,10 @@ extern template class detail::BothEquations<double>;
 extern template class detail::BothSolver<double>;
 extern template class detail::SlipDependentSet<detail::ActiveSetSlip<double>>;
 extern template class detail::SlipDependentSet<detail::BothSlip<double>>;
+extern template struct detail::SlipDependentScratch<detail::ActiveSetSlip<double>>;
+extern template struct detail::SlipDependentScratch<detail::BothSlip<double>>;
+extern template struct detail::FrictionScratch<1, double>;
+extern template struct detail::FrictionScratch<2, double>;
 extern template class detail::FrictionCore<ConstantFriction<double>, 1, double>;
 extern template class detail::FrictionCore<ConstantFriction<double>, 2, double>;
 extern template class detail::FrictionCore<ExponentialFall<double>, 1, double>;

@@ -9,6 +9,9 @@
 
 #include "../adhesion/steady.hpp"
 #include "../assembly/rolling_system.hpp"
+#include "../detail/gauss_legendre.hpp"
+#include "../detail/reciprocal_condition.hpp"
+#include "../detail/require.hpp"
 #include "../discretisation/any_scheme.hpp"
 #include "../elasticity/any_kernel.hpp"
 #include "../spectral/chebyshev.hpp"
@@ -21,11 +24,19 @@ extern template class PartialPivLU<MatrixXd>;
 
 namespace rollbem {
 
+extern template void detail::require<double>(bool, const char*, const char*, double, const char*);
+extern template void detail::require<Eigen::Index>(bool, const char*, const char*, Eigen::Index, const char*);
+extern template void detail::require<int>(bool, const char*, const char*, int, const char*);
+extern template detail::QuadratureRule<double> detail::gauss_legendre<double>(Eigen::Index);
+extern template double detail::reciprocal_condition<Eigen::PartialPivLU<Eigen::MatrixXd>>(
+    const Eigen::PartialPivLU<Eigen::MatrixXd>&, double);
 extern template class Mesh<double>;
 extern template Mesh<double> uniform_mesh<double>(Eigen::Index);
 extern template Mesh<double> cosine_mesh<double>(Eigen::Index);
 extern template Mesh<double> make_mesh<double>(Topology, Eigen::Index, double);
 extern template void detail::check_rows<double>(const SchemeRows<double>&, Quantity, Eigen::Index);
+extern template SchemeRows<double> rows_about<double>(const Mesh<double>&, double, double);
+extern template SchemeRows<double> NodeDifference::rows<double>(Quantity, const Mesh<double>&) const;
 extern template SchemeRows<double> AnyScheme::rows<double>(Quantity, const Mesh<double>&) const;
 extern template detail::KernelView<double>::KernelView(const AnyKernel<double>&);
 extern template detail::KernelView<double>::KernelView(const PlaneKernel<double>&);
@@ -41,6 +52,7 @@ extern template void detail::require_square<MatrixX<double>>(const char*, const 
 extern template struct Elements<double>;
 extern template class RollingSystem<double>;
 extern template class ElementSystem<double, 1>;
+extern template Elements<double> detail::line_elements<double>(const Mesh<double>&, const detail::BothRows<double>&);
 extern template ElementSystem<double> rolling_system<double, AnyScheme, AnyKernel<double>>(const Mesh<double>&,
                                                                                            const AnyScheme&,
                                                                                            const AnyKernel<double>&);

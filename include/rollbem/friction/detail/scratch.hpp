@@ -31,19 +31,7 @@ template <class Slip>
 struct SlipDependentScratch {
     using Vector = VectorX<typename Slip::Scalar>;
 
-    explicit SlipDependentScratch(Eigen::Index n)
-        : set(n),
-          friction(Vector::Zero(n)),
-          duration(friction),
-          before(friction),
-          rise(friction),
-          first_friction(friction),
-          change(friction),
-          bound(friction),
-          path_change(friction),
-          before_change(friction) {
-        carried_change.fill(friction);
-    }
+    explicit SlipDependentScratch(Eigen::Index n);
 
     SlipDependentSet<Slip> set;
     Vector friction;  // mu in the present stage
@@ -66,26 +54,7 @@ struct FrictionScratch {
     using Vectors = ElementVectors<Scalar, directions>;
     using Solver = typename Directions<directions, Scalar>::Solver;
 
-    FrictionScratch(Eigen::Index n, bool slip_dependent, bool coupled)
-        : solver(Directions<directions, Scalar>::solver(n, coupled)),
-          falling(slip_dependent ? n : 0),
-          slip(Vectors::Zero(n, directions)),
-          stage_slip(slip),
-          start(slip),
-          displacement(slip),
-          plain_start(slip),
-          plain_displacement(slip),
-          change(slip),
-          right(slip),
-          response(slip),
-          work(Vector::Zero(n)),
-          bound(work),
-          bound_rate(work),
-          rate(work),
-          jump_work(n) {
-        carried.fill(right);
-        plain_carried.fill(right);
-    }
+    FrictionScratch(Eigen::Index n, bool slip_dependent, bool coupled);
 
     Solver solver;
     SlipDependentScratch<typename Directions<directions, Scalar>::Slip> falling;
@@ -110,5 +79,42 @@ struct FrictionScratch {
     unsigned long tangent_revision = never, carried_revision = never;
     Scalar unit_tangent = 0, carried_tangent = 0;  // sum of areas times dp, by dc of the last stage and of the first
 };
+
+template <class Slip>
+SlipDependentScratch<Slip>::SlipDependentScratch(Eigen::Index n)
+    : set(n),
+      friction(Vector::Zero(n)),
+      duration(friction),
+      before(friction),
+      rise(friction),
+      first_friction(friction),
+      change(friction),
+      bound(friction),
+      path_change(friction),
+      before_change(friction) {
+    carried_change.fill(friction);
+}
+
+template <int directions, class Scalar>
+FrictionScratch<directions, Scalar>::FrictionScratch(Eigen::Index n, bool slip_dependent, bool coupled)
+    : solver(Directions<directions, Scalar>::solver(n, coupled)),
+      falling(slip_dependent ? n : 0),
+      slip(Vectors::Zero(n, directions)),
+      stage_slip(slip),
+      start(slip),
+      displacement(slip),
+      plain_start(slip),
+      plain_displacement(slip),
+      change(slip),
+      right(slip),
+      response(slip),
+      work(Vector::Zero(n)),
+      bound(work),
+      bound_rate(work),
+      rate(work),
+      jump_work(n) {
+    carried.fill(right);
+    plain_carried.fill(right);
+}
 
 }  // namespace rollbem::detail
