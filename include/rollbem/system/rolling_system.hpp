@@ -101,7 +101,9 @@ protected:
         MatrixX<Scalar> inputs(size(), 2), outputs(size(), 2);
         inputs << inputs_, points()->matrix();
         outputs << outputs_, moments;
-        return {G_, G_prime_, std::move(inputs), std::move(outputs), {unknowns_are_tractions(), aspect(), points()}};
+        // named, as g++ 12 without optimisation fails on nested braces
+        return RollingSystem(G_, G_prime_, std::move(inputs), std::move(outputs),
+                             {unknowns_are_tractions(), aspect(), points()});
     }
 
 private:
