@@ -3,6 +3,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <stdexcept>
 #include <string>
 
 #include <gsl/gsl_errno.h>
@@ -136,6 +137,10 @@ TEST_CASE("Tractions and displacements of both bases agree with the exact ones",
         }
         CHECK(chebyshev.traction(1.0) == Complex(0));
         CHECK(monomial.traction(1.0) == Complex(0));
+        for (const double beyond : {-1.001, 1.5}) {
+            CHECK_THROWS_AS(chebyshev.displacement(beyond), std::invalid_argument);
+            CHECK_THROWS_AS(chebyshev.traction(beyond), std::invalid_argument);
+        }
     }
     const reference::ExactTraction fast(Complex(0, 150), nu, aspect);
     const PolynomialSolution<double> chebyshev = solve_polynomial(Complex(0, 150), nu, aspect);
