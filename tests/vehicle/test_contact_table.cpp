@@ -214,8 +214,8 @@ TEST_CASE("a shifted wheelset is turned back as by its patches, less than by ell
     const WheelsetForces patches = rolling_forces(track, shifted, {.coefficient = mu}, workspace);
     REQUIRE(patches.contacts.status == Status::ok);
     Eigen::ArrayXXd values = s1002().values();
-    for (const Eigen::Index point : {Eigen::Index(0), Eigen::Index(detail::ContactRow::point_rows)}) {
-        values.middleRows(point + detail::ContactRow::correction, 9).setZero();
+    for (const Eigen::Index point : {Eigen::Index(0), Eigen::Index(ContactRow::point_rows)}) {
+        values.middleRows(point + ContactRow::correction, 9).setZero();
     }
     const ContactTable ellipses(s1002().grid(), 1e5, s1002().shear_modulus(), s1002().poisson_ratio(), values);
     const auto turning = [&](const ContactTable& table) {

@@ -1,5 +1,6 @@
-// Chebyshev states, frequency response and steps in full adhesion, compiled for double. Replaces
-// adhesion/frequency.hpp, adhesion/transient.hpp and spectral/chebyshev.hpp; link rollbem::compiled.
+// Chebyshev states, frequency response, state space and steps in full adhesion, compiled for double. Replaces
+// adhesion/frequency.hpp, adhesion/state_space.hpp, adhesion/transient.hpp and spectral/chebyshev.hpp; link
+// rollbem::compiled.
 #pragma once
 
 #include <Eigen/LU>

@@ -73,8 +73,6 @@ struct WheelForces {
     auto derivative(Input input) const { return tangent.col(input); }
 };
 
-namespace detail {
-
 /// Rows of a point of contact in a ContactTable.
 struct ContactRow {
     enum Of : Eigen::Index {
@@ -95,6 +93,8 @@ struct ContactRow {
     };
 };
 
+namespace detail {
+
 /// The creepages at which an ellipse has the forces of the patch that it stands for, from those of the patch: E^-1 L
 /// times them as far as the contact sticks, in full sliding those of rigid bodies. `of(row)` are numbers of the point,
 /// `bound` is mu N. The share of sticking is 1 - |u| of CreepForceGrid.
@@ -102,7 +102,7 @@ template <class Scalar, class Rows>
 std::array<Scalar, 3> ellipse_creepages(const std::array<Scalar, 3>& creepage, const Scalar& a, const Scalar& b,
                                         double shear_modulus, const Scalar& bound, const Rows& of) {
     using std::sqrt;
-    using enum detail::ContactRow::Of;
+    using enum ContactRow::Of;
     const Scalar &xi = creepage[0], &eta = creepage[1];
     const Scalar c = sqrt(a * b), spin = creepage[2] * c;
     const Scalar along = of(c11) * xi, across = of(c22) * eta + of(c23) * spin;
@@ -153,8 +153,8 @@ public:
         double height_by_yaw = 0, roll_by_yaw = 0;          ///< [m/rad], [-]
     };
 
-    /// Rows of a column of nodes: those of both points, each as detail::ContactRow, then
-    enum Row : Eigen::Index { height = 2 * detail::ContactRow::point_rows, roll, rows };
+    /// Rows of a column of nodes: those of both points, each as ContactRow, then
+    enum Row : Eigen::Index { height = 2 * ContactRow::point_rows, roll, rows };
 
     /// `values`: the rows of all nodes, for each yaw in turn all shifts. `nominal_load` is that of a wheel. Throws
     /// std::invalid_argument if the grid breaks its invariant, the number of nodes differs, or one of the values is not
@@ -203,7 +203,7 @@ private:
     };
     Cell cell(double lateral, double yaw) const noexcept;
     /// Some rows of the table; those of a point with the one behind them, as an even number is quick.
-    static constexpr int whole_packets = static_cast<int>(detail::ContactRow::point_rows) + 1;
+    static constexpr int whole_packets = static_cast<int>(ContactRow::point_rows) + 1;
     template <int Rows>
     struct Sample {
         using Values = Eigen::Array<double, Rows, 1>;
@@ -322,7 +322,7 @@ inline auto ContactTable::on_rails(double lateral, double yaw) const noexcept ->
 inline WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide side,
                                          const WheelsetPosition& position, const WheelsetSpeeds& speeds, double load,
                                          double friction_coefficient) const noexcept {
-    using enum detail::ContactRow::Of;
+    using enum ContactRow::Of;
     WheelForces result;
     const double mirror = side == WheelsetSide::left ? -1 : 1;
     const std::array<double, WheelForces::inputs> inputs{

@@ -31,8 +31,8 @@ struct PatchEllipse {
     double x = 0, s = 0;                     ///< its middle, from the reference point, in the plane [m]
     double half_length = 0, half_width = 0;  ///< [m]
     /// Its rows from c11 on, the others are 0.
-    Eigen::Array<double, detail::ContactRow::point_rows, 1, Eigen::DontAlign> values =
-        Eigen::Array<double, detail::ContactRow::point_rows, 1, Eigen::DontAlign>::Zero();
+    Eigen::Array<double, ContactRow::point_rows, 1, Eigen::DontAlign> values =
+        Eigen::Array<double, ContactRow::point_rows, 1, Eigen::DontAlign>::Zero();
 
     /// The forces on the patch under the load N [N], by a table; creepages and moment at the reference point.
     TangentialForce<double> forces(const CreepForceTable& creep, const TrackDimensions& dimensions, double mu,
@@ -57,7 +57,7 @@ struct PatchEllipse {
 /// std::invalid_argument unless the patch has numbers.
 inline PatchEllipse creep_ellipse(const RailPatch& patch, const TrackDimensions& dimensions,
                                   const CreepForceTable& creep, Eigen::Index n = 12, Eigen::Index strips = 13) {
-    using enum detail::ContactRow::Of;
+    using enum ContactRow::Of;
     detail::require(patch.load > 0, "creep_ellipse", "load of the patch", patch.load, "be positive");
     const CellGrid& grid = patch.grid;
     double sum = 0;
@@ -121,7 +121,7 @@ namespace detail {
 struct ContactNode {
     struct Point {
         double wheel_y = 0;
-        Eigen::Array<double, detail::ContactRow::point_rows, 1> values;
+        Eigen::Array<double, ContactRow::point_rows, 1> values;
     };
     std::vector<Point> points;  // at most two, by decreasing load; none: not found
     double height = 0, roll = 0;
@@ -130,7 +130,7 @@ struct ContactNode {
     ContactNode(const WheelOnRail::Contact& contact, const WheelsetPosition& seen, double nominal_load,
                 const TrackDimensions& dimensions, const CreepForceTable& creep)
         : height(seen.height), roll(seen.roll) {
-        using enum detail::ContactRow::Of;
+        using enum ContactRow::Of;
         double carried = 0;
         for (const RailPatch& patch : contact.patches) {
             if (points.size() == 2) break;
@@ -181,7 +181,7 @@ inline ContactTable make_contact_table(
     const WheelsetOnTrack& track, double load, const CreepForceTable& creep, const ContactTable::Grid& grid = {},
     std::size_t jobs = 1, const WheelOnRail::Options& options = {}, double* missing = nullptr,
     const std::function<void()>& done = [] {}) {
-    using enum detail::ContactRow::Of;
+    using enum ContactRow::Of;
     const TrackDimensions& dimensions = track.wheel().dimensions();
     const auto table = [&](Eigen::ArrayXXd values) {
         return ContactTable(grid, load, dimensions.shear_modulus, dimensions.poisson_ratio, std::move(values));
