@@ -38,13 +38,7 @@ struct Claim {
 };
 using Claims = std::vector<Claim>;
 
-/// Claims that are judged together, in the paper's order, by the curves of the figures and by what else they compute.
-struct Chapter {
-    Claims (*judge)(const Results&);
-    bool timed = false;  ///< while nothing else runs
-};
-std::vector<Chapter> chapters();
-
+// Claims that are judged together, by the curves of the figures and by what else they compute.
 Claims kernel_and_alpha(const Results& r);          ///< Eq. (31), Figs. 3 and 5
 Claims convergence(const Results& r);               ///< Fig. 6
 Claims analytic_derivative(const Results& r);       ///< Figs. 7 and 8
@@ -96,7 +90,14 @@ std::string say(const std::string& text, const Values&... values) {
 
 // --- what several claims are judged by
 
-inline const std::vector<Eigen::Index> fine{40, 60, 80}, coarse{20, 40, 60};
+/// What was found, told by say().
+template <class... Values>
+Finding judged(bool holds, const std::string& text, const Values&... values) {
+    return {holds, say(text, values...)};
+}
+
+/// Holds if the value is below the limit.
+inline Finding below(double limit, double value, const std::string& text) { return judged(value < limit, text, value); }
 
 /// "n = 40: a; n = 60: b" with text(k) for every number of elements.
 template <class Text>
@@ -129,12 +130,9 @@ Finding falls_with_n(const std::vector<Eigen::Index>& numbers, const std::string
         const double here = value(numbers[k]);
         const bool falls = std::abs(here) < factor * std::abs(before);
         before = here;
-        return {falls, say(shown, here)};
+        return judged(falls, shown, here);
     });
 }
-
-/// Holds if the value is below the limit.
-inline Finding below(double limit, double value, const std::string& text) { return {value < limit, say(text, value)}; }
 
 /// alpha by 0.05, and 0.63: the finest grid that the paper's alphas show.
 inline std::vector<double> paper_alphas() {
@@ -163,8 +161,8 @@ inline Finding optimum(const std::vector<Points>& curves, const std::vector<Eige
         const double own = error_at(curves[k], claimed), best_error = y - 1;
         const std::string least = std::abs(x - claimed) < 1e-9 ? ", the least of the grid"
                                                                : say(", least of the grid {%} at {}", best_error, x);
-        return {std::abs(own) <= std::abs(best_error) + equal_errors,
-                say("error {%}{}, true optimum {4}", own, least, optimum_of(scheme, numbers[k], vary, search))};
+        return judged(std::abs(own) <= std::abs(best_error) + equal_errors, "error {%}{}, true optimum {4}", own, least,
+                      optimum_of(scheme, numbers[k], vary, search));
     });
 }
 
@@ -186,8 +184,8 @@ inline Finding best_of(const Results& r, const std::string& panel, std::size_t w
     for (std::size_t k = 0; k < 3; ++k) {
         holds = holds && (k == way || (worst ? errors[way] > errors[k] : errors[way] < errors[k]));
     }
-    return {holds, say("least error on the grid: alpha_L = alpha_T {%}, alpha_L = 0 {%}, alpha_T = 0 {%}", errors[0],
-                       errors[1], errors[2])};
+    return judged(holds, "least error on the grid: alpha_L = alpha_T {%}, alpha_L = 0 {%}, alpha_T = 0 {%}", errors[0],
+                  errors[1], errors[2]);
 }
 
 /// optimum() of curves `first`, ... of a panel over alpha, one for each of the numbers.

@@ -33,7 +33,6 @@ std::vector<Curve> densities(const std::vector<Eigen::Index>& numbers, Case sche
     }
     return curves;
 }
-const std::vector<Eigen::Index> fine{40, 60, 80}, coarse{20, 40, 60};
 
 // Panels of one kind: the arguments say what differs.
 

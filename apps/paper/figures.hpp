@@ -77,6 +77,9 @@ inline std::vector<double> logarithmic(double low, double high, int count) {
     return grid;
 }
 
+/// The numbers of elements that the paper compares.
+inline const std::vector<Eigen::Index> fine{40, 60, 80}, coarse{20, 40, 60};
+
 /// Figs. 3, 5 to 9 and 10 to 22, in the paper's order.
 std::vector<Panel> panels();
 

@@ -39,7 +39,7 @@ Finding dips() {
         largest = std::max(largest, dip);
     }
     gsl_integration_glfixed_table_free(table);
-    return {dips == 7, say("{} dips at 7 coincidences (alpha_L = alpha_T), up to {%} of c11", dips, largest)};
+    return judged(dips == 7, "{} dips at 7 coincidences (alpha_L = alpha_T), up to {%} of c11", dips, largest);
 }
 
 /// Whether collocation with finite differences and Galerkin in closed form with the analytic derivative are the same.
@@ -55,10 +55,10 @@ Finding coincidence(const Results& r) {
     const double a = difference("05a", "12b"), b = difference("05b", "13a");
     const double over_n = largest_difference(r.curve("13b", 0), r.curve("13b", 1));
     const double quadrature = gauss_galerkin_difference(1000);
-    return {std::max({a, b, over_n}) < 1e-9 && quadrature < 1e-4,
-            say("largest difference of c11*/c11: 12B and 5A {1}, 13A and 5B {1} (alpha from 0.1 to 1), in 13B {1}; "
-                "with 1000 Gauss points {1} (0/0.63)",
-                a, b, over_n, quadrature)};
+    return judged(std::max({a, b, over_n}) < 1e-9 && quadrature < 1e-4,
+                  "largest difference of c11*/c11: 12B and 5A {1}, 13A and 5B {1} (alpha from 0.1 to 1), in 13B {1}; "
+                  "with 1000 Gauss points {1} (0/0.63)",
+                  a, b, over_n, quadrature);
 }
 
 }  // namespace
@@ -90,11 +90,9 @@ Claims galerkin_claims(const Results& r) {
          "the mean of the derivative over an element is the central difference: one formula gives both, and quadrature "
          "with 1000 points confirms it",
          coincidence(r)},
-        {"Sec. 7",
-         "",
-         "The equivalence concerns G': G differs, and with it stability and response in time",
-         "",
-         {G_prime < 1e-12 && G > 1e-3, say("largest difference of G' {1}, of G {%} of the largest entry", G_prime, G)}},
+        {"Sec. 7", "", "The equivalence concerns G': G differs, and with it stability and response in time", "",
+         judged(G_prime < 1e-12 && G > 1e-3, "largest difference of G' {1}, of G {%} of the largest entry", G_prime,
+                G)},
     };
 }
 
@@ -102,11 +100,8 @@ Claims costs_of_galerkin(const Results&) {
     const double ratio = cost_ratio(seven_points);
     const std::string times = "{2} times the time of collocation";
     return {
-        {"Sec. 7",
-         "much more computationally expensive",
-         "Galerkin with 7 Gauss points costs much more (n = 40)",
-         "much more: 3 times or above, assembly and solution of a steady problem",
-         {ratio >= 3, say(times, ratio)}},
+        {"Sec. 7", "much more computationally expensive", "Galerkin with 7 Gauss points costs much more (n = 40)",
+         "much more: 3 times or above, assembly and solution of a steady problem", judged(ratio >= 3, times, ratio)},
         {"Sec. 7", "", "With its integrals in closed form Galerkin costs about what collocation costs (n = 40)",
          "about: less than twice", below(2, cost_ratio(exact_galerkin), times)},
     };

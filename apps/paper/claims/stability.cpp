@@ -61,8 +61,8 @@ Finding tends_to_half() {
         return {alpha - 0.5 < before, number(alpha)};
     });
     const double exponent = power(excess);
-    return {falls.holds && exponent > -1 && exponent < -0.3,
-            say("smallest unstable alpha_T (by 0.01, fd) {}; excess ~ n^{2}", falls.measured, exponent)};
+    return judged(falls.holds && exponent > -1 && exponent < -0.3,
+                  "smallest unstable alpha_T (by 0.01, fd) {}; excess ~ n^{2}", falls.measured, exponent);
 }
 
 /// Whether a curve leaves 0 more than once.
@@ -132,8 +132,8 @@ Claims stability_of_collocation(const Results& r) {
          for_all_n(coarse, "",
                    [&](std::size_t k) -> Finding {
                        const double fraction = value_at(r.curve("18b", k), 1);
-                       return {fraction > 0 && certainly_unstable({.n = coarse[k], .alpha_L = 1, .alpha_T = 1}),
-                               say("{%3} of the eigenvalues", fraction)};
+                       return judged(fraction > 0 && certainly_unstable({.n = coarse[k], .alpha_L = 1, .alpha_T = 1}),
+                                     "{%3} of the eigenvalues", fraction);
                    })},
         {"Sec. 6.1", "cases converge to the exact value", "Yet its steady results converge", "finite differences",
          falls_with_n(
@@ -186,12 +186,10 @@ Claims stability_of_galerkin(const Results& r) {
                })},
         {"20", "more critical for refined meshes", "With Galerkin, too, the unstable alpha_T come down as n grows", "",
          finer_is_worse(r, {"20a", "20b"})},
-        {"20",
-         "all eigenvalues are stable for n = 20",
-         "Galerkin with n = 20 has no unstable alpha_T",
+        {"20", "all eigenvalues are stable for n = 20", "Galerkin with n = 20 has no unstable alpha_T",
          "alpha_T up to 1",
-         {!first_positive(r.curve("20a", 0)) && !first_positive(r.curve("20b", 0)),
-          say("analytic: {}; fd: {}", onset(r.curve("20a", 0)), onset(r.curve("20b", 0)))}},
+         judged(!first_positive(r.curve("20a", 0)) && !first_positive(r.curve("20b", 0)), "analytic: {}; fd: {}",
+                onset(r.curve("20a", 0)), onset(r.curve("20b", 0)))},
     };
 }
 
@@ -207,20 +205,16 @@ Claims split_points(const Results& r) {
         {"21A, 21B", "the eigenvalues are stable if lambda < 0.5",
          "The worst case, alpha_L = alpha_T = 1, is stable for lambda < 0.5", "either derivative",
          stable_below(r, {"21a", "21b"}, 0.5)},
-        {"21",
-         "guarantees stability for any alpha_L and alpha_T",
-         "lambda < 0.5 is stable for all alphas",
+        {"21", "guarantees stability for any alpha_L and alpha_T", "lambda < 0.5 is stable for all alphas",
          "uniform meshes; alphas 0 to 1 by 0.25 but for 0/0, whose eigenvalues are imaginary and their signs open; "
          "lambda 0 to 0.49, n = 20 and 40, collocation, either derivative",
-         {fd.unstable + closed.unstable == 0,
-          say("{} of {} cases unstable", fd.unstable + closed.unstable, fd.all + closed.all)}},
-        {"21",
-         "",
-         "On Knothe and Gross-Thebing's mesh (epsilon = 0.4) that is so for finite differences alone",
+         judged(fd.unstable + closed.unstable == 0, "{} of {} cases unstable", fd.unstable + closed.unstable,
+                fd.all + closed.all)},
+        {"21", "", "On Knothe and Gross-Thebing's mesh (epsilon = 0.4) that is so for finite differences alone",
          "small end elements bring their neighbours' edges near the points of the analytic derivative",
-         {knothe_fd.unstable == 0 && knothe_closed.unstable > 0,
-          say("unstable cases: finite differences {}, analytic {} of {}", knothe_fd.unstable, knothe_closed.unstable,
-              knothe_closed.all)}},
+         judged(knothe_fd.unstable == 0 && knothe_closed.unstable > 0,
+                "unstable cases: finite differences {}, analytic {} of {}", knothe_fd.unstable, knothe_closed.unstable,
+                knothe_closed.all)},
     };
 }
 
