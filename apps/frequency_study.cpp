@@ -51,7 +51,7 @@ std::vector<double> make_omegas(const study::Options& options) {
 
 const study::Sheet<Response> sheet{
     "n",
-    {{"omega", "omega a/V of the creepage e^{i omega t}", [](const Response& r) { return r.omega; }},
+    {{"omega", "omega a/V of the creepage e^{i omega t}", &Response::omega},
      {"c11_re", "c11 = -F/(a G xi)", [](const Response& r) { return r.c11.real(); }},
      {"c11_im", "its imaginary part", [](const Response& r) { return r.c11.imag(); }},
      {"exact_re",
@@ -63,22 +63,21 @@ const study::Sheet<Response> sheet{
       "at b/a = 100, 5e-7 at 1000); with --kernel plane it is the error of the discretisation alone",
       [](const Response& r) { return std::abs(r.c11 / r.exact - 1.0); }},
      {"alpha_L, alpha_T, lambda", "of the scheme"},
-     {"order", "of polynomials", [](const Response& r) { return r.order; }},
+     {"order", "of polynomials", &Response::order},
      {"rcond",
       "estimate of the reciprocal condition of the equations of elements or states; rounding contributes 2e-16/rcond "
       "to the error of c11",
-      [](const Response& r) { return r.rcond; }},
-     {"error_estimate", "relative, of c11 by polynomials, truncation and rounding",
-      [](const Response& r) { return r.error_estimate; }},
+      &Response::rcond},
+     {"error_estimate", "relative, of c11 by polynomials, truncation and rounding", &Response::error_estimate},
      {"status",
       "if it is not ok, c11 is empty, or wrong with --unchecked: ill_conditioned if the equations are singular to "
       "working precision; assists_creepage if the scheme does not converge to full adhesion (alpha at or below 0, or "
       "above 1); coarse if the steady c11 of fewer than 10 elements is wrong by more than half; not_converged if "
       "--order is too low for eight digits, or states are too few; not_finite, with empty cells, if b/a is so small or "
       "large that G or G' is not finite",
-      [](const Response& r) { return r.status; }},
+      &Response::status},
      {std::string("method, derivative, mesh, ") + study::settings, "the scheme and the contact"},
-     {"basis", "of polynomials", [](const Response& r) { return r.basis; }}},
+     {"basis", "of polynomials", &Response::basis}},
     ""};
 
 /// Assembles and reduces to Hessenberg form, once for all frequencies. A c11 that cannot be trusted is left out if that

@@ -19,7 +19,6 @@
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
 
-#include "patch/help.hpp"
 #include "patch/patch.hpp"
 #include "support/options.hpp"
 #include "support/sheet.hpp"
@@ -30,6 +29,7 @@ namespace {
 
 using patch::Patch;
 using Complex = std::complex<double>;
+using Verdict = rollbem::StabilityVerdict;
 
 // --- coefficients --------------------------------------------------------------------------------------------------
 
@@ -40,7 +40,7 @@ struct Found {
     rollbem::Status status;
     double omega = 0, residual = 0;
     std::optional<double> assembly_us{}, solve_us{};
-    std::optional<rollbem::StabilityVerdict> verdict{};
+    std::optional<Verdict> verdict{};
 
     std::string word() const { return name(status == rollbem::Status::ok && verdict ? verdict->status : status); }
     /// c_ij; nothing where it cannot be trusted: of a long patch where other meshes do not confirm it.
@@ -82,7 +82,7 @@ Sheet make_sheet(const Columns& before, bool harmonic, const Columns& behind) {
         {"status",
          "ok; not_converged of a patch more than ten times longer than wide some of whose coefficients change by more "
          "than 7 % with half as many strips, each with half as many elements: these are empty",
-         [](const Found& f) { return f.word(); }}};
+         &Found::word}};
     const Columns columns = study::joined(
         study::joined(before,
                       coefficients({"11", "22", "23", "32", "33"}, harmonic, "Kalker's; empty if status is not ok")),
@@ -94,31 +94,25 @@ Sheet make_sheet(const Columns& before, bool harmonic, const Columns& behind) {
 /// A number of the verdict.
 template <class Value>
 auto judged(const Value& value) {
-    return [value](const Found& f) {
-        const bool known = f.verdict && f.verdict->status == rollbem::Status::ok;
-        return known ? study::Cell(value(*f.verdict)) : study::Cell();
-    };
+    return study::where([](const Found& f) { return f.verdict && f.verdict->status == rollbem::Status::ok; },
+                        [=](const Found& f) { return std::invoke(value, *f.verdict); });
 }
 
 Sheet steady_sheet(bool stability) {
     Columns columns{
         {"residual", "what the tractions p leave of their equations, max|G' p - slip| / (|G'| max|p| + max|slip|)",
-         [](const Found& f) { return f.residual; }},
-        {"assembly_us", "[microseconds] time of G', median of at least 5 runs",
-         [](const Found& f) { return f.assembly_us; }},
-        {"solve_us", "[microseconds] time of the rest", [](const Found& f) { return f.solve_us; }}};
+         &Found::residual},
+        {"assembly_us", "[microseconds] time of G', median of at least 5 runs", &Found::assembly_us},
+        {"solve_us", "[microseconds] time of the rest", &Found::solve_us}};
     const Columns modes{
-        {"unstable_count", "with --stability: modes e^{nu V t} with Re(nu) > 0",
-         judged([](auto& v) { return v.unstable_count; })},
+        {"unstable_count", "with --stability: modes e^{nu V t} with Re(nu) > 0", judged(&Verdict::unstable_count)},
         {"uncertain_count", "those whose sign rounding could change one by one (that all decay may yet be proved)",
-         judged([](auto& v) { return v.uncertain_count; })},
-        {"spectral_abscissa", "the largest Re(nu) a", judged([](auto& v) { return v.spectral_abscissa; })}};
+         judged(&Verdict::uncertain_count)},
+        {"spectral_abscissa", "the largest Re(nu) a", judged(&Verdict::spectral_abscissa)}};
     return make_sheet({}, false, stability ? study::joined(columns, modes) : columns);
 }
 
-Sheet response_sheet() {
-    return make_sheet({{"omega", "omega a/V, as given", [](const Found& f) { return f.omega; }}}, true, {});
-}
+Sheet response_sheet() { return make_sheet({{"omega", "omega a/V, as given", &Found::omega}}, true, {}); }
 
 Found steady(const study::Options& options, const Patch& patch) {
     // 3. G' by halves where the patch is symmetric, and one right-hand side for each creepage and spin.
@@ -179,6 +173,52 @@ std::function<void()> state_space_writer(const study::Options& options, const st
          .bounded = "the matrix of coefficients"});
 }
 
+/// With the columns of the coefficients.
+std::string help(const std::string& columns) {
+    return R"(Examples: Kalker's creep coefficients over a/b, beside the values of his table; a triangle, pointed in front
+  patch_study --a-over-b 0.1,0.2,0.5,1,2,5,10 --poisson 0,0.25,0.5 --n 16 --output c.csv --plot c.svg
+  printf 'y,x_trailing,x_leading\n-1,-1,-1\n0,-1,2\n1,-1,-1\n' > triangle.csv
+  patch_study --n 12 --outline triangle.csv --strips 12
+Whether all modes decay; creep curves with and without spin; one patch from above; a load that varies by half
+  patch_study --a-over-b 0.2,1,5 --n 8,12 --stability
+  patch_study --n 12 --longitudinal 0,0.1,0.2,0.3,0.4,0.5 --spin 0,0.3 --plot curves.svg
+  patch_study --n 12 --a-over-b 2 --lateral 0.1 --spin 0.3 --tractions t.csv --plot patch.svg
+  patch_study --n 12 --longitudinal 0.1 --spin 0.2 --transient --load-sine 0.5,8 --breathing --until 24
+
+x is the rolling direction, y lies across it, z points into body 2 (the rail). Creepages xi, eta along x and y,
+spin phi about z: F_x = -G a b (c11 xi + c12 eta + c13 c phi), F_y = -G a b (c21 xi + c22 eta + c23 c phi),
+M_z = -G a b c (c31 xi + c32 eta + c33 c phi), c = sqrt(a b), about the origin of the outline; c32 = -c23 in the limit
+of small elements if x -> -x leaves the patch unchanged. Bodies are equal half-spaces.
+The patch is cut into strips along x, each with --n elements (rectangles) on a cosine mesh that ends on the
+outline. With n = strips = 12 and a/b from 0.1 to 10 c11 and c22 are 0.5 % off, c23 1.4 %, c33 0.8 % (2.5 % at
+nu = 0.5 or a/b >= 5). Four times as many elements as strips suit patches more than ten times longer than wide,
+--n 48 --strips 12; c33 at nu = 0.5 takes more.
+)" + columns +
+           R"(--state-space: d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D (xi, eta, phi c).
+--outline: a row is a line y = const, which cuts the patch from x_trailing to x_leading; only the first and the last row
+may have x_trailing = x_leading. a, b and c are sqrt(area/pi), and creepages, spin and moment refer to the origin of x
+and y: put it where the bodies' motion is known. --strip-edges FILE puts edges of strips on corners of the outline.
+--pressure: a grid of x and y, of an ellipse in a and b, of an outline in its unit; bilinear, outside zero. It must cover
+nine tenths of the patch; element means are exact and scaled so that all of them carry N, so its unit does not matter,
+nor a part of it that lies outside the patch, up to half. An outline needs it, an ellipse has Hertz's without it.
+
+--longitudinal, --lateral, --spin: a row for every combination of the creepages, each solved from rest:
+)" + patch::friction_help() +
+           R"(Errors of 12 x 12 elements: 1e-3 of mu N without spin, 6e-3 with spin in the mean and 2e-2 under large spin.
+--plot draws up to three patches at one creepage from above, with y down: z points away from who looks. At the pole of
+spin the rigid slip vanishes.
+
+--transient: creepages are constant, have one value each, and are as above with N_0, a_0 and b_0: those of load_ratio 1.
+p_0 is 3 N/(2 pi a b) always. One row for each step:
+)" + patch::transient_help() +
+           R"(With --breathing, the default where --load has a_ratio,b_ratio and never vanishes, the mesh follows the ellipse,
+also where a/b changes (second order in 1/n); where a changes by as much as the step rolls, status is needs_fixed_mesh
+and the run ends. Otherwise the mesh covers the largest ellipse of the run: first order, and the load may vanish. Steps
+are divided where --load has a row, and in halves, up to six times, where they have no solution. If a step fails, the
+run has no more results, and the exit code is 1. A patch whose modes grow in time is refused (--stability shows them).
+)";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -197,7 +237,7 @@ int main(int argc, char** argv) {
     for (const std::string& creepage : friction) options.not_with({"stability", "omega", "state-space"}, creepage);
     options.only_with({"pressure", "tractions", "transient"}, friction);
     options.not_with({"tractions"}, "transient");
-    options.footer(patch::help(steady_sheet(true).help()));
+    options.footer(help(steady_sheet(true).help()));
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. One row for each patch, or for each patch and frequency.

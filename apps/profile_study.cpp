@@ -19,9 +19,7 @@
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/vehicle/wear.hpp>
 
-#include "profile/files.hpp"
-#include "profile/plots.hpp"
-#include "profile/settings.hpp"
+#include "profile/profile.hpp"
 #include "support/csv.hpp"
 #include "support/options.hpp"
 #include "support/table.hpp"
@@ -134,7 +132,7 @@ std::vector<Column> columns(bool friction) {
         {"half_width", of_patch(&RailPatch::half_width)},
         {"iterations", [=](const Found& f) { return f.patch() != nullptr ? study::Cell(f.patch()->steps) : none; }},
         {"time_us", [=](const Found& f) { return f.has_time ? study::Cell(f.contacts.time_us) : none; }},
-        {"status", [](const Found& f) { return f.status(); }}};
+        {"status", &Found::status}};
     if (!friction) return list;
     const auto of_force = [=](const PatchForce* (Found::*which)() const, auto value, bool mirrored) {
         return [=](const Found& f) {
@@ -170,7 +168,51 @@ std::vector<Column> columns(bool friction) {
     return list;
 }
 
-// --- wear ------------------------------------------------------------------------------------------------------------
+// --- files -----------------------------------------------------------------------------------------------------------
+
+/// Files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P, wheel SIDE and patch K, counted from 1, in
+/// metres. Several threads may add to them.
+class PatchFiles {
+public:
+    explicit PatchFiles(const study::Options& options) : folder_(options.text("outline")) {
+        study::make_folder(folder_, "--outline");
+    }
+
+    void add(std::size_t position, bool left, std::size_t number, const rollbem::RailPatch& patch) {
+        // a left wheel is a mirror image: s is reversed
+        const double sign = left ? -1 : 1;
+        const rollbem::Outline<double>& outline = *patch.outline;
+        std::string edges = "y,x_trailing,x_leading\n", pressures = "x,y,pressure\n";
+        for (Eigen::Index i = 0; i < outline.y().size(); ++i) {
+            const double y = outline.y()[left ? outline.y().size() - 1 - i : i];
+            edges += study::csv_line({sign * y, outline.trailing(y), outline.leading(y)});
+        }
+        const rollbem::CellGrid& grid = patch.grid;
+        for (Eigen::Index i = 0; i < grid.nx; ++i) {
+            for (Eigen::Index j = 0; j < grid.ny; ++j) {
+                pressures += study::csv_line({grid.x(i), sign * grid.y(j), patch.pressure(i, j)});
+            }
+        }
+        const std::string name =
+            std::to_string(position + 1) + (left ? "_left_" : "_right_") + std::to_string(number + 1);
+        const std::lock_guard<std::mutex> lock(mutex_);
+        texts_[name + ".outline.csv"] = std::move(edges);
+        texts_[name + ".pressure.csv"] = std::move(pressures);
+    }
+
+    void write() {
+        for (const auto& [name, text] : texts_) {
+            study::OutputFile file(folder_ + "/" + name, "--outline");
+            file.write(text);
+            file.commit();
+        }
+    }
+
+private:
+    std::string folder_;
+    std::mutex mutex_;
+    std::map<std::string, std::string> texts_;
+};
 
 /// Frictional work on the profiles of both sides, summed in the order of the positions, whatever thread finds them.
 class WearFile {
@@ -226,7 +268,7 @@ int main(int argc, char** argv) {
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         const Settings settings = profile::read_settings(given);
         const std::vector<Case> cases = profile::read_cases(given);
-        std::optional<profile::PatchFiles> files;
+        std::optional<PatchFiles> files;
         if (given.given("outline")) files.emplace(given);
         WearFile wear(settings);
         std::vector<profile::Drawn> drawn;  // patches of a single position

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -35,41 +36,40 @@ struct Count {
     std::string status;
     double cond_G = 0;
     Cell time_us{};
+
+    bool found() const { return of.status == rollbem::Status::ok; }
 };
 
 /// A number of a result; none where the eigenvalues were not found.
 template <class Number>
 auto count_of(const Number& number) {
-    return [number](const Count& c) { return c.of.status == rollbem::Status::ok ? Cell(number(c.of)) : Cell(); };
+    return study::where(&Count::found, [=](const Count& c) { return std::invoke(number, c.of); });
 }
 
 const study::Sheet<Count> counts{
     "method, derivative, mesh, n, alpha_L, alpha_T, lambda",
-    {{"unstable_count", "eigenvalues with a real part > 0, as computed",
-      count_of([](const Result& r) { return r.unstable_count; })},
+    {{"unstable_count", "eigenvalues with a real part > 0, as computed", count_of(&Result::unstable_count)},
      {"uncertain_count",
       "those of either sign that rounding errors in G and G' could move across zero, infinite ones included",
-      count_of([](const Result& r) { return r.uncertain_count; })},
+      count_of(&Result::uncertain_count)},
      {"unstable_fraction", "unstable_count / number of eigenvalues, n (n - 1 with knothe-bc)",
-      count_of([](const Result& r) { return r.unstable_fraction(); })},
-     {"spectral_abscissa", "the largest real part of the finite ones",
-      count_of([](const Result& r) { return r.spectral_abscissa; })},
-     {"cond_G", "in the 2-norm, empty if G is singular",
-      [](const Count& c) { return c.of.status == rollbem::Status::ok ? Cell(c.cond_G) : Cell(); }},
+      count_of(&Result::unstable_fraction)},
+     {"spectral_abscissa", "the largest real part of the finite ones", count_of(&Result::spectral_abscissa)},
+     {"cond_G", "in the 2-norm, empty if G is singular", study::where(&Count::found, &Count::cond_G)},
      {"time_us", "[microseconds] assembly and eigenvalues, median of at least 5 runs",
-      [](const Count& c) { return c.of.status == rollbem::Status::ok ? c.time_us : Cell(); }},
+      study::where(&Count::found, &Count::time_us)},
      {"spectral_radius",
       "the largest |nu a| (steps of an explicit integrator must stay below 2/spectral_radius); empty if an eigenvalue "
       "is infinite",
-      count_of([](const Result& r) { return r.spectral_radius; })},
+      count_of(&Result::spectral_radius)},
      {"stiffness_ratio", "the largest |Re(nu a)| over the smallest; empty if an eigenvalue is infinite",
-      count_of([](const Result& r) { return r.stiffness_ratio; })},
+      count_of(&Result::stiffness_ratio)},
      {"status",
       "assists_creepage if steady rolling shows that the scheme does not converge to full adhesion (alpha near or "
       "below 0, or above 1), whatever its eigenvalues; coarse if the steady c11 of fewer than 10 elements is wrong by "
       "more than half; not_converged if more Chebyshev states would change it; ill_conditioned or not_finite, with "
       "empty cells, if the eigenvalues were not found or G is not finite",
-      [](const Count& c) { return c.status; }}},
+      &Count::status}},
     study::settings};
 
 /// All eigenvalues by QZ, how far rounding can move each, and the condition of G; then the time of the bare count,
@@ -111,9 +111,9 @@ const study::Sheet<Critical> criticals{
     {{"critical_alpha_T",
       "the smallest with an unstable eigenvalue whose sign rounding cannot change; above it the scheme can be stable "
       "again; empty, with the status all_stable, if there is none. n = 320 takes half a minute",
-      [](const Critical& c) { return c.alpha_T; }},
+      &Critical::alpha_T},
      {"lambda", "as given"},
-     {"status", "ok, all_stable or not_finite", [](const Critical& c) { return c.status; }}},
+     {"status", "ok, all_stable or not_finite", &Critical::status}},
     study::settings};
 
 Critical critical(const study::Scene& scene) {
@@ -148,7 +148,7 @@ const study::Sheet<Eigenvalue> spectrum{
     "n",
     {{"re", "nu a, in the order of the modulus; empty if it is infinite, as where G is singular",
       [](const Eigenvalue& e) { return e.nu.real(); }},
-     {"im", "its imaginary part", [](const Eigenvalue& e) { return e.finite() ? Cell(e.nu.imag()) : Cell(); }},
+     {"im", "its imaginary part", study::where(&Eigenvalue::finite, [](const Eigenvalue& e) { return e.nu.imag(); })},
      {"exact_re",
       "the nearest eigenvalue of the plane model in closed form, also for the strip kernel, whose model differs by "
       "order (a/b)^2; empty for infinite ones, for |nu a| > 3e4, which no mesh resolves, and for contacts so narrow "
@@ -156,7 +156,7 @@ const study::Sheet<Eigenvalue> spectrum{
       [](const Eigenvalue& e) { return e.exact ? Cell(e.exact->real()) : Cell(); }},
      {"exact_im", "its imaginary part", [](const Eigenvalue& e) { return e.exact ? Cell(e.exact->imag()) : Cell(); }},
      {"alpha_L, alpha_T, lambda", "of the scheme"},
-     {"status", "as above; not_finite of infinite ones", [](const Eigenvalue& e) { return e.status; }}},
+     {"status", "as above; not_finite of infinite ones", &Eigenvalue::status}},
     std::string("method, derivative, mesh, ") + study::settings};
 
 constexpr double most_resolved = 3e4;  // |nu a| far beyond what any mesh resolves; keeps the list short

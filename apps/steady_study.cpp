@@ -32,29 +32,27 @@ struct Steady {
 
 const study::Sheet<Steady> sheet{
     "method, derivative, mesh, n, alpha_L, alpha_T",
-    {{"c11", "creep coefficient -F/(a G xi), F per unit width", [](const Steady& s) { return s.c11; }},
+    {{"c11", "creep coefficient -F/(a G xi), F per unit width", &Steady::c11},
      {"c11_exact",
       "pi/(2(1-nu)), the plane limit b >> a, whatever the kernel: with the strip kernel relative_error cannot fall "
       "below a floor of order (a/b)^2 (up to 5e-5 at b/a = 100, 5e-7 at 1000); --aspect inf has none",
-      [](const Steady& s) { return s.exact; }},
-     {"c11_ratio", "c11/c11_exact", [](const Steady& s) { return s.ratio(); }},
+      &Steady::exact},
+     {"c11_ratio", "c11/c11_exact", &Steady::ratio},
      {"relative_error", "c11_ratio - 1", [](const Steady& s) { return s.ratio() - 1; }},
      {"residual",
       "what the solution p leaves of its equations, max|G' p - xi| / (|G'| max|p| + |xi|) with the largest row sum "
       "|G'|: near 1e-16 they are solved to rounding, whatever the error of the discretisation; empty with chebyshev",
-      [](const Steady& s) { return s.residual; }},
-     {"assembly_us", "[microseconds] median of at least 5 runs; empty with chebyshev",
-      [](const Steady& s) { return s.assembly_us; }},
-     {"solve_us", "the same; with chebyshev it includes assembly", [](const Steady& s) { return s.solve_us; }},
-     {"error_estimate", "chebyshev: what more states would change, relative to c11",
-      [](const Steady& s) { return s.error_estimate; }},
+      &Steady::residual},
+     {"assembly_us", "[microseconds] median of at least 5 runs; empty with chebyshev", &Steady::assembly_us},
+     {"solve_us", "the same; with chebyshev it includes assembly", &Steady::solve_us},
+     {"error_estimate", "chebyshev: what more states would change, relative to c11", &Steady::error_estimate},
      {"status",
       "if it is not ok, c11 and all that follows from it are empty: ill_conditioned or not_finite if G' is singular to "
       "working precision; assists_creepage if tractions assist the creepage, so that the scheme does not converge to "
       "full adhesion: alpha at or below 0 (near 0 on coarse meshes), or above 1; coarse if c11 of fewer than 10 "
       "elements is wrong by more than half (plane kernel, or strip with b/a >= 10); not_converged if error_estimate is "
       "above 1e-2, as with few states in narrow strips (4 at b/a = 0.3)",
-      [](const Steady& s) { return s.status; }}},
+      &Steady::status}},
     study::settings};
 
 /// Assembles G' and solves G' p = xi for unit creepage, by Chebyshev states in one call; times both, unless other jobs

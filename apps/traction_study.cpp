@@ -31,12 +31,11 @@ struct Traction {
 const study::Sheet<Traction> sheet{
     "n",
     {{"x_over_a", "from the trailing edge (-1) to the leading edge; chebyshev: the n points cos((2k-1) pi/(2n))",
-      [](const Traction& t) { return t.x; }},
+      &Traction::x},
      {"traction", "p/(G xi) of unit creepage xi, negative; with knothe-bc the leading element carries 0",
-      [](const Traction& t) { return t.traction; }},
-     {"carter", "the exact value at the element's centre, or at the point", [](const Traction& t) { return t.carter; }},
-     {"carter_mean", "its mean over the element; empty with chebyshev",
-      [](const Traction& t) { return t.carter_mean; }},
+      &Traction::traction},
+     {"carter", "the exact value at the element's centre, or at the point", &Traction::carter},
+     {"carter_mean", "its mean over the element; empty with chebyshev", &Traction::carter_mean},
      {"relative_error", "traction/carter_mean - 1, or traction/carter - 1 with chebyshev",
       [](const Traction& t) { return t.traction / t.carter_mean.value_or(t.carter) - 1; }},
      {"alpha_L, alpha_T", "of the scheme"},
@@ -46,7 +45,7 @@ const study::Sheet<Traction> sheet{
       "if c11 of fewer than 10 elements is wrong by more than half; not_converged if more Chebyshev states would "
       "change "
       "c11 by more than 1e-2, as in narrow strips",
-      [](const Traction& t) { return t.status; }}},
+      &Traction::status}},
     std::string("method, derivative, mesh, ") + study::settings};
 
 /// Unit creepage. With Knothe and Gross-Thebing's boundary conditions the leading element has no traction.

@@ -106,22 +106,21 @@ struct Moment {
 
 const study::Sheet<Moment> sheet{
     "",
-    {{"q_over_a", "distance rolled; the first row is at q = dq", [](const Moment& m) { return m.q; }},
-     {"creepage", "there", [](const Moment& m) { return m.creepage; }},
-     {"force", "-F_bar/(a G xi_ref), xi_ref the largest |creepage| of the run",
-      [](const Moment& m) { return m.force; }},
+    {{"q_over_a", "distance rolled; the first row is at q = dq", &Moment::q},
+     {"creepage", "there", &Moment::creepage},
+     {"force", "-F_bar/(a G xi_ref), xi_ref the largest |creepage| of the run", &Moment::force},
      {"exact",
       "the plane model's, b >> a, whatever the kernel: the strip kernel differs from it by O((a/b)^2). It is empty if "
       "the plane model itself is unstable (b/a below 0.18 at nu = 0.25)",
-      [](const Moment& m) { return m.exact; }},
-     {"relative_error", "force/exact - 1", [](const Moment& m) { return m.error(); }},
+      &Moment::exact},
+     {"relative_error", "force/exact - 1", &Moment::error},
      {"method, derivative, mesh, n, alpha_L, alpha_T, lambda", "the scheme"},
-     {"integrator", "as given", [](const Moment& m) { return m.integrator; }},
+     {"integrator", "as given", &Moment::integrator},
      {"status",
       "unresolved, with an empty force, if OMEGA --dq > 1: fewer than six steps in a period of --sine; unchecked with "
       "--unchecked, where a scheme is stepped that would be refused: one that is not certainly stable, or whose steady "
       "tractions assist the creepage (alpha near or below 0, or above 1)",
-      [](const Moment& m) { return m.status; }}},
+      &Moment::status}},
     study::settings};
 
 /// One run: emits the rows of `range`, but steps from the start, because each state needs the one before.

@@ -94,7 +94,8 @@ struct Line {
 template <class Row>
 std::vector<study::Column<Row>> law_columns() {
     const auto of_law = [](auto value) {
-        return [value](const Row& r) { return r.line.falling ? study::Cell(value(*r.line.falling)) : study::Cell(); };
+        return study::where([](const Row& r) { return r.line.falling.has_value(); },
+                            [value](const Row& r) { return value(*r.line.falling); });
     };
     const char* given = "--falling and --memory";
     return {{"layer", "--layer", [](const Row& r) { return r.line.layer; }},

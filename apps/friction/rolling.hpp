@@ -11,7 +11,7 @@
 #include <rollbem/friction/friction_contact.hpp>
 
 #include "support/runs.hpp"
-#include "support/table.hpp"
+#include "support/sheet.hpp"
 
 namespace friction {
 
@@ -50,11 +50,11 @@ std::string roll(const Rolling& rolling, study::RowRange range, const std::funct
 /// A column's value in rows that have results, and in rows of a run that has not ended.
 template <class Value>
 auto if_valid(const Value& value) {
-    return [value](const auto& r) { return r.moment.valid ? study::Cell(value(r)) : study::Cell(); };
+    return study::where([](const auto& r) { return r.moment.valid; }, value);
 }
 template <class Value>
 auto if_computed(const Value& value) {
-    return [value](const auto& r) { return r.moment.computed ? study::Cell(value(r)) : study::Cell(); };
+    return study::where([](const auto& r) { return r.moment.computed; }, value);
 }
 
 /// Writes the table of a run of each case, `rows` long: prepare(case) makes its Rolling, row(case, moment) its

@@ -48,7 +48,7 @@ struct CreepRow {
 
 template <class Value>
 auto if_ok(const Value& value) {
-    return [value](const CreepRow& r) { return r.ok() ? study::Cell(value(r)) : study::Cell(); };
+    return study::where(&CreepRow::ok, value);
 }
 
 const study::Sheet<CreepRow>& creep_sheet() {
@@ -61,7 +61,7 @@ const study::Sheet<CreepRow>& creep_sheet() {
              {"alpha_L", "of the scheme; empty with --fit-border", [](const R& r) { return r.of.alpha_L; }},
              {"alpha_T", "of the scheme; empty with --fit-border", [](const R& r) { return r.of.alpha_T; }},
              {"creepage_ratio", "delta = xi G/(2 (1-nu) mu p0)", [](const R& r) { return r.point.longitudinal; }},
-             {"force_ratio", "-F_x/(mu N)", [](const R& r) { return r.force_ratio(); }},
+             {"force_ratio", "-F_x/(mu N)", &R::force_ratio},
              {"exact", "Carter's, where it holds", [](const R& r) { return r.exact().longitudinal; }},
              {"relative_error", "force_ratio/exact - 1",
               [](const R& r) { return relative_error(r.force_ratio(), r.exact().longitudinal); }},

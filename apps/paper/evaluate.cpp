@@ -12,7 +12,6 @@
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/discretisation/any_scheme.hpp>
-#include <rollbem/studies/critical_alpha.hpp>
 
 #include "support/timing.hpp"
 
@@ -131,16 +130,6 @@ Eigen::Index unstable_count(const Case& c) {
 }
 
 bool certainly_unstable(const Case& c) { return rollbem::judge_stability<double>(system_of(c)).certainly_unstable(); }
-
-std::optional<double> critical_alpha_T(const Case& c) {
-    const rollbem::studies::CriticalAlphaOptions options{.first = 0.45, .last = 1, .step = 1e-3, .tolerance = 1e-4};
-    const auto scheme_at = [&](double alpha_T) {
-        Case moved = c;
-        moved.alpha_T = alpha_T;
-        return scheme_of(moved);
-    };
-    return rollbem::studies::critical_alpha_T(mesh_of(c), scheme_at, strip(), options);
-}
 
 std::vector<HarmonicResponse> harmonic_responses(const Case& c, const std::vector<double>& z) {
     const rollbem::FrequencySweep<double> sweep(system_of(c));

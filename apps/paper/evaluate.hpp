@@ -3,7 +3,6 @@
 #pragma once
 
 #include <complex>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -86,9 +85,6 @@ Eigen::Index unstable_count(const Case& c);
 
 /// Whether an eigenvalue has a positive real part that rounding cannot explain, by the QZ algorithm.
 bool certainly_unstable(const Case& c);
-
-/// The smallest alpha_T in [0.45, 1] that is certainly_unstable, in steps of 0.001; empty if there is none.
-std::optional<double> critical_alpha_T(const Case& c);
 
 /// c11 under harmonic creepage of omega a/V = z, by the boundary elements; not a number where the equations are
 /// singular to working precision.

@@ -38,27 +38,27 @@ struct FrictionRow {
 
 template <class Value>
 auto if_ok(const Value& value) {
-    return [value](const FrictionRow& r) { return r.ok() ? study::Cell(value(r)) : study::Cell(); };
+    return study::where(&FrictionRow::ok, value);
 }
 
 const study::Sheet<FrictionRow, Patch>& friction_sheet() {
     using R = FrictionRow;
     static const study::Sheet<R, Patch> columns{
         identity,
-        study::joined(
-            creepage_columns<R>(),
-            {{"longitudinal_force", "-F_x/(mu N); like the other forces empty if status is not ok",
-              if_ok([](const R& r) { return 0 - r.step.force.longitudinal / mu_N(r.patch); })},
-             {"lateral_force", "-F_y/(mu N)",
-              if_ok([](const R& r) { return 0 - r.step.force.lateral / mu_N(r.patch); })},
-             {"spin_moment", "-M_z/(mu N c)",
-              if_ok([](const R& r) { return 0 - r.step.force.moment / r.patch.contact.c() / mu_N(r.patch); })},
-             {"stick_count", "elements that stick", [](const R& r) { return r.step.stick_count; }},
-             {"rounds", "Newton steps", [](const R& r) { return r.step.rounds; }},
-             {"complementarity_residual", "how far the law is violated",
-              [](const R& r) { return r.step.complementarity_residual; }},
-             {"time_us", "[microseconds] of the solution, matrices ready", [](const R& r) { return r.time_us; }},
-             {"status", "ok, or why there are no forces", [](const R& r) { return name(r.step.status); }}}),
+        study::joined(creepage_columns<R>(),
+                      {{"longitudinal_force", "-F_x/(mu N); like the other forces empty if status is not ok",
+                        if_ok([](const R& r) { return 0 - r.step.force.longitudinal / mu_N(r.patch); })},
+                       {"lateral_force", "-F_y/(mu N)",
+                        if_ok([](const R& r) { return 0 - r.step.force.lateral / mu_N(r.patch); })},
+                       {"spin_moment", "-M_z/(mu N c)", if_ok([](const R& r) {
+                            return 0 - r.step.force.moment / r.patch.contact.c() / mu_N(r.patch);
+                        })},
+                       {"stick_count", "elements that stick", [](const R& r) { return r.step.stick_count; }},
+                       {"rounds", "Newton steps", [](const R& r) { return r.step.rounds; }},
+                       {"complementarity_residual", "how far the law is violated",
+                        [](const R& r) { return r.step.complementarity_residual; }},
+                       {"time_us", "[microseconds] of the solution, matrices ready", &R::time_us},
+                       {"status", "ok, or why there are no forces", [](const R& r) { return name(r.step.status); }}}),
         "nodes"};
     return columns;
 }

@@ -197,7 +197,7 @@ const study::Sheet<TimeRow, Patch>& time_sheet() {
         study::joined<study::Column<R>>(
             {{"q_over_a", "distance rolled over a_0; the first row is at q = dq",
               [](const R& r) { return r.moment.q; }},
-             {"load_ratio", "N/N_0", [](const R& r) { return r.load_ratio(); }},
+             {"load_ratio", "N/N_0", &R::load_ratio},
              {"a_ratio", "a/a_0, by Hertz the cube root of load_ratio, or the column of --load",
               [](const R& r) { return r.axes().a; }},
              {"b_ratio", "the same, b/b_0", [](const R& r) { return r.axes().b; }},

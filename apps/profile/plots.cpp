@@ -1,11 +1,11 @@
-#include "plots.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <utility>
+
+#include "profile.hpp"
 
 namespace profile {
 

@@ -1,5 +1,3 @@
-#include "profile_file.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -12,6 +10,7 @@
 
 #include <rollbem/detail/finite.hpp>
 
+#include "profile.hpp"
 #include "support/csv.hpp"
 #include "support/errors.hpp"
 #include "support/input.hpp"

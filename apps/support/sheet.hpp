@@ -23,6 +23,12 @@ struct Column {
     std::function<Cell(const Result&)> value{};  ///< without, it is the case's column of that name
 };
 
+/// The value of a column where the condition holds; either is a member or a function of the result.
+template <class Condition, class Value>
+auto where(const Condition& condition, const Value& value) {
+    return [=](const auto& r) { return std::invoke(condition, r) ? Cell(std::invoke(value, r)) : Cell(); };
+}
+
 /// What takes the results of a case, one by one.
 template <class Result>
 using Results = std::function<void(const Result&)>;
