@@ -5,53 +5,12 @@
 steady=$programs/steady_study
 printf '%s\n' -1 -0.2 0.5 1 >"$scratch/edges"
 
-# a malformed configuration file: the message has its name, the line, and what is wrong
-# malformed LINE TEXT CONTENT: refused at that line
-malformed() {
-    printf "$3" >"$scratch/malformed.toml"
-    bad "--config = $scratch/malformed.toml: line $1" "$steady" --config "$scratch/malformed.toml" --output x.csv
-    bad "$2" "$steady" --config "$scratch/malformed.toml"
-}
-malformed 1 'must be TOML' 'n=[100'
-malformed 2 'must be TOML' 'quiet = true\nmesh = cosine\n'
-malformed 1 'must be TOML' 'n = 10 20\n'
-malformed 3 'must be TOML' 'n = 10\nquiet = true\nn = 20\n'
-malformed 1 'must not be an empty list' 'n = []\n'
-malformed 1 'must be a text, a number, true or false, or a list of these' 'n = [[10]]\n'
-malformed 1 'must be a text, a number, true or false' '[section]\nn = 10\n'
-malformed 2 'must name an option of steady_study; see' 'n = 10\nbogus = 1\n'
-malformed 1 'must name an option of steady_study' 'config = "x"\n'
-malformed 1 'must be true or false' 'quiet = "yes"\n'
-malformed 1 'must be true or false' 'quiet = [true, false]\n'
-malformed 2 'must name an option of steady_study; did you mean --alpha-T?' '[given]\nalpha-t = 10\n'
-
 # a configuration file; the command line takes precedence
-printf 'n = [10, 20]\nalpha-T = "0.5,0.6"\nquiet = true\n' >c.toml
-good 5 "$steady" --config c.toml
-good 3 "$steady" --config c.toml --n 30
 printf '# one\n"n" = [10, # ten\n  "20",\n]\r\nalpha-T=[0.5 , 0.6]# two\nmesh = "cos\\u0069ne"\nquiet = true' >c.toml
 good 5 "$steady" --config c.toml
 check 'all that a configuration file says' '$mesh == "cosine" && ($n == 10 || $n == 20) && ($alpha_T == 0.5 || $alpha_T > 0.59)'
 "$steady" --config - <c.toml | cut -d, -f1-10 >from_stdin
 cut -d, -f1-10 out | cmp -s - from_stdin || fail "a configuration from standard input"
-
-# also where it takes one of two options that exclude each other
-printf 'alpha-T = 0.5\nalpha-L = 0.1\nn = 10\n' >c.toml
-good 2 "$steady" --config c.toml --alpha 0.4
-check 'alpha in place of a configured alpha-T' '$alpha_L == 0.4 && $alpha_T == 0.4'
-printf 'alpha = 0.4\nn = 10\n' >c.toml
-good 2 "$steady" --config c.toml --alpha-T 0.5
-check 'alpha-T in place of a configured alpha' '$alpha_L == 0 && $alpha_T == 0.5'
-printf 'n = 10\nmesh = "cosine"\nedges = "none"\n' >c.toml
-good 2 "$steady" --config c.toml --mesh uniform
-printf 'n = 10\nmesh = "knothe"\nepsilon = 0.3\n' >c.toml
-good 2 "$steady" --config c.toml --edges "$scratch/edges"
-printf 'n = 10\nomega = 3\n' >c.toml
-good 6 "$programs/frequency_study" --config c.toml --points 5
-printf 'n = 10\nstep = 1\nuntil = 1\n' >c.toml
-good 21 "$programs/transient_study" --config c.toml --ramp 1
-printf 'alpha = 0.4\nalpha-T = 0.5\n' >"$scratch/both.toml"
-bad '--alpha-T = 0.5 has no effect with --alpha' "$steady" --config "$scratch/both.toml"
 
 # the file beside the rows repeats a run: the same rows, without its outputs and jobs
 printf '%s\n' -1 -0.2 0.5 1 >own

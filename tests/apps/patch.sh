@@ -7,12 +7,6 @@ outline() { printf 'y,x_trailing,x_leading\n%b' "$1" >"$scratch/outline.csv"; }
 pressure() { printf 'x,y,pressure\n%b' "$1" >"$scratch/pressure.csv"; }
 loads() { printf 'q_over_a,load_ratio,a_ratio,b_ratio\n%b' "$1" >"$scratch/load.csv"; }
 
-printf -- '-1\n0.5\n0.2\n1\n' >"$scratch/edges"
-bad 'line 3 = 0.2 must be larger than the line before' $patch --strip-edges "$scratch/edges"
-printf -- '-0.9\n1\n' >"$scratch/edges"
-bad 'line 1 = -0.9 must be -1, the smallest y' $patch --strip-edges "$scratch/edges"
-bad '--strips = 4 has no effect with --strip-edges' $patch --strips 4 --strip-edges "$scratch/edges"
-
 # --- outlines: a rectangle given twice, in other units and with strips of its own
 outline '-2,-1,1\n2,-1,1\n'
 good 2 "$patch" --n 8 --outline "$scratch/outline.csv" --no-timing
