@@ -127,8 +127,8 @@ def close_to(value, expected, tolerance, what=""):
     assert error <= tolerance, what
 
 
-def run(functions):
-    """Runs the functions whose names begin with test_, and exits with 1 if one fails."""
+def run(functions, *fmus):
+    """Runs the functions whose names begin with test_ with these FMUs, and exits with 1 if one fails."""
     failed = []
     tests = [f for name, f in functions.items() if name.startswith("test_")]
     for test in tests:
@@ -138,5 +138,7 @@ def run(functions):
         except Exception:
             traceback.print_exc()
             failed.append(test.__name__)
+    for fmu in fmus:
+        fmu.close()
     print(f"{len(tests) - len(failed)} of {len(tests)} tests passed", *(f"FAILED: {name}" for name in failed), sep="\n")
     sys.exit(1 if failed or not tests else 0)

@@ -266,7 +266,4 @@ def test_what_model_exchange_refuses():
         instance.close()
 
 
-try:
-    run(globals())
-finally:
-    fmu.close()
+run(globals(), fmu)

@@ -106,8 +106,4 @@ def test_twin_or_enumeration():
 
 log_output_level(CosimLogLevel.FATAL)
 fmus = [Fmu(file) for file in sys.argv[1:]]
-try:
-    run(globals())
-finally:
-    for one in fmus:
-        one.close()
+run(globals(), *fmus)
