@@ -16,7 +16,6 @@
 #include <rollbem/vehicle/make_creep_force_table.hpp>
 
 #include "support/catch.hpp"
-#include "support/dense.hpp"
 #include "support/draw.hpp"
 #include "support/observed_order.hpp"
 #include "support/refusal.hpp"
@@ -28,7 +27,7 @@ using namespace rollbem;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
-using support::observed_order;
+using creep_forces::array, support::observed_order;
 
 namespace {
 
@@ -37,8 +36,6 @@ constexpr double mu = 0.3, load = 8e4, modulus = 8e10;
 PatchContact<double> contact(double a_over_b, double nu = 0.28) {
     return PatchContact<double>({5e-3 * std::sqrt(a_over_b), 5e-3 / std::sqrt(a_over_b), modulus, nu});
 }
-
-Eigen::Array3d array(const TangentialForce<double>& force) { return {force.longitudinal, force.lateral, force.moment}; }
 
 /// Creepages of a level near that of saturation: in units of mu N/(G a b), the spin over c besides.
 Creepage<double> creepage(const PatchContact<double>& patch, double x, double y, double spin) {
@@ -68,62 +65,6 @@ std::string refused(const std::string& text) {
         CreepForceTable::read(stream);
     });
 }
-
-// A rigid bogie of two wheelsets on cones, half of them loaded by its roll: an implicit Euler step for the velocities
-// across and about z and x [m/s, rad/s] and the spins of the wheelsets. Residual and, by all tangents of the look-up or
-// without those by load, semi-axes and friction, its derivatives.
-struct BogieStep {
-    using Vector = Eigen::Matrix<double, 5, 1>;
-    using Matrix = Eigen::Matrix<double, 5, 5>;
-
-    Vector residual;
-    Matrix jacobian;
-
-    BogieStep(const Vector& u, bool all) {
-        constexpr double V = 30, h = 2e-3, r_0 = 0.46, e = 0.75, cone = 0.15, N_0 = 7e4;
-        const Vector mass(5e3, 6e3, 3e3, 120, 120), stiffness(4e5, 4e5, 2e6, 0, 0);
-        const Vector start(0.02, 0.01, 0.02, V / r_0, V / r_0), place(4e-3, 1e-3, 2e-3, 0, 0);
-        const Vector q = place + h * u;
-        residual = mass.cwiseProduct(u - start) / h + stiffness.cwiseProduct(q);
-        jacobian = (mass / h + h * stiffness).asDiagonal();
-        for (const int wheelset : {0, 1}) {
-            for (const double side : {-1.0, 1.0}) {
-                const double x = wheelset == 0 ? 1.2 : -1.2, y = q[0] + x * q[1], r = r_0 + side * cone * y;
-                const Vector unit = Vector::Unit(3 + wheelset);
-                const Vector by_y = h * (Vector::Unit(0) + x * Vector::Unit(1)), by_r = side * cone * by_y;
-                const double N = N_0 + side * 4e6 * q[2], cube = std::cbrt(N / N_0);
-                const Vector by_N = side * 4e6 * h * Vector::Unit(2), by_cube = by_N * cube / (3 * N);
-                const double a = 6e-3 * cube * (1 + 20 * side * y), b = 5e-3 * cube * (1 - 30 * side * y);
-                const Creepage<double> creepage{1 - r * u[3 + wheelset] / V - side * e * u[1] / V,
-                                                (u[0] + x * u[1]) / V - q[1], u[1] / V + side * cone / r_0};
-                const TabulatedForce at =
-                    small_table().look_up(PatchContact<double>({a, b, modulus, 0.28}), 0.3 + 4 * y, N, creepage);
-                CHECK(at.a_over_b_on_table);
-                Eigen::Matrix<double, 3, 7> tangent;
-                tangent << array(at.tangent.by_longitudinal).matrix(), array(at.tangent.by_lateral).matrix(),
-                    array(at.tangent.by_spin).matrix(), array(at.tangent_by_load).matrix(),
-                    array(at.tangent_by_friction_coefficient).matrix(), array(at.tangent_by_half_length).matrix(),
-                    array(at.tangent_by_half_width).matrix();
-                if (!all) tangent.rightCols(4).setZero();
-                Eigen::Matrix<double, 7, 5> inputs;
-                inputs << -(r * unit + u[3 + wheelset] * by_r + side * e * Vector::Unit(1)).transpose() / V,
-                    (Vector::Unit(0) + x * Vector::Unit(1)).transpose() / V - h * Vector::Unit(1).transpose(),
-                    Vector::Unit(1).transpose() / V, by_N.transpose(), 4 * by_y.transpose(),
-                    6e-3 * (by_cube * (1 + 20 * side * y) + cube * 20 * side * by_y).transpose(),
-                    5e-3 * (by_cube * (1 - 30 * side * y) - cube * 30 * side * by_y).transpose();
-                // forces on the wheel act on the bogie, and about the axle of the wheelset
-                Eigen::Matrix<double, 5, 3> on = Eigen::Matrix<double, 5, 3>::Zero();
-                on.row(0) << 0, 1, 0;
-                on.row(1) << -side * e, x, 1;
-                on.row(2) << 0, -r_0, 0;
-                on.row(3 + wheelset) << -r, 0, 0;
-                residual -= on * array(at.force).matrix();
-                jacobian -= on * tangent * inputs;
-                jacobian.row(3 + wheelset) += at.force.longitudinal * by_r.transpose();
-            }
-        }
-    }
-};
 
 }  // namespace
 
@@ -247,37 +188,10 @@ TEST_CASE("creep_force_table: tangents are derivatives, and continuous across ce
         const double level = std::exp(1.5 * draw.normal());
         const Creepage<double> v = creepage(patch, level * draw.normal(), level * draw.normal(), level * draw.normal());
         const TabulatedForce at = table.look_up(patch, mu, load, v);
-        const Creepage<double> unit = creepage(patch, 1, 1, 1);
-        const double a = patch.half_length(), b = patch.half_width();
-        // `force` by a step of a quantity, in its `size`
-        const auto compare = [&](const auto& force, double size, const TangentialForce<double>& tangent) {
-            constexpr double step = 1e-5;
-            const Eigen::Array3d difference = (array(force(step * size)) - array(force(-step * size))) / (2 * step);
-            const Eigen::Array3d scale = Eigen::Array3d(1, 1, patch.c()) * mu * load;
-            INFO("level " << level << ", difference " << difference.transpose() << ", tangent "
-                          << size * array(tangent).transpose());
-            CHECK((((difference - size * array(tangent)) / scale).abs() < 1e-6 * std::max(1.0, level)).all());
-        };
-        const auto by_creepage = [&](double Creepage<double>::*which, const TangentialForce<double>& tangent) {
-            compare(
-                [&](double step) {
-                    Creepage<double> changed = v;
-                    changed.*which += step;
-                    return table.look_up(patch, mu, load, changed).force;
-                },
-                level * unit.*which, tangent);
-        };
-        by_creepage(&Creepage<double>::longitudinal, at.tangent.by_longitudinal);
-        by_creepage(&Creepage<double>::lateral, at.tangent.by_lateral);
-        by_creepage(&Creepage<double>::spin, at.tangent.by_spin);
-        compare([&](double step) { return table.look_up(patch, mu, load + step, v).force; }, load, at.tangent_by_load);
-        compare([&](double step) { return table.look_up(patch, mu + step, load, v).force; }, mu,
-                at.tangent_by_friction_coefficient);
-        const auto sized = [](double x, double y) { return PatchContact<double>({x, y, modulus, 0.28}); };
-        compare([&](double step) { return table.look_up(sized(a + step, b), mu, load, v).force; }, a,
-                at.tangent_by_half_length);
-        compare([&](double step) { return table.look_up(sized(a, b + step), mu, load, v).force; }, b,
-                at.tangent_by_half_width);
+        const auto force = [&](const PatchContact<double>& where, double friction, double N,
+                               const Creepage<double>& by) { return table.look_up(where, friction, N, by).force; };
+        CHECK(creep_forces::tangent_error(force, at, patch, mu, load, v, creepage(patch, level, level, level)) <
+              1e-6 * std::max(1.0, level));
     }
     // from no friction on, by the force in full sliding
     {
@@ -333,22 +247,6 @@ TEST_CASE("creep_force_table: tangents are derivatives, and continuous across ce
         return (tangent(to) - tangent(from)) / (to - from);
     };
     CHECK_THAT(change(1, 1.0001), WithinRel(change(0.9999, 1), 1e-2));
-}
-
-TEST_CASE("creep_force_table: Newton's method for a step of a bogie converges quadratically with its tangents") {
-    for (const bool all : {true, false}) {
-        BogieStep::Vector u(0, 0, 0, 65.2, 65.2);
-        std::vector<double> sizes;
-        while (sizes.size() < 10 && (sizes.empty() || sizes.back() > 1e-9 * sizes.front())) {
-            const BogieStep step(u, all);
-            sizes.push_back(step.residual.norm());
-            u -= dense::solve(step.jacobian, step.residual);
-        }
-        CAPTURE(all, sizes);
-        const std::size_t last = sizes.size() - 1;
-        const double order = std::log(sizes[last] / sizes[last - 1]) / std::log(sizes[last - 1] / sizes[last - 2]);
-        CHECK((all ? order > 1.7 : order < 1.3));
-    }
 }
 
 TEST_CASE("creep_force_table: far below saturation, between its ellipses") {

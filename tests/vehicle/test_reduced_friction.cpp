@@ -14,12 +14,14 @@
 #include "support/catch.hpp"
 #include "support/draw.hpp"
 #include "support/refusal.hpp"
+#include "vehicle/creep_force_scene.hpp"
 
 namespace reduced_friction_tests {
 
 using namespace rollbem;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
+using creep_forces::array, creep_forces::tangent_error;
 
 namespace {
 
@@ -38,8 +40,6 @@ const CreepForceTable& steel() {
 PatchContact<double> ellipse(double a_over_b) {
     return PatchContact<double>({5e-3 * std::sqrt(a_over_b), 5e-3 / std::sqrt(a_over_b), modulus, 0.28});
 }
-
-Eigen::Array3d array(const TangentialForce<double>& force) { return {force.longitudinal, force.lateral, force.moment}; }
 
 bool same(const TangentialForce<double>& one, const TangentialForce<double>& other) {
     return (array(one) == array(other)).all();
@@ -139,43 +139,17 @@ TEST_CASE("reduced_friction: tangents are derivatives") {
         const PatchContact<double> patch = ellipse(draw.decades(-0.9, 0.9));
         const double level = draw.decades(-1, 1), speed = draw.uniform(1, 40);
         const Creepage<double> v = creepage(patch, level, draw);
-        const double a = patch.half_length(), b = patch.half_width();
+        const double of = level * mu_0 * load / (4 * modulus * patch.c() * patch.c());
         const ReducedFriction::Force at = friction.look_up(steel(), patch, mu_0, load, speed, v);
-        const auto force = [&](double mu, double N, double V, const Creepage<double>& w) {
-            return array(friction.look_up(steel(), patch, mu, N, V, w).force);
+        const auto force = [&](const PatchContact<double>& where, double mu, double N, const Creepage<double>& by) {
+            return friction.look_up(steel(), where, mu, N, speed, by).force;
         };
-        const auto compare = [&](const auto& moved, double size, const TangentialForce<double>& tangent) {
-            constexpr double step = 1e-5;
-            const Eigen::Array3d difference = (moved(step * size) - moved(-step * size)) / (2 * step);
-            const Eigen::Array3d scale = Eigen::Array3d(1, 1, patch.c()) * mu_0 * load;
-            const double error = ((difference - size * array(tangent)) / scale).abs().maxCoeff();
-            worst = std::max(worst, error / std::max(1.0, level));
+        const auto by_speed = [&](double step) {
+            return friction.look_up(steel(), patch, mu_0, load, speed + step, v).force;
         };
-        const Creepage<double> unit = [&] {
-            const double of = level * mu_0 * load / (4 * modulus * patch.c() * patch.c());
-            return Creepage<double>{of, of, of / patch.c()};
-        }();
-        const auto by_creepage = [&](double Creepage<double>::*which, const TangentialForce<double>& tangent) {
-            const auto moved = [&](double step) {
-                Creepage<double> changed = v;
-                changed.*which += step;
-                return force(mu_0, load, speed, changed);
-            };
-            compare(moved, unit.*which, tangent);
-        };
-        by_creepage(&Creepage<double>::longitudinal, at.tangent.by_longitudinal);
-        by_creepage(&Creepage<double>::lateral, at.tangent.by_lateral);
-        by_creepage(&Creepage<double>::spin, at.tangent.by_spin);
-        compare([&](double step) { return force(mu_0, load + step, speed, v); }, load, at.tangent_by_load);
-        compare([&](double step) { return force(mu_0 + step, load, speed, v); }, mu_0,
-                at.tangent_by_friction_coefficient);
-        compare([&](double step) { return force(mu_0, load, speed + step, v); }, speed, at.tangent_by_speed);
-        const auto sized = [&](double x, double y) {
-            return array(
-                friction.look_up(steel(), PatchContact<double>({x, y, modulus, 0.28}), mu_0, load, speed, v).force);
-        };
-        compare([&](double step) { return sized(a + step, b); }, a, at.tangent_by_half_length);
-        compare([&](double step) { return sized(a, b + step); }, b, at.tangent_by_half_width);
+        const double error = std::max(tangent_error(force, at, patch, mu_0, load, v, {of, of, of / patch.c()}),
+                                      tangent_error(by_speed, speed, at.tangent_by_speed, patch, mu_0 * load));
+        worst = std::max(worst, error / std::max(1.0, level));
     }
     CHECK(worst < 1e-6);
 }
