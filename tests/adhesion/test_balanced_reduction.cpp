@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/compiled/adhesion.hpp>
 
 #include "support/catch.hpp"
@@ -161,23 +162,6 @@ TEST_CASE("One state of closed form", "[reduction]") {
     CHECK(std::abs(same.hankel_singular_values[0] - 10.0 / 6) < 4 * eps);
     CHECK(same.error_bound == 0);
     CHECK(largest_difference(same.space, space) < 20 * eps);
-}
-
-TEST_CASE("Balanced states need fewer than Chebyshev states over a wide range of frequencies", "[reduction]") {
-    const StateSpace<double> space = state_space(Chebyshev{48}, plane);
-    std::vector<double> z;
-    for (int k = 0; k <= 50; ++k) z.push_back(0.2 * k);
-    for (const Eigen::Index states : {2, 4, 6, 8}) {
-        CAPTURE(states);
-        // 5.9e-3, 1.5e-3, 6.6e-4, 1.2e-4 and 6.0e-3, 1.8e-3, 9.4e-4, 5.6e-4
-        const double balanced = largest_difference(balanced_reduction(space, states).space, space, z),
-                     chebyshev = largest_difference(state_space(Chebyshev{states}, plane), space, z);
-        CHECK(balanced < chebyshev);
-        if (states == 8) CHECK(balanced < chebyshev / 4);
-        // while at low frequencies Chebyshev states are exact to rounding
-        CHECK((states < 8 || norm(dense::transfer(state_space(Chebyshev{states}, plane), 0.5) -
-                                  dense::transfer(space, 0.5)) < 1e-12));
-    }
 }
 
 TEST_CASE("What cannot be reduced has a status", "[reduction]") {

@@ -12,6 +12,7 @@
 #include <rollbem/compiled/steady.hpp>
 
 #include "support/catch.hpp"
+#include "support/observed_order.hpp"
 
 namespace frequency_tests {
 namespace {
@@ -62,19 +63,14 @@ TEST_CASE("The cosine mesh is of second order at every frequency", "[frequency]"
     const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
     CHECK(largest_error(FrequencySweep<double>(rolling_system(cosine_mesh(60), scheme, plane(1000))), 1000, 1e-3, 5) <
           3e-4);
-    double sum_xx = 0, sum_xy = 0, sum_x = 0, sum_y = 0;
-    const std::vector<int> sizes{80, 120, 160, 240, 320};
-    for (const int n : sizes) {
-        const double x = std::log(n);
-        const double y = std::log(
-            largest_error(FrequencySweep<double>(rolling_system(cosine_mesh(n), scheme, plane(1000))), 1000, 1e-3, 5));
-        sum_x += x;
-        sum_y += y;
-        sum_xx += x * x;
-        sum_xy += x * y;
+    const std::vector<double> sizes{80, 120, 160, 240, 320};
+    std::vector<double> errors;
+    for (const double n : sizes) {
+        const Mesh<double> mesh = cosine_mesh(static_cast<Eigen::Index>(n));
+        errors.push_back(
+            largest_error(FrequencySweep<double>(rolling_system(mesh, scheme, plane(1000))), 1000, 1e-3, 5));
     }
-    const double count = static_cast<double>(sizes.size());
-    const double order = -(count * sum_xy - sum_x * sum_y) / (count * sum_xx - sum_x * sum_x);
+    const double order = support::observed_order(sizes, errors);
     CAPTURE(order);
     CHECK(order > 1.85);
     CHECK(order < 2.15);

@@ -58,18 +58,6 @@ TEST_CASE("Scanning by strides finds the same critical alpha_T as scanning every
     }
 }
 
-TEST_CASE("Equal alphas turn unstable just above one half", "[stability]") {
-    double before = 1;
-    for (const int n : {10, 20, 40, 80}) {
-        const double found = critical_alpha_T(uniform_mesh(n), equal, strip()).value_or(-1);
-        CAPTURE(n, found);
-        CHECK(found > 0.5);
-        CHECK(found < before);
-        before = found;
-    }
-    CHECK(before < 0.51);
-}
-
 TEST_CASE("The search for a critical alpha_T respects its range and rejects invalid options", "[stability]") {
     const auto mesh = uniform_mesh(20);
     CHECK(critical_alpha_T(mesh, collocation, strip(), {.first = 0.95}) == 0.95);

@@ -5,8 +5,6 @@
 
 #include <rollbem/adhesion/state_space.hpp>
 #include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/reference/bessel.hpp>
-#include <rollbem/reference/step_response.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
@@ -31,23 +29,6 @@ Complex response(const Space& space, Complex s) {
 }
 
 double relative_error(Complex value, Complex exact) { return std::abs(value / exact - 1.0); }
-
-TEST_CASE("Eight equations reproduce the contact where motion is slow over its length", "[state_space]") {
-    const StateSpace<double> space = state_space(Chebyshev{8}, plane);
-    CHECK(space.A.rows() == 8);
-    for (const double angle : {0.0, 0.7, 1.5707963267948966, 2.2}) {
-        for (const double radius : {1e-3, 0.1, 0.5, 1.0}) {
-            const Complex s = std::polar(radius, angle);
-            CAPTURE(s);
-            CHECK(relative_error(response(space, s), reference::plane_c11(s, 0.25, 100)) < 1e-12);
-        }
-    }
-    // but not at higher frequencies
-    CHECK(relative_error(response(space, Complex(0, 5)), reference::plane_c11(Complex(0, 5), 0.25, 100)) > 1e-4);
-    const Complex exact = reference::eigenvalues(1, 0.25, 100)[0];
-    CHECK((dense::spectrum(space.A).values.array() - exact).abs().minCoeff() < 1e-13);
-    CHECK(space.D(0, 0) == 0);
-}
 
 TEST_CASE("A state space has the frequency response of its system", "[state_space]") {
     const auto check = [](const RollingSystem<double>& system, double tolerance) {
@@ -74,12 +55,6 @@ double stepped(const Space& space, double end, int steps) {
         x += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
     }
     return (space.C * x)(0, 0);
-}
-
-TEST_CASE("A Runge-Kutta integration of the state space follows the exact step response", "[state_space]") {
-    const reference::StepResponse exact(0.25, 100);
-    const StateSpace<double> space = state_space(Chebyshev{24}, plane);
-    for (const double q : {5.0, 20.0}) CHECK(std::abs(stepped(space, q, 4000) / exact.step(q) - 1) < 2e-9);
 }
 
 TEST_CASE("A state space in SI units gives the force of the time loop", "[state_space]") {

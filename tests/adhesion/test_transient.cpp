@@ -8,6 +8,7 @@
 
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/compiled/adhesion.hpp>
+#include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/reference/step_response.hpp>
 
@@ -52,24 +53,6 @@ AdhesionStep<> run(const Model& model, double dq, int steps, const MotionOf& mot
         std::swap(state, next);
     }
     return step;
-}
-
-TEST_CASE("The matrix exponential follows the exact step response from q/a = 1e-3 to 40", "[transient]") {
-    const reference::StepResponse exact(0.25, 100);
-    const Model model = plane_model(40, Integrator::matrix_exponential);
-    double largest = 0;
-    for (const auto& [dq, steps] : {std::pair(1e-3, 1000), std::pair(0.05, 800)}) {
-        Model::Workspace workspace = model.workspace();
-        Model::State state = model.at_rest(), next = state;
-        for (int k = 1; k <= steps; ++k) {
-            const double force = response(model.advance(state, dq, 1.0, next, workspace));
-            largest = std::max(largest, std::abs(force / exact.step(k * dq) - 1));
-            std::swap(state, next);
-        }
-    }
-    CAPTURE(largest);
-    CHECK(largest < 1.5e-4);
-    CHECK(largest > 5e-5);  // the error of the mesh, independent of dq
 }
 
 TEST_CASE("Steps converge in dq at the order of their integrator", "[transient]") {
@@ -135,6 +118,28 @@ TEST_CASE("A step applies the stability function of its integrator", "[transient
             }
         }
     }
+}
+
+TEST_CASE("Free motion grows or decays at the rate of the largest eigenvalue", "[transient]") {
+    const Contact<double> contact = plane_contact();
+    const auto check = [&](const Collocation& scheme, Integrator integrator, double dq, double tolerance) {
+        const auto system =
+            rolling_system(uniform_mesh<double>(20), scheme, StripKernel<double>::longitudinal(contact));
+        const double abscissa = judge_stability(system).spectral_abscissa;
+        const Model model(contact, system, unchecked, integrator);
+        const auto still = [](int k) { return k == 0 ? Motion::shift(1.0) : Motion(0.0); };
+        const double before = response(run(model, dq, 400, still, model.at_rest())),
+                     after = response(run(model, dq, 401, still, model.at_rest()));
+        const double expected =
+            integrator == Integrator::implicit_euler ? 1 / (1 - dq * abscissa) : std::exp(dq * abscissa);
+        CAPTURE(scheme.alpha_T, name(integrator), abscissa, after / before, expected);
+        CHECK((abscissa > 0) == (scheme.alpha_T > 1));
+        CHECK(std::abs(std::log(after / before) / std::log(expected) - 1) < tolerance);
+    };
+    check(halves, Integrator::matrix_exponential, 0.1, 1e-10);
+    check(halves, Integrator::sdirk2, 0.1, 1e-4);
+    check(halves, Integrator::implicit_euler, 0.1, 1e-10);
+    check(Collocation{.alpha_L = 0, .alpha_T = 1.2}, Integrator::matrix_exponential, 1e-3, 1e-6);
 }
 
 TEST_CASE("Steps of dq = 1e-9 to 1e6 stay bounded and have the right limits", "[transient]") {

@@ -127,8 +127,10 @@ TEMPLATE_TEST_CASE("Symmetric meshes are exactly symmetric", "[mesh]", SCALARS) 
 }
 
 TEST_CASE("Graded meshes have the element ratios asked for", "[mesh]") {
+    CHECK(cosine_mesh(1).widths()[0] == 2);
+    CHECK(uniform_mesh(1).widths()[0] == 2);
     for (const Eigen::Index n : {2, 3, 5, 40, 1000}) {
-        for (const double ratio : {1e-6, 0.2, 0.999999, 1 + 1e-12, 2.0, 10.0, 1e6}) {
+        for (const double ratio : {1e-6, 0.2, 0.999999, 1.0, 1 + 0x1p-52, 1 + 1e-12, 2.0, 10.0, 1e6}) {
             const Mesh<double> mesh = geometric_mesh(n, ratio);
             CAPTURE(n, ratio);
             CHECK(std::abs(mesh.widths()[0] / mesh.widths()[n - 1] / ratio - 1) < 1e-13);
@@ -147,24 +149,6 @@ TEST_CASE("Graded meshes have the element ratios asked for", "[mesh]") {
             CHECK((both.widths().segment(1, n - 2) == both.widths()[1]).all());
         }
     }
-}
-
-TEMPLATE_TEST_CASE("Graded meshes have the uniform mesh as their limit", "[mesh]", SCALARS) {
-    using Scalar = TestType;
-    for (const Eigen::Index n : {3, 4, 40, 999}) {
-        const Mesh<Scalar> uniform = uniform_mesh<Scalar>(n);
-        for (const Mesh<Scalar>& mesh : {geometric_mesh<Scalar>(n, Scalar(1)), knothe_mesh<Scalar>(n, Scalar(1)),
-                                         modified_knothe_mesh<Scalar>(n, Scalar(1)),
-                                         geometric_mesh<Scalar>(n, 1 + std::numeric_limits<Scalar>::epsilon())}) {
-            CAPTURE(n);
-            CHECK(in_eps(mesh.widths(), uniform.widths()) < 8);
-            CHECK(in_eps(mesh.edges_from_trailing(), uniform.edges_from_trailing()) < 8);
-            CHECK(in_eps(mesh.edges_from_leading(), uniform.edges_from_leading()) < 8);
-        }
-    }
-    CHECK(cosine_mesh<Scalar>(1).widths()[0] == 2);
-    CHECK(uniform_mesh<Scalar>(1).widths()[0] == 2);
-    CHECK(in_eps(cosine_mesh<Scalar>(2).widths(), uniform_mesh<Scalar>(2).widths()) < 2);
 }
 
 TEMPLATE_TEST_CASE("A specification makes the mesh of its topology", "[mesh]", SCALARS) {

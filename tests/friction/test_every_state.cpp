@@ -420,7 +420,8 @@ TEST_CASE("Laws, matrices and verdicts out of range are refused by name", "[fric
             setup = good;
         };
         const std::string mu = setup.falls ? "friction coefficient at rest" : "friction_coefficient";
-        for (const auto& [bad, text] : {std::pair(-0.1, "-0.1"), std::pair(nan, "nan"), std::pair(infinite, "inf")}) {
+        const auto negative = setup.falls ? std::pair(-0.1, "-0.1") : std::pair(-1e-300, "-1e-300");
+        for (const auto& [bad, text] : {negative, std::pair(nan, "nan"), std::pair(infinite, "inf")}) {
             setup.constant = setup.falling.mu_0 = bad;
             refused(mu + " = " + text + " must be finite and not negative");
         }
@@ -438,9 +439,12 @@ TEST_CASE("Laws, matrices and verdicts out of range are refused by name", "[fric
         refused("length of normal_pressure = 7 must equal the number of elements");
         setup.own_pressure = 0 * pressure;
         refused("largest normal_pressure = 0 must be positive");
-        pressure[3] = -2;
-        setup.own_pressure = pressure;
-        refused("normal_pressure = -2 must be finite and not negative");
+        for (const auto& [bad, text] :
+             {std::pair(-1e-300, "-1e-300"), std::pair(nan, "nan"), std::pair(infinite, "inf")}) {
+            pressure[3] = bad;
+            setup.own_pressure = pressure;
+            refused("normal_pressure = " + std::string(text) + " must be finite and not negative");
+        }
         setup.integrator = Integrator::matrix_exponential;
         refused("integrator = matrix_exponential must be implicit_euler or sdirk2");
     }

@@ -221,22 +221,6 @@ TEST_CASE("Models reject every argument out of its domain", "[domain]") {
     refuses<double>("Re(s)", bad<double>({infinity}), [&](double re) { sweep.at({re, 0}); });
     refuses<double>("Im(s)", bad<double>({infinity}), [&](double im) { sweep.at({0, im}); });
 
-    const auto law = [&](double mu, double pressure) {
-        ArrayX<double> normal_pressure = ArrayX<double>::Ones(4);
-        normal_pressure[2] = pressure;
-        return Friction<>{mu, normal_pressure};
-    };
-    const auto both = [&](double mu, double pressure) {
-        const Friction<> friction = law(mu, pressure);
-        const std::string steady = refusal([&] {
-            FrictionModel<>(contact, {{}, system.G_prime(), mesh.widths()}, friction);
-        });
-        CHECK(steady != "");
-        FrictionModel<>(contact, system, unchecked, friction);
-    };
-    refuses<double>("friction_coefficient", bad<double>({-1e-300, infinity}), [&](double mu) { both(mu, 1); });
-    refuses<double>("normal_pressure", bad<double>({-1e-300, infinity}), [&](double p) { both(0.3, p); });
-
     for (const Purpose::Adhesion purpose : {Purpose::steady, Purpose::frequency, Purpose::time_loop}) {
         refuses<double>("tolerance", bad<double>({0, -1e-3}),
                         [&](double tolerance) { recommended_scheme(tolerance, purpose); });

@@ -247,32 +247,6 @@ TEST_CASE("A steady solution has the properties that its status promises", "[pro
     CHECK(modest > 0);
 }
 
-TEST_CASE("A steady solution scales with its units", "[property]") {
-    std::uint64_t drawn = 0, compared = 0;
-    for_each_scene([&](Scenes& scenes, const Scene& scene) {
-        ++drawn;
-        const double a = scenes.logarithmic(1e-6, 1e3), G = scenes.logarithmic(1e3, 1e12);
-        const double creepage = scenes.logarithmic(1e-12, 1) * (scenes.integer(0, 1) == 0 ? 1 : -1);
-        const Contact<double> si({.half_length = a,
-                                  .half_width = scene.aspect * a,
-                                  .shear_modulus = G,
-                                  .poisson_ratio = scene.poisson_ratio});
-        const auto* scheme = scene.scheme.get_if<Collocation>();
-        if (scheme == nullptr) return;
-        const Response<double> with_units = solve_steady(scene.mesh, *scheme, StripKernel<double>::longitudinal(si));
-        const auto unit = Contact<double>::dimensionless(scene.aspect, scene.poisson_ratio);
-        const Response<double> without = solve_steady(scene.mesh, *scheme, StripKernel<double>::longitudinal(unit));
-        if (without.status != Status::ok) return;
-        ++compared;
-        const double scale = a * G * si.width() / unit.width();
-        const double force = creep_force(si, with_units, creepage) / (scale * creepage * creep_force(unit, without, 1));
-        const double tolerance = (1000 * eps + scene.rounding) / without.rcond;
-        if (!(std::abs(force - 1) <= tolerance)) CHECK(force == Approx(1).epsilon(tolerance));
-    });
-    CAPTURE(drawn, compared);
-    CHECK(10 * compared > drawn);
-}
-
 TEST_CASE("Harmonic responses are conjugate-symmetric and tend to the steady one", "[property]") {
     std::uint64_t drawn = 0, compared = 0;
     for_each_scene([&](Scenes& scenes, const Scene& scene) {

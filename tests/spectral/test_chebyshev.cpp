@@ -68,6 +68,7 @@ TEST_CASE("Steady rolling of the plane is exact with any number of states", "[ch
                 CHECK(solution.status == Status::ok);
                 CHECK(std::abs(solution.c11() / exact - 1) <= 4 * eps);
                 CHECK(solution.error_estimate() <= 1000 * eps);
+                CHECK(solution.rcond > 0.2);  // for any number of states
             }
         }
         const Response<double> solution = solve_steady(Chebyshev{m}, PlaneKernel<double>(infinity, 0.75, 0.25));
@@ -93,7 +94,9 @@ TEST_CASE("The frequency response of the plane has the known errors", "[chebyshe
     for (const Eigen::Index m : {24, 200}) CHECK(plane_error(m, 5) < 4e-15);
     CHECK(relative_error(solve_response(rolling_system(Chebyshev{600}, plane), {0, 5}).c11(),
                          reference::plane_c11({0, 5}, 0.25, 100)) < 1e-14);
+    // 1/rcond of G' grows with the square of half the number of states
     CHECK(FrequencySweep<double>(rolling_system(Chebyshev{96}, plane)).reduced());
+    CHECK_FALSE(FrequencySweep<double>(rolling_system(Chebyshev{200}, plane)).reduced());
 }
 
 double nearest(const VectorX<Complex>& values, Complex exact) { return (values.array() - exact).abs().minCoeff(); }
@@ -197,31 +200,6 @@ TEST_CASE("The number of quadrature points is just enough for round-off in the s
         }
     }
     CHECK(detail::smooth_quadrature_points<double>(12, infinity) == 13);
-}
-
-TEST_CASE("Round-off of steady states does not grow with their number", "[chebyshev]") {
-    const PlaneKernel<double> kernel(100, 0.75, 0.25);
-    const std::complex<double> exact = polynomial_c11(std::complex<double>(0, 1), 0.25, 100.0).c11;
-    for (const auto& [m, found] : {std::pair<Eigen::Index, double>{1, 7.8e-2}, {2, 9.7e-3}, {3, 4.6e-4}, {200, 0}}) {
-        const Response<double> steady = solve_steady(Chebyshev{m}, kernel);
-        const ChebyshevSystem<double> system = rolling_system(Chebyshev{m}, kernel);
-        const Response<double> by_system = solve_steady(system);
-        CAPTURE(m, steady.rcond, by_system.rcond);
-        CHECK(steady.status == Status::ok);
-        CHECK(steady.rcond > 0.2);  // for any number of states
-        CHECK(std::abs(steady.c11() / steady_c11(0.25) - 1) <= 4 * eps);
-        CHECK(std::abs(by_system.c11() / steady_c11(0.25) - 1) <= 10 * eps);
-        CHECK(by_system.status == Status::ok);
-        CHECK(judge_stability(system).stable());
-        const FrequencySweep<double> sweep(system);
-        CHECK(sweep.reduced() == (m < 200));  // 1/rcond of G' grows with the square of m / 2
-        const Response<Complex> point = sweep(1);
-        const double error = std::abs(point.c11() / exact - 1.0);
-        CHECK(point.status == Status::ok);
-        if (found > 0) CHECK_THAT(error, about(found));
-        if (found == 0) CHECK(error < 10 * eps);
-        CHECK(std::abs(sweep(-1).c11() / std::conj(point.c11()) - 1.0) <= 4 * eps);
-    }
 }
 
 #ifdef ROLLBEM_SLOW_CHECKS

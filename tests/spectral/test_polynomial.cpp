@@ -12,7 +12,6 @@
 #include <rollbem/reference/bessel.hpp>
 
 #include "support/catch.hpp"
-#include "support/dense.hpp"
 
 namespace polynomial_tests {
 namespace {
@@ -176,31 +175,6 @@ TEST_CASE("B in closed form equals the route through Chebyshev polynomials", "[p
     }
     CAPTURE(difference);
     CHECK(difference < 1e-14L);
-}
-
-TEST_CASE("The corrected equations converge, the printed ones do not", "[polynomial]") {
-    const double nu = 0.25;
-    const double aspect = 100;
-    const Complex s(0, 1);
-    const Complex exact = reference::plane_c11({0, 1}, nu, aspect);
-    CHECK(relative_error(solve_monomial<double>(s, nu, aspect, 20).c11, exact) < 1e-15);
-    for (const Eigen::Index order : {10, 20, 30}) {
-        // Eqs. (25) and (26) as printed: no factor l + 1 at B_{j,l+1}
-        const Eigen::MatrixXd b = displacement_matrix(order, nu, aspect);
-        Eigen::MatrixXcd matrix(order + 1, order + 1);
-        for (Eigen::Index l = 0; l < order; ++l) {
-            matrix.row(l) = b.col(l + 1).transpose().cast<Complex>() - s * b.col(l).transpose().cast<Complex>();
-        }
-        matrix.row(order).setOnes();
-        const Eigen::VectorXcd creepage = Eigen::VectorXcd::Unit(order + 1, 0);
-        const Eigen::VectorXcd coefficients = dense::solve_complex(matrix, creepage);
-        const Eigen::VectorXd moments = monomial_moments<double>(order);
-        const Complex c11 = -std::numbers::pi * (moments.cast<Complex>().transpose() * coefficients).value();
-        const double error = relative_error(c11, exact);
-        CAPTURE(order, error);
-        CHECK(error > 0.05);
-        CHECK(error < 0.25);
-    }
 }
 
 TEST_CASE("Monomials break down before their matrix looks singular, and report it", "[polynomial]") {
