@@ -10,21 +10,43 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <rollbem/compiled/adhesion.hpp>
+#include <rollbem/compiled/studies.hpp>
+#include <rollbem/elasticity/any_kernel.hpp>
+#include <rollbem/reference/bessel.hpp>
 
-#include "frequency/polynomial.hpp"
 #include "support/non_steady.hpp"
 #include "support/sheet.hpp"
 #include "support/state_space_files.hpp"
 
 namespace {
 
-using frequency::Complex, frequency::Response, frequency::exact_c11, frequency::unknown;
+using Complex = std::complex<double>;
+
+constexpr Complex unknown{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+
+/// The response at one frequency. Where c11 is not finite, it and the error are left out, as is what needs the exact
+/// value where the plane model has none.
+struct Response {
+    double omega;
+    Complex c11, exact;
+    std::string status;
+    std::optional<double> rcond{}, error_estimate{};
+    std::optional<Eigen::Index> order{};
+    std::string basis{};
+};
+
+/// The response of the plane model; unknown if that does not decay.
+Complex exact_c11(const rollbem::Contact<double>& contact, double omega) {
+    if (!study::plane_model_decays(contact)) return unknown;
+    return rollbem::reference::plane_c11(Complex(0, omega), contact.poisson_ratio(), contact.aspect());
+}
 
 /// The frequencies, in units of V/a.
 std::vector<double> make_omegas(const study::Options& options) {
@@ -100,6 +122,85 @@ void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, bo
         emit({omegas[i], c11, exact_c11(scene.contact, omegas[i]), status, point.rcond});
     }
 }
+
+// --- the polynomial approach
+
+/// Monomials break down, which is refused; of Chebyshev polynomials an order can be too low: then a c11 that is
+/// `checked` is not a number, and the estimate stays.
+Response solve(const rollbem::Contact<double>& contact, double omega, Eigen::Index order, const std::string& basis,
+               bool checked) {
+    const double nu = contact.poisson_ratio();
+    Response response{.omega = omega,
+                      .c11 = unknown,
+                      .exact = exact_c11(contact, omega),
+                      .status = "",
+                      .order = order,
+                      .basis = basis};
+    const auto take = [&](const auto& solution) {
+        const bool trusted = solution.status == rollbem::Status::ok;
+        if (trusted || !checked) response.c11 = solution.c11;
+        response.error_estimate = solution.error_estimate;
+        response.status = name(solution.status);
+        return solution.status;
+    };
+    if (basis == "chebyshev") {
+        take(rollbem::polynomial_c11(Complex(0, omega), nu, contact.aspect(), order));
+        return response;
+    }
+    constexpr Eigen::Index highest = 1000;
+    const std::string option = "--order = " + std::to_string(order);
+    if (order > highest) {
+        throw study::BadInput(option + " must be at most " + std::to_string(highest) +
+                              " with --basis monomial, which costs its third power; take --basis chebyshev");
+    }
+    const rollbem::Status status =
+        take(rollbem::studies::solve_monomial<double>(Complex(0, omega), nu, contact.aspect(), order));
+    if (checked && status != rollbem::Status::ok) {
+        throw study::BadInput(option + " with --basis monomial must give a result that can be trusted; at omega = " +
+                              study::Cell(omega).text(6) + " it does not: " +
+                              rollbem::studies::polynomial_advice(status) + " (--basis chebyshev, or --unchecked)");
+    }
+    return response;
+}
+
+/// Scenes without elements, one for each order and contact, and their responses: what must be refused shows before
+/// anything is written.
+struct Polynomials {
+    std::vector<study::Scene> scenes;
+    std::vector<std::vector<Response>> responses;
+};
+
+/// Throws BadInput where monomials have broken down.
+Polynomials solve_polynomials(const study::Options& options, const std::vector<double>& omegas) {
+    if (options.given("kernel") && options.choice("kernel", {"strip", "plane"}) != "plane") {
+        throw study::BadInput(options.said("kernel") + " must be plane with --method polynomial");
+    }
+    const std::vector<rollbem::Contact<double>> contacts = study::make_contacts(options, study::Problem::non_steady);
+    for (const rollbem::Contact<double>& contact : contacts) study::require_plane_model(contact);
+    const std::string basis = options.choice("basis", {"monomial", "chebyshev"});
+    const bool checked = !options.flag("unchecked");
+    std::vector<std::ptrdiff_t> orders{0};  // the default order of each frequency
+    if (options.given("order")) orders = options.integers("order", 1, 100000000);
+    Polynomials all;
+    for (const std::ptrdiff_t given : orders) {
+        for (const rollbem::Contact<double>& contact : contacts) {
+            const auto kernel = rollbem::AnyKernel<double>::longitudinal(rollbem::LineModel::plane, contact);
+            all.scenes.push_back({.method = "polynomial", .contact = contact, .kernel = kernel});
+            std::vector<Response>& responses = all.responses.emplace_back();
+            for (const double omega : omegas) {
+                if (given == 0 && omega > 1e8) {
+                    throw study::BadInput("--omega = " + study::Cell(omega).text(6) +
+                                          " must be at most 1e8 without --order");
+                }
+                const Eigen::Index order = given > 0 ? given : rollbem::default_polynomial_order(Complex(0, omega));
+                responses.push_back(solve(contact, omega, order, basis, checked));
+            }
+        }
+    }
+    return all;
+}
+
+// --- differential equations and pictures
 
 /// Throws BadInput unless there is one scene, whose G is regular and whose tractions converge to full adhesion.
 std::function<void()> state_space_writer(const study::Options& options, const std::vector<study::Scene>& scenes) {
@@ -200,8 +301,7 @@ holds for |c11| at every omega, and is twice the sum of the Hankel singular valu
         given.choice("method", {"collocation", "galerkin", "knothe-bc", "nodes", "chebyshev", "polynomial"});
         const std::vector<double> omegas = make_omegas(given);
         const bool by_polynomials = given.text("method") == "polynomial", checked = !given.flag("unchecked");
-        const frequency::Polynomials polynomials =
-            by_polynomials ? frequency::solve_polynomials(given, omegas) : frequency::Polynomials{};
+        const Polynomials polynomials = by_polynomials ? solve_polynomials(given, omegas) : Polynomials{};
         const std::vector<study::Scene> scenes =
             by_polynomials ? polynomials.scenes
                            : study::make_non_steady_scenes(given, study::Methods::elements_and_states);

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "precision/comparison.hpp"
-#include "support/errors.hpp"
 #include "support/options.hpp"
 #include "support/table.hpp"
 

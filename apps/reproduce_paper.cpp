@@ -28,7 +28,6 @@
 #include "paper/page.hpp"
 #include "paper/results.hpp"
 #include "support/csv.hpp"
-#include "support/errors.hpp"
 #include "support/input.hpp"
 #include "support/plot.hpp"
 #include "support/progress.hpp"

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -25,57 +26,48 @@ using Model = rollbem::AdhesionModel<>;
 
 /// Creepage over q/a from rest, and the exact force -F_bar/(a G) if there is one.
 struct History {
-    enum class Kind { step, ramp, sine, points } kind = Kind::step;
-    double amplitude = 0, omega = 0;        // of step and sine, or the rate of the ramp; omega in V/a
+    std::string label;
+    /// Just before (or at) q, or `behind` it: they differ at a jump only.
+    std::function<double(double q, bool behind)> at;
+    std::function<double(const rollbem::reference::StepResponse& response, double q)> exact;
     bool resolved = true;                   // steps follow a sine
-    study::Numbers knots{}, knot_values{};  // of Kind::points, ascending; equal knots make a jump
-
-    /// Creepage just before (or at) q, or `behind` it: they differ at a jump only.
-    double at(double q, bool behind) const {
-        switch (kind) {
-            case Kind::step: return amplitude;
-            case Kind::ramp: return amplitude * q;
-            case Kind::sine: return amplitude * std::sin(omega * q);
-            default: break;
-        }
-        const bool begun = behind ? q >= knots.front() : q > knots.front();
-        return begun ? study::interpolate(knots, knot_values, q, behind) : 0;
-    }
-
-    double exact(const rollbem::reference::StepResponse& response, double q) const {
-        switch (kind) {
-            case Kind::step: return amplitude * response.step(q);
-            case Kind::ramp: return amplitude * response.ramp(q);
-            case Kind::sine: return amplitude * response.sine(omega, q);
-            default: return response.history(knots, knot_values, q);
-        }
-    }
-
-    std::string label() const {
-        switch (kind) {
-            case Kind::step: return "a step of creepage";
-            case Kind::ramp: return "a ramp of creepage";
-            case Kind::sine: return "a sine of creepage, ω a/V = " + study::Cell(omega).text(6);
-            default: return "creepage of a table";
-        }
-    }
+    study::Numbers knots{}, knot_values{};  // of a table, ascending; equal knots make a jump
 };
 
 History make_history(const study::Options& options, double dq) {
+    using Response = rollbem::reference::StepResponse;
     const study::Rule not_zero{[](double value) { return std::isfinite(value) && value != 0; }, "be finite and not 0"};
-    if (options.given("step")) return {.amplitude = options.number("step", not_zero)};
-    if (options.given("ramp")) return {.kind = History::Kind::ramp, .amplitude = options.number("ramp", not_zero)};
+    if (options.given("step")) {
+        const double size = options.number("step", not_zero);
+        return {"a step of creepage", [=](double, bool) { return size; },
+                [=](const Response& response, double q) { return size * response.step(q); }};
+    }
+    if (options.given("ramp")) {
+        const double rate = options.number("ramp", not_zero);
+        return {"a ramp of creepage", [=](double q, bool) { return rate * q; },
+                [=](const Response& response, double q) { return rate * response.ramp(q); }};
+    }
     if (options.given("sine")) {
-        const study::Sine sine = study::read_sine(options);
-        return {.kind = History::Kind::sine,
-                .amplitude = sine.amplitude,
-                .omega = sine.omega,
-                .resolved = study::resolves(sine.omega, dq)};
+        const auto [size, omega] = study::read_sine(options);
+        return {
+            "a sine of creepage, ω a/V = " + study::Cell(omega).text(6),
+            [size = size, omega = omega](double q, bool) { return size * std::sin(omega * q); },
+            [size = size, omega = omega](const Response& response, double q) { return size * response.sine(omega, q); },
+            study::resolves(omega, dq)};
     }
     if (!options.given("history")) throw study::BadInput("one of --step, --ramp, --sine and --history must be given");
     const study::Rule rolled{[](double q) { return q >= 0; }, "be at least 0: rolling starts from rest there"};
-    study::Pairs pairs = study::read_pairs(options, "history", "q_over_a,creepage", rolled);
-    return {.kind = History::Kind::points, .knots = std::move(pairs.places), .knot_values = std::move(pairs.values)};
+    const study::Pairs pairs = study::read_pairs(options, "history", "q_over_a,creepage", rolled);
+    const auto at = [pairs](double q, bool behind) {
+        const bool begun = behind ? q >= pairs.places.front() : q > pairs.places.front();
+        return begun ? study::interpolate(pairs.places, pairs.values, q, behind) : 0;
+    };
+    return {"creepage of a table",
+            at,
+            [pairs](const Response& response, double q) { return response.history(pairs.places, pairs.values, q); },
+            true,
+            pairs.places,
+            pairs.values};
 }
 
 /// The largest |creepage| of the run, the reference for the force, knots within the run included. Throws BadInput if it
@@ -166,7 +158,7 @@ void run(const Model& model, const History& history, const study::Steps& steps,
 /// The force over the distance with the exact one if there is one, and beside it their difference, as the curves
 /// coincide.
 study::Plot draw_force(const History& history, const std::vector<study::Row>& rows) {
-    study::Plot plot{.title = "Rolling from rest, " + history.label(),
+    study::Plot plot{.title = "Rolling from rest, " + history.label,
                      .x_label = "distance rolled q/a",
                      .y_label = "-F / (a G ξ_{ref})"};
     sheet.draw(plot, rows, {.x = "q_over_a", .y = "force", .markers = false});

@@ -7,7 +7,6 @@
 #include <rollbem/elasticity/layered_kernel.hpp>
 #include <rollbem/normal/pressure_table.hpp>
 
-#include "support/errors.hpp"
 #include "support/input.hpp"
 
 namespace friction {

@@ -9,7 +9,6 @@
 
 #include "rolling.hpp"
 #include "steady.hpp"
-#include "support/errors.hpp"
 #include "support/non_steady.hpp"
 
 namespace friction {
@@ -198,20 +197,12 @@ const study::Sheet<TimeRow>& time_sheet() {
 
 /// The forces over the distance, with the load if it changes; in a second panel over the creepage if that changes.
 study::Plot force_in_time(const std::vector<study::Row>& rows, const History& history, const std::string& scene) {
-    const std::vector<std::string> columns = time_sheet().names();
     const bool lateral = history.line.both, load_changes = history.load.has_value();
     const bool carter = history.line.carter() && !lateral && !load_changes;
     const double ratio = history.point.longitudinal, end = double(history.steps.count) * history.steps.dq;
     const auto add = [&](study::Plot& plot, const char* x, const char* y, const std::string& prefix,
                          bool reference = false) {
-        study::add_series(plot, columns, rows,
-                          {.by = study::joined(scheme_columns, {"lambda"}),
-                           .x = x,
-                           .y = y,
-                           .apart = study::columns_of(study::settings),
-                           .prefix = prefix,
-                           .markers = false,
-                           .reference = reference});
+        time_sheet().draw(plot, rows, {.x = x, .y = y, .prefix = prefix, .markers = false, .reference = reference});
     };
     study::Plot plot{.title = "Rolling with friction" + scene,
                      .x_label = "distance rolled q/a",

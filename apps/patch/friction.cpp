@@ -11,7 +11,6 @@
 #include <rollbem/rolling/run.hpp>
 
 #include "patch.hpp"
-#include "support/errors.hpp"
 #include "support/timing.hpp"
 
 namespace patch {

@@ -13,7 +13,6 @@
 #include <rollbem/reference/step_response.hpp>
 
 #include "lines.hpp"
-#include "support/errors.hpp"
 #include "support/non_steady.hpp"
 #include "support/scenes.hpp"
 

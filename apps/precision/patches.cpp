@@ -17,7 +17,6 @@
 #include <rollbem/studies/kalker_table.hpp>
 
 #include "comparison.hpp"
-#include "support/errors.hpp"
 
 namespace precision {
 

@@ -12,7 +12,6 @@
 #include <rollbem/accuracy/recommended_patch.hpp>
 
 #include "comparison.hpp"
-#include "support/errors.hpp"
 #include "support/input.hpp"
 
 namespace precision {

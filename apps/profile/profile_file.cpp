@@ -12,7 +12,6 @@
 
 #include "profile.hpp"
 #include "support/csv.hpp"
-#include "support/errors.hpp"
 #include "support/input.hpp"
 
 namespace profile {

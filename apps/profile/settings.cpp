@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "profile.hpp"
-#include "support/errors.hpp"
 #include "support/input.hpp"
 
 namespace profile {

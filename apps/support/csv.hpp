@@ -14,7 +14,6 @@
 #include <variant>
 #include <vector>
 
-#include "errors.hpp"
 #include "options.hpp"
 
 namespace study {

@@ -8,12 +8,11 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
-
-#include "errors.hpp"
 
 namespace CLI {  // compiling CLI11's headers takes seconds, so only options.cpp sees them
 class App;
@@ -21,6 +20,36 @@ class Option;
 }  // namespace CLI
 
 namespace study {
+
+// --- how a study ends: exceptions that stand for its exit codes; anything else that is thrown is a defect: 1
+
+enum ExitCode : int {
+    exit_ok = 0,
+    exit_failed = 1,
+    exit_bad_input = 2,
+    exit_no_plot = 3,
+    exit_write_error = 4,
+};
+
+/// What was typed cannot be used, or the output cannot be written to: nothing was computed.
+class BadInput : public std::invalid_argument {
+public:
+    using std::invalid_argument::invalid_argument;
+};
+
+/// Writing failed after it had begun.
+class WriteError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// The rows are written, the plot is not.
+class PlotError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+// --- what it is asked for
 
 /// A condition on a number, and its wording after "must".
 struct Rule {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "csv.hpp"
-#include "errors.hpp"
 
 namespace study {
 
