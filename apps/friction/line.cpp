@@ -56,11 +56,8 @@ Pressure make_pressure(const study::Options& options) {
         return {hertz, hertz, true};
     }
     const study::Pairs points = study::read_pairs(options, "pressure", "x_over_a,pressure", study::between(-1, 1));
-    const auto column = [](const std::vector<double>& values) {
-        return Eigen::ArrayXd(Eigen::Map<const Eigen::ArrayXd>(values.data(), Eigen::Index(values.size())));
-    };
     try {
-        const rollbem::PressureTable<double> table(column(points.places), column(points.values));
+        const rollbem::PressureTable<double> table(study::array(points.places), study::array(points.values));
         const double scale = mu_N / table.integral();
         return {[=](double x_over_a) { return scale * table(x_over_a); },
                 [=](const rollbem::Mesh<double>& mesh) { return Eigen::ArrayXd(scale * table(mesh)); }, false};

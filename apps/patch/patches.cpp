@@ -17,16 +17,12 @@ namespace patch {
 
 namespace {
 
-using study::Numbers;
+using study::array, study::Numbers;
 using Contact = rollbem::PatchContact<double>;
 using Mesh = rollbem::Mesh<double>;
 using Outline = rollbem::Outline<double>;
 
 constexpr std::ptrdiff_t most_elements = 10000;
-
-Eigen::ArrayXd array(const Numbers& numbers) {
-    return Eigen::Map<const Eigen::ArrayXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
-}
 
 Outline read_outline(const study::Options& options) {
     std::vector<std::string> places;  // of rows in the file
@@ -154,7 +150,7 @@ rollbem::PressureGrid<double> read_grid(const study::Options& options) {
     const auto different = [](study::Numbers numbers) {
         std::sort(numbers.begin(), numbers.end());
         numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-        return Eigen::ArrayXd(Eigen::Map<Eigen::ArrayXd>(numbers.data(), Eigen::Index(numbers.size())));
+        return array(numbers);
     };
     const Eigen::ArrayXd x = different(columns[0]), y = different(columns[1]);
     Eigen::MatrixXd pressures(x.size(), y.size());

@@ -117,12 +117,9 @@ rollbem::Profile read(const study::Options& options, const std::string& name, co
     } else {
         throw study::BadInput(options.said(name) + " must be " + known + " or a file that ends in .csv or " + ending);
     }
-    const auto array = [](const std::vector<double>& values) {
-        return Eigen::ArrayXd(Eigen::Map<const Eigen::ArrayXd>(values.data(), Eigen::Index(values.size())));
-    };
     std::optional<rollbem::Profile> profile;
     try {
-        profile.emplace(array(points.y), array(points.z));
+        profile.emplace(study::array(points.y), study::array(points.z));
     } catch (const std::invalid_argument& error) {
         const std::string text = error.what(),
                           of_point = "number of the point = ", rule = "must be that of a point that ";

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "options.hpp"
 
 namespace study {
@@ -50,6 +52,10 @@ private:
 };
 
 using Numbers = std::vector<double>;
+
+inline Eigen::ArrayXd array(const Numbers& numbers) {
+    return Eigen::ArrayXd::Map(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+}
 
 /// Ascending edges, one a line, from `low` to `high`, which messages call by these names; scaled to -1 ... 1. Throws
 /// BadInput.

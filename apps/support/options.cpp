@@ -125,14 +125,14 @@ Options::Added Options::add(const std::string& name, const std::string& value, c
     option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->group(group_);
     entries_[name] = {option, help, "", kind};
     set_default(name, "");
-    return {*this, {name}};
+    return {*this, name};
 }
 
 Options::Added Options::add(const std::string& name, const std::string& value, const std::string& help,
                             const std::string& default_text) {
     add(name, value, help, Kind::value);
     set_default(name, default_text);
-    return {*this, {name}};
+    return {*this, name};
 }
 
 Options::Added Options::add_flag(const std::string& name, const std::string& help) {
@@ -140,21 +140,14 @@ Options::Added Options::add_flag(const std::string& name, const std::string& hel
 }
 
 const Options::Added& Options::Added::only_with(const std::vector<std::string>& modes, const std::string& why) const {
-    for (const std::string& name : names_) {
-        options_.set_help(name, "with " + dashed(modes, "or") + ": " + options_.entry(name).help);
-    }
-    options_.only_with(names_, modes, why);
+    options.set_help(name, "with " + dashed(modes, "or") + ": " + options.entry(name).help);
+    options.only_with({name}, modes, why);
     return *this;
 }
 
 const Options::Added& Options::Added::not_with(const std::string& mode, const std::string& why) const {
-    for (const std::string& name : names_) options_.limits_.push_back({name, {mode}, false, why});
+    options.not_with({name}, mode, why);
     return *this;
-}
-
-void Options::only_with(const std::vector<std::string>& names, const std::vector<std::string>& modes,
-                        const std::string& why) {
-    for (const std::string& name : names) limits_.push_back({name, modes, true, why});
 }
 
 bool Options::is_on(const std::string& mode) const {

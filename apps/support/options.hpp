@@ -99,23 +99,19 @@ public:
     /// Heading in --help of the options added next.
     void group(const std::string& heading) { group_ = heading; }
 
-    /// Options that were declared, to say in which modes of the study they have an effect. A mode is the name of
-    /// another option that is given, or NAME=VALUE.
-    class Added {
-    public:
-        Added(Options& options, std::vector<std::string> names) : options_(options), names_(std::move(names)) {}
+    /// An option that was declared, to say in which modes of the study it has an effect. A mode is the name of another
+    /// option that is given, or NAME=VALUE.
+    struct Added {
+        Options& options;
+        std::string name;
 
-        /// They have an effect with one of these modes only: --help says so, and without them they are bad input. `why`
+        /// It has an effect with one of these modes only: --help says so, and without them it is bad input. `why`
         /// follows the message.
         const Added& only_with(const std::vector<std::string>& modes, const std::string& why = "") const;
 
-        /// They have no effect with that mode. Where one of the two stands in a configuration file, the one on the
-        /// command line takes its place.
+        /// It has no effect with that mode. Where one of the two stands in a configuration file, the one on the command
+        /// line takes its place.
         const Added& not_with(const std::string& mode, const std::string& why = "") const;
-
-    private:
-        Options& options_;
-        std::vector<std::string> names_;
     };
 
     /// Declares --name VALUE. Say the unit in `help`, or that the value is dimensionless.
@@ -151,12 +147,14 @@ public:
 
     /// As Added::not_with, for several options.
     void not_with(const std::vector<std::string>& names, const std::string& mode, const std::string& why = "") {
-        Added(*this, names).not_with(mode, why);
+        for (const std::string& name : names) limits_.push_back({name, {mode}, false, why});
     }
 
     /// As Added::only_with, for several options, but without a word in --help.
     void only_with(const std::vector<std::string>& names, const std::vector<std::string>& modes,
-                   const std::string& why = "");
+                   const std::string& why = "") {
+        for (const std::string& name : names) limits_.push_back({name, modes, true, why});
+    }
 
     /// Text below the options in --help, exactly as given; the exit codes follow it.
     void footer(const std::string& text);

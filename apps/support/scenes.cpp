@@ -6,7 +6,6 @@
 #include <set>
 #include <utility>
 
-#include "errors.hpp"
 #include "input.hpp"
 
 namespace study {
@@ -16,26 +15,20 @@ namespace {
 constexpr std::ptrdiff_t largest_n = 100000, most_states = 10000;
 constexpr double narrowest_for_states = 0.001;  // b/a; the library's bounds
 
-/// Elements with what graded them, or Chebyshev states.
-struct Unknowns {
-    std::shared_ptr<const rollbem::Mesh<double>> mesh{};
-    std::optional<double> size_ratio{}, epsilon{};
-    std::optional<rollbem::Chebyshev> chebyshev{};
-};
-
-/// For every n, a mesh of each grading.
-std::vector<std::vector<Unknowns>> make_unknowns(const Options& options, const std::string& method) {
-    std::vector<std::vector<Unknowns>> unknowns;
-    if (method == "chebyshev") {
+/// Like `common` for every n, with a mesh of each grading or Chebyshev states.
+std::vector<std::vector<Scene>> discretised(const Options& options, const Scene& common) {
+    std::vector<std::vector<Scene>> scenes;
+    if (common.method == "chebyshev") {
         for (const Eigen::Index n : options.integers("n", 1, most_states)) {
-            unknowns.push_back({{.chebyshev = rollbem::Chebyshev{n}}});
+            scenes.emplace_back(1, common)[0].chebyshev = rollbem::Chebyshev{n};
         }
-        return unknowns;
+        return scenes;
     }
     if (options.given("edges")) {
-        const Numbers edges = read_edges(options, "edges");
-        const Eigen::Map<const Eigen::ArrayXd> values(edges.data(), Eigen::Index(edges.size()));
-        return {{{.mesh = std::make_shared<rollbem::Mesh<double>>(rollbem::mesh_from_edges<double>(values))}}};
+        const Eigen::ArrayXd edges = array(read_edges(options, "edges"));
+        scenes.emplace_back(1, common)[0].mesh =
+            std::make_shared<rollbem::Mesh<double>>(rollbem::mesh_from_edges<double>(edges));
+        return scenes;
     }
     std::vector<std::string> names;
     for (const rollbem::TopologyInfo& known : rollbem::topologies) names.emplace_back(known.name);
@@ -51,14 +44,15 @@ std::vector<std::vector<Unknowns>> make_unknowns(const Options& options, const s
             throw BadInput("--n = " + std::to_string(n) + " must be at least " + std::to_string(info.least_n) +
                            " with --mesh " + name);
         }
-        std::vector<Unknowns>& graded = unknowns.emplace_back();
+        scenes.emplace_back();
         for (const double grading : gradings) {
-            graded.push_back({.mesh = std::make_shared<rollbem::Mesh<double>>(rollbem::make_mesh(topology, n, grading)),
-                              .size_ratio = by_ratio ? std::optional(grading) : std::nullopt,
-                              .epsilon = by_epsilon ? std::optional(grading) : std::nullopt});
+            Scene& scene = scenes.back().emplace_back(common);
+            scene.mesh = std::make_shared<rollbem::Mesh<double>>(rollbem::make_mesh(topology, n, grading));
+            if (by_ratio) scene.size_ratio = grading;
+            if (by_epsilon) scene.epsilon = grading;
         }
     }
-    return unknowns;
+    return scenes;
 }
 
 /// The pairs (alpha_L, alpha_T) in the order of the rows.
@@ -164,60 +158,51 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods 
     // 1. What does not vary.
     const std::string method = options.choice("method", names);
     const bool has_alphas = method == "collocation" || method == "galerkin", has_elements = method != "chebyshev";
-    std::string derivative, nodes, quadrature, mesh_name;
-    if (has_elements) mesh_name = options.given("edges") ? "edges" : options.text("mesh");
-    if (method == "galerkin") quadrature = options.text("quadrature");
-    if (method == "galerkin" && quadrature != "exact") options.integer("quadrature", 1, 1000);
+    const std::vector<rollbem::Contact<double>> contacts = make_contacts(options, problem);
+    Scene common{.method = method, .contact = contacts[0], .kernel = make_kernel(options, contacts[0])};
+    if (has_elements) common.mesh_name = options.given("edges") ? "edges" : options.text("mesh");
+    if (method == "galerkin") common.quadrature = options.text("quadrature");
+    if (method == "galerkin" && common.quadrature != "exact") options.integer("quadrature", 1, 1000);
     if (options.given("derivative")) {
-        derivative = options.choice("derivative", {"fd", "analytic"});
+        common.derivative = options.choice("derivative", {"fd", "analytic"});
     } else if (has_elements && method != "nodes") {
-        derivative = quadrature == "exact" ? "analytic" : "fd";
+        common.derivative = common.quadrature == "exact" ? "analytic" : "fd";
     }
-    if (method == "nodes") nodes = options.choice("nodes", {"centres", "chebyshev"});
-    if (nodes == "chebyshev" && mesh_name != "cosine") {
+    if (method == "nodes") common.nodes = options.choice("nodes", {"centres", "chebyshev"});
+    if (common.nodes == "chebyshev" && common.mesh_name != "cosine") {
         throw BadInput(options.said("nodes") + " must be centres unless --mesh is cosine");
     }
 
     // 2. What does, n in the outermost loop.
-    const std::vector<rollbem::Contact<double>> contacts = make_contacts(options, problem);
     const std::vector<double> lambdas = has_alphas ? options.numbers("lambda", between(0, 1)) : std::vector<double>{1};
     const std::vector<std::pair<double, double>> alphas =
         has_alphas ? make_alphas(options) : std::vector<std::pair<double, double>>{{0, 0}};
-    const auto if_any = [&](double value) { return has_alphas ? std::optional(value) : std::nullopt; };
     std::vector<Scene> scenes;
-    const auto add = [&](const Unknowns& one, double lambda, double alpha_L, double alpha_T) {
-        const Eigen::Index n = one.mesh ? one.mesh->size() : 2;
+    const auto add = [&](Scene scene, double lambda, double alpha_L, double alpha_T) {
         const std::string too_few = (options.given("edges") ? options.said("edges") + ": n = " : "--n = ") +
-                                    std::to_string(n) + " must be at least 2 ";
-        if (method == "knothe-bc" && n < 2) throw BadInput(too_few + "with --method knothe-bc");
-        if (n < 2 && alpha_L != alpha_T) throw BadInput(too_few + "where alpha-L and alpha-T differ");
+                                    std::to_string(scene.n()) + " must be at least 2 ";
+        if (method == "knothe-bc" && scene.n() < 2) throw BadInput(too_few + "with --method knothe-bc");
+        if (scene.n() < 2 && alpha_L != alpha_T) throw BadInput(too_few + "where alpha-L and alpha-T differ");
+        if (has_alphas) {
+            scene.alpha_L = alpha_L;
+            scene.alpha_T = alpha_T;
+            scene.lambda = lambda;
+        }
+        if (has_elements) scene.scheme = scheme_of(scene);
         for (const rollbem::Contact<double>& contact : contacts) {
-            Scene scene{.method = method,
-                        .derivative = derivative,
-                        .mesh_name = mesh_name,
-                        .alpha_L = if_any(alpha_L),
-                        .alpha_T = if_any(alpha_T),
-                        .lambda = if_any(lambda),
-                        .size_ratio = one.size_ratio,
-                        .epsilon = one.epsilon,
-                        .quadrature = quadrature,
-                        .nodes = nodes,
-                        .contact = contact,
-                        .chebyshev = one.chebyshev,
-                        .mesh = one.mesh,
-                        .kernel = make_kernel(options, contact)};
-            if (has_elements) scene.scheme = scheme_of(scene);
+            scene.contact = contact;
+            scene.kernel = make_kernel(options, contact);
             if (!has_elements && !scene.is_plane() && contact.aspect() < narrowest_for_states) {
                 throw BadInput(options.said("aspect") +
                                " must be at least 0.001 with --method chebyshev: so narrow a strip needs elements");
             }
-            scenes.push_back(std::move(scene));
+            scenes.push_back(scene);
         }
     };
-    for (const std::vector<Unknowns>& graded : make_unknowns(options, method)) {
+    for (const std::vector<Scene>& graded : discretised(options, common)) {
         for (const double lambda : lambdas) {
             for (const auto& [alpha_L, alpha_T] : alphas) {
-                for (const Unknowns& one : graded) add(one, lambda, alpha_L, alpha_T);
+                for (const Scene& one : graded) add(one, lambda, alpha_L, alpha_T);
             }
         }
     }
