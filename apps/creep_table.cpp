@@ -40,9 +40,8 @@ struct Job {
 
 Job make_job(const study::Options& options) {
     const std::vector<double> ends = options.numbers("a-over-b", study::between(1e-3, 1e3));
-    if (ends.size() != 2 || !(ends[0] < ends[1])) {
-        throw study::BadInput(options.said("a-over-b") + " must be the smallest and the largest, in this order");
-    }
+    options.require(ends.size() == 2 && ends[0] < ends[1], "a-over-b",
+                    "be the smallest and the largest, in this order");
     const CreepForceGrid::Range range{.poisson_ratio = options.number("poisson", study::between(0, 0.5)),
                                       .smallest_a_over_b = ends[0],
                                       .largest_a_over_b = ends[1],

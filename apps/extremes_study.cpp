@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <exception>
 #include <string>
-#include <vector>
 
 #include "extremes/cases.hpp"
 #include "support/csv.hpp"

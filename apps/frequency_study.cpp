@@ -58,9 +58,7 @@ std::vector<double> make_omegas(const study::Options& options) {
         study::positive().holds,
         "be positive and finite, as points are spaced evenly in its logarithm (--omega takes 0 too)"};
     const double low = options.number("omega-min", rule), high = options.number("omega-max", rule);
-    if (!(low < high)) {
-        throw study::BadInput(options.said("omega-max") + " must be larger than " + options.said("omega-min"));
-    }
+    options.require(low < high, "omega-max", "be larger than " + options.said("omega-min"));
     const std::ptrdiff_t points = options.integer("points", 2, 1000000);
     std::vector<double> omegas{low};
     for (std::ptrdiff_t i = 1; i + 1 < points; ++i) {
@@ -172,9 +170,8 @@ struct Polynomials {
 
 /// Throws BadInput where monomials have broken down.
 Polynomials solve_polynomials(const study::Options& options, const std::vector<double>& omegas) {
-    if (options.given("kernel") && options.choice("kernel", {"strip", "plane"}) != "plane") {
-        throw study::BadInput(options.said("kernel") + " must be plane with --method polynomial");
-    }
+    options.require(!options.given("kernel") || options.choice("kernel", {"strip", "plane"}) == "plane", "kernel",
+                    "be plane with --method polynomial");
     const std::vector<rollbem::Contact<double>> contacts = study::make_contacts(options, study::Problem::non_steady);
     for (const rollbem::Contact<double>& contact : contacts) study::require_plane_model(contact);
     const std::string basis = options.choice("basis", {"monomial", "chebyshev"});
@@ -208,9 +205,9 @@ std::function<void()> state_space_writer(const study::Options& options, const st
         const study::Scene& scene = scenes.front();
         const auto space_of = [&](const auto& system) {
             const std::string flaw = study::flaw_in_steady_rolling(scene, system);
-            if (flaw.empty()) return rollbem::state_space(system);
-            throw study::BadInput(options.said("state-space") + " must go with another scheme: that of n = " +
-                                  std::to_string(scene.n()) + " " + flaw);
+            options.require(flaw.empty(), "state-space",
+                            "go with another scheme: that of n = " + std::to_string(scene.n()) + " " + flaw);
+            return rollbem::state_space(system);
         };
         return scene.chebyshev ? space_of(rolling_system(*scene.chebyshev, scene.kernel))
                                : space_of(rolling_system(*scene.mesh, scene.scheme, scene.kernel));

@@ -4,7 +4,6 @@
 //     ./profile_study --shift 0,0.001,0.002,0.003,0.004,0.005 --plot contacts.svg
 //     ./profile_study --shift 0.005 --yaw 0.012 --side both --friction 0.3 --plot patches.svg
 //     ./profile_study --wheel worn.csv --length-unit mm --rail head.prr --cant 0 --load 8e4
-#include <array>
 #include <chrono>
 #include <cstddef>
 #include <functional>

@@ -4,11 +4,9 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
-#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include <Eigen/Core>
 #include <rollbem.h>

@@ -14,7 +14,6 @@
 #include <numbers>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <rollbem/compiled/friction.hpp>

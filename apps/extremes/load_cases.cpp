@@ -1,5 +1,4 @@
 // Friction on elements under loads that vary at extreme parameter values.
-#include <algorithm>
 #include <string>
 
 #include <rollbem/compiled/adhesion.hpp>

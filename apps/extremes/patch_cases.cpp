@@ -1,5 +1,4 @@
 // Contact patches in steady rolling at extreme parameter values.
-#include <algorithm>
 #include <string>
 #include <utility>
 

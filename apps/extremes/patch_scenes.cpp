@@ -8,7 +8,6 @@
 #include <random>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <rollbem/assembly/patch_shapes.hpp>
 #include <rollbem/compiled/friction.hpp>

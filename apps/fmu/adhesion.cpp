@@ -7,11 +7,9 @@
 // by x/a. The creepage s/V is never formed, so that V = 0 is a rigid shift. Model exchange has U as its states.
 // Co-simulation uses the matrix exponential if a is constant, exact for slip and speed that are constant within a step,
 // and sdirk2 if a follows the load.
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 

@@ -4,7 +4,6 @@
 // by s h, both at a constant rate, so that V = 0 is a rigid shift; the load varies linearly over the step.
 #include <cmath>
 #include <memory>
-#include <utility>
 
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/assembly/rolling_system.hpp>

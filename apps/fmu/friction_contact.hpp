@@ -4,10 +4,8 @@
 // shift; the load varies linearly over the step.
 #pragma once
 
-#include <algorithm>
 #include <initializer_list>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include <rollbem/accuracy/distance_tangent.hpp>

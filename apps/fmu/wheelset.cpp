@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <memory>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include <rollbem/detail/finite.hpp>
 #include <rollbem/vehicle/contact_table.hpp>

@@ -1,6 +1,5 @@
 // Creep curves with the exact border between slip and stick.
 #include <algorithm>
-#include <cmath>
 
 #include <rollbem/compiled/studies.hpp>
 

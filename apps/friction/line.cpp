@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <string>
 
 #include <rollbem/elasticity/layered_kernel.hpp>
 #include <rollbem/normal/pressure_table.hpp>
@@ -16,26 +15,25 @@ namespace {
 double read_layer(const study::Options& options) {
     const double layer = options.number(
         "layer", {[](double value) { return std::isfinite(value) && value >= 0; }, "be finite and not negative"});
-    if (layer == 0 || !options.given("derivative") || options.text("derivative") != "analytic") return layer;
-    if (options.text("method") == "galerkin" && options.text("quadrature") == "exact") return layer;
-    throw study::BadInput(options.said("derivative") +
-                          " must be fd with --layer: the layer's displacement jumps with the traction, and only "
-                          "differences of it exist");
+    const bool analytic = options.given("derivative") && options.text("derivative") == "analytic";
+    const bool closed = options.text("method") == "galerkin" && options.text("quadrature") == "exact";
+    options.require(
+        layer == 0 || !analytic || closed, "derivative",
+        "be fd with --layer: the layer's displacement jumps with the traction, and only differences of it exist");
+    return layer;
 }
 
 std::optional<rollbem::Friction<rollbem::ExponentialFall<>>> read_falling(const study::Options& options) {
     if (!options.given("falling")) return std::nullopt;
     const auto law = options.pair("falling");
-    if (!law || law->first < 0 || !(law->second > 0)) {
-        throw study::BadInput(options.said("falling") + " must be K,VH with K >= 0 and VH > 0, both finite");
-    }
+    options.require(law && law->first >= 0 && law->second > 0, "falling",
+                    "be K,VH with K >= 0 and VH > 0, both finite");
     rollbem::Friction<rollbem::ExponentialFall<>> falling{
         {.mu_0 = 1, .mu_k = law->first, .half_velocity = law->second}, {}, {}};
     if (!options.given("memory")) return falling;
     const auto memory = options.pair("memory");
-    if (!memory || !(memory->first > 0) || memory->second < 0) {
-        throw study::BadInput(options.said("memory") + " must be D,V0 with D > 0 and V0 >= 0, both finite");
-    }
+    options.require(memory && memory->first > 0 && memory->second >= 0, "memory",
+                    "be D,V0 with D > 0 and V0 >= 0, both finite");
     falling.memory = {.distance = memory->first, .least_velocity = memory->second};
     return falling;
 }

@@ -2,8 +2,6 @@
 
 #include <rollbem/rolling/run.hpp>
 
-#include "support/non_steady.hpp"
-
 namespace friction {
 
 namespace {

@@ -5,7 +5,6 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
-#include <utility>
 
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/compiled/adhesion.hpp>

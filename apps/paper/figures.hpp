@@ -3,10 +3,8 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "evaluate.hpp"

@@ -1,7 +1,6 @@
 // The results of reproduce_paper for a reader: claims.csv as rows, and index.html, which shows everything.
 #pragma once
 
-#include <cstddef>
 #include <set>
 #include <string>
 

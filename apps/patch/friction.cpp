@@ -1,8 +1,6 @@
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <optional>
 
 #include <Eigen/Cholesky>
 
@@ -131,11 +129,10 @@ std::vector<CreepPoint> read_points(const study::Options& options, const std::ve
         // without slip, a quadratic form, may become negative where elements are few
         const auto steady = rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, patch.kernel());
         const Eigen::Matrix3d C = steady.coefficients;
-        if (steady.status != rollbem::Status::ok ||
-            Eigen::LLT<Eigen::Matrix3d>(C + C.transpose()).info() == Eigen::Success)
-            continue;
-        throw study::BadInput(options.said("spin") + " must go with more elements or strips than " + patch.label() +
-                              ": rolling could gain energy");
+        options.require(steady.status != rollbem::Status::ok ||
+                            Eigen::LLT<Eigen::Matrix3d>(C + C.transpose()).info() == Eigen::Success,
+                        "spin",
+                        "go with more elements or strips than " + patch.label() + ": rolling could gain energy");
     }
     return points;
 }

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <stdexcept>
@@ -157,11 +156,9 @@ rollbem::PressureGrid<double> read_grid(const study::Options& options) {
     for (Eigen::Index i = 0; i < x.size(); ++i) {
         for (Eigen::Index j = 0; j < y.size(); ++j) {
             const auto point = points.find({x[i], y[j]});
-            if (point == points.end()) {
-                throw study::BadInput(options.said("pressure") +
-                                      " must have a row at x = " + study::Cell(x[i]).text(6) +
-                                      ", y = " + study::Cell(y[j]).text(6) + ": its points must make a grid");
-            }
+            options.require(point != points.end(), "pressure",
+                            "have a row at x = " + study::Cell(x[i]).text(6) + ", y = " + study::Cell(y[j]).text(6) +
+                                ": its points must make a grid");
             pressures(i, j) = point->second;
         }
     }
@@ -209,10 +206,8 @@ Pressure read_pressure(const study::Options& options) {
     if (options.given("pressure")) {
         return [said, grid = read_grid(options)](const Patch& patch) { return means_of(grid, said, patch); };
     }
-    if (options.given("outline")) {
-        throw study::BadInput(options.said("outline") +
-                              " must go with --pressure for friction: Hertz's contact is an ellipse");
-    }
+    options.require(!options.given("outline"), "outline",
+                    "go with --pressure for friction: Hertz's contact is an ellipse");
     return [](const Patch& patch) { return rollbem::hertz_pressures(patch.contact, patch.mesh, mu_N(patch)); };
 }
 

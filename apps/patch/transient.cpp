@@ -12,7 +12,6 @@
 
 #include "friction/rolling.hpp"
 #include "patch.hpp"
-#include "support/non_steady.hpp"
 
 namespace patch {
 

@@ -119,10 +119,9 @@ std::optional<bool> stable(const Scene& scene, const Scheme& scheme, long n) {
 Scene make_scene(const study::Options& options, const std::vector<std::string>& used,
                  const std::vector<Quantity>& quantities) {
     for (const char* name : {"kernel", "aspect", "poisson", "size-ratio", "epsilon"}) {
-        if (options.said(name).find(',') == std::string::npos) continue;
-        throw study::BadInput(options.said(name) +
-                              " must be a single value: schemes are compared for one contact, each with one mesh of a "
-                              "kind; run the study once for each value");
+        options.require(options.said(name).find(',') == std::string::npos, name,
+                        "be a single value: schemes are compared for one contact, each with one mesh of a kind; run "
+                        "the study once for each value");
     }
     const auto is_used = [&](const char* name) { return std::find(used.begin(), used.end(), name) != used.end(); };
     if (!is_used("geometric")) options.ignored("size-ratio", "without the scheme geometric");
@@ -132,13 +131,12 @@ Scene make_scene(const study::Options& options, const std::vector<std::string>& 
                quantity.problem == Problem::varying_load;
     });
     const Contact<double> contact =
-        study::make_contact(options, steady ? study::Problem::steady : study::Problem::non_steady);
+        study::make_contacts(options, steady ? study::Problem::steady : study::Problem::non_steady).front();
     if (!steady) study::require_plane_model(contact);
     // the strip of infinite width is the plane
     const bool plane = options.choice("kernel", {"strip", "plane"}) == "plane" || !std::isfinite(contact.aspect());
-    if (!plane && is_used("chebyshev-states") && contact.aspect() < 0.001) {
-        throw study::BadInput(options.said("aspect") + " must be at least 0.001 for the scheme chebyshev-states");
-    }
+    options.require(plane || !is_used("chebyshev-states") || contact.aspect() >= 0.001, "aspect",
+                    "be at least 0.001 for the scheme chebyshev-states");
     return {contact, plane ? LineModel::plane : LineModel::strip,
             options.number("size-ratio", study::between(1e-12, 1e12)),
             options.number("epsilon", study::between(1e-12, 1e12))};
@@ -211,9 +209,7 @@ Comparison compare_on_line(const study::Options& options) {
             result.tasks.push_back(std::move(task));
         }
     }
-    if (result.tasks.empty()) {
-        throw study::BadInput(options.said("n") + " must fit at least one of the schemes and quantities");
-    }
+    options.require(!result.tasks.empty(), "n", "fit at least one of the schemes and quantities");
     // by n, as given or increasing, and within it in the order of the schemes; what has no n comes last
     const std::vector<std::ptrdiff_t> given = options.integers("n", 1, largest_n);
     const auto place = [&](const Task& task) {

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
-#include <utility>
 
 #include <rollbem/accuracy/richardson.hpp>
 #include <rollbem/closed_form/carter.hpp>

@@ -2,7 +2,6 @@
 // over n and strips.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
 #include <utility>

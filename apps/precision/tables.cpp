@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -83,7 +82,7 @@ std::vector<Point> read_points(const study::Options& options, const std::vector<
             throw study::BadInput(where + " must have the kernel, aspect and poisson of the rows above");
         }
     }
-    if (points.empty()) throw study::BadInput(options.said("front") + " must have rows of the quantities asked for");
+    options.require(!points.empty(), "front", "have rows of the quantities asked for");
     return points;
 }
 

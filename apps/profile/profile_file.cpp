@@ -8,8 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/detail/finite.hpp>
-
 #include "profile.hpp"
 #include "support/csv.hpp"
 #include "support/input.hpp"
@@ -88,8 +86,8 @@ Points read_simpack(const study::Options& options, const std::string& name) {
                                   ".max: cut the points instead");
         }
     }
-    if (points.y.empty()) throw study::BadInput(options.said(name) + " must have points after a line point.begin");
-    if (!ended) throw study::BadInput(options.said(name) + " must have a line point.end after its points");
+    options.require(!points.y.empty(), name, "have points after a line point.begin");
+    options.require(ended, name, "have a line point.end after its points");
     // the factor is of lengths in the file over metres, so that the order of the lines above does not matter
     for (std::vector<double>* of : {&points.y, &points.z}) {
         for (double& value : *of) value /= settings["units.len.f"];
@@ -112,10 +110,9 @@ rollbem::Profile read(const study::Options& options, const std::string& name, co
         for (std::vector<double>* of : {&points.y, &points.z}) {
             for (double& value : *of) value /= per_metre;
         }
-    } else if (ends_with(file, ending)) {
-        points = read_simpack(options, name);
     } else {
-        throw study::BadInput(options.said(name) + " must be " + known + " or a file that ends in .csv or " + ending);
+        options.require(ends_with(file, ending), name, "be " + known + " or a file that ends in .csv or " + ending);
+        points = read_simpack(options, name);
     }
     std::optional<rollbem::Profile> profile;
     try {

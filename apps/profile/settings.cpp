@@ -142,7 +142,7 @@ std::vector<Case> read_cases(const study::Options& options) {
                                  place[1] ? columns[place[1]][i] : rate});
             }
         }
-        if (cases.empty()) throw study::BadInput(options.said("positions") + " must have a row below its header");
+        options.require(!cases.empty(), "positions", "have a row below its header");
         return cases;
     }
     for (const double shift : options.numbers("shift", sideways)) {
@@ -164,10 +164,8 @@ Settings read_settings(const study::Options& options) {
                                          .poisson_ratio = options.number("poisson", study::between(0, 0.5))};
     const auto cells = options.pair("cells");
     const auto fits = [](double count) { return count >= 10 && count <= 1000 && count == std::floor(count); };
-    if (!cells || !fits(cells->first) || !fits(cells->second)) {
-        throw study::BadInput(options.said("cells") +
-                              " must be two integers from 10 to 1000 with a comma between them");
-    }
+    options.require(cells && fits(cells->first) && fits(cells->second), "cells",
+                    "be two integers from 10 to 1000 with a comma between them");
     const std::string side = options.choice("side", {"left", "right", "both"});
     std::vector<Side> sides;
     if (side != "right") sides.push_back(Side::left);

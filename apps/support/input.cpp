@@ -19,9 +19,8 @@ std::string contents(const Options& options, const std::string& name) {
     std::istream& from = path == "-" ? std::cin : file;
     std::ostringstream read;
     if (from.good() && from.peek() != std::istream::traits_type::eof()) read << from.rdbuf();
-    if (!from.good() && !from.eof()) {
-        throw BadInput(options.said(name) + " must be a file that can be read: " + std::strerror(errno));
-    }
+    options.require(from.good() || from.eof(), name,
+                    std::string("be a file that can be read: ") + std::strerror(errno));
     const std::string text = read.str();
     options.note_input(name, text);
     return text.rfind("\xEF\xBB\xBF", 0) == 0 ? text.substr(3) : text;
@@ -104,7 +103,7 @@ Numbers read_edges(const Options& options, const std::string& name, double low, 
         }
         edges.push_back(edge);
     }
-    if (edges.size() < 2 || edges.back() != 1) throw BadInput(options.said(name) + " must end with " + highest);
+    options.require(edges.size() >= 2 && edges.back() == 1, name, "end with " + highest);
     return edges;
 }
 
@@ -162,7 +161,7 @@ Pairs read_pairs(const Options& options, const std::string& name, const std::str
                 throw BadInput(where + " must not be the third row at one " + first + ": two make a jump");
             }
         });
-    if (columns[0].empty()) throw BadInput(options.said(name) + " must have at least one row below its header");
+    options.require(!columns[0].empty(), name, "have at least one row below its header");
     return {std::move(columns[0]), std::move(columns[1]), {columns.begin() + 2, columns.end()}};
 }
 

@@ -155,9 +155,8 @@ std::vector<Number> Options::list(const std::string& name, const Read& read) con
     for (const std::string& item : cells_of(join(raw(name), ","))) {
         if (item.empty()) throw BadInput(said(name) + " must be a list without empty items");
         const Number value = read(item);
-        if (std::find(result.begin(), result.end(), value) != result.end()) {
-            throw BadInput(said(name) + " must be a list without repeated items: " + item + " is there twice");
-        }
+        require(std::find(result.begin(), result.end(), value) == result.end(), name,
+                "be a list without repeated items: " + item + " is there twice");
         result.push_back(value);
     }
     return result;

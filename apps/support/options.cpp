@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <iostream>
 #include <new>
 
 #include <CLI/CLI.hpp>
@@ -30,13 +29,13 @@ std::string dashed(std::vector<std::string> modes, const std::string& last) {
     return (name == "--" ? "" : name) + listed(modes, last);
 }
 
+}  // namespace
+
 std::vector<std::string> mesh_names() {
     std::vector<std::string> names;
     for (const rollbem::TopologyInfo& known : rollbem::topologies) names.emplace_back(known.name);
     return names;
 }
-
-}  // namespace
 
 Options::Options(std::string program, const std::string& purpose)
     : program_(std::move(program)), app_(std::make_unique<CLI::App>(purpose, program_)) {

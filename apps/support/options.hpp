@@ -89,6 +89,9 @@ std::string join(const std::vector<std::string>& words, const std::string& separ
 /// "a, b or c" with last = "or".
 std::string listed(const std::vector<std::string>& words, const std::string& last);
 
+/// What --mesh may be.
+std::vector<std::string> mesh_names();
+
 class Options {
 public:
     /// Declares the options all studies share. `purpose` is the first line of --help.
@@ -176,6 +179,11 @@ public:
 
     /// "--name = value" as typed, for messages.
     std::string said(const std::string& name) const;
+
+    /// Throws BadInput unless `holds`: "--name = value must `rule`".
+    void require(bool holds, const std::string& name, const std::string& rule) const {
+        if (!holds) throw BadInput(said(name) + " must " + rule);
+    }
 
     /// Throws BadInput if `name` was given: "--name = value has no effect `reason`".
     void ignored(const std::string& name, const std::string& reason) const;

@@ -279,7 +279,7 @@ Plot side_by_side(std::vector<Plot> panels) {
 bool plot_is_png(const Options& options) {
     const std::string path = options.text("plot");
     const std::string ending = std::filesystem::path(path).extension().string();
-    if (ending != ".svg" && ending != ".png") throw BadInput(options.said("plot") + " must end in .svg or .png");
+    options.require(ending == ".svg" || ending == ".png", "plot", "end in .svg or .png");
     return ending == ".png";
 }
 

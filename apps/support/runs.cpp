@@ -12,9 +12,8 @@ namespace study {
 
 Sine read_sine(const Options& options) {
     const auto sine = options.pair("sine");
-    if (!sine || sine->first == 0 || !(sine->second > 0)) {
-        throw BadInput(options.said("sine") + " must be AMP,OMEGA with AMP finite and not 0 and OMEGA > 0");
-    }
+    options.require(sine && sine->first != 0 && sine->second > 0, "sine",
+                    "be AMP,OMEGA with AMP finite and not 0 and OMEGA > 0");
     return {sine->first, sine->second};
 }
 
@@ -31,11 +30,10 @@ void add_steps(Options& options, const std::string& mode) {
 Steps read_steps(const Options& options) {
     const double dq = options.number("dq", positive()), until = options.number("until", positive());
     const double count = std::round(until / dq);
-    if (until < dq * (1 - 1e-12)) throw BadInput(options.said("until") + " must be at least --dq");
-    if (count > 1e7) throw BadInput(options.said("until") + " must be at most 1e7 times --dq");
-    if (std::abs(until / dq - count) > 1e-9 * count) {  // 0.3/0.1 is rounded
-        throw BadInput(options.said("until") + " must be a multiple of --dq = " + options.text("dq"));
-    }
+    options.require(until >= dq * (1 - 1e-12), "until", "be at least --dq");
+    options.require(count <= 1e7, "until", "be at most 1e7 times --dq");
+    options.require(std::abs(until / dq - count) <= 1e-9 * count, "until",  // 0.3/0.1 is rounded
+                    "be a multiple of --dq = " + options.text("dq"));
     return {dq, static_cast<std::size_t>(count)};
 }
 
@@ -99,16 +97,15 @@ std::optional<LoadHistory> read_load_history(const Options& options, double unti
     const bool breathing = options.flag("breathing"), by_sine = options.given("load-sine");
     if (!by_sine && !options.given("load")) return std::nullopt;
     options.ignored("pressure", "under a load that varies: how the contact of a table grows is not known");
-    const std::string said = options.said(by_sine ? "load-sine" : "load");
     if (by_sine) {
         const auto sine = options.pair("load-sine");
         const bool small = sine && (breathing ? std::abs(sine->first) < 1 : std::abs(sine->first) <= 1);
-        if (!small || !(sine->second > 0)) {
-            throw BadInput(said + " must be A,LENGTH with " +
-                           (breathing ? "|A| < 1 where the mesh breathes" : "|A| <= 1") + " and LENGTH > 0");
-        }
+        options.require(small && sine->second > 0, "load-sine",
+                        std::string("be A,LENGTH with ") +
+                            (breathing ? "|A| < 1 where the mesh breathes" : "|A| <= 1") + " and LENGTH > 0");
         return LoadHistory{.amplitude = sine->first, .length = sine->second, .breathing = breathing};
     }
+    const std::string said = options.said("load");
     Pairs pairs = read_pairs(options, "load", "q_over_a,load_ratio", finite(), further);
     LoadHistory history{.knots = std::move(pairs.places),
                         .ratios = std::move(pairs.values),

@@ -30,9 +30,7 @@ std::vector<std::vector<Scene>> discretised(const Options& options, const Scene&
             std::make_shared<rollbem::Mesh<double>>(rollbem::mesh_from_edges<double>(edges));
         return scenes;
     }
-    std::vector<std::string> names;
-    for (const rollbem::TopologyInfo& known : rollbem::topologies) names.emplace_back(known.name);
-    const std::string name = options.choice("mesh", names);
+    const std::string name = options.choice("mesh", mesh_names());
     const rollbem::Topology topology = *rollbem::topology_named(name);
     const rollbem::TopologyInfo& info = rollbem::topology_info(topology);
     const bool by_ratio = info.grading == "size_ratio";
@@ -132,12 +130,6 @@ std::vector<rollbem::Contact<double>> make_contacts(const Options& options, Prob
     return contacts;
 }
 
-rollbem::Contact<double> make_contact(const Options& options, Problem problem) {
-    const Rule aspect = problem == Problem::steady ? positive_or_infinite() : positive();
-    return rollbem::Contact<double>::dimensionless(options.number("aspect", aspect),
-                                                   options.number("poisson", between(0, 0.5)));
-}
-
 void offer_chebyshev(Options& options, const std::string& further) {
     options.set_help(
         "n", "number of elements of the contact, 1 to 100000, or of Chebyshev states, 1 to 10000 (dimensionless)");
@@ -151,10 +143,9 @@ void offer_chebyshev(Options& options, const std::string& further) {
 std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods methods) {
     std::vector<std::string> names{"collocation", "galerkin", "knothe-bc", "nodes"};
     if (methods == Methods::elements_and_states) names.emplace_back("chebyshev");
-    if (methods == Methods::elements && options.text("method") == "chebyshev") {
-        throw BadInput(options.said("method") + " must be one of " + join(names, ", ") +
-                       ": friction bounds the traction of elements, which chebyshev does not have");
-    }
+    options.require(
+        methods != Methods::elements || options.text("method") != "chebyshev", "method",
+        "be one of " + join(names, ", ") + ": friction bounds the traction of elements, which chebyshev does not have");
     // 1. What does not vary.
     const std::string method = options.choice("method", names);
     const bool has_alphas = method == "collocation" || method == "galerkin", has_elements = method != "chebyshev";
@@ -169,9 +160,8 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods 
         common.derivative = common.quadrature == "exact" ? "analytic" : "fd";
     }
     if (method == "nodes") common.nodes = options.choice("nodes", {"centres", "chebyshev"});
-    if (common.nodes == "chebyshev" && common.mesh_name != "cosine") {
-        throw BadInput(options.said("nodes") + " must be centres unless --mesh is cosine");
-    }
+    options.require(common.nodes != "chebyshev" || common.mesh_name == "cosine", "nodes",
+                    "be centres unless --mesh is cosine");
 
     // 2. What does, n in the outermost loop.
     const std::vector<double> lambdas = has_alphas ? options.numbers("lambda", between(0, 1)) : std::vector<double>{1};
@@ -192,10 +182,8 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods 
         for (const rollbem::Contact<double>& contact : contacts) {
             scene.contact = contact;
             scene.kernel = make_kernel(options, contact);
-            if (!has_elements && !scene.is_plane() && contact.aspect() < narrowest_for_states) {
-                throw BadInput(options.said("aspect") +
-                               " must be at least 0.001 with --method chebyshev: so narrow a strip needs elements");
-            }
+            options.require(has_elements || scene.is_plane() || contact.aspect() >= narrowest_for_states, "aspect",
+                            "be at least 0.001 with --method chebyshev: so narrow a strip needs elements");
             scenes.push_back(scene);
         }
     };

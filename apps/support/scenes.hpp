@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <rollbem/discretisation/any_scheme.hpp>
@@ -68,9 +67,6 @@ Cell aspect_cell(const rollbem::Contact<double>& contact);
 
 /// The contacts of --aspect and --poisson, with a = G = 1; the latter is the inner loop.
 std::vector<rollbem::Contact<double>> make_contacts(const Options& options, Problem problem);
-
-/// The same if there can only be one.
-rollbem::Contact<double> make_contact(const Options& options, Problem problem);
 
 /// Why studies of steady rolling refuse --lambda.
 inline constexpr const char* no_lambda = "a steady problem builds no G, the only matrix lambda acts on";

@@ -23,10 +23,8 @@ using Space = rollbem::StateSpace<double>;
 std::string reduce(const Options& options, Space& space, const std::string& bounded) {
     const Eigen::Index states = options.integer("states", 1, space.A.rows());
     const rollbem::BalancedReduction<double> reduced = rollbem::balanced_reduction(space, states);
-    if (reduced.status != rollbem::Status::ok) {
-        throw BadInput(options.said("states") + " must go with a scheme that decays in time: the reduction is " +
-                       name(reduced.status));
-    }
+    options.require(reduced.status == rollbem::Status::ok, "states",
+                    std::string("go with a scheme that decays in time: the reduction is ") + name(reduced.status));
     space = reduced.space;
     const Eigen::Index kept = space.A.rows(), present = reduced.hankel_singular_values.size();
     const double left_out = kept < present ? reduced.hankel_singular_values[kept] : 0;

@@ -6,7 +6,6 @@
 #include <exception>
 #include <future>
 #include <optional>
-#include <thread>
 
 #include <unistd.h>
 
@@ -23,9 +22,8 @@ RowRange shard_of(const Options& options) {
     const std::vector<std::string> parts = cells_of(options.text("shard"), '/');
     const auto index = detail::parse_number<std::uint32_t>(parts.front());
     const auto count = detail::parse_number<std::uint32_t>(parts.back());
-    if (parts.size() != 2 || !index || !count || *index < 1 || *index > *count || *count > 1000000) {
-        throw BadInput(options.said("shard") + " must be K/N with 1 <= K <= N <= 1000000");
-    }
+    options.require(parts.size() == 2 && index && count && *index >= 1 && *index <= *count && *count <= 1000000,
+                    "shard", "be K/N with 1 <= K <= N <= 1000000");
     return {*index, *count};
 }
 
