@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdio>
 #include <deque>
-#include <exception>
 #include <filesystem>
 #include <functional>
 #include <iterator>
@@ -18,7 +17,6 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <gsl/gsl_errno.h>
 
 #include <rollbem/detail/parallel_for.hpp>
 
@@ -28,7 +26,7 @@
 #include "paper/page.hpp"
 #include "paper/results.hpp"
 #include "support/csv.hpp"
-#include "support/input.hpp"
+#include "support/options.hpp"
 #include "support/plot.hpp"
 #include "support/progress.hpp"
 
@@ -158,16 +156,9 @@ int run(const Settings& settings) {
     return as_expected ? study::exit_ok : study::exit_failed;
 }
 
-int fail(const char* message, study::ExitCode code) {
-    std::fprintf(stderr, "reproduce_paper: %s\n", study::printable(message).c_str());
-    return code;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-    gsl_set_error_handler_off();  // the default handler aborts the program
-    study::ignore_write_signals();
     Settings settings;
     CLI::App app(
         R"(Every figure and every claim of the paper: writes each panel as figNNx.csv and figNNx.svg, claims.csv
@@ -190,18 +181,14 @@ The paper does not give nu and b/a: 0.28 and 1000 are used. Every other choice i
 
 Exit codes: 0 every claim holds or fails as expected (without gnuplot the plots are missing); 1 a claim does not;
 2 bad input, or DIR cannot be written to; 4 error while writing; 130 interrupted.)");
-    try {
-        app.parse(argc, argv);
+    return study::run_guarded("reproduce_paper", [&] {
+        try {
+            app.parse(argc, argv);
+        } catch (const CLI::Success& request) {  // --help, --version
+            return app.exit(request);
+        } catch (const CLI::ParseError& error) {
+            throw study::BadInput(std::string(error.what()) + "; see --help");
+        }
         return run(settings);
-    } catch (const CLI::Success& request) {  // --help, --version
-        return app.exit(request);
-    } catch (const CLI::ParseError& parse_error) {
-        return fail((std::string(parse_error.what()) + "; see --help").c_str(), study::exit_bad_input);
-    } catch (const study::WriteError& write_error) {
-        return fail(write_error.what(), study::exit_write_error);
-    } catch (const study::BadInput& bad_input) {
-        return fail(bad_input.what(), study::exit_bad_input);
-    } catch (const std::exception& other) {
-        return fail(other.what(), study::exit_failed);
-    }
+    });
 }

@@ -58,16 +58,16 @@ auto if_computed(const Value& value) {
 }
 
 /// Writes the table of a run of each case, `rows` long: prepare(case) makes its Rolling, row(case, moment) its
-/// rows, plot(rows) the picture. Throws what these and write_runs throw.
-template <class Case, class Prepare, class Row, class Draw>
-void write_rolling(const study::Options& options, const std::vector<std::string>& columns,
-                   const std::vector<Case>& cases, std::size_t rows, const Prepare& prepare, const Row& row,
-                   const Draw& plot) {
+/// rows for the sheet, plot(rows) the picture. Throws what these and write_runs throw.
+template <class Sheet, class Case, class Prepare, class Row, class Draw>
+void write_rolling(const study::Options& options, const Sheet& sheet, const std::vector<Case>& cases, std::size_t rows,
+                   const Prepare& prepare, const Row& row, const Draw& plot) {
     const auto runs = study::prepared<Rolling>(options, cases, prepare);
     std::vector<std::string> ended(cases.size());
-    study::Table table = study::table_of(columns, cases, rows);
+    study::Table table = study::table_of(sheet.names(), cases, rows);
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        ended[task] = roll(runs[task], range, [&](const Moment& moment) { emit(row(cases[task], moment)); });
+        ended[task] = roll(runs[task], range,
+                           [&](const Moment& moment) { emit(sheet.row(cases[task], row(cases[task], moment))); });
     };
     table.plot = plot;
     table.resumable = !options.given("plot");

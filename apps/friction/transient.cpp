@@ -245,10 +245,10 @@ void run_transient(const study::Options& options) {
         }
     };
     const auto row = [&](const study::Scene& scene, const Moment& moment) {
-        return time_sheet().row(scene, {history, history.line, scene, moment, mu_N * scene.contact.width()});
+        return TimeRow{history, history.line, scene, moment, mu_N * scene.contact.width()};
     };
     write_rolling(
-        options, time_sheet().names(), scenes, history.steps.count + (history.shift ? 1 : 0), prepare, row,
+        options, time_sheet(), scenes, history.steps.count + (history.shift ? 1 : 0), prepare, row,
         [&](const std::vector<study::Row>& rows) { return force_in_time(rows, history, scene_in_title(options)); });
 }
 

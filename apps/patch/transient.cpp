@@ -257,10 +257,10 @@ void run_transient(const study::Options& options, const std::vector<Patch>& patc
                       options.choice("from", {"rest", "steady"}) == "steady",
                       study::read_integrator(options, {Integrator::sdirk2, Integrator::implicit_euler}), steps.dq};
     friction::write_rolling(
-        options, time_sheet().names(), patches, steps.count,
+        options, time_sheet(), patches, steps.count,
         [&](const Patch& patch) { return make_rolling(scene, patch, pressure); },
         [&](const Patch& patch, const friction::Moment& moment) {
-            return time_sheet().row(patch, {scene, scene.point, patch, moment});
+            return TimeRow{scene, scene.point, patch, moment};
         },
         [&](const std::vector<study::Row>& rows) {
             return draw_in_time(time_sheet().names(), rows, scene.load.has_value());

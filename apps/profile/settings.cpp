@@ -107,42 +107,24 @@ std::vector<Case> read_cases(const study::Options& options) {
     }
     std::vector<Case> cases;
     if (options.given("positions")) {
-        for (const char* name : {"shift", "yaw"}) options.ignored(name, "with --positions");
-        study::Lines lines(options, "positions");
-        std::string names = "shift,yaw";
-        std::array<std::size_t, 2> place{0, 0};  // of roll and pitch_rate
-        const std::vector<std::string> header = lines.next()
-                                                    ? study::cells_of(lines.text(), study::separator_of(lines.text()))
-                                                    : std::vector<std::string>{};
-        std::size_t next = 2;
-        for (const std::size_t k : {std::size_t(0), std::size_t(1)}) {
-            const std::string name = k == 0 ? "roll" : "pitch_rate";
-            if (std::find(header.begin(), header.end(), name) == header.end()) continue;
-            names += "," + name;
-            place[k] = next++;
-            options.ignored(k == 0 ? "roll" : "pitch-rate", "with a column " + name + " in --positions");
-        }
         const auto check = [&](const std::vector<study::Numbers>& columns, const std::string& where) {
-            for (std::size_t k = 0; k < columns.size(); ++k) {
-                if (k == place[1] && k > 0) continue;  // a pitch rate may be any
+            for (const auto& [k, name] : {std::pair<std::size_t, const char*>{0, "shift"}, {1, "yaw"}, {2, "roll"}}) {
                 const study::Rule& rule = k == 0 ? sideways : turn;
-                if (!rule.holds(columns[k].back())) {
-                    throw study::BadInput(where + ": " +
-                                          (k == 0   ? "shift"
-                                           : k == 1 ? "yaw"
-                                                    : "roll") +
-                                          " must " + rule.text);
-                }
+                if (columns[k].empty() || rule.holds(columns[k].back())) continue;
+                throw study::BadInput(where + ": " + name + " must " + rule.text);
             }
         };
-        const std::vector<study::Numbers> columns = study::read_columns(options, "positions", names, "", check);
+        const std::vector<study::Numbers> columns =
+            study::read_columns(options, "positions", "shift,yaw", "roll;pitch_rate", check);
+        options.require(!columns[0].empty(), "positions", "have a row below its header");
+        if (!columns[2].empty()) options.ignored("roll", "with a column roll in --positions");
+        if (!columns[3].empty()) options.ignored("pitch-rate", "with a column pitch_rate in --positions");
         for (std::size_t i = 0; i < columns[0].size(); ++i) {
             for (const std::optional<double>& rate : rates) {
-                cases.push_back({columns[0][i], columns[1][i], place[0] ? columns[place[0]][i] : roll,
-                                 place[1] ? columns[place[1]][i] : rate});
+                cases.push_back({columns[0][i], columns[1][i], columns[2].empty() ? roll : columns[2][i],
+                                 columns[3].empty() ? rate : columns[3][i]});
             }
         }
-        options.require(!cases.empty(), "positions", "have a row below its header");
         return cases;
     }
     for (const double shift : options.numbers("shift", sideways)) {

@@ -8,6 +8,9 @@
 #include <fstream>
 #include <iostream>
 #include <sstream>
+#include <utility>
+
+#include "csv.hpp"
 
 namespace study {
 
@@ -111,10 +114,12 @@ std::vector<Numbers> read_columns(
     const Options& options, const std::string& name, const std::string& names, const std::string& further,
     const std::function<void(const std::vector<Numbers>& columns, const std::string& where)>& check) {
     std::string expected = names;
-    const std::vector<std::string> more = further.empty() ? std::vector<std::string>{} : cells_of(further);
-    std::vector<Numbers> columns(cells_of(names).size() + more.size());
-    std::size_t present = 0;          // columns of the file
-    std::vector<std::size_t> places;  // in a line, of each column that is read
+    std::vector<std::string> all = cells_of(names), groups;
+    if (!further.empty()) groups = cells_of(further, ';');
+    for (const std::string& group : groups) all = joined(std::move(all), cells_of(group));
+    std::vector<Numbers> columns(all.size());
+    std::size_t present = 0;                                  // columns of the file
+    std::vector<std::pair<std::size_t, std::size_t>> places;  // a column that is read, and its place in a line
     char separator = ',';
     Lines lines(options, name);
     while (lines.next()) {
@@ -123,23 +128,26 @@ std::vector<Numbers> read_columns(
         const std::vector<std::string> cells = cells_of(lines.text(), separator);
         if (lines.is_first()) {
             const auto count = [&](const std::string& one) { return std::count(cells.begin(), cells.end(), one); };
-            if (std::any_of(more.begin(), more.end(), count)) expected += "," + further;
+            for (const std::string& group : groups) {
+                const std::vector<std::string> own = cells_of(group);
+                if (std::any_of(own.begin(), own.end(), count)) expected += "," + group;
+            }
             for (const std::string& one : cells_of(expected)) {
                 if (count(one) == 0) throw BadInput(where + " must be " + expected);
                 if (count(one) > 1) throw BadInput(where + " must have one column " + one + " only");
-                places.push_back(std::size_t(std::find(cells.begin(), cells.end(), one) - cells.begin()));
+                places.emplace_back(index_of(all, one), index_of(cells, one));
             }
             present = cells.size();
             continue;
         }
-        for (std::size_t k = 0; k < places.size(); ++k) {
-            const auto value = cells.size() == present ? number_of(cells[places[k]], separator) : std::nullopt;
+        for (const auto& [column, place] : places) {
+            const auto value = cells.size() == present ? number_of(cells[place], separator) : std::nullopt;
             if (!value || !std::isfinite(*value)) {
                 const std::string between = separator == ',' ? "a comma" : separator == ';' ? "a semicolon" : "a tab";
                 throw BadInput(where + " must have " + std::to_string(present) + " cells with " + between +
                                " between them, finite numbers under " + expected);
             }
-            columns[k].push_back(*value);
+            columns[column].push_back(*value);
         }
         if (check) check(columns, where);
     }

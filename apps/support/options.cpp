@@ -271,21 +271,15 @@ std::vector<std::string> Options::raw(const std::string& name) const {
     return default_text.empty() ? std::vector<std::string>{} : std::vector<std::string>{default_text};
 }
 
-int run_program(Options& options, int argc, const char* const* argv, const std::function<int(const Options&)>& body) {
+int run_guarded(const std::string& program, const std::function<int()>& body) {
     const auto report = [&](const std::exception& error, ExitCode code) {
-        std::fprintf(stderr, "%s: %s\n", options.program().c_str(), printable(error.what()).c_str());
+        std::fprintf(stderr, "%s: %s\n", program.c_str(), printable(error.what()).c_str());
         return code;
     };
     gsl_set_error_handler_off();  // the default handler aborts the program
     ignore_write_signals();
     try {
-        if (const std::optional<std::string> text = options.parse(argc, argv)) {
-            OutputFile standard_output = OutputFile::standard_output();
-            standard_output.write(*text);
-            standard_output.commit();
-            return exit_ok;
-        }
-        return body(options);
+        return body();
     } catch (const std::invalid_argument& error) {
         return report(error, exit_bad_input);
     } catch (const std::bad_alloc&) {
@@ -297,6 +291,17 @@ int run_program(Options& options, int argc, const char* const* argv, const std::
     } catch (const std::exception& error) {
         return report(error, exit_failed);
     }
+}
+
+int run_program(Options& options, int argc, const char* const* argv, const std::function<int(const Options&)>& body) {
+    return run_guarded(options.program(), [&]() -> int {
+        const std::optional<std::string> text = options.parse(argc, argv);
+        if (!text) return body(options);
+        OutputFile standard_output = OutputFile::standard_output();
+        standard_output.write(*text);
+        standard_output.commit();
+        return exit_ok;
+    });
 }
 
 }  // namespace study

@@ -275,8 +275,10 @@ private:
     mutable std::map<std::string, std::string> inputs_;
 };
 
-/// The frame of every study's main(): reads the command line and runs body(options), whose return value is the exit
-/// code. Turns exceptions into exit codes and one line on standard error.
+/// body(), which returns the exit code of a program; exceptions become exit codes and one line on standard error.
+int run_guarded(const std::string& program, const std::function<int()>& body);
+
+/// The frame of every study's main(): reads the command line and runs body(options), guarded.
 int run_program(Options& options, int argc, const char* const* argv, const std::function<int(const Options&)>& body);
 
 }  // namespace study

@@ -216,7 +216,7 @@ Axis most_varied(const std::vector<Scene>& scenes) {
     }
     const bool equal =
         std::all_of(scenes.begin(), scenes.end(), [](const Scene& scene) { return scene.alpha_L == scene.alpha_T; });
-    if (most == "n") return {most, scenes.front().n_label()};
+    if (most == "n") return {most, scenes.front().chebyshev ? "number of states n" : "number of elements n"};
     if (most == "alpha_T" && equal) return {most, "α_L = α_T", {"alpha_L"}};
     return {most, shown_name(most)};
 }

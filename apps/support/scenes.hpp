@@ -41,9 +41,6 @@ struct Scene {
 
     Eigen::Index n() const { return chebyshev ? chebyshev->states : mesh ? mesh->size() : 0; }
 
-    /// What n counts, for the axis of a plot.
-    std::string n_label() const { return std::string("number of ") + (chebyshev ? "states" : "elements") + " n"; }
-
     /// For the progress line.
     std::string label() const { return "n = " + std::to_string(n()); }
 
