@@ -90,7 +90,7 @@ void fmi2FreeInstance(fmi2Component component) { delete static_cast<Instance*>(c
 
 fmi2Status fmi2SetDebugLogging(fmi2Component component, fmi2Boolean on, std::size_t count,
                                const fmi2String categories[]) {
-    return call(component, "fmi2SetDebugLogging", fmu::any, [&](Instance& instance) {
+    return call(component, __func__, fmu::any, [&](Instance& instance) {
         // messages about errors are not debugging output: without categories they stay on
         instance.set_logging(on ? std::span(categories, count) : std::span<const fmi2String>());
     });
@@ -98,7 +98,7 @@ fmi2Status fmi2SetDebugLogging(fmi2Component component, fmi2Boolean on, std::siz
 
 fmi2Status fmi2SetupExperiment(fmi2Component component, fmi2Boolean /*tolerance_defined*/, fmi2Real /*tolerance*/,
                                fmi2Real start, fmi2Boolean stop_defined, fmi2Real stop) {
-    return call(component, "fmi2SetupExperiment", fmu::instantiated, [&](Instance& instance) {
+    return call(component, __func__, fmu::instantiated, [&](Instance& instance) {
         if (!std::isfinite(start) || (stop_defined && !(stop > start))) {
             throw std::invalid_argument("the experiment must start at a finite time and stop later");
         }
@@ -107,28 +107,28 @@ fmi2Status fmi2SetupExperiment(fmi2Component component, fmi2Boolean /*tolerance_
 }
 
 fmi2Status fmi2EnterInitializationMode(fmi2Component component) {
-    return call(component, "fmi2EnterInitializationMode", fmu::instantiated,
+    return call(component, __func__, fmu::instantiated,
                 [](Instance& instance) { instance.mode = fmu::initialization; });
 }
 
 fmi2Status fmi2ExitInitializationMode(fmi2Component component) {
-    return call(component, "fmi2ExitInitializationMode", fmu::initialization, [](Instance& instance) {
+    return call(component, __func__, fmu::initialization, [](Instance& instance) {
         instance.build();
         instance.mode = instance.used() == fmu::Interface::model_exchange ? fmu::event : fmu::stepping;
     });
 }
 
 fmi2Status fmi2Terminate(fmi2Component component) {
-    return call(component, "fmi2Terminate", fmu::running, [](Instance& instance) { instance.mode = fmu::terminated; });
+    return call(component, __func__, fmu::running, [](Instance& instance) { instance.mode = fmu::terminated; });
 }
 
 fmi2Status fmi2Reset(fmi2Component component) {
-    return call(component, "fmi2Reset", fmu::any, [](Instance& instance) { instance.reset(); });
+    return call(component, __func__, fmu::any, [](Instance& instance) { instance.reset(); });
 }
 
 fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
                        fmi2Real values[]) {
-    return call(component, "fmi2GetReal", fmu::any, [&](Instance& instance) {
+    return call(component, __func__, fmu::any, [&](Instance& instance) {
         const fmi2Status status = calculated<double>(instance, references, count) ? instance.refresh() : fmi2OK;
         if (status != fmi2OK) return status;
         for (std::size_t i = 0; i < count; ++i) values[i] = instance.variable<double>(references[i]).real();
@@ -138,7 +138,7 @@ fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference referen
 
 fmi2Status fmi2GetInteger(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
                           fmi2Integer values[]) {
-    return call(component, "fmi2GetInteger", fmu::any, [&](Instance& instance) {
+    return call(component, __func__, fmu::any, [&](Instance& instance) {
         // the status can be read even if nothing else can be calculated
         if (calculated<int>(instance, references, count)) instance.refresh();
         for (std::size_t i = 0; i < count; ++i) values[i] = instance.variable<int>(references[i]).integer();
@@ -146,12 +146,12 @@ fmi2Status fmi2GetInteger(fmi2Component component, const fmi2ValueReference refe
 }
 
 fmi2Status fmi2GetBoolean(fmi2Component component, const fmi2ValueReference[], std::size_t count, fmi2Boolean[]) {
-    return no_such_type(component, "fmi2GetBoolean", count);
+    return no_such_type(component, __func__, count);
 }
 
 fmi2Status fmi2GetString(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
                          fmi2String values[]) {
-    return call(component, "fmi2GetString", fmu::any, [&](Instance& instance) {
+    return call(component, __func__, fmu::any, [&](Instance& instance) {
         for (std::size_t i = 0; i < count; ++i) {
             values[i] = instance.variable<std::string>(references[i]).text().c_str();
         }
@@ -160,39 +160,39 @@ fmi2Status fmi2GetString(fmi2Component component, const fmi2ValueReference refer
 
 fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
                        const fmi2Real values[]) {
-    return set<double>(component, "fmi2SetReal", references, count, values);
+    return set<double>(component, __func__, references, count, values);
 }
 
 fmi2Status fmi2SetInteger(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
                           const fmi2Integer values[]) {
-    return set<int>(component, "fmi2SetInteger", references, count, values);
+    return set<int>(component, __func__, references, count, values);
 }
 
 fmi2Status fmi2SetBoolean(fmi2Component component, const fmi2ValueReference[], std::size_t count, const fmi2Boolean[]) {
-    return no_such_type(component, "fmi2SetBoolean", count);
+    return no_such_type(component, __func__, count);
 }
 
 fmi2Status fmi2SetString(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
                          const fmi2String values[]) {
-    return set<std::string>(component, "fmi2SetString", references, count, values);
+    return set<std::string>(component, __func__, references, count, values);
 }
 
 fmi2Status fmi2GetFMUstate(fmi2Component component, fmi2FMUstate* state) {
-    return call(component, "fmi2GetFMUstate", fmu::any, [&](Instance& instance) {
+    return call(component, __func__, fmu::any, [&](Instance& instance) {
         if (*state == nullptr) *state = new Bytes;
         instance.save(*static_cast<Bytes*>(*state));
     });
 }
 
 fmi2Status fmi2SetFMUstate(fmi2Component component, fmi2FMUstate state) {
-    return call(component, "fmi2SetFMUstate", fmu::any, [&](Instance& instance) {
+    return call(component, __func__, fmu::any, [&](Instance& instance) {
         if (state == nullptr) throw std::invalid_argument("there is no state");
         instance.restore(*static_cast<Bytes*>(state));
     });
 }
 
 fmi2Status fmi2FreeFMUstate(fmi2Component component, fmi2FMUstate* state) {
-    return call(component, "fmi2FreeFMUstate", fmu::any, [&](Instance&) {
+    return call(component, __func__, fmu::any, [&](Instance&) {
         if (state != nullptr) {
             delete static_cast<Bytes*>(*state);
             *state = nullptr;
@@ -201,14 +201,14 @@ fmi2Status fmi2FreeFMUstate(fmi2Component component, fmi2FMUstate* state) {
 }
 
 fmi2Status fmi2SerializedFMUstateSize(fmi2Component component, fmi2FMUstate state, std::size_t* size) {
-    return call(component, "fmi2SerializedFMUstateSize", fmu::any, [&](Instance&) {
+    return call(component, __func__, fmu::any, [&](Instance&) {
         if (state == nullptr) throw std::invalid_argument("there is no state");
         *size = static_cast<Bytes*>(state)->size() + sizeof(std::uint64_t);
     });
 }
 
 fmi2Status fmi2SerializeFMUstate(fmi2Component component, fmi2FMUstate state, fmi2Byte serialized[], std::size_t size) {
-    return call(component, "fmi2SerializeFMUstate", fmu::any, [&](Instance&) {
+    return call(component, __func__, fmu::any, [&](Instance&) {
         if (state == nullptr) throw std::invalid_argument("there is no state");
         const Bytes& bytes = *static_cast<Bytes*>(state);
         const std::uint64_t hash = fmu::hash_of(bytes);  // because the file that keeps them may get damaged
@@ -220,7 +220,7 @@ fmi2Status fmi2SerializeFMUstate(fmi2Component component, fmi2FMUstate state, fm
 
 fmi2Status fmi2DeSerializeFMUstate(fmi2Component component, const fmi2Byte serialized[], std::size_t size,
                                    fmi2FMUstate* state) {
-    return call(component, "fmi2DeSerializeFMUstate", fmu::any, [&](Instance&) {
+    return call(component, __func__, fmu::any, [&](Instance&) {
         std::uint64_t hash = 0;
         if (size < sizeof hash) throw std::invalid_argument("the serialised state is too short");
         const std::span<const std::byte> bytes(reinterpret_cast<const std::byte*>(serialized), size - sizeof hash);
@@ -234,7 +234,7 @@ fmi2Status fmi2DeSerializeFMUstate(fmi2Component component, const fmi2Byte seria
 fmi2Status fmi2GetDirectionalDerivative(fmi2Component component, const fmi2ValueReference unknowns[],
                                         std::size_t unknown_count, const fmi2ValueReference knowns[],
                                         std::size_t known_count, const fmi2Real seeds[], fmi2Real derivatives[]) {
-    return call(component, "fmi2GetDirectionalDerivative", fmu::running, [&](Instance& instance) {
+    return call(component, __func__, fmu::running, [&](Instance& instance) {
         try {
             for (std::size_t i = 0; i < unknown_count; ++i) {
                 double sum = 0;

@@ -33,36 +33,34 @@ constexpr unsigned can_evaluate = fmu::initialization | in_time | fmu::terminate
 extern "C" {
 
 fmi2Status fmi2EnterEventMode(fmi2Component component) {
-    return call(component, "fmi2EnterEventMode", fmu::continuous_time,
-                [](Instance& instance) { instance.mode = fmu::event; });
+    return call(component, __func__, fmu::continuous_time, [](Instance& instance) { instance.mode = fmu::event; });
 }
 
 fmi2Status fmi2NewDiscreteStates(fmi2Component component, fmi2EventInfo* info) {
-    return call(component, "fmi2NewDiscreteStates", fmu::event, [&](Instance&) { *info = {}; });
+    return call(component, __func__, fmu::event, [&](Instance&) { *info = {}; });
 }
 
 fmi2Status fmi2EnterContinuousTimeMode(fmi2Component component) {
-    return call(component, "fmi2EnterContinuousTimeMode", fmu::event,
-                [](Instance& instance) { instance.mode = fmu::continuous_time; });
+    return call(component, __func__, fmu::event, [](Instance& instance) { instance.mode = fmu::continuous_time; });
 }
 
 fmi2Status fmi2CompletedIntegratorStep(fmi2Component component, fmi2Boolean /*no_state_before_this_point*/,
                                        fmi2Boolean* enter_event_mode, fmi2Boolean* terminate) {
-    return call(component, "fmi2CompletedIntegratorStep", fmu::continuous_time, [&](Instance&) {
+    return call(component, __func__, fmu::continuous_time, [&](Instance&) {
         *enter_event_mode = fmi2False;
         *terminate = fmi2False;
     });
 }
 
 fmi2Status fmi2SetTime(fmi2Component component, fmi2Real time) {
-    return call(component, "fmi2SetTime", in_time, [&](Instance& instance) {
+    return call(component, __func__, in_time, [&](Instance& instance) {
         if (!std::isfinite(time)) throw std::invalid_argument("time must be finite");
         instance.time = time;  // nothing depends on it
     });
 }
 
 fmi2Status fmi2SetContinuousStates(fmi2Component component, const fmi2Real states[], std::size_t count) {
-    return call(component, "fmi2SetContinuousStates", in_time, [&](Instance& instance) {
+    return call(component, __func__, in_time, [&](Instance& instance) {
         for_each(instance, Causality::state, count,
                  [&](const fmu::Variable& variable, std::size_t i) { variable.real() = states[i]; });
         instance.stale = true;
@@ -70,7 +68,7 @@ fmi2Status fmi2SetContinuousStates(fmi2Component component, const fmi2Real state
 }
 
 fmi2Status fmi2GetContinuousStates(fmi2Component component, fmi2Real states[], std::size_t count) {
-    return call(component, "fmi2GetContinuousStates", can_evaluate, [&](Instance& instance) {
+    return call(component, __func__, can_evaluate, [&](Instance& instance) {
         instance.build();
         for_each(instance, Causality::state, count,
                  [&](const fmu::Variable& variable, std::size_t i) { states[i] = variable.real(); });
@@ -78,15 +76,14 @@ fmi2Status fmi2GetContinuousStates(fmi2Component component, fmi2Real states[], s
 }
 
 fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component component, fmi2Real nominals[], std::size_t count) {
-    return call(component, "fmi2GetNominalsOfContinuousStates", fmu::instantiated | can_evaluate,
-                [&](Instance& instance) {
-                    for_each(instance, Causality::state, count,
-                             [&](const fmu::Variable& variable, std::size_t i) { nominals[i] = variable.nominal; });
-                });
+    return call(component, __func__, fmu::instantiated | can_evaluate, [&](Instance& instance) {
+        for_each(instance, Causality::state, count,
+                 [&](const fmu::Variable& variable, std::size_t i) { nominals[i] = variable.nominal; });
+    });
 }
 
 fmi2Status fmi2GetDerivatives(fmi2Component component, fmi2Real derivatives[], std::size_t count) {
-    return call(component, "fmi2GetDerivatives", can_evaluate, [&](Instance& instance) {
+    return call(component, __func__, can_evaluate, [&](Instance& instance) {
         const fmi2Status status = instance.refresh();
         if (status != fmi2OK) return status;
         for_each(instance, Causality::derivative, count,
@@ -96,7 +93,7 @@ fmi2Status fmi2GetDerivatives(fmi2Component component, fmi2Real derivatives[], s
 }
 
 fmi2Status fmi2GetEventIndicators(fmi2Component component, fmi2Real[], std::size_t count) {
-    return call(component, "fmi2GetEventIndicators", can_evaluate, [&](Instance&) {
+    return call(component, __func__, can_evaluate, [&](Instance&) {
         if (count != 0) throw std::invalid_argument("there are no event indicators");
     });
 }

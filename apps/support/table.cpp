@@ -1,13 +1,14 @@
 #include "table.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
-#include <exception>
-#include <future>
+#include <mutex>
 #include <optional>
+#include <utility>
 
 #include <unistd.h>
+
+#include <rollbem/detail/parallel_for.hpp>
 
 #include "input.hpp"
 #include "progress.hpp"
@@ -53,30 +54,19 @@ void compute_in_order(const std::vector<Task>& tasks, std::size_t jobs,
         for (const Task& task : tasks) compute(task, emit);
         return;
     }
-    std::vector<std::promise<std::vector<Row>>> rows_of(tasks.size());
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-        for (std::size_t i = 0; (i = next++) < tasks.size();) {
-            try {
-                std::vector<Row> rows;
-                compute(tasks[i], [&](Row row) { rows.push_back(std::move(row)); });
-                rows_of[i].set_value(std::move(rows));
-            } catch (...) {
-                rows_of[i].set_exception(std::current_exception());
-            }
+    std::vector<std::optional<std::vector<Row>>> rows_of(tasks.size());  // of tasks that are done
+    std::size_t next = 0;
+    std::mutex mutex;
+    rollbem::detail::parallel_for(tasks.size(), jobs, [&](std::size_t i) {
+        std::vector<Row> rows;
+        compute(tasks[i], [&](Row row) { rows.push_back(std::move(row)); });
+        const std::lock_guard lock(mutex);
+        rows_of[i] = std::move(rows);
+        for (; next < tasks.size() && rows_of[next]; ++next) {
+            std::vector<Row> ready = std::move(*rows_of[next]);
+            for (Row& row : ready) emit(std::move(row));
         }
-    };
-    std::vector<std::future<void>> threads;
-    for (std::size_t i = 0; i < std::min(jobs, tasks.size()); ++i)
-        threads.push_back(std::async(std::launch::async, work));
-    try {
-        for (std::promise<std::vector<Row>>& rows : rows_of) {
-            for (Row& row : rows.get_future().get()) emit(std::move(row));
-        }
-    } catch (...) {
-        next = tasks.size();
-        throw;
-    }
+    });
 }
 
 }  // namespace
