@@ -250,7 +250,7 @@ std::vector<Quantity> chosen(const study::Options& options, const std::vector<Qu
     const std::vector<std::string> asked = options.choices("quantity", names_of(all));
     std::vector<Quantity> result;
     for (const Quantity& quantity : all) {
-        if (std::find(asked.begin(), asked.end(), quantity.name) != asked.end()) result.push_back(quantity);
+        if (study::contains(asked, quantity.name)) result.push_back(quantity);
     }
     return result;
 }

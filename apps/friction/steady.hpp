@@ -47,25 +47,6 @@ void solve_by_border(const Curve& curve, const study::Scene& scene, study::RowRa
 /// The points without a solution, where G' is not finite, as for b/a or a layer near the limits of double.
 void leave_out(const study::Scene& scene, study::RowRange range, const Line& line, const See& see);
 
-// --- what pictures share
-
-inline constexpr int line_points = 400;  ///< of an exact curve
-inline const std::vector<std::string> scheme_columns{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T"};
-
-/// Carter's creep curve between two ratios, 0 included.
-study::Series carter_curve(double from, double to);
-
-/// Range of forces up to full sliding, for the signs that occur.
-study::PlotRange force_range(const study::Plot& plot);
-
-/// What forces and tractions are drawn in units of.
-std::string coefficient(bool falling);
-std::string creepage_label(bool falling, const std::string& ratio);
-std::string force_label(bool falling, const std::string& force = "-F", const std::string& load = "N");
-
-/// Options of pressure, law, layer, load and, in the time domain, creepage as given, for a title, each after ", ".
-std::string scene_in_title(const study::Options& options);
-
 // --- the modes: their columns and meanings, and what writes their tables and throws what write_table throws
 
 std::string creep_help();

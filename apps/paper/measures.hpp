@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -56,45 +56,29 @@ inline std::pair<double, double> best(const Points& points) {
 /// |y - 1| of the best point.
 inline double least_error(const Points& points) { return std::abs(best(points).second - 1); }
 
+/// All y.
+inline Eigen::ArrayXd values(const Points& points) {
+    Eigen::ArrayXd y(std::ssize(points));
+    std::transform(points.begin(), points.end(), y.begin(), [](const auto& point) { return point.second; });
+    return y;
+}
+
 /// Largest and mean |y - 1|.
-inline double largest_error(const Points& points) {
-    double result = 0;
-    for (const auto& point : points) result = std::max(result, std::abs(point.second - 1));
-    return result;
-}
-inline double mean_error(const Points& points) {
-    double sum = 0;
-    for (const auto& point : points) sum += std::abs(point.second - 1);
-    return sum / static_cast<double>(points.size());
-}
+inline double largest_error(const Points& points) { return (values(points) - 1).abs().maxCoeff(); }
+inline double mean_error(const Points& points) { return (values(points) - 1).abs().mean(); }
 
 /// Largest |difference of y| of two curves with the same x.
 inline double largest_difference(const Points& first, const Points& second) {
     if (first.size() != second.size()) return std::numeric_limits<double>::infinity();
-    double result = 0;
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        result = std::max(result, std::abs(first[i].second - second[i].second));
-    }
-    return result;
+    return (values(first) - values(second)).abs().maxCoeff();
 }
 
 /// Largest minus smallest y.
-inline double spread(const Points& points) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const auto& point : points) {
-        low = std::min(low, point.second);
-        high = std::max(high, point.second);
-    }
-    return high - low;
-}
+inline double spread(const Points& points) { return values(points).maxCoeff() - values(points).minCoeff(); }
 
 /// Largest difference of y from one point to the next.
 inline double largest_jump(const Points& points) {
-    double result = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        result = std::max(result, std::abs(points[i].second - points[i - 1].second));
-    }
-    return result;
+    return largest_difference({points.begin(), points.end() - 1}, {points.begin() + 1, points.end()});
 }
 
 /// Every x at which y passes through 1, interpolated linearly.
@@ -127,16 +111,10 @@ inline std::optional<double> first_positive(const Points& points) {
 
 /// Exponent q of y ~ x^q by least squares in logarithms, of |y|.
 inline double power(const Points& points) {
-    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (const auto& point : points) {
-        const double x = std::log(point.first), y = std::log(std::abs(point.second));
-        n += 1;
-        sx += x;
-        sy += y;
-        sxx += x * x;
-        sxy += x * y;
-    }
-    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+    Eigen::ArrayXd x(std::ssize(points));
+    std::transform(points.begin(), points.end(), x.begin(), [](const auto& point) { return std::log(point.first); });
+    x -= x.mean();
+    return (x * values(points).abs().log()).sum() / x.square().sum();
 }
 
 /// Oscillation of a distribution: total variation over the difference of largest and smallest value, minus 1. Zero for

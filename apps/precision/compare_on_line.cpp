@@ -1,6 +1,7 @@
 // A line contact as precision_study compares its schemes: references, errors, and what is computed.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -23,22 +24,16 @@ namespace {
 using rollbem::Contact;
 using rollbem::LineModel;
 
-/// The relative error; of a complex number its absolute value, of tractions and of a force as a vector |difference|
-/// over
+/// The relative error; of a complex number its absolute value, of tractions and of a force as a vector |difference| over
 /// |exact|, of a response to a step the largest; of forces over mu N_0 under a load that varies the largest difference.
 double error_of(const Quantity& quantity, const Values& found, const Values& exact) {
-    const auto largest = [&](const auto& difference) {
-        double result = 0;
-        for (std::size_t k = 0; k < exact.size(); ++k) {
-            const double own = std::abs(difference(found[k].real(), exact[k].real()));
-            if (std::isnan(own)) return own;
-            result = std::max(result, own);
-        }
-        return result;
+    const auto real = [](const Values& of) -> Eigen::ArrayXd {
+        return Eigen::ArrayXcd::Map(of.data(), std::ssize(of)).real();
     };
+    const auto largest = [](const Eigen::ArrayXd& errors) { return errors.abs().maxCoeff<Eigen::PropagateNaN>(); };
     if (quantity.problem == Problem::harmonic) return std::abs(found[0] / exact[0] - 1.0);
-    if (quantity.problem == Problem::step) return largest([](double own, double other) { return own / other - 1; });
-    if (quantity.problem == Problem::varying_load) return largest([](double own, double other) { return own - other; });
+    if (quantity.problem == Problem::step) return largest(real(found) / real(exact) - 1);
+    if (quantity.problem == Problem::varying_load) return largest(real(found) - real(exact));
     if (quantity.name == "traction" || quantity.problem == Problem::combined_friction) {
         double error = 0, size = 0;
         for (std::size_t k = 0; k < exact.size(); ++k) {
@@ -123,7 +118,7 @@ Scene make_scene(const study::Options& options, const std::vector<std::string>& 
                         "be a single value: schemes are compared for one contact, each with one mesh of a kind; run "
                         "the study once for each value");
     }
-    const auto is_used = [&](const char* name) { return std::find(used.begin(), used.end(), name) != used.end(); };
+    const auto is_used = [&](const char* name) { return study::contains(used, name); };
     if (!is_used("geometric")) options.ignored("size-ratio", "without the scheme geometric");
     if (!is_used("knothe")) options.ignored("epsilon", "without the scheme knothe");
     const bool steady = std::none_of(quantities.begin(), quantities.end(), [](const Quantity& quantity) {

@@ -18,16 +18,13 @@ constexpr double floor = 1e-14;  // smaller errors are round-off, or 0, which a 
 std::vector<std::string> all_schemes() {
     std::vector<std::string> names = line_schemes();
     for (const std::string& name : patch_schemes()) {
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+        if (!study::contains(names, name)) names.push_back(name);
     }
     return names;
 }
 
 /// The colour, dashes and marker of a scheme, the same in all panels.
-std::size_t style_of(const std::string& scheme) {
-    const std::vector<std::string> names = all_schemes();
-    return static_cast<std::size_t>(std::find(names.begin(), names.end(), scheme) - names.begin());
-}
+std::size_t style_of(const std::string& scheme) { return study::index_of(all_schemes(), scheme); }
 
 std::string title_of(const Quantity& quantity) {
     if (quantity.name == "c11") return "c_{11} in steady rolling";
