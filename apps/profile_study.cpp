@@ -4,11 +4,10 @@
 //     ./profile_study --shift 0,0.001,0.002,0.003,0.004,0.005 --plot contacts.svg
 //     ./profile_study --shift 0.005 --yaw 0.012 --side both --friction 0.3 --plot patches.svg
 //     ./profile_study --wheel worn.csv --length-unit mm --rail head.prr --cant 0 --load 8e4
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <functional>
-#include <map>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -169,15 +168,39 @@ std::vector<Column> columns(bool friction) {
 
 // --- files -----------------------------------------------------------------------------------------------------------
 
-/// Files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P, wheel SIDE and patch K, counted from 1, in
-/// metres. Several threads may add to them.
-class PatchFiles {
-public:
-    explicit PatchFiles(const study::Options& options) : folder_(options.text("outline")) {
-        study::make_folder(folder_, "--outline");
-    }
+/// What was found at a position, by the task that has the rows of these sides.
+struct Position {
+    rollbem::WheelsetForces of;
+    study::RowRange sides;
+};
+using Positions = std::vector<std::optional<Position>>;
 
-    void add(std::size_t position, bool left, std::size_t number, const rollbem::RailPatch& patch) {
+/// Calls visit(position, left, number, patch) for all patches that have numbers.
+template <class Visit>
+void for_patches(const Settings& settings, const Positions& positions, const Visit& visit) {
+    for (std::size_t at = 0; at < positions.size(); ++at) {
+        if (!positions[at]) continue;
+        const auto& [of, sides] = *positions[at];
+        for (std::size_t k = sides.first; k < sides.last; ++k) {
+            const Side side = settings.sides[k];
+            const rollbem::WheelOnRail::Contact& wheel = of.contacts.wheels[std::size_t(side)];
+            for (std::size_t i = 0; rollbem::has_numbers(wheel.status) && i < wheel.patches.size(); ++i) {
+                if (wheel.patches[i].has_numbers()) visit(at, side == Side::left, i, wheel.patches[i]);
+            }
+        }
+    }
+}
+
+void write_file(const std::string& path, const std::string& option, const std::string& text) {
+    study::OutputFile file(path, option);
+    file.write(text);
+    file.commit();
+}
+
+/// Files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P, wheel SIDE and patch K, counted from 1, in
+/// metres.
+void write_outlines(const std::string& folder, const Settings& settings, const Positions& positions) {
+    for_patches(settings, positions, [&](std::size_t at, bool left, std::size_t number, const RailPatch& patch) {
         // a left wheel is a mirror image: s is reversed
         const double sign = left ? -1 : 1;
         const rollbem::Outline<double>& outline = *patch.outline;
@@ -193,70 +216,40 @@ public:
             }
         }
         const std::string name =
-            std::to_string(position + 1) + (left ? "_left_" : "_right_") + std::to_string(number + 1);
-        const std::lock_guard<std::mutex> lock(mutex_);
-        texts_[name + ".outline.csv"] = std::move(edges);
-        texts_[name + ".pressure.csv"] = std::move(pressures);
-    }
+            folder + "/" + std::to_string(at + 1) + (left ? "_left_" : "_right_") + std::to_string(number + 1);
+        write_file(name + ".outline.csv", "--outline", edges);
+        write_file(name + ".pressure.csv", "--outline", pressures);
+    });
+}
 
-    void write() {
-        for (const auto& [name, text] : texts_) {
-            study::OutputFile file(folder_ + "/" + name, "--outline");
-            file.write(text);
-            file.commit();
-        }
-    }
-
-private:
-    std::string folder_;
-    std::mutex mutex_;
-    std::map<std::string, std::string> texts_;
-};
-
-/// Frictional work on the profiles of both sides, summed in the order of the positions, whatever thread finds them.
-class WearFile {
-public:
-    explicit WearFile(const Settings& settings) : settings_(settings) {}
-
-    void add(std::size_t position, const rollbem::WheelsetForces& forces) {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        positions_[position] = forces;
-    }
-
-    void write(const std::string& path) const {
-        std::string text = "side,profile,s,y,z,work\n";
-        for (const Side side : settings_.sides) {
-            for (const bool rail : {true, false}) {
-                const rollbem::WheelOnRail& wheel = settings_.wheelset.wheel();
-                const rollbem::Profile& profile = rail ? wheel.rail() : wheel.wheel();
-                constexpr double cell = 2e-4;  // [m]
-                rollbem::ProfileWear wear(profile, Eigen::Index(profile.length() / cell) + 1);
-                for (const auto& [position, forces] : positions_) {
-                    const auto k = static_cast<std::size_t>(side);
-                    for (std::size_t i = 0; i < forces.patches[k].size(); ++i) {
-                        const RailPatch& patch = forces.contacts.wheels[k].patches[i];
-                        wear.add(rail ? patch.rail_s : patch.wheel_s, forces.patches[k][i],
-                                 1 / double(positions_.size()));
-                    }
-                }
-                for (Eigen::Index i = 0; i < wear.work().size(); ++i) {
-                    const double s = (double(i) + 0.5) * wear.width();
-                    const rollbem::Profile::Point at = profile.at(s);
-                    text += std::string(side == Side::left ? "left," : "right,") + (rail ? "rail," : "wheel,") +
-                            study::csv_line({s, at.y, at.z, wear.work()[i]});
+/// Frictional work on the profiles of both sides, the mean over the positions.
+void write_wear(const std::string& path, const Settings& settings, const Positions& positions) {
+    const auto known = [](const std::optional<Position>& position) { return position.has_value(); };
+    const auto count = double(std::count_if(positions.begin(), positions.end(), known));
+    std::string text = "side,profile,s,y,z,work\n";
+    for (const Side side : settings.sides) {
+        for (const bool rail : {true, false}) {
+            const rollbem::WheelOnRail& wheel = settings.wheelset.wheel();
+            const rollbem::Profile& profile = rail ? wheel.rail() : wheel.wheel();
+            constexpr double cell = 2e-4;  // [m]
+            rollbem::ProfileWear wear(profile, Eigen::Index(profile.length() / cell) + 1);
+            for (const std::optional<Position>& position : positions) {
+                const auto k = static_cast<std::size_t>(side);
+                for (std::size_t i = 0; position && i < position->of.patches[k].size(); ++i) {
+                    const RailPatch& patch = position->of.contacts.wheels[k].patches[i];
+                    wear.add(rail ? patch.rail_s : patch.wheel_s, position->of.patches[k][i], 1 / count);
                 }
             }
+            for (Eigen::Index i = 0; i < wear.work().size(); ++i) {
+                const double s = (double(i) + 0.5) * wear.width();
+                const rollbem::Profile::Point at = profile.at(s);
+                text += std::string(side == Side::left ? "left," : "right,") + (rail ? "rail," : "wheel,") +
+                        study::csv_line({s, at.y, at.z, wear.work()[i]});
+            }
         }
-        study::OutputFile file(path, "--wear");
-        file.write(text);
-        file.commit();
     }
-
-private:
-    const Settings& settings_;
-    std::mutex mutex_;
-    std::map<std::size_t, rollbem::WheelsetForces> positions_;
-};
+    write_file(path, "--wear", text);
+}
 
 }  // namespace
 
@@ -267,10 +260,9 @@ int main(int argc, char** argv) {
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         const Settings settings = profile::read_settings(given);
         const std::vector<Case> cases = profile::read_cases(given);
-        std::optional<PatchFiles> files;
-        if (given.given("outline")) files.emplace(given);
-        WearFile wear(settings);
-        std::vector<profile::Drawn> drawn;  // patches of a single position
+        const std::string folder = given.text("outline");
+        if (!folder.empty()) study::make_folder(folder, "--outline");
+        Positions positions(cases.size());  // for files, and the picture of a single one
         const std::vector<Column> sheet = columns(settings.friction.has_value());
         std::vector<std::string> names;
         for (const Column& column : sheet) names.push_back(column.name);
@@ -279,7 +271,8 @@ int main(int argc, char** argv) {
         study::Table table = study::table_of(names, cases, settings.sides.size());
         table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
             const Contacts contacts = find_contacts(settings, cases[task]);
-            if (given.given("wear")) wear.add(task, contacts.of);
+            if (cases.size() == 1 || !folder.empty() || given.given("wear"))
+                positions[task] = Position{contacts.of, range};
             for (std::size_t k = range.first; k < range.last; ++k) {
                 Found found{settings, cases[task], contacts, settings.sides[k], std::nullopt, study::has_times(given)};
                 const std::size_t count = rollbem::has_numbers(found.wheel().status) ? found.wheel().patches.size() : 0;
@@ -288,21 +281,21 @@ int main(int argc, char** argv) {
                     study::Row row;
                     for (const Column& column : sheet) row.push_back(column.value(found));
                     emit(std::move(row));
-                    if (found.patch() == nullptr) continue;
-                    const bool left = found.side == Side::left;
-                    if (files) files->add(task, left, number, *found.patch());
-                    if (cases.size() == 1) drawn.push_back({left, *found.patch()});
                 }
             }
         };
         table.written = [&] {
-            if (files) files->write();
-            if (given.given("wear")) wear.write(given.text("wear"));
+            if (!folder.empty()) write_outlines(folder, settings, positions);
+            if (given.given("wear")) write_wear(given.text("wear"), settings, positions);
         };
         // 3. The patches of one position, or the contact points of several.
         table.plot = [&](const std::vector<study::Row>& rows) {
-            return cases.size() == 1 ? profile::draw_patches(drawn)
-                                     : profile::draw_contact_points(settings.wheelset.wheel(), names, rows);
+            if (cases.size() > 1) return profile::draw_contact_points(settings.wheelset.wheel(), names, rows);
+            std::vector<profile::Drawn> drawn;
+            for_patches(settings, positions, [&](std::size_t, bool left, std::size_t, const RailPatch& patch) {
+                drawn.push_back({left, patch});
+            });
+            return profile::draw_patches(drawn);
         };
         study::write_table(given, table);
         return study::exit_ok;
