@@ -1,4 +1,4 @@
-// Any law of friction as one type, so that tests of several laws share one instance of the models, in any_law.cpp.
+// Any law of friction as one type, so that tests of several laws share one instance of the models, in any_model.cpp.
 #pragma once
 
 #include <functional>

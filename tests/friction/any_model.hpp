@@ -73,19 +73,8 @@ struct Setup {
     }
 };
 
-/// The contact of a setup, with G' alone or in the time domain.
-inline FrictionContact make(const Setup& setup, bool steady = false) {
-    const auto of = [&]<class Own>(const Own& own) -> FrictionContact {
-        const Friction<Own> friction{own, setup.pressure(), {setup.distance, setup.least}, setup.with_tangents};
-        const auto model = [&](const auto& systems) {
-            return FrictionModel(setup.contact(), systems, setup.checks, friction, setup.integrator);
-        };
-        if (setup.directions == 1) return {model(setup.system(setup.across, steady)), setup.across ? 1 : 0};
-        return model(ElementSystem(setup.system(false, steady), setup.system(true, steady)));
-    };
-    if (setup.any) return of(*setup.any);
-    return setup.falls ? of(setup.falling) : of(ConstantFriction<double>{setup.constant});
-}
+/// The contact of a setup, with G' alone or in the time domain; in any_model.cpp, for all programs.
+FrictionContact make(const Setup& setup, bool steady = false);
 
 /// A step under a load, or, if it is null, under that of the state.
 inline Step advance(const FrictionContact& model, const State& from, const Travel<double>& travel, const Motion& motion,

@@ -81,19 +81,19 @@ struct Scene {
         return {force.longitudinal / unit, force.lateral / unit, force.moment / unit / c};
     }
 
-    /// Forces at q = `every`, 2 `every`, ... 8, from rest in steps of dq.
+    /// Forces at q = `every`, 2 `every`, ... 8, from rest in steps of dq, under load_at(a/a_0).
     /// `alone`: slip is turned by the angles of each step alone.
-    std::vector<Forces> friction(const Model& model, double dq, double every = 0.4, bool alone = false) const {
+    template <class OfModel, class LoadAt>
+    std::vector<Forces> roll(const OfModel& model, const LoadAt& load_at, double dq, double every,
+                             bool alone = false) const {
         auto workspace = model.workspace();
         auto now = model.at_rest(), next = now;
-        NormalLoad<double> load{pressure(), a_0, {}, contact.half_width()};
         std::vector<Forces> result;
         for (int k = 1; k <= std::lround(8 / dq); ++k) {
-            const double size = std::cbrt(Scene::load(k * dq) / N_0);
-            load.half_length = size * a_0;
-            load.half_width = size * contact.half_width();
-            load.normal_pressure = size * model.at_rest().normal_pressure;
-            if (alone) now.plain_traction.resize(0, 2);
+            if constexpr (requires { now.plain_traction; }) {
+                if (alone) now.plain_traction.resize(0, 2);
+            }
+            const auto load = load_at(std::cbrt(Scene::load(k * dq) / N_0));
             const auto step = model.advance(now, dq * a_0, creepage, load, next, workspace);
             REQUIRE(step.status == StepStatus::ok);
             std::swap(now, next);
@@ -101,19 +101,16 @@ struct Scene {
         }
         return result;
     }
-    std::vector<Forces> adhesion(const AdhesionModel<3>& model, double dq, double every = 0.4) const {
-        auto workspace = model.workspace();
-        auto now = model.at_rest(), next = now;
-        std::vector<Forces> result;
-        for (int k = 1; k <= std::lround(8 / dq); ++k) {
-            const double size = std::cbrt(Scene::load(k * dq) / N_0);
-            const auto step = model.advance(now, dq * a_0, creepage,
-                                            SemiAxes<double>{size * a_0, size * contact.half_width()}, next, workspace);
-            REQUIRE(step.status == StepStatus::ok);
-            std::swap(now, next);
-            if (k % std::lround(every / dq) == 0) result.push_back(ratios(step.force));
-        }
-        return result;
+    std::vector<Forces> friction(const Model& model, double dq, double every = 0.4, bool alone = false) const {
+        const auto load_at = [&](double size) {
+            return NormalLoad<double>{
+                size * model.at_rest().normal_pressure, size * a_0, {}, size * contact.half_width()};
+        };
+        return roll(model, load_at, dq, every, alone);
+    }
+    std::vector<Forces> adhesion(const AdhesionModel<3>& model, double dq) const {
+        const auto load_at = [&](double size) { return SemiAxes<double>{size * a_0, size * contact.half_width()}; };
+        return roll(model, load_at, dq, 0.4);
     }
 };
 

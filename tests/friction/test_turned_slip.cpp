@@ -18,6 +18,7 @@ namespace {
 
 using namespace rollbem;
 
+constexpr double nu = 0.28;
 constexpr double peak = 1e-3;                               // mu p0, with a = G = 1
 constexpr double full_force = peak * std::numbers::pi / 2;  // per width
 constexpr Collocation half{.alpha_L = 0.5, .alpha_T = 0.5};
@@ -30,33 +31,40 @@ using Model = FrictionModel<ConstantFriction<>, 2>;
 using Motion = RigidMotion<Creepage<double>>;
 
 struct Scene {
-    explicit Scene(Mesh<double> mesh_, double nu_ = 0.28, Collocation scheme_ = half, double aspect = 1000)
-        : nu(nu_),
-          contact(Contact<double>::dimensionless(aspect, nu)),
+    explicit Scene(Mesh<double> mesh_, AnyScheme scheme_ = half, double aspect = 1000)
+        : contact(Contact<double>::dimensionless(aspect, nu)),
           longitudinal(PlaneKernel<double>::longitudinal(contact)),
           lateral(PlaneKernel<double>::lateral(contact)),
           mesh(std::move(mesh_)),
           scheme(scheme_),
           friction{1, peak * mean_hertz_pressure(mesh)} {}
 
-    /// Creepage by its ratio to that of full sliding in Carter's problem, and its angle in degrees.
-    Creepage<double> creepage(double ratio, double degrees) const {
-        const double size = 2 * (1 - nu) * peak * ratio, angle = degrees * std::numbers::pi / 180;
-        return {size * std::cos(angle), size * std::sin(angle)};
+    /// Creepage by its ratio to that of full sliding in Carter's problem, and its angle in degrees; spin by that ratio.
+    Creepage<double> creepage(double ratio, double degrees, double spin) const {
+        const double unit = 2 * (1 - nu) * peak, angle = degrees * std::numbers::pi / 180;
+        return {unit * ratio * std::cos(angle), unit * ratio * std::sin(angle), unit * spin};
     }
     ElementSystem<double> along() const { return rolling_system(mesh, scheme, longitudinal); }
     ElementSystem<double> across() const { return rolling_system(mesh, scheme, lateral); }
+    ElementSystem<double, 2> system() const { return {along(), across()}; }
     Model steady() const {
         return {contact, {steady_system(mesh, scheme, longitudinal), steady_system(mesh, scheme, lateral)}, friction};
     }
+    Model transient(Integrator integrator = Integrator::sdirk2) const {
+        return {contact, system(), unchecked, friction, integrator};
+    }
 
-    double nu;
     Contact<double> contact;
     PlaneKernel<double> longitudinal, lateral;
     Mesh<double> mesh;
-    Collocation scheme;
+    AnyScheme scheme;
     Friction<> friction;
 };
+
+/// A scene whose equations are node differences between Chebyshev points.
+Scene nodal(Eigen::Index n, double aspect = 1000) {
+    return Scene(cosine_mesh<double>(n), NodeDifference{.nodes = Nodes::chebyshev}, aspect);
+}
 
 /// The solution from rest, in a new workspace.
 Step from_scratch(const Model& model, const Creepage<double>& creepage) {
@@ -75,29 +83,6 @@ Ratios ratios(const Step& step, const Contact<double>& contact) {
     return {-step.force.longitudinal / full, -step.force.lateral / full};
 }
 
-/// A scene whose equations are node differences between Chebyshev points.
-struct Nodal : Scene {
-    explicit Nodal(Eigen::Index n, double nu_ = 0.28, double aspect = 1000)
-        : Scene(cosine_mesh<double>(n), nu_, half, aspect) {}
-
-    Creepage<double> creepage(double ratio, double degrees, double spin) const {
-        Creepage<double> creepage = Scene::creepage(ratio, degrees);
-        creepage.spin = 2 * (1 - nu) * peak * spin;
-        return creepage;
-    }
-    Model steady() const {
-        return {contact, {steady_system(mesh, nodes, longitudinal), steady_system(mesh, nodes, lateral)}, friction};
-    }
-    ElementSystem<double, 2> system() const {
-        return {rolling_system(mesh, nodes, longitudinal), rolling_system(mesh, nodes, lateral)};
-    }
-    Model transient(Integrator integrator = Integrator::sdirk2) const {
-        return {contact, system(), unchecked, friction, integrator};
-    }
-
-    NodeDifference nodes{.nodes = Nodes::chebyshev};
-};
-
 double work_of(const TangentialForce<double>& force, const Creepage<double>& motion) {
     return -force.longitudinal * motion.longitudinal - force.lateral * motion.lateral - force.moment * motion.spin;
 }
@@ -114,7 +99,7 @@ TEST_CASE("With turned slip, forces agree with two other programs to second orde
                                Point{0.3, 90, 1, 0, 0.98537, {9.6e-4, 2.1e-4, 6.7e-5}}}) {
         Eigen::Index n = 20;
         for (const double expected : point.errors) {
-            const Nodal scene(n);
+            const Scene scene = nodal(n);
             const Step step = from_scratch(scene.steady(), scene.creepage(point.ratio, point.degrees, point.spin));
             const double error = std::max(std::abs(ratios(step, scene.contact).longitudinal - point.longitudinal),
                                           std::abs(ratios(step, scene.contact).lateral - point.lateral));
@@ -133,10 +118,10 @@ TEST_CASE("In full adhesion spin has the force and creepage the moment of the cl
     constexpr double force_errors[] = {1.1e-2, 2.9e-3, 7.4e-4}, moment_errors[] = {-1.4e-3, -1.7e-4, -2.1e-5};
     for (std::size_t k = 0; k < 3; ++k) {
         // nu = 0.28 and the lateral equations of longitudinal ones: c = 1 - nu
-        Nodal scene(10 << k);
+        Scene scene = nodal(10 << k);
         scene.lateral = scene.longitudinal;
         scene.friction.normal_pressure.setConstant(1e6);
-        const double exact = scene.contact.width() * std::numbers::pi / (4 * (1 - scene.nu)) * 1e-3;
+        const double exact = scene.contact.width() * std::numbers::pi / (4 * (1 - nu)) * 1e-3;
         const Step spin = from_scratch(scene.steady(), {0, 0, 1e-3});
         const Step creepage = from_scratch(scene.steady(), {0, 1e-3});
         REQUIRE(spin.stick_count == scene.mesh.size());
@@ -151,7 +136,7 @@ TEST_CASE("In full adhesion spin has the force and creepage the moment of the cl
 TEST_CASE("Work by creepage and spin becomes heat, to second order", "[friction]") {
     for (const auto& [ratio, spin] : {std::pair{0.5, 0.0}, std::pair{0.3, 1.0}, std::pair{0.0, 2.5}}) {
         for (const Eigen::Index n : {20, 40, 80}) {
-            const Nodal scene(n);
+            const Scene scene = nodal(n);
             const Creepage<double> creepage = scene.creepage(ratio, 40, spin);
             const Step step = from_scratch(scene.steady(), creepage);
             const double error = std::abs(step.slip_work / work_of(step.force, creepage) - 1);
@@ -163,7 +148,7 @@ TEST_CASE("Work by creepage and spin becomes heat, to second order", "[friction]
 
 TEST_CASE("Spin that makes everything slip has the moment of full sliding about the middle", "[friction]") {
     // the lateral slip phi x changes its sign in the middle: M = -mu int p_n |x| dx = -(4/(3 pi)) mu N a
-    const Nodal scene(80);
+    const Scene scene = nodal(80);
     const Step step = from_scratch(scene.steady(), {0, 0, 1e4});
     CHECK(step.status == StepStatus::ok);
     CHECK(std::abs(-step.force.moment / (full_force * scene.contact.width()) - 4 / (3 * std::numbers::pi)) < 1e-3);
@@ -184,7 +169,7 @@ TEST_CASE("Spin that makes everything slip has the moment of full sliding about 
 TEST_CASE("Rolling with turned slip and spin tends to the solution of steady rolling", "[friction]") {
     for (const Integrator integrator : integrators) {
         for (const Eigen::Index n : {10, 40}) {
-            const Nodal scene(n, 0.28, 10);
+            const Scene scene = nodal(n, 10);
             const Model model = scene.transient(integrator);
             Workspace workspace = model.workspace();
             const Creepage<double> creepage = scene.creepage(0.5, 40, 0.4);
@@ -210,7 +195,7 @@ TEST_CASE("Rolling with turned slip and spin tends to the solution of steady rol
 }
 
 TEST_CASE("A rigid shift turns by an angle about the middle", "[friction]") {
-    Nodal scene(20, 0.28, 10);
+    Scene scene = nodal(20, 10);
     scene.friction.normal_pressure.setConstant(1);
     const Model model = scene.transient();
     Workspace workspace = model.workspace();
@@ -233,7 +218,7 @@ TEST_CASE("A rigid shift turns by an angle about the middle", "[friction]") {
 }
 
 TEST_CASE("Spin needs the points of the equations", "[friction]") {
-    const Nodal scene(8);
+    const Scene scene = nodal(8);
     const ElementSystem<double, 2> system = scene.system();
     const ElementSystem<double> x(system.G(0, 0), system.G_prime(0, 0), scene.mesh.widths());
     const ElementSystem<double> y(system.G(1, 1), system.G_prime(1, 1), scene.mesh.widths());
@@ -253,25 +238,25 @@ TEST_CASE("Spin needs the points of the equations", "[friction]") {
     CHECK(step.status == StepStatus::ok);
     CHECK(std::isnan(step.force.moment));
     const ElementSystem<double, 2> unturned{
-        support::unturned(rolling_system(scene.mesh, scene.nodes, scene.longitudinal)),
-        support::unturned(rolling_system(scene.mesh, scene.nodes, scene.lateral))};
+        support::unturned(rolling_system(scene.mesh, scene.scheme, scene.longitudinal)),
+        support::unturned(rolling_system(scene.mesh, scene.scheme, scene.lateral))};
     const Step expected =
         from_scratch(Model(scene.contact, unturned, unchecked, scene.friction), scene.creepage(0.3, 40, 0));
     CHECK(step.force.lateral == Approx(expected.force.lateral).epsilon(1e-12));
 }
 
 TEST_CASE("Directions that do not belong together, or one of which grows, are refused", "[friction]") {
-    const Scene scene(cosine_mesh<double>(8), 0.28, half, 10);
+    const Scene scene(cosine_mesh<double>(8), half, 10);
     const ElementSystem<double> along = scene.along(), across = scene.across();
     const auto paired = [&](const Scene& other) {
         return refusal([&] { ElementSystem<double, 2>(along, other.across()); });
     };
     CHECK(paired(scene) == "");
-    CHECK(paired(Scene(cosine_mesh<double>(7), 0.28, half, 10)) ==
+    CHECK(paired(Scene(cosine_mesh<double>(7), half, 10)) ==
           "ElementSystem: number of lateral elements = 7 must equal the number of longitudinal ones");
-    CHECK(paired(Scene(uniform_mesh<double>(8), 0.28, half, 10))
+    CHECK(paired(Scene(uniform_mesh<double>(8), half, 10))
               .find("ElementSystem: width of a lateral element over that of the longitudinal one = ") == 0);
-    CHECK(paired(Scene(scene.mesh, 0.28, half, 11)).find("ElementSystem: b/a of the lateral kernel = 11 must be") == 0);
+    CHECK(paired(Scene(scene.mesh, half, 11)).find("ElementSystem: b/a of the lateral kernel = 11 must be") == 0);
     const StabilityVerdict settled{.n = 16, .unstable_count = 0, .uncertain_count = 0, .status = Status::ok};
     StabilityVerdict grows = settled;
     grows.unstable_count = 1;
@@ -281,7 +266,7 @@ TEST_CASE("Directions that do not belong together, or one of which grows, are re
     CHECK(judged({along, across}, settled) == "");
     CHECK(judged({along, across}, grows) ==
           "FrictionModel: unstable_count = 1 must be 0: a mode of the scheme grows without bound");
-    const ElementSystem<double> central = Scene(scene.mesh, 0.28, {.alpha_L = 0, .alpha_T = 0}, 10).across();
+    const ElementSystem<double> central = Scene(scene.mesh, Collocation{.alpha_L = 0, .alpha_T = 0}, 10).across();
     for (const ElementSystem<double, 2>& pair : {ElementSystem(along, central), ElementSystem(central, along)}) {
         const StabilityVerdict verdict = judge_stability(pair);
         CHECK(verdict.n == 16);
