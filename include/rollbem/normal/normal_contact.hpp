@@ -45,8 +45,8 @@ public:
     explicit NormalContact(double compliance) : compliance_(compliance) {}
 
     /// Carrying `load` [N]. `h` [m] is the gap before deformation in each cell, nx x ny; steps end when no gap where
-    /// there is pressure exceeds `tolerance` times the approach from the least h. The present pressures are the first
-    /// guess if they are of a grid of the same size and `warm` is set.
+    /// there is pressure exceeds `tolerance` times the approach from the least h. If `warm` is set, the present pressures, of
+    /// whatever grid, are the first guess.
     Solution carry(const CellGrid& grid, const Grid& h, double load, double tolerance = 1e-6, bool warm = false) {
         return solve(grid, h, load, 0, tolerance, warm);
     }
@@ -63,6 +63,24 @@ private:
     Solution solve(const CellGrid& grid, const Grid& h, std::optional<double> load, double approach, double tolerance,
                    bool warm);
 
+    // pressures of another grid, linear between the centres of its cells
+    void move_to(const CellGrid& grid) {
+        const CellGrid from = std::exchange(grid_, grid);
+        if (from.nx == grid.nx && from.ny == grid.ny && from.dx == grid.dx && from.dy == grid.dy) return;
+        const Grid old = std::exchange(p_, Grid::Zero(grid.nx, grid.ny));
+        for (Eigen::Index j = 0; j < grid.ny; ++j) {
+            const double y = (grid.y(j) - from.y_0) / from.dy, v = y - std::floor(y);
+            const auto l = static_cast<Eigen::Index>(std::floor(y));
+            for (Eigen::Index i = 0; i < grid.nx; ++i) {
+                const double x = (grid.x(i) - from.x_0) / from.dx, u = x - std::floor(x);
+                const auto k = static_cast<Eigen::Index>(std::floor(x));
+                if (k < 0 || k + 1 >= from.nx || l < 0 || l + 1 >= from.ny) continue;
+                p_(i, j) = (1 - v) * ((1 - u) * old(k, l) + u * old(k + 1, l)) +
+                           v * ((1 - u) * old(k, l + 1) + u * old(k + 1, l + 1));
+            }
+        }
+    }
+
     // the mean over cells with pressure
     double mean(const Grid& of) const {
         return (p_ > 0).select(of, 0).sum() / double(std::max<Eigen::Index>((p_ > 0).count(), 1));
@@ -70,6 +88,7 @@ private:
 
     double compliance_;
     detail::GridConvolution convolution_;
+    CellGrid grid_{};  // of p_
     Grid p_, u_, g_, t_, q_;
 };
 
@@ -81,16 +100,19 @@ inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const 
     result.status = Status::no_contact;
     if (load ? !(*load > 0) : !(approach > least)) {
         p_ = Grid::Zero(grid.nx, grid.ny);
+        grid_ = grid;
         result.approach = approach;
         return result;
     }
     convolution_.prepare(grid.nx, grid.ny, grid.dx, grid.dy);
+    if (warm) move_to(grid);
+    grid_ = grid;
     const double unit = compliance_ / std::numbers::pi;
     const auto displace = [&](const Grid& p, Grid& u) {
         convolution_.apply(p, u);
         u *= unit;
     };
-    if (!warm || p_.rows() != grid.nx || p_.cols() != grid.ny || !((p_ > 0).any())) {
+    if (!warm || !(p_ > 0).any()) {
         // where surfaces overlap, like Hertz's pressure; with a load over all cells
         const double level = load ? h.maxCoeff() : approach;
         p_ = (level - h).cwiseMax(0).sqrt();
@@ -103,10 +125,11 @@ inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const 
     if (load) p_ *= *load / (p_.sum() * cell);
     t_ = Grid::Zero(grid.nx, grid.ny);
     double last = 1;
-    bool grown = true;
+    bool grown = true, known = false;  // whether u_ is that of p_
     constexpr int most = 300;
     for (result.steps = 1; result.steps <= most; ++result.steps) {
-        displace(p_, u_);
+        if (!known) displace(p_, u_);
+        known = true;
         g_ = u_ + h;
         if (load) approach = mean(g_);
         g_ -= approach;
@@ -123,8 +146,8 @@ inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const 
         last = square;
         t_ = (p_ > 0).select(g_ + beta * t_, 0);
         displace(t_, q_);
-        if (load) q_ -= mean(q_);
-        const double bend = (q_ * t_).sum();
+        const double level = load ? mean(q_) : 0;
+        const double bend = ((q_ - level) * t_).sum();
         const double tau = bend > 0 ? (g_ * t_).sum() / bend : 0;
         if (!(tau > 0)) {  // the direction is used up: from the gradient anew, unless it was that
             if (std::exchange(grown, true)) {
@@ -136,17 +159,23 @@ inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const 
         grown = false;
         for (Eigen::Index k = 0; k < p_.size(); ++k) {
             double& p = p_.data()[k];
-            const bool touched = p > 0;
-            if (touched) p = (std::max)(p - tau * t_.data()[k], 0.0);
-            if (!(p > 0) && !touched && g_.data()[k] < 0) {
+            if (p > 0) {
+                p -= tau * t_.data()[k];
+                if (p > 0) continue;
+                p = 0;
+                known = false;
+            } else if (g_.data()[k] < 0) {
                 p = -tau * g_.data()[k];
                 grown = true;
             }
         }
+        known = known && !grown;  // displacements are linear in pressures while the same cells touch
+        if (known) u_ -= tau * q_;
         if (load) {
             const double sum = p_.sum() * cell;
             if (!(sum > 0)) return {.status = Status::not_finite};
             p_ *= *load / sum;
+            u_ *= *load / sum;
         }
         if (!(p_ > 0).any()) break;
     }

@@ -391,33 +391,21 @@ inline CellGrid WheelOnRail::first_grid(const Plane& plane) const {
 
 inline CellGrid WheelOnRail::finer(const CellGrid& grid, const NormalContact::Grid& p, const Options& options,
                                    bool lobes) {
-    Eigen::Index left = grid.nx, right = -1, bottom = grid.ny, top = -1;
-    for (Eigen::Index j = 0; j < grid.ny; ++j) {
-        for (Eigen::Index i = 0; i < grid.nx; ++i) {
-            if (!(p(i, j) > 0)) continue;
-            left = (std::min)(left, i);
-            right = (std::max)(right, i);
-            bottom = (std::min)(bottom, j);
-            top = (std::max)(top, j);
-        }
-    }
+    const auto [left, right, bottom, top] = detail::extents(grid, p);
     constexpr Eigen::Index margin = 2, most = 60;
     if (const double size = options.cell_size; size > 0) {
         const auto count = [=](double length) { return Eigen::Index(std::ceil(length / size)) + 2 * margin + 2; };
-        return {count(grid.dx * double(right - left)),
-                count(grid.dy * double(top - bottom)),
-                (std::floor(grid.x(left) / size) - margin) * size,
-                (std::floor(grid.y(bottom) / size) - margin) * size,
+        return {count(right - left),
+                count(top - bottom),
+                (std::floor(left / size) - margin) * size,
+                (std::floor(bottom / size) - margin) * size,
                 size,
                 size};
     }
     const Eigen::Index nx = lobes ? (std::max)(options.cells_x, most) : options.cells_x,
                        ny = lobes ? (std::max)(options.cells_s, most) : options.cells_s;
-    const double dx = grid.dx * double(right - left + 1) / double(nx - 2 * margin),
-                 dy = grid.dy * double(top - bottom + 1) / double(ny - 2 * margin);
-    return {
-        nx, ny, grid.x(left) - grid.dx / 2 + (0.5 - margin) * dx, grid.y(bottom) - grid.dy / 2 + (0.5 - margin) * dy,
-        dx, dy};
+    const double dx = (right - left) / double(nx - 2 * margin), dy = (top - bottom) / double(ny - 2 * margin);
+    return {nx, ny, left + (0.5 - margin) * dx, bottom + (0.5 - margin) * dy, dx, dy};
 }
 
 inline bool WheelOnRail::has_lobes(const Attitude& attitude, const Plane& plane, Eigen::Index cells,
@@ -601,13 +589,13 @@ private:
         double last = 0, step = 0, rate = -1;
         for (int round = times_ == 1 ? 0 : 1, k = 0; k < 12; ++round, ++k) {
             if (!refine(touch_ + approach, round, k == 0)) return Status::undefined_section;
-            if (!lower_until(load, k > 0, lower)) return Status::load_not_reached;
+            if (!lower_until(load, lower)) return Status::load_not_reached;
             const bool settled = std::abs(lower) < 1e-4 * deepest() && !outgrown();
             if (k > 0) rate = std::clamp((lower - last) / step, -10.0, -0.1);
             last = lower;
             step = settled ? lower : -lower / rate;
             approach += step;
-            if (settled) return Status::ok;
+            if (settled && k > 0) return Status::ok;
         }
         lower = step;
         return std::abs(last) < 1e-2 * deepest() ? Status::ok : Status::load_not_reached;
@@ -633,7 +621,7 @@ private:
         }
         for (std::size_t k = 0; k < parts_.size(); ++k) {
             Part& part = parts_[k];
-            if (round == 0 || anew || outgrown(k)) {
+            if (round < 2 || anew || outgrown(k)) {
                 const bool lobes = wheel_.has_lobes(attitude_, part.plane, options_.cells_s, workspace_.at);
                 const Options options{options_.cells_x * times_, options_.cells_s * times_, options_.tolerance,
                                       options_.cell_size / times_};
@@ -678,12 +666,12 @@ private:
     }
 
     // By how much the wheel is to be lower than the gaps say.
-    bool lower_until(double load, bool warm, double& lower) {
+    bool lower_until(double load, double& lower) {
         lower = 0;
         if (parts_.size() == 1) {
             Part& part = parts_[0];
             part.solution =
-                workspace_.normal[0].carry(part.grid, part.h, load / part.plane.cosine, options_.tolerance, warm);
+                workspace_.normal[0].carry(part.grid, part.h, load / part.plane.cosine, options_.tolerance, true);
             lower = part.solution.approach / part.plane.cosine;
             return true;
         }
@@ -691,7 +679,7 @@ private:
         const auto root = [](double of) { return std::cbrt(of * of); };
         double low = -std::numeric_limits<double>::infinity(), high = -low, last = 0, value = 0;
         for (int k = 0; k < 60; ++k) {
-            settle(lower, options_.tolerance / 10, warm || k > 0);
+            settle(lower, options_.tolerance / 10, true);
             const double found = carried();
             if (std::abs(found / load - 1) < options_.tolerance) return true;
             (found < load ? low : high) = lower;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -18,44 +19,111 @@
 
 namespace rollbem::detail {
 
-/// Along a line of cells the square of the pressure is nearly a polynomial that vanishes at the edge. `squares` are
-/// those of the `count` cells with pressure, in units of the cell. The result is the place of the edge behind cell 0,
-/// as the distance from its centre, between -1/2 (inside) and 1; `squares` count from that edge inwards.
+/// Where an edge lies, in cells from the centre of cell 0, and whether the pressures tell: not where they are few, nor
+/// where their course has no zero nearby, as across joints of a profile's arcs.
+struct Edge {
+    double place;
+    bool known;
+};
+
+/// Along a line of cells the square of the pressure is nearly a polynomial that vanishes at the edge. Cells touch as a
+/// whole or not, wherever the edge runs through them. Where a straight contact ends by d beyond its edge, p^2 at the
+/// distance t from it is A^2 (t + d + d^2/(4 t)); steps of an oblique border add half of the last term, as Hertz's areas
+/// show. `squares` are those of the `count` cells with pressure, counted from the edge inwards. The result is the distance
+/// of the edge behind the centre of the first, between -1/2 (inside) and 1.
 template <class Squares>
-double edge_distance(const Squares& squares, Eigen::Index count) {
+Edge edge_distance(const Squares& squares, Eigen::Index count) {
     constexpr double inside = -0.5, outside = 1;
-    const Eigen::Index skip = count < 7 ? 1 : 2, used = count - 2 * skip, degree = count < 7 ? 2 : 4;
-    if (used <= degree) {  // a parabola that has its zeros half a cell outside, or none
-        return 0.5;
-    }
+    const Eigen::Index skip = count < 7 ? 1 : 2, used = count - 2 * skip, terms = used < 6 ? 3 : 5;
+    if (used < terms) return {0.5, false};
     const double middle = double(count - 1) / 2, scale = (std::max)(middle, 1.0);
-    Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Zero();
-    Eigen::Matrix<double, 5, 1> right = Eigen::Matrix<double, 5, 1>::Zero();
+    using Vector = Eigen::Matrix<double, 5, 1>;
+    Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Identity();
+    normal.topLeftCorner(terms, terms).setZero();
+    Vector c = Vector::Zero(), of_inverse = Vector::Zero();  // of the squares and of 1/t
     for (Eigen::Index i = skip; i < count - skip; ++i) {
-        const double t = (double(i) - middle) / scale, weight = 1 / (1 + std::pow(double(i) / 12, 4));
-        double powers[5] = {1, t, t * t, t * t * t, t * t * t * t};
-        for (Eigen::Index r = 0; r <= degree; ++r) {
-            for (Eigen::Index c = 0; c <= degree; ++c) normal(r, c) += weight * powers[r] * powers[c];
-            right[r] += weight * powers[r] * squares(i);
+        const double t = (double(i) - middle) / scale, weight = 1 / (1 + std::pow(double(i) / 16, 4));
+        const double values[5] = {1, t, t * t, t * t * t, t * t * t * t};
+        for (Eigen::Index r = 0; r < terms; ++r) {
+            for (Eigen::Index k = 0; k < terms; ++k) normal(r, k) += weight * values[r] * values[k];
+            c[r] += weight * values[r] * squares(i);
+            of_inverse[r] += weight * values[r] / (double(i) + 0.5);
         }
     }
-    for (Eigen::Index r = degree + 1; r < 5; ++r) normal(r, r) = 1;
     Eigen::Index swaps[5];
     factorise_in_place<double>(normal, swaps);
-    solve_in_place<double>(normal, swaps, right);
-    const Eigen::Matrix<double, 5, 1>& c = right;
-    const auto value = [&](double from) {  // at the distance `from` behind the centre of cell 0
+    solve_in_place<double>(normal, swaps, c);
+    solve_in_place<double>(normal, swaps, of_inverse);
+    const auto value = [&](double from) {  // of the polynomial, at the distance `from` behind the centre of cell 0
         const double t = (-from - middle) / scale;
         return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4])));
     };
-    if (!(value(inside) > 0)) return inside;
-    if (!(value(outside) < 0)) return outside;
-    double low = inside, high = outside;
-    for (int k = 0; k < 40; ++k) {
-        const double half = (low + high) / 2;
-        (value(half) > 0 ? low : high) = half;
+    const auto zero = [&] {
+        double low = inside, high = outside;
+        for (int k = 0; k < 40; ++k) {
+            const double half = (low + high) / 2;
+            (value(half) > 0 ? low : high) = half;
+        }
+        return low;
+    };
+    const double off = zero() - 0.5;  // of the edge behind that of cell 0
+    c -= (value(inside) - value(-inside)) * off * off / 8 * of_inverse;
+    if (!(value(inside) > 0)) return {inside, false};
+    if (!(value(outside) < 0)) return {outside, false};
+    return {zero(), used > terms};
+}
+
+/// Neighbouring cells of a line with pressure, from the first to the last, and its edges.
+struct Interval {
+    Eigen::Index first, last;
+    Edge low, high;
+
+    bool contains(Eigen::Index cell) const { return low.place <= double(cell) && double(cell) <= high.place; }
+};
+
+/// Those of a line of `count` cells.
+template <class Pressures>
+std::vector<Interval> intervals(const Pressures& p, Eigen::Index count) {
+    std::vector<Interval> found;
+    for (Eigen::Index first = 0; first < count; ++first) {
+        if (!(p(first) > 0)) continue;
+        Eigen::Index last = first;
+        while (last + 1 < count && p(last + 1) > 0) ++last;
+        const auto edge = [&](Eigen::Index from, int step) {
+            const auto squares = [&](Eigen::Index i) { return p(from + i * step) * p(from + i * step); };
+            const Edge behind = edge_distance(squares, last - first + 1);
+            return Edge{double(from) - step * behind.place, behind.known};
+        };
+        found.push_back({first, last, edge(first, 1), edge(last, -1)});
+        first = last;
     }
-    return low;
+    return found;
+}
+inline std::vector<Interval> row_intervals(const Eigen::ArrayXXd& p, Eigen::Index j) {
+    return intervals([&](Eigen::Index i) { return p(i, j); }, p.rows());
+}
+inline std::vector<Interval> column_intervals(const Eigen::ArrayXXd& p, Eigen::Index i) {
+    return intervals([&](Eigen::Index j) { return p(i, j); }, p.cols());
+}
+
+/// The rectangle about all pressures: x from and to, y from and to.
+inline std::array<double, 4> extents(const CellGrid& grid, const Eigen::ArrayXXd& p) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    double left = infinite, right = -left, bottom = infinite, top = -bottom;
+    for (Eigen::Index j = 0; j < grid.ny; ++j) {
+        for (const Interval& row : row_intervals(p, j)) {
+            left = (std::min)(left, row.low.place);
+            right = (std::max)(right, row.high.place);
+        }
+    }
+    for (Eigen::Index i = 0; i < grid.nx; ++i) {
+        for (const Interval& column : column_intervals(p, i)) {
+            bottom = (std::min)(bottom, column.low.place);
+            top = (std::max)(top, column.high.place);
+        }
+    }
+    return {grid.x_0 + left * grid.dx, grid.x_0 + right * grid.dx, grid.y_0 + bottom * grid.dy,
+            grid.y_0 + top * grid.dy};
 }
 
 /// Fritsch and Carlson's monotone cubic.
@@ -97,18 +165,18 @@ private:
 /// Pressures as pieces that every row y = const cuts in one interval, heaviest first: each is the chain of intervals in
 /// neighbouring rows that touch which carries most of what is left.
 inline std::vector<Eigen::ArrayXXd> pieces(Eigen::ArrayXXd p) {
-    struct Interval {
+    struct Cut {
         Eigen::Index row, first, last;
         double load;
         std::ptrdiff_t before = -1;
     };
     std::vector<Eigen::ArrayXXd> found;
-    for (std::vector<Interval> all;; all.clear()) {
+    for (std::vector<Cut> all;; all.clear()) {
         for (Eigen::Index j = 0; j < p.cols(); ++j) {
             const std::size_t row_end = all.size();
             for (Eigen::Index i = 0; i < p.rows(); ++i) {
                 if (!(p(i, j) > 0)) continue;
-                Interval here{j, i, i, p(i, j)};
+                Cut here{j, i, i, p(i, j)};
                 while (here.last + 1 < p.rows() && p(here.last + 1, j) > 0) here.load += p(++here.last, j);
                 i = here.last;
                 double most = 0;
@@ -123,77 +191,85 @@ inline std::vector<Eigen::ArrayXXd> pieces(Eigen::ArrayXXd p) {
         }
         if (all.empty()) return found;
         auto at = std::max_element(all.begin(), all.end(),
-                                   [](const Interval& one, const Interval& two) { return one.load < two.load; }) -
+                                   [](const Cut& one, const Cut& two) { return one.load < two.load; }) -
                   all.begin();
         Eigen::ArrayXXd& piece = found.emplace_back(Eigen::ArrayXXd::Zero(p.rows(), p.cols()));
         for (; at >= 0; at = all[std::size_t(at)].before) {
-            const Interval& cut = all[std::size_t(at)];
-            piece.col(cut.row).segment(cut.first, cut.last - cut.first + 1) =
-                p.col(cut.row).segment(cut.first, cut.last - cut.first + 1);
+            const Cut& part = all[std::size_t(at)];
+            piece.col(part.row).segment(part.first, part.last - part.first + 1) =
+                p.col(part.row).segment(part.first, part.last - part.first + 1);
         }
         p -= piece;
     }
 }
 
 /// Of the cells with pressure, which every row y = const cuts in one interval; nothing otherwise, or if fewer than 3
-/// rows have any.
+/// rows have any. Where the border runs along the rows, columns tell better where it is.
 inline std::optional<Outline<double>> contact_outline(const CellGrid& grid, const Eigen::ArrayXXd& p) {
-    std::vector<double> y, square, middle;
-    Eigen::Index first_row = -1, last_row = -1;
-    struct Row {
-        Eigen::Index first, last;
+    std::vector<std::vector<Interval>> columns;
+    for (Eigen::Index i = 0; i < grid.nx; ++i) columns.push_back(column_intervals(p, i));
+    // the interval of column i that touches the cells first ... last, at best that which contains cell j
+    const auto touching = [&](Eigen::Index i, Eigen::Index first, Eigen::Index last, Eigen::Index j) {
+        const Interval* found = nullptr;
+        if (i < 0 || i >= grid.nx) return found;
+        for (const Interval& column : columns[static_cast<std::size_t>(i)]) {
+            if (column.last + 1 < first || column.first > last + 1) continue;
+            if (found == nullptr || column.contains(j)) found = &column;
+        }
+        return found;
     };
-    std::vector<Row> rows;
+    // where row j, from its cell i by steps of 1 or -1, crosses the border, as the row itself and columns tell: each
+    // counts by the square of the cosine between it and the border's normal
+    const auto crossing = [&](Eigen::Index i, Eigen::Index j, int step, const Edge& row) {
+        const Interval *here = nullptr, *next = touching(i, j, j, j);
+        for (i -= step; next != nullptr && next->contains(j); i += step) {
+            here = next;
+            next = touching(i + 2 * step, here->first, here->last, j);
+        }
+        if (here == nullptr || next == nullptr) return row.place;
+        const bool above = next->high.place < double(j);
+        const Edge &inner = above ? here->high : here->low, &outer = above ? next->high : next->low;
+        if (!inner.known || !outer.known) return row.place;
+        const double slope = std::abs(inner.place - outer.place),
+                     column = double(i) + step * std::abs(inner.place - double(j)) / slope, weight = slope * slope;
+        return row.known ? (row.place * weight + column) / (weight + 1) : column;
+    };
+    std::vector<double> y, square, middle;
+    std::vector<Interval> rows;
+    Eigen::Index first_row = -1;
     for (Eigen::Index j = 0; j < grid.ny; ++j) {
-        Eigen::Index first = -1, last = -1, count = 0;
-        for (Eigen::Index i = 0; i < grid.nx; ++i) {
-            if (!(p(i, j) > 0)) continue;
-            if (first < 0) first = i;
-            last = i;
-            ++count;
-        }
-        if (first < 0) {
-            if (first_row >= 0 && last_row < 0) last_row = j - 1;
-            continue;
-        }
-        if (last_row >= 0 || count != last - first + 1) return std::nullopt;
+        const std::vector<Interval> row = row_intervals(p, j);
+        if (row.empty()) continue;
         if (first_row < 0) first_row = j;
-        rows.push_back({first, last});
-        const double behind = edge_distance([&](Eigen::Index i) { return p(first + i, j) * p(first + i, j); }, count),
-                     ahead = edge_distance([&](Eigen::Index i) { return p(last - i, j) * p(last - i, j); }, count);
-        const double x_1 = grid.x(first) - behind * grid.dx, x_2 = grid.x(last) + ahead * grid.dx;
+        if (row.size() > 1 || j != first_row + Eigen::Index(rows.size())) return std::nullopt;
+        rows.push_back(row[0]);
+        const Eigen::Index centre = (row[0].first + row[0].last) / 2;
+        const double x_1 = crossing(centre, j, -1, row[0].low), x_2 = crossing(centre, j, 1, row[0].high);
         y.push_back(grid.y(j));
-        square.push_back((x_2 - x_1) * (x_2 - x_1));
-        middle.push_back((x_1 + x_2) / 2);
+        square.push_back(std::pow((x_2 - x_1) * grid.dx, 2));
+        middle.push_back(grid.x_0 + (x_1 + x_2) / 2 * grid.dx);
     }
     if (rows.size() < 3) return std::nullopt;
-    if (last_row < 0) last_row = grid.ny - 1;
-    // the ends in y, along the columns that reach farthest
-    const auto end = [&](const Row& outermost, bool high) {
-        double farthest = -1;
-        const Eigen::Index centre = (outermost.first + outermost.last) / 2;
-        for (Eigen::Index i = std::max<Eigen::Index>(centre - 1, 0); i <= (std::min)(centre + 1, grid.nx - 1); ++i) {
-            Eigen::Index low = first_row, top = last_row;
-            while (low <= last_row && !(p(i, low) > 0)) ++low;
-            while (top >= first_row && !(p(i, top) > 0)) --top;
-            if (top < low) continue;
-            const Eigen::Index edge = high ? top : low;
-            const double beyond = edge_distance(
-                [&](Eigen::Index j) { return std::pow(p(i, high ? top - j : low + j), 2); }, top - low + 1);
-            farthest = (std::max)(farthest, (high ? double(edge - last_row) : double(first_row - edge)) + beyond);
+    // the end in y beyond row j, that of the column that reaches farthest; where that does not tell, by the lengths of
+    // the outermost rows, whose squares are nearly linear there
+    const auto end = [&](const Interval& row, Eigen::Index j, int side, double last, double before) {
+        Edge farthest{-1, false};
+        for (Eigen::Index i = row.first; i <= row.last; ++i) {
+            const Interval& column = *touching(i, j, j, j);
+            const Edge& edge = side > 0 ? column.high : column.low;
+            const double beyond = side * (edge.place - double(j));
+            if (beyond > farthest.place) farthest = {beyond, edge.known};
         }
-        return farthest * grid.dy;
+        const double by_rows = last < before / 2 ? last / (before - last) : 1;
+        if (!farthest.known || std::abs(farthest.place - by_rows) > 0.5) farthest.place = by_rows;
+        return farthest.place * grid.dy;
     };
-    double low = y.front() - end(rows.front(), false), high = y.back() + end(rows.back(), true);
-    // an outermost row of cells may lie beyond the end: then the squares of its pressures do not fit those of the next
-    // row
-    const auto beyond = [&](Eigen::Index row, Eigen::Index next, double inside) {
-        return inside < 0.02 * grid.dy && 5 * p.col(row).square().maxCoeff() < p.col(next).square().maxCoeff();
-    };
-    const std::size_t begin = beyond(first_row, first_row + 1, y.front() - low) ? 1 : 0,
-                      stop = y.size() - (beyond(last_row, last_row - 1, high - y.back()) ? 1 : 0);
-    if (begin == 0) low = (std::min)(low, y.front() - 0.02 * grid.dy);
-    if (stop == y.size()) high = (std::max)(high, y.back() + 0.02 * grid.dy);
+    const std::size_t n = rows.size();
+    const double low = y[0] - end(rows[0], first_row, -1, square[0], square[1]),
+                 high = y[n - 1] + end(rows[n - 1], first_row + Eigen::Index(n) - 1, 1, square[n - 1], square[n - 2]);
+    // an outermost row of cells may lie beyond the end
+    const double least = 0.02 * grid.dy;
+    const std::size_t begin = y[0] - low < least ? 1 : 0, stop = high - y[n - 1] < least ? n - 1 : n;
     if (stop < begin + 2) return std::nullopt;
     const auto between = [&](std::vector<double>& of, double first, double last) {
         of.resize(stop);
