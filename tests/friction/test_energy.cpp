@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/closed_form/friction.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/friction/detail/slip_work.hpp>
 

@@ -9,7 +9,6 @@
 #include <rollbem/accuracy/recommendation.hpp>
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/discretisation/mesh.hpp>
 #include <rollbem/discretisation/scheme.hpp>

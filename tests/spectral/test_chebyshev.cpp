@@ -15,7 +15,6 @@
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/reference/bessel.hpp>
-#include <rollbem/spectral/polynomial.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
