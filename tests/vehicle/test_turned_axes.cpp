@@ -1,12 +1,8 @@
-// rollbem/scene/rolling_ellipse.hpp, HertzEllipse::along_rolling: what takes the place of a turned ellipse, in tables
-// and patches, and how near it comes to friction on the outline of the turned one.
-#include <algorithm>
+// rollbem/scene/rolling_ellipse.hpp, HertzEllipse::along_rolling: what takes the place of a turned ellipse, in tables and
+// patches.
 #include <cmath>
-#include <cstddef>
 #include <numbers>
-#include <vector>
 
-#include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/normal/hertz_patch_load.hpp>
 #include <rollbem/scene/rolling_ellipse.hpp>
@@ -37,51 +33,6 @@ HertzEllipse<double> with_yaw(double yaw, double rail = 0.3) {
     const ElasticBody<double> steel{2.1e11, nu};
     return HertzEllipse<double>(
         {.load = load, .radii_1 = {0.46, -1}, .radii_2 = {1e9, rail}, .angle = yaw, .body_1 = steel, .body_2 = steel});
-}
-
-/// Steady force over mu N, moment over mu N c.
-Eigen::Vector3d rolled(const PatchContact<double>& contact, const PatchMesh<double>& mesh,
-                       const Eigen::ArrayXd& pressure, const Eigen::Vector3d& creepage) {
-    const FrictionModel model(contact, steady_system(mesh, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(nu)),
-                              {mu, pressure});
-    auto workspace = model.workspace();
-    auto state = model.at_rest();
-    const Creepage<double> motion{creepage[0], creepage[1], creepage[2]};
-    const auto step = model.steady(model.at_rest(), RigidMotion<Creepage<double>>(motion), 1, state, workspace);
-    REQUIRE(step.status == StepStatus::ok);
-    return vector(step.force).cwiseQuotient(mu * load * Eigen::Vector3d(1, 1, c));
-}
-
-Eigen::Vector3d rolled(const SemiAxes<double>& axes, const Eigen::Vector3d& creepage) {
-    const PatchContact<double> contact({axes.half_length, axes.half_width, modulus, nu});
-    const PatchMesh<double> mesh = patch_mesh(contact, cosine_mesh(8), uniform_mesh(9));
-    return rolled(contact, mesh, hertz_pressures(contact, mesh, load), creepage);
-}
-
-/// On the outline of the turned ellipse, under its pressures at 16 x 16 points of each element.
-Eigen::Vector3d rolled_as_outline(const SemiAxes<double>& axes, double turn, const Eigen::Vector3d& creepage) {
-    const auto [a, b] = axes;
-    const double cosine = std::cos(turn), sine = std::sin(turn), height = std::hypot(a * sine, b * cosine);
-    const Eigen::Index lines = 401;
-    const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(lines, 0, pi), y = -height * t.cos();
-    Eigen::ArrayXd half = a * b / height * t.sin();
-    half[0] = half[lines - 1] = 0;
-    const Eigen::ArrayXd middle = (a * a - b * b) * sine * cosine / (height * height) * y;
-    const PatchContact<double> contact(Outline<double>(y, middle - half, middle + half), modulus, nu);
-    const PatchMesh<double> mesh = patch_mesh(contact, cosine_mesh(8), uniform_mesh(9));
-    Eigen::ArrayXd pressure(mesh.size());
-    double carried = 0;
-    for (Eigen::Index i = 0; const auto& [x_1, x_2, y_1, y_2] : mesh.rectangles(contact.half_length())) {
-        double sum = 0;
-        for (int k = 0; k < 256; ++k) {
-            const double px = x_1 + (x_2 - x_1) * (k % 16 + 0.5) / 16, py = y_1 + (y_2 - y_1) * (k / 16 + 0.5) / 16;
-            const double u = (cosine * px + sine * py) / a, v = (cosine * py - sine * px) / b;
-            sum += std::sqrt(std::max(0.0, 1 - u * u - v * v));
-        }
-        pressure[i++] = sum;
-        carried += sum * (x_2 - x_1) * (y_2 - y_1);
-    }
-    return rolled(contact, mesh, pressure * (load / carried), creepage);
 }
 
 }  // namespace
@@ -186,34 +137,6 @@ TEST_CASE("turned_axes: contacts and loads of patches take a turned ellipse by a
     REQUIRE(std::abs(round.turn()) > 0.7);
     CHECK(std::abs(round.half_length() / round.half_width() - 1) > 5e-4);
     CHECK_THAT(round.along_rolling().contact().a_over_b(), WithinAbs(1, 1e-5));
-}
-
-// docs/vehicle.md has the errors in the mean of more creepages, on finer meshes.
-TEST_CASE("turned_axes: along the rolling axes is nearer to the outline than in those of the ellipse") {
-    const Eigen::Vector3d unit = mu * load / (modulus * c * c) * Eigen::Vector3d(1 / 4.2, 1 / 3.7, 1 / (1.5 * c));
-    const std::vector<Eigen::Vector3d> creepages = {{0.5, 0, 0},      {0, 0.5, 0},    {0, 0, 0.5},
-                                                    {0.7, -0.7, 0.7}, {-1, 0.5, 1.5}, {0.1, 0.2, 0.2}};
-    struct Limit {
-        double a_over_b, turn, most;
-    };
-    for (const auto& [a_over_b, turn, most] : {Limit{0.5, 0.2, 0.012}, Limit{2, 0.05, 0.006}, Limit{2, 0.5, 0.05}}) {
-        const SemiAxes<double> axes = axes_of(a_over_b), along = rolling_ellipse(axes, turn).axes;
-        Eigen::Matrix3d into = Eigen::Matrix3d::Identity();
-        into.topLeftCorner<2, 2>() << std::cos(turn), std::sin(turn), -std::sin(turn), std::cos(turn);
-        double error = 0, in_own_axes = 0;
-        for (const Eigen::Vector3d& creepage : creepages) {
-            const Eigen::Vector3d v = creepage.cwiseProduct(unit), outline = rolled_as_outline(axes, turn, v);
-            const auto n = static_cast<double>(creepages.size());
-            error += (rolled(along, v) - outline).head<2>().norm() / n;
-            in_own_axes += (into.transpose() * rolled(axes, into * v) - outline).head<2>().norm() / n;
-        }
-        CAPTURE(a_over_b, turn, error, in_own_axes);
-        CHECK(error < most);
-        CHECK(in_own_axes > 2.5 * error);
-    }
-    const SemiAxes<double> axes = axes_of(2);
-    const Eigen::Vector3d v = creepages[4].cwiseProduct(unit);
-    CHECK((rolled(axes, v) - rolled_as_outline(axes, 0, v)).norm() < 1e-3);
 }
 
 }  // namespace turned_axes_tests
