@@ -13,8 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
+#include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/vehicle/wear.hpp>
 
 #include "profile/profile.hpp"

@@ -9,10 +9,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/normal_contact.hpp>
-#include <rollbem/normal/wheel_on_rail.hpp>
-#include <rollbem/vehicle/contact_table.hpp>
 
 namespace {
 

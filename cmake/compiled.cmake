@@ -16,7 +16,7 @@ function(compile_header name)
     file(CONFIGURE OUTPUT "${source}" CONTENT "${text}" @ONLY)
     set(${name}_source "${source}" PARENT_SCOPE)
 endfunction()
-foreach(name IN ITEMS steady adhesion stability friction patch creep_force_table studies)
+foreach(name IN ITEMS steady adhesion stability friction patch creep_force_table wheelset studies)
     compile_header(${name})
 endforeach()
 
@@ -24,7 +24,7 @@ endforeach()
 add_library(rollbem_compiled_steady OBJECT "${steady_source}")
 add_library(rollbem_compiled STATIC
     "${adhesion_source}" "${stability_source}" "${friction_source}" "${patch_source}" "${creep_force_table_source}"
-    "${studies_source}"
+    "${wheelset_source}" "${studies_source}"
     $<TARGET_OBJECTS:rollbem_compiled_steady>)
 add_library(rollbem::compiled ALIAS rollbem_compiled)
 set_target_properties(rollbem_compiled PROPERTIES EXPORT_NAME compiled)

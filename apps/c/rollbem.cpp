@@ -15,11 +15,11 @@
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/load.hpp>
 #include <rollbem/normal/profile.hpp>
-#include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/rolling/run.hpp>
 
 using namespace rollbem;

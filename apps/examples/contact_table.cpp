@@ -16,8 +16,7 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
+#include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/vehicle/make_contact_table.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
 

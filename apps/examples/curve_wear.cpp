@@ -18,8 +18,7 @@
 
 #include <Eigen/Dense>
 
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
+#include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 #include <rollbem/vehicle/wear.hpp>
 

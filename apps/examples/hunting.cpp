@@ -21,7 +21,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include <rollbem/vehicle/contact_table.hpp>
+#include <rollbem/compiled/wheelset.hpp>
 
 namespace {
 

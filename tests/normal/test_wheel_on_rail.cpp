@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
+#include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/profile.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>

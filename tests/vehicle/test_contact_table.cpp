@@ -7,8 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/patch.hpp>
+#include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/vehicle/make_contact_table.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
 

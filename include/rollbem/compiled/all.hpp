@@ -1,4 +1,5 @@
-// All of rollbem::compiled but what belongs to studies/, in addition to or in place of rollbem.hpp.
+// All of rollbem::compiled but what belongs to studies/ and to wheels on rails, in addition to or in place of
+// rollbem.hpp.
 #pragma once
 
 #include "adhesion.hpp"

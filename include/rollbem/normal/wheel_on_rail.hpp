@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <numbers>
@@ -125,11 +126,13 @@ public:
 
     /// The contact whose normal forces carry the vertical load [N], sum N cos delta, at this lateral position, roll and
     /// yaw; the height of `position` is not used.
+    template <std::same_as<double> Scalar = double>  // for rollbem::compiled
     Contact carry(const WheelsetPosition& position, double load, Workspace& workspace, const Options& options) const;
     Contact carry(const WheelsetPosition& position, double load, Workspace& workspace) const {
         return carry(position, load, workspace, Options{});
     }
     /// The contact at this position and height, whatever it carries; no_contact where the wheel is lifted.
+    template <std::same_as<double> Scalar = double>
     Contact press(const WheelsetPosition& position, Workspace& workspace, const Options& options) const;
 
     const Profile& wheel() const { return wheel_; }
@@ -744,13 +747,15 @@ private:
     int times_ = 1;      // as many cells as usual in both directions
 };
 
-inline auto WheelOnRail::carry(const WheelsetPosition& position, double load, Workspace& workspace,
-                               const Options& options) const -> Contact {
+template <std::same_as<double> Scalar>
+auto WheelOnRail::carry(const WheelsetPosition& position, double load, Workspace& workspace,
+                        const Options& options) const -> Contact {
     if (!detail::is_finite(position) || !(detail::is_finite(load) && load > 0)) return {};
     return Search(*this, position, workspace, options).carry(load);
 }
 
-inline auto WheelOnRail::press(const WheelsetPosition& position, Workspace& workspace, const Options& options) const
+template <std::same_as<double> Scalar>
+auto WheelOnRail::press(const WheelsetPosition& position, Workspace& workspace, const Options& options) const
     -> Contact {
     if (!detail::is_finite(position)) return {};
     return Search(*this, position, workspace, options).press(position.height);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <istream>
@@ -188,6 +189,7 @@ public:
     /// `position` count; vertical speed and roll rate are those that the vehicle has, for one that follows its rails
     /// those of on_rails(). N follows from the load, N cos delta - F_s sin delta, by Newton's method. Does not
     /// allocate.
+    template <std::same_as<double> Scalar = double>  // for rollbem::compiled
     WheelForces look_up(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
                         const WheelsetSpeeds& speeds, double load, double friction_coefficient) const noexcept;
 
@@ -319,9 +321,10 @@ inline auto ContactTable::on_rails(double lateral, double yaw) const noexcept ->
     return {at.value[0], at.value[1], at.by_shift[0], at.by_shift[1], at.by_yaw[0], at.by_yaw[1]};
 }
 
-inline WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide side,
-                                         const WheelsetPosition& position, const WheelsetSpeeds& speeds, double load,
-                                         double friction_coefficient) const noexcept {
+template <std::same_as<double> Scalar>
+WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
+                                  const WheelsetSpeeds& speeds, double load,
+                                  double friction_coefficient) const noexcept {
     using enum ContactRow::Of;
     WheelForces result;
     const double mirror = side == WheelsetSide::left ? -1 : 1;

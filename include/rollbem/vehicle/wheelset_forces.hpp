@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -224,9 +225,10 @@ private:
 /// The forces of a rolling wheelset. Loads are vertical, carried by normal forces and friction together: contacts and
 /// friction are found in turn until they carry the loads to 1e-6; if they do not in 40 rounds, the wheel's status is
 /// `unbalanced`, and `load_not_reached` where friction holds the wheel up. Statuses say what failed; allocates.
-inline WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const WheelsetRolling& rolling,
-                                     const RollingFriction& friction, WheelsetOnTrack::Workspace& workspace,
-                                     const WheelOnRail::Options& options = {}) {
+template <std::same_as<double> Scalar = double>  // for rollbem::compiled
+WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const WheelsetRolling& rolling,
+                              const RollingFriction& friction, WheelsetOnTrack::Workspace& workspace,
+                              const WheelOnRail::Options& options = {}) {
     using Free = WheelsetOnTrack::Free;
     const TrackDimensions& dimensions = wheelset.wheel().dimensions();
     WheelsetForces result;

@@ -1,0 +1,24 @@
+// Contacts and forces of wheels on rails, and look-ups of them, compiled for double. Replaces normal/wheel_on_rail.hpp,
+// vehicle/contact_table.hpp and vehicle/wheelset_forces.hpp; link rollbem::compiled.
+#pragma once
+
+#include "../vehicle/contact_table.hpp"
+#include "../vehicle/wheelset_forces.hpp"
+#include "creep_force_table.hpp"
+#include "friction.hpp"
+#include "patch.hpp"
+
+namespace rollbem {
+
+extern template WheelOnRail::Contact WheelOnRail::carry<double>(const WheelsetPosition&, double,
+                                                                WheelOnRail::Workspace&,
+                                                                const WheelOnRail::Options&) const;
+extern template WheelOnRail::Contact WheelOnRail::press<double>(const WheelsetPosition&, WheelOnRail::Workspace&,
+                                                                const WheelOnRail::Options&) const;
+extern template WheelForces ContactTable::look_up<double>(const CreepForceTable&, WheelsetSide, const WheelsetPosition&,
+                                                          const WheelsetSpeeds&, double, double) const noexcept;
+extern template WheelsetForces rolling_forces<double>(const WheelsetOnTrack&, const WheelsetRolling&,
+                                                      const RollingFriction&, WheelsetOnTrack::Workspace&,
+                                                      const WheelOnRail::Options&);
+
+}  // namespace rollbem
