@@ -275,8 +275,9 @@ TEST_CASE("wheel_on_rail: contacts do not depend on where the search for them st
         const WheelsetPosition position{.lateral = lateral, .yaw = 1e-3};
         WheelOnRail::Workspace fresh, used;
         const auto cold = standard().carry(position, 1e5, fresh);
-        for (const double from : {lateral - 2e-3, lateral + 1e-4}) {
-            standard().carry({.lateral = from, .yaw = 2e-3}, 4e4, used);
+        for (const double from : {lateral - 2e-3, lateral + 1e-4, lateral}) {
+            const bool same = from == lateral;
+            standard().carry({.lateral = from, .yaw = same ? 1e-3 : 2e-3}, same ? 1e5 : 4e4, used);
             const auto warm = standard().carry(position, 1e5, used);
             CAPTURE(lateral, from);
             REQUIRE(warm.patches.size() == cold.patches.size());
