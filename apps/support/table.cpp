@@ -62,9 +62,11 @@ void compute_in_order(const std::vector<Task>& tasks, std::size_t jobs,
         compute(tasks[i], [&](Row row) { rows.push_back(std::move(row)); });
         const std::lock_guard lock(mutex);
         rows_of[i] = std::move(rows);
-        for (; next < tasks.size() && rows_of[next]; ++next) {
-            std::vector<Row> ready = std::move(*rows_of[next]);
-            for (Row& row : ready) emit(std::move(row));
+        while (next < tasks.size() && rows_of[next]) {
+            const std::size_t ready = std::exchange(next, tasks.size());  // none follows a row that cannot be written
+            for (Row& row : *rows_of[ready]) emit(std::move(row));
+            rows_of[ready]->clear();
+            next = ready + 1;
         }
     });
 }
