@@ -77,6 +77,18 @@ TEST_CASE("normal_contact: Hertz's ellipses, by load and by approach, to second 
     }
 }
 
+TEST_CASE("normal_contact: a first solution that is to start from the last one starts anew", "[normal]") {
+    const CellGrid grid{16, 16, -1.5, -1.5, 0.2, 0.2};
+    NormalContact::Grid h(16, 16);
+    for (Eigen::Index j = 0; j < 16; ++j) {
+        for (Eigen::Index i = 0; i < 16; ++i) h(i, j) = grid.x(i) * grid.x(i) + grid.y(j) * grid.y(j);
+    }
+    NormalContact fresh(1), warm(1);
+    CHECK(fresh.carry(grid, h, 1).status == Status::ok);
+    CHECK(warm.carry(grid, h, 1, 1e-6, true).status == Status::ok);
+    CHECK((warm.pressure() == fresh.pressure()).all());
+}
+
 TEST_CASE("normal_contact: two radii, and a tilted ellipse", "[normal]") {
     Scene radii(64, 64, -4.8, 4.8, -1.2, 3.3,
                 [](double x, double y) { return x * x / 920 + y * y / (y > 0 ? 600 : 60); });

@@ -132,7 +132,7 @@ TEST_CASE("wheel_on_rail: contacts of the Manchester benchmark, S1002 on 60E1, a
     within("approach", 6e-4, 3.2e-3);
 }
 
-// 10 s, so hidden
+// 4 s, so hidden
 TEST_CASE("wheelset_forces: the largest difference from CONTACT vanishes on CONTACT's cells", "[.][profiles]") {
     const WheelOnRail wheel(benchmark_profile("wheel.csv"), benchmark_profile("rail.csv"));
     const auto position = benchmark_rows("positions.csv")[1];

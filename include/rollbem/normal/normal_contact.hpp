@@ -105,7 +105,7 @@ inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const 
         return result;
     }
     convolution_.prepare(grid.nx, grid.ny, grid.dx, grid.dy);
-    if (warm) move_to(grid);
+    if (warm && p_.size() > 0) move_to(grid);
     grid_ = grid;
     const double unit = compliance_ / std::numbers::pi;
     const auto displace = [&](const Grid& p, Grid& u) {
