@@ -1,9 +1,9 @@
 #!/bin/sh
 # deps.sh [--ci] [--docs] [--fmu] [--simbody] [--windows]: installs what building rollbem and its programs, tests and
 # benchmarks needs. Installs only what is missing and prints what; silent if nothing is. --ci adds the tools of
-# continuous integration, --simbody Simbody for simbody_wheel, --windows mingw-w64 and wine, to build for Windows and test
-# it (both Debian and Ubuntu), --docs Doxygen for the API reference; --fmu installs FMPy, which brings the headers of FMI
-# 2.0, and libcosimpy, which run the FMUs in tests, into build-fmu/venv.
+# continuous integration, --simbody Simbody for the example simbody_wheel, --windows mingw-w64 and wine, to build for
+# Windows and test it (both Debian and Ubuntu), --docs Doxygen for the API reference; --fmu installs FMPy, which brings
+# the headers of FMI 2.0, and libcosimpy, which run the FMUs in tests, into build-fmu/venv.
 set -eu
 
 ci=no

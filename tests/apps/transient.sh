@@ -1,5 +1,5 @@
 #!/bin/sh
-# apps/transient_study.cpp and simbody_wheel.cpp, seen from outside: histories, orders in dq, and runs that go on.
+# apps/transient_study.cpp, seen from outside: histories, orders in dq, and runs that go on.
 # Usage: transient.sh FOLDER-OF-PROGRAMS
 . "$(dirname "$0")/functions.sh"
 study=$programs/transient_study
@@ -39,22 +39,12 @@ cmp -s long.csv expected && [ ! -e long.csv.part ] || fail 'a run that goes on'
 good 0 $study --step 1 --output x.csv
 grep -q '^step = ' x.csv.toml || fail 'companion file'
 
-if [ -x "$programs/simbody_wheel" ]; then
-    "$programs/simbody_wheel" --n 10,40 --tolerance 2e-3 --quiet >out 2>err
-    [ $? -eq 1 ] || fail "errors above the tolerance: $(cat out err)"
-    check 'errors above the tolerance' '$NF == ($n == 10 ? "above_tolerance" : "ok")'
-fi
-
 # --- plots, also of shards without rows
 if command -v gnuplot >/dev/null; then
     good 401 $second --n 20,30 --step 1 --plot s.svg
     grep -q exact s.svg || fail 'the exact response in the plot'
     $study --step 1 --until 0.1 --shard 1/100 --plot s.svg >out 2>err
     [ $? -eq 3 ] && grep -q 'no point to draw' err || fail "a plot of no row: $(cat err)"
-    if [ -x "$programs/simbody_wheel" ]; then
-        "$programs/simbody_wheel" --n 10 --shard 1/3 --plot s.svg >out 2>err
-        [ $? -eq 3 ] && grep -q 'no point to draw' err || fail "a plot of no row in simbody_wheel: $(cat err)"
-    fi
 fi
 
 finish
