@@ -4,7 +4,6 @@
 // at n = 20. Sample run: ./bench_normal --benchmark_filter=/20$
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <limits>
 
 #include <benchmark/benchmark.h>
@@ -64,10 +63,8 @@ void BM_ProfilePatch(benchmark::State& state) {
 BENCHMARK(BM_ProfilePatch)->Arg(0)->Arg(10)->Arg(20)->Arg(40)->Unit(benchmark::kMillisecond);
 
 void BM_WheelsetLookUp(benchmark::State& state) {
-    std::ifstream forces(ROLLBEM_TABLES "/steel.creep", std::ios::binary),
-        places(ROLLBEM_TABLES "/s1002_60e1.contact", std::ios::binary);
-    const CreepForceTable creep = CreepForceTable::read(forces);
-    const ContactTable contact = ContactTable::read(places);
+    const CreepForceTable creep = CreepForceTable::read(ROLLBEM_TABLES "/steel.creep");
+    const ContactTable contact = ContactTable::read(ROLLBEM_TABLES "/s1002_60e1.contact");
     int k = 0;
     for (auto _ : state) {
         const double lateral = 6e-3 * ((k++ * 7919 % 1001) / 500.0 - 1);

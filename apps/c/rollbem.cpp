@@ -2,7 +2,6 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
-#include <fstream>
 #include <initializer_list>
 #include <memory>
 #include <stdexcept>
@@ -139,9 +138,7 @@ const char* rollbem_version(void) { return ROLLBEM_VERSION; }
 rollbem_table* rollbem_table_open(const char* path) {
     return made([&] {
         const std::u8string text(path, path + std::char_traits<char>::length(path));
-        std::ifstream file(std::filesystem::path(text), std::ios::binary);
-        if (!file) throw std::invalid_argument(std::string("rollbem_table_open: cannot read ") + path);
-        return std::make_unique<rollbem_table>(rollbem_table{CreepForceTable::read(file)});
+        return std::make_unique<rollbem_table>(rollbem_table{CreepForceTable::read(std::filesystem::path(text))});
     });
 }
 

@@ -26,12 +26,6 @@ using namespace rollbem;
 
 WheelsetOnTrack wheelset() { return WheelsetOnTrack(WheelOnRail(s1002(), rail_60e1())); }
 
-template <class Table>
-Table read(const char* path) {
-    std::ifstream file(path, std::ios::binary);
-    return Table::read(file);
-}
-
 void print(const char* what, std::vector<double>& differences) {
     std::sort(differences.begin(), differences.end());
     double sum = 0;
@@ -108,7 +102,7 @@ bool check(const ContactTable& table, const CreepForceTable& creep, const Wheels
 
 int main(int argc, char** argv) try {
     const std::string task = argc > 3 ? argv[1] : "";
-    const auto creep = read<CreepForceTable>(ROLLBEM_TABLES "/steel.creep");
+    const auto creep = CreepForceTable::read(ROLLBEM_TABLES "/steel.creep");
     if (task == "make" && argc == 5) {
         const ContactTable::Grid grid{.shifts = std::atoi(argv[3]), .yaws = std::atoi(argv[4])};
         double missing = 0;
@@ -119,7 +113,7 @@ int main(int argc, char** argv) try {
         return file.flush() ? EXIT_SUCCESS : EXIT_FAILURE;
     }
     if (task == "check" && argc == 4 && std::atoi(argv[3]) > 0) {
-        return check(read<ContactTable>(argv[2]), creep, wheelset(), std::size_t(std::atoi(argv[3]))) ? EXIT_SUCCESS
+        return check(ContactTable::read(argv[2]), creep, wheelset(), std::size_t(std::atoi(argv[3]))) ? EXIT_SUCCESS
                                                                                                       : EXIT_FAILURE;
     }
     std::fprintf(stderr, "usage: contact_table make FILE SHIFTS YAWS | check FILE SCENES\n");

@@ -12,7 +12,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <fstream>
 #include <limits>
 #include <stdexcept>
 
@@ -29,12 +28,6 @@ using namespace rollbem;
 constexpr double load = 1e5, mu = 0.3, speed = 15;         // of each wheel [N], [-], [m/s]
 constexpr double half_wheelbase = 1.25, yaw_spring = 5e6;  // of the bogie [m], of the axle in its frame [N m/rad]
 constexpr double outwards = 5e3;                           // what superelevation leaves over, on the axle [N]
-
-template <class Table>
-Table read(const char* path) {
-    std::ifstream file(path, std::ios::binary);
-    return Table::read(file);
-}
 
 /// Lateral shift, yaw and pitch rate in which a wheelset rolls through a curve.
 class Curving {
@@ -85,8 +78,8 @@ private:
     }
 
     double radius_;
-    ContactTable geometry_ = read<ContactTable>(ROLLBEM_TABLES "/s1002_60e1.contact");
-    CreepForceTable creep_ = read<CreepForceTable>(ROLLBEM_TABLES "/steel.creep");
+    ContactTable geometry_ = ContactTable::read(ROLLBEM_TABLES "/s1002_60e1.contact");
+    CreepForceTable creep_ = CreepForceTable::read(ROLLBEM_TABLES "/steel.creep");
     Eigen::Vector3d at_ = Eigen::Vector3d::Zero();
     Eigen::Matrix3d tangent_;
 };

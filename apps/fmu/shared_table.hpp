@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -21,16 +20,14 @@ std::shared_ptr<const Table> shared_table(const std::string& parameter, const st
     const std::scoped_lock lock(mutex);
     std::weak_ptr<const Table>& known = tables[path];
     if (auto table = known.lock()) return table;
-    const std::string named = std::string(identity.identifier) + ": " + parameter + " = " + path;
     const std::u8string text(path.begin(), path.end());  // in UTF-8 on all platforms
-    std::ifstream file(std::filesystem::path(text), std::ios::binary);
-    if (!file) throw std::invalid_argument(named + " must be a file that can be read");
     try {
-        auto table = std::make_shared<const Table>(Table::read(file));
+        auto table = std::make_shared<const Table>(Table::read(std::filesystem::path(text)));
         known = table;
         return table;
     } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument(named + ": " + error.what());
+        throw std::invalid_argument(std::string(identity.identifier) + ": " + parameter + " = " + path + ": " +
+                                    error.what());
     }
 }
 

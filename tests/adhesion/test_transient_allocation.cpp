@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
-#include <fstream>
 #include <limits>
 #include <new>
 #include <utility>
@@ -352,9 +351,8 @@ TEST_CASE("A look-up in a table of creep forces does not allocate") {
 }
 
 TEST_CASE("A look-up of a wheelset does not allocate") {
-    std::ifstream forces(ROLLBEM_STEEL_CREEP, std::ios::binary), places(ROLLBEM_S1002_CONTACT, std::ios::binary);
-    const CreepForceTable creep = CreepForceTable::read(forces);
-    const ContactTable table = ContactTable::read(places);
+    const CreepForceTable creep = CreepForceTable::read(ROLLBEM_STEEL_CREEP);
+    const ContactTable table = ContactTable::read(ROLLBEM_S1002_CONTACT);
     double sum = 0;
     bool ok = true, refused = true;
     const long before = allocations;

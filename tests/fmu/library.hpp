@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -24,12 +23,6 @@ namespace library {
 
 constexpr double half_length = 5e-3, half_width = 0.05, shear_modulus = 8e10, poisson_ratio = 0.28;
 constexpr double friction_coefficient = 0.3, nominal_load = 1e5, largest_load = 2e5;
-
-template <class Table>
-Table read(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return Table::read(file);
-}
 
 /// Steps of a contact with friction under Hertz's pressure, from rest.
 template <class Hertz>

@@ -40,8 +40,8 @@ bool roll(Contact contact, bool steady) {
 }
 
 bool roll_wheelset(const std::string& folder) {
-    const auto creep = library::read<rollbem::CreepForceTable>(folder + "/steel.creep");
-    const auto contacts = library::read<rollbem::ContactTable>(folder + "/s1002_60e1.contact");
+    const auto creep = rollbem::CreepForceTable::read(folder + "/steel.creep");
+    const auto contacts = rollbem::ContactTable::read(folder + "/s1002_60e1.contact");
     double work = 0, before = 0;
     bool first = true;
     for (std::array<double, 11> x{}; read(x); first = false) {

@@ -30,7 +30,7 @@ std::string folder;
 void library_resources(const char* name) { folder = name; }
 
 double library_table(double, int count) {
-    static const auto table = library::read<rollbem::CreepForceTable>(folder + "/steel.creep");
+    static const auto table = rollbem::CreepForceTable::read(folder + "/steel.creep");
     static const rollbem::HertzEllipse<double> ellipse = library::ellipse().under(1e5);
     double force = 0;
     for (int i = 0; i < count; ++i) {
@@ -41,8 +41,8 @@ double library_table(double, int count) {
 }
 
 double library_wheelset(double, int count) {
-    static const auto creep = library::read<rollbem::CreepForceTable>(folder + "/steel.creep");
-    static const auto contacts = library::read<rollbem::ContactTable>(folder + "/s1002_60e1.contact");
+    static const auto creep = rollbem::CreepForceTable::read(folder + "/steel.creep");
+    static const auto contacts = rollbem::ContactTable::read(folder + "/s1002_60e1.contact");
     double force = 0;
     for (int i = 0; i < count; ++i) {
         force = 0;

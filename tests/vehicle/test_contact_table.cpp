@@ -2,7 +2,6 @@
 // of contact points, and the table against the patches that it stands for.
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <random>
 #include <sstream>
 #include <string>
@@ -23,17 +22,12 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-template <class Table>
-Table read(const char* path) {
-    std::ifstream file(path, std::ios::binary);
-    return Table::read(file);
-}
 const CreepForceTable& creep() {
-    static const auto table = read<CreepForceTable>(ROLLBEM_STEEL_CREEP);
+    static const auto table = CreepForceTable::read(ROLLBEM_STEEL_CREEP);
     return table;
 }
 const ContactTable& s1002() {
-    static const auto table = read<ContactTable>(ROLLBEM_S1002_CONTACT);
+    static const auto table = ContactTable::read(ROLLBEM_S1002_CONTACT);
     return table;
 }
 

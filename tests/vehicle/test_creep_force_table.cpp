@@ -336,6 +336,8 @@ TEST_CASE("creep_force_table: a file gives the same table, and nothing else is t
     }
     std::ifstream missing("no such file", std::ios::binary);
     CHECK_THAT(refusal([&] { CreepForceTable::read(missing); }), ContainsSubstring("must be readable"));
+    CHECK_THAT(refusal([] { CreepForceTable::read("no such file"); }),
+               ContainsSubstring("CreepForceTable: no such file must be a file that can be read"));
     CHECK_THAT(refused(""), ContainsSubstring("must not end"));
     CHECK_THAT(refused("rollbem"), ContainsSubstring("must not end"));
     CHECK_THAT(refused("a_over_b,poisson,n,strips,longitudinal"), ContainsSubstring("must begin with"));
@@ -375,8 +377,7 @@ TEST_CASE("creep_force_table: a file gives the same table, and nothing else is t
 }
 
 TEST_CASE("creep_force_table: that of steel holds the forces of its patches") {
-    std::ifstream file(ROLLBEM_STEEL_CREEP, std::ios::binary);
-    const CreepForceTable steel = CreepForceTable::read(file);
+    const CreepForceTable steel = CreepForceTable::read(ROLLBEM_STEEL_CREEP);
     const CreepForceGrid& grid = steel.grid();
     const CreepForceGrid::Range range;
     CHECK(grid.poisson_ratio() == range.poisson_ratio);

@@ -2,7 +2,6 @@
 // falls with the slip of each element.
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <numbers>
 
@@ -30,10 +29,7 @@ constexpr ReducedFriction::Parameters wet{
     .adhesion_factor = 0.6, .slip_factor = 0.25, .friction_ratio = 0.4, .fall = 0.6};
 
 const CreepForceTable& steel() {
-    static const CreepForceTable table = [] {
-        std::ifstream file(ROLLBEM_STEEL_CREEP, std::ios::binary);
-        return CreepForceTable::read(file);
-    }();
+    static const CreepForceTable table = CreepForceTable::read(ROLLBEM_STEEL_CREEP);
     return table;
 }
 

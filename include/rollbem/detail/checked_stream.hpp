@@ -7,6 +7,8 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <istream>
 #include <ostream>
 #include <stdexcept>
@@ -93,5 +95,13 @@ private:
     std::string who_;
     Fnv1a checksum_;
 };
+
+/// The table in a file. Throws std::invalid_argument, beginning with `who`, if the file cannot be opened.
+template <class Table>
+Table read_file(const std::filesystem::path& path, const std::string& who) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw std::invalid_argument(who + ": " + path.string() + " must be a file that can be read");
+    return Table::read(file);
+}
 
 }  // namespace rollbem::detail

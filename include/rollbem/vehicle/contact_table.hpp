@@ -10,6 +10,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <istream>
 #include <ostream>
 #include <utility>
@@ -165,6 +166,7 @@ public:
 
     /// From what write() wrote; throws as CreepForceTable::read does.
     static ContactTable read(std::istream& stream);
+    static ContactTable read(const std::filesystem::path& path) { return detail::read_file<ContactTable>(path, name); }
 
     /// Little-endian, version 1: the text "rollbem contact geometry", version, numbers of shifts and yaws (32 bits
     /// each), largest shift and yaw, nominal load, G, nu, the mean of each row (64 bits each), and for each node the

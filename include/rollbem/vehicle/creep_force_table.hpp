@@ -10,6 +10,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <istream>
 #include <ostream>
 #include <utility>
@@ -69,6 +70,9 @@ public:
     /// std::invalid_argument if the stream could not be opened, ends too early or holds something else, another
     /// version, or numbers that do not agree with their checksum.
     static BasicCreepForceTable read(std::istream& stream);
+    static BasicCreepForceTable read(const std::filesystem::path& path) {
+        return detail::read_file<BasicCreepForceTable>(path, name);
+    }
 
     /// Little-endian, version 4: the text "rollbem creep forces", version, levels, number of ellipses (32 bits each),
     /// Poisson's ratio, smallest and largest a/b, c11, c22, c23, c32, c33 of each ellipse (64 bits each), coefficients
@@ -603,8 +607,7 @@ BasicCreepForceTable<Real> BasicCreepForceTable<Real>::read(std::istream& stream
 /// full_sliding(), which the table takes in as the outermost of its levels: there is no outside. The interpolation may
 /// exceed mu N by its error. Immutable: threads may share it.
 ///
-///     std::ifstream file("share/rollbem/steel.creep", std::ios::binary);
-///     const CreepForceTable table = CreepForceTable::read(file);
+///     const CreepForceTable table = CreepForceTable::read("share/rollbem/steel.creep");
 ///     const PatchContact<double> contact({a, b, G, nu});
 ///     const TabulatedForce now = table.look_up(contact, mu, load, {xi, eta, phi});
 ///     if (now.status != StepStatus::ok) ...
