@@ -8,12 +8,13 @@
 
 #include "support/catch.hpp"
 #include "support/draw.hpp"
+#include "support/scalars.hpp"
 
 namespace in_place_lu_tests {
 
 using Index = Eigen::Index;
 
-TEMPLATE_TEST_CASE("in_place_lu: solution and inverse of a permuted matrix", "", float, double) {
+TEMPLATE_TEST_CASE("in_place_lu: solution and inverse of a permuted matrix", "", SCALARS) {
     using Matrix = Eigen::Matrix<TestType, Eigen::Dynamic, Eigen::Dynamic>;
     using Vector = Eigen::Matrix<TestType, Eigen::Dynamic, 1>;
     support::Draw draw(1);

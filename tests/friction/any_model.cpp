@@ -1,12 +1,5 @@
 #include "friction/any_model.hpp"
 
-namespace rollbem::detail {
-
-template class FrictionCore<falling_tests::AnyLaw, 1, double>;
-template class FrictionCore<falling_tests::AnyLaw, 2, double>;
-
-}  // namespace rollbem::detail
-
 namespace any_model {
 
 FrictionContact make(const Setup& setup, bool steady) {

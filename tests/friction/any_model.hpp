@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -15,7 +16,6 @@
 #include <rollbem/elasticity/any_kernel.hpp>
 #include <rollbem/friction/friction_contact.hpp>
 
-#include "friction/any_law.hpp"
 #include "friction/falling_scene.hpp"
 #include "friction/same_bits.hpp"
 #include "support/unturned.hpp"
@@ -23,8 +23,9 @@
 namespace any_model {
 
 using namespace rollbem;
-using falling_tests::a, falling_tests::AnyLaw, falling_tests::full_force, falling_tests::law;
-using falling_tests::least_velocity, falling_tests::peak_pressure, falling_tests::shear_modulus, falling_tests::speed;
+using falling_tests::a, falling_tests::full_force, falling_tests::law, falling_tests::least_velocity;
+using falling_tests::peak_pressure, falling_tests::shear_modulus, falling_tests::speed;
+using AnyLaw = std::function<double(double)>;
 using Law = falling_tests::Law;
 using State = FrictionState<2>;
 using Step = FrictionStep<2>;

@@ -6,7 +6,6 @@
 
 #include <rollbem/compiled/friction.hpp>
 
-#include "any_law.hpp"
 #include "falling_scene.hpp"
 #include "support/catch.hpp"
 
@@ -115,10 +114,10 @@ TEST_CASE("A memory needs the points of the equations", "[friction]") {
 }
 
 TEST_CASE("A law may rise from nothing", "[friction]") {
-    const AnyLaw rising = [](double v) { return std::min(0.3, v); };
+    const auto rising = [](double v) { return std::min(0.3, v); };
     const Scene scene(cosine_mesh<double>(40));
-    const FrictionModel<AnyLaw> model(scene.contact, scene.system(), unchecked, {rising, scene.pressure()},
-                                      Integrator::implicit_euler);
+    const FrictionModel model(scene.contact, scene.system(), unchecked, Friction{rising, scene.pressure()},
+                              Integrator::implicit_euler);
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     REQUIRE(model.steady(now, 5e-3, speed, next, workspace).status == StepStatus::ok);

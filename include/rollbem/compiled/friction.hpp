@@ -1,6 +1,8 @@
-// Friction compiled for double, with a constant coefficient and with one that falls exponentially with slip. Replaces
-// friction/friction.hpp; link rollbem::compiled. Other laws are compiled where they are used.
+// Friction compiled for double, with a constant coefficient and with any that depends on slip. Replaces
+// friction/friction.hpp; link rollbem::compiled.
 #pragma once
+
+#include <functional>
 
 #include "../assembly/patch_system.hpp"
 #include "../friction/law.hpp"
@@ -18,6 +20,10 @@ namespace rollbem {
 extern template void detail::factorise_in_place<double>(detail::MatrixRef<double>, Eigen::Index*);
 extern template void detail::solve_in_place<double>(const detail::MatrixRef<double>&, const Eigen::Index*,
                                                     detail::VectorRef<double>);
+extern template void detail::solve_columns_in_place<double>(const detail::MatrixRef<double>&, const Eigen::Index*,
+                                                            detail::MatrixRef<double>);
+extern template void detail::invert_factors<double>(const detail::MatrixRef<double>&, const Eigen::Index*,
+                                                    detail::MatrixRef<double>);
 extern template bool is_dissipative<double>(MatrixX<double>, const ArrayX<double>&);
 extern template bool detail::converges<double>(MatrixX<double>, const ArrayX<double>&, double);
 extern template bool detail::converges<double>(const detail::DirectionBlocks<double>&, const ArrayX<double>&);
@@ -43,7 +49,7 @@ extern template struct detail::FrictionScratch<1, double>;
 extern template struct detail::FrictionScratch<2, double>;
 extern template class detail::FrictionCore<ConstantFriction<double>, 1, double>;
 extern template class detail::FrictionCore<ConstantFriction<double>, 2, double>;
-extern template class detail::FrictionCore<ExponentialFall<double>, 1, double>;
-extern template class detail::FrictionCore<ExponentialFall<double>, 2, double>;
+extern template class detail::FrictionCore<std::function<double(double)>, 1, double>;
+extern template class detail::FrictionCore<std::function<double(double)>, 2, double>;
 
 }  // namespace rollbem

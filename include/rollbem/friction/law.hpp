@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <functional>
 #include <type_traits>
 
 #include <Eigen/Core>
@@ -89,6 +90,14 @@ template <class Law>
 inline constexpr bool is_constant = false;
 template <class Scalar>
 inline constexpr bool is_constant<ConstantFriction<Scalar>> = true;
+
+/// All laws that depend on slip as one type, so that what solves with them is compiled once.
+template <class Law, class Scalar>
+using UniformLaw = std::conditional_t<is_constant<Law>, Law, std::function<Scalar(Scalar)>>;
+template <class Law, class Scalar>
+Friction<UniformLaw<Law, Scalar>, Scalar> with_uniform_law(const Friction<Law, Scalar>& of) {
+    return {of.law, of.normal_pressure, of.memory, of.with_tangents};
+}
 
 /// Throws std::invalid_argument, in the name of `who`, unless the law is valid for a mesh of `mesh_size` elements, the
 /// first `count` of which are unknown.

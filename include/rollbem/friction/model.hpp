@@ -103,7 +103,7 @@ public:
     static_assert(SlipLaw<Law, Scalar>);
 
 private:
-    using Core = detail::FrictionCore<Law, directions, Scalar>;
+    using Core = detail::FrictionCore<detail::UniformLaw<Law, Scalar>, directions, Scalar>;
 
 public:
     using State = FrictionState<directions, Scalar>;
@@ -127,8 +127,8 @@ public:
     FrictionModel(const AnyContact& contact, System system, const StabilityVerdict& verdict,
                   const Friction<Law, Scalar>& friction, Integrator integrator = Integrator::sdirk2)
         : system_(std::move(system)),
-          core_(name, contact, system_.elements(), system_.element_count(), friction, detail::gradient(system_),
-                system_.has_G() ? std::optional(system_.fingerprint()) : std::nullopt),
+          core_(name, contact, system_.elements(), system_.element_count(), detail::with_uniform_law(friction),
+                detail::gradient(system_), system_.has_G() ? std::optional(system_.fingerprint()) : std::nullopt),
           integrator_(integrator) {
         if constexpr (std::is_same_v<AnyContact, Contact<Scalar>>) {
             detail::require_same_aspect(name, contact, system_);
