@@ -212,14 +212,15 @@ template <class Scalar_>
 void FrequencySweep<Scalar_>::finish(const Reduced& reduced, const Column& y, Eigen::Index j, const Complex& ratio,
                                      Scalar scale, Scalar norm, Response<Complex>& point) {
     const MatrixX<Scalar>& H = reduced.H;
-    const Eigen::Index n = H.rows(), below = n - 1;
+    const Eigen::Index n = H.rows();
     point.coefficients.col(j).real().noalias() = -(reduced.outputs.transpose() * y.re.matrix());
     point.coefficients.col(j).imag().noalias() = -(reduced.outputs.transpose() * y.im.matrix());
     Column product(n);  // H y
-    product.re.matrix().noalias() = H.template triangularView<Eigen::Upper>() * y.re.matrix();
-    product.im.matrix().noalias() = H.template triangularView<Eigen::Upper>() * y.im.matrix();
-    product.re.tail(below) += H.diagonal(-1).array() * y.re.head(below);
-    product.im.tail(below) += H.diagonal(-1).array() * y.im.head(below);
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const Eigen::Index size = (std::min)(k + 2, n);
+        product.re.head(size) += y.re[k] * H.col(k).head(size).array();
+        product.im.head(size) += y.im[k] * H.col(k).head(size).array();
+    }
     const auto steady = reduced.steady.col(j).array();
     Column difference(n);
     difference.re = (y.re - steady) / scale;

@@ -32,7 +32,12 @@ struct Factorised {
     bool finite;                            ///< whether A, the unknowns and the coefficients are
 };
 
-/// Factorises A in place and solves A p = inputs.
+/// Real matrices, which can be large, are factorised in place.
+template <class Value>
+using Decomposition = Eigen::PartialPivLU<
+    std::conditional_t<Eigen::NumTraits<Value>::IsComplex, MatrixX<Value>, Eigen::Ref<MatrixX<Value>>>>;
+
+/// Solves A p = inputs; A is lost.
 template <class Value, class Scalar>
 Factorised<Value> factorise(MatrixX<Value>& A, const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs) {
     const Eigen::Index n = A.rows();
@@ -44,7 +49,7 @@ Factorised<Value> factorise(MatrixX<Value>& A, const MatrixX<Scalar>& inputs, co
         row_sums += magnitudes;
         norm_1 = (std::max)(norm_1, magnitudes.sum());
     }
-    const Eigen::PartialPivLU<Eigen::Ref<MatrixX<Value>>> lu(A);
+    const Decomposition<Value> lu(A);
     response.unknowns.resize(n, inputs.cols());
     for (Eigen::Index j = 0; j < inputs.cols(); ++j) {
         response.unknowns.col(j) = lu.solve(inputs.col(j).template cast<Value>());

@@ -13,7 +13,7 @@
 
 namespace Eigen {
 
-extern template class PartialPivLU<MatrixXcd>;
+extern template void PartialPivLU<MatrixXcd>::compute();
 
 }  // namespace Eigen
 

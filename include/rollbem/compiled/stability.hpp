@@ -11,7 +11,6 @@
 
 namespace Eigen {
 
-extern template class EigenSolver<MatrixXd>;
 extern template EigenSolver<MatrixXd>& EigenSolver<MatrixXd>::compute(const EigenBase<MatrixXd>&, bool);
 
 }  // namespace Eigen

@@ -18,7 +18,7 @@
 
 namespace Eigen {
 
-extern template class PartialPivLU<MatrixXd>;
+extern template void PartialPivLU<MatrixXd>::compute();
 
 }  // namespace Eigen
 
