@@ -34,9 +34,11 @@ target_link_libraries(rollbem_study_support
 compile_as_one(rollbem_study_support)
 set_source_files_properties("${PROJECT_SOURCE_DIR}/apps/support/options.cpp" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 
-# The library in the form that most units include.
-add_precompiled(rollbem_app_precompiled
-    HEADERS ${rollbem_precompiled_headers} LIBRARIES rollbem::compiled rollbem_quick_to_compile)
+# What most programs and tests include, parsed once for both.
+add_precompiled(rollbem_precompiled
+    HEADERS ${rollbem_precompiled_headers}
+        $<$<BOOL:${ROLLBEM_BUILD_TESTS}>:${PROJECT_SOURCE_DIR}/tests/support/catch.hpp>
+    LIBRARIES rollbem::compiled $<$<BOOL:${ROLLBEM_BUILD_TESTS}>:Catch2::Catch2> rollbem_quick_to_compile)
 
 add_library(rollbem_app_support STATIC
     "${PROJECT_SOURCE_DIR}/apps/support/non_steady.cpp" "${PROJECT_SOURCE_DIR}/apps/support/runs.cpp"
@@ -45,5 +47,5 @@ add_library(rollbem_app_support STATIC
 target_link_libraries(rollbem_app_support
     PUBLIC rollbem_study_support rollbem::compiled
     PRIVATE rollbem_quick_to_compile)
-target_precompile_headers(rollbem_app_support REUSE_FROM rollbem_app_precompiled)
+target_precompile_headers(rollbem_app_support REUSE_FROM rollbem_precompiled)
 compile_as_one(rollbem_app_support)
