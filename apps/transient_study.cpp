@@ -15,6 +15,7 @@
 
 #include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/reference/step_response.hpp>
+#include <rollbem/rolling/run.hpp>
 
 #include "support/non_steady.hpp"
 #include "support/runs.hpp"
@@ -125,32 +126,25 @@ void run(const Model& model, const History& history, const study::Steps& steps,
     const double reference = largest_creepage(history, steps);
 
     // 4. Step by step, with creepage linear over each. A step with a knot inside is divided there.
-    Model::Workspace workspace = model.workspace();
-    Model::State state = model.at_rest(), next = state;
-    const double dq = steps.dq;
+    rollbem::Run contact(model);
     for (std::size_t k = 1; k <= std::min(range.last, steps.count); ++k) {
-        double from = static_cast<double>(k - 1) * dq;
-        const double to = static_cast<double>(k) * dq;
-        Model::Step step;
-        while (from < to) {
-            const double stop = study::next_stop(history.knots, from, to);
-            const bool whole = stop == to && from == static_cast<double>(k - 1) * dq;
-            const double length = whole ? dq : stop - from;
-            const auto motion = rollbem::RigidMotion<double>::linear(history.at(from, true), history.at(stop, false));
-            step = model.advance(state, length, motion, next, workspace);
-            if (step.status != rollbem::StepStatus::ok) {
-                throw study::BadInput("the force is not finite at q/a = " + study::Cell(to).text(6) +
-                                      ": creepage or --until is too large");
-            }
-            std::swap(state, next);
-            from = stop;
+        const double start = static_cast<double>(k - 1) * steps.dq, end = static_cast<double>(k) * steps.dq;
+        double force = 0;
+        const auto failed = study::roll(start, end, history.knots, [&](double from, double to) {
+            const auto motion = rollbem::RigidMotion<double>::linear(history.at(from, true), history.at(to, false));
+            const auto step = contact.advance(from == start && to == end ? steps.dq : to - from, motion);
+            force = -step.force_per_width / reference;  // a = G = 1
+            return step.status;
+        });
+        if (failed) {
+            throw study::BadInput("the force is not finite at q/a = " + study::Cell(end).text(6) +
+                                  ": creepage or --until is too large");
         }
         if (k <= range.first) continue;
 
         // 5. Compare with the exact response of the plane model.
-        const double force = history.resolved ? -step.force_per_width / reference : std::nan("");  // a = G = 1
-        emit({to, history.at(to, false), force,
-              exact ? std::optional(history.exact(*exact, to) / reference) : std::nullopt,
+        emit({end, history.at(end, false), history.resolved ? force : std::nan(""),
+              exact ? std::optional(history.exact(*exact, end) / reference) : std::nullopt,
               study::word(model.integrator()), status});
     }
 }

@@ -55,14 +55,14 @@ std::string roll(const Rolling& rolling, study::RowRange range, const std::funct
         if (first.half_width > 0) run.now().half_width = first.half_width;
     }
     if (rolling.shift) {
-        const auto step = run.shift(*rolling.shift, rolling.dq);
+        const auto step = run.shift(*rolling.shift, rolling.run.steps.dq);
         keep(step, work(step, *rolling.shift) / 2);  // the mean force, from none
         now.shifted = true;
         if (step.status != StepStatus::ok) ended = study::why_ended(0, step.status);
         emit_row();
         now.shifted = false;
     }
-    if (rolling.from_steady) {
+    if (rolling.run.from_steady) {
         now.step = run.steady(rolling.creepage(0), 1.0);
         if (now.step.status != StepStatus::ok) ended = study::why_ended(0, now.step.status);
     }
@@ -79,15 +79,15 @@ std::string roll(const Rolling& rolling, study::RowRange range, const std::funct
             return next.status;
         }
         const double after = work(next, end);  // implicit Euler knows no other
-        keep(next, distance * (rolling.integrator == rollbem::Integrator::sdirk2 ? (before + after) / 2 : after));
+        keep(next, distance * (rolling.run.integrator == rollbem::Integrator::sdirk2 ? (before + after) / 2 : after));
         return next.status;
     };
     for (std::size_t k = 0; row < range.last; ++k) {
-        now.q = double(k + 1) * rolling.dq;
+        now.q = double(k + 1) * rolling.run.steps.dq;
         now.computed = ended.empty();
         now.rounds = 0;
         if (now.computed) {
-            const auto failed_at = study::roll(double(k) * rolling.dq, now.q, rolling.load, step);
+            const auto failed_at = study::roll(double(k) * rolling.run.steps.dq, now.q, rolling.knots, step);
             if (failed_at) {
                 keep(failed, 0);
                 ended = study::why_ended(*failed_at, failed.status);

@@ -18,13 +18,11 @@ namespace friction {
 /// A contact and what happens to it over the distance rolled q [a_0], at the rolling velocity 1.
 struct Rolling {
     rollbem::FrictionContact contact;
-    rollbem::Integrator integrator;
-    double dq;                                                    ///< of a row [a_0]
+    study::RunSettings run;                                       ///< steps in a_0
     std::function<rollbem::Creepage<double>(double q)> creepage;  ///< linear over a step
     std::optional<rollbem::Creepage<double>> shift{};  ///< rigid, before rolling; it takes as long as a step of dq
-    bool from_steady = false;                          ///< starts from steady rolling
     double a_0 = 1;
-    const study::LoadHistory* load = nullptr;                      ///< null where it is constant
+    study::Numbers knots{};                                        ///< of the load
     std::function<rollbem::NormalLoad<double>(double)> load_at{};  ///< at q; where it is not constant
     std::function<bool(double q)> resolved{};  ///< whether steps and elements are small enough there
     bool checked = true;                       ///< whether the scheme is known to be stable

@@ -14,18 +14,15 @@ namespace friction {
 
 namespace {
 
-using rollbem::Integrator;
-
 /// What all runs share: the creepage ratios over q/a, and what comes before.
 struct History {
     Line line;
-    study::Steps steps;
+    study::RunSettings run;
     std::optional<study::LoadHistory> load;
     CreepPoint point{};
     std::optional<double> omega{};  ///< of a sine [V/a]; constant without
     std::optional<double> shift{};  ///< [mu p0 a/G]
-    bool from_steady, checked;
-    Integrator integrator;
+    bool checked;
 
     CreepPoint at(double q) const {
         CreepPoint now = point;
@@ -33,18 +30,16 @@ struct History {
         return now;
     }
     bool resolved() const {
-        return (!omega || study::resolves(*omega, steps.dq)) && (!load || load->resolved(steps.dq));
+        return (!omega || study::resolves(*omega, run.steps.dq)) && (!load || load->resolved(run.steps.dq));
     }
 };
 
 History read_history(const study::Options& options) {
-    const study::Steps steps = study::read_steps(options);
+    const study::RunSettings run(options);
     History history{.line = Line(options),
-                    .steps = steps,
-                    .load = read_load(options, double(steps.count) * steps.dq),
-                    .from_steady = options.choice("from", {"rest", "steady"}) == "steady",
-                    .checked = !options.flag("unchecked"),
-                    .integrator = study::read_integrator(options, {Integrator::sdirk2, Integrator::implicit_euler})};
+                    .run = run,
+                    .load = read_load(options, run.until()),
+                    .checked = !options.flag("unchecked")};
     if (history.line.both) history.point.lateral = options.number("lateral-ratio", study::finite());
     if (options.given("spin-ratio")) history.point.spin = options.number("spin-ratio", study::finite());
     if (options.given("shift")) history.shift = options.number("shift", study::finite());
@@ -96,20 +91,18 @@ rollbem::FrictionContact make_contact(const study::Options& options, const Histo
     const Eigen::ArrayXd means =
         load ? hertz_load(*load, *scene.mesh).at(half_length * half_length * mu_N).normal_pressure
              : line.pressure(*scene.mesh);
-    return line.contact(scene, along, across, means, rollbem::unchecked, history.integrator, half_length);
+    return line.contact(scene, along, across, means, rollbem::unchecked, history.run.integrator, half_length);
 }
 
 Rolling make_rolling(const study::Options& options, const History& history, const study::Scene& scene) {
     Rolling rolling{.contact = make_contact(options, history, scene),
-                    .integrator = history.integrator,
-                    .dq = history.steps.dq,
+                    .run = history.run,
                     .creepage = [&history, unit = creepage_unit(scene)](double q) { return history.at(q).times(unit); },
-                    .from_steady = history.from_steady,
                     .resolved = [&history](double) { return history.resolved(); },
                     .checked = history.checked};
     if (history.shift) rolling.shift = rollbem::Creepage<double>{*history.shift};
     if (history.load) {
-        rolling.load = &*history.load;
+        rolling.knots = history.load->knots;
         rolling.load_at = [hertz = hertz_load(*history.load, *scene.mesh), &load = *history.load](double q) {
             rollbem::NormalLoad<double> normal = hertz.at(mu_N);
             hertz.set(load.at(q) * mu_N, normal);  // a step refuses what is no load
@@ -172,7 +165,7 @@ const study::Sheet<TimeRow>& time_sheet() {
               "after_failure behind it",
               [](const R& r) { return r.moment.status; }},
              {"method, derivative, mesh, n, alpha_L, alpha_T, lambda", "the scheme"},
-             {"integrator", "as given", [](const R& r) { return study::word(r.history.integrator); }},
+             {"integrator", "as given", [](const R& r) { return study::word(r.history.run.integrator); }},
              {"lateral_ratio", "as creepage_ratio", [](const R& r) { return r.ratios().lateral; }},
              {"load_ratio", "N/N_0", &R::load_ratio},
              {"half_length_ratio", "a/a_0, Hertz's", [](const R& r) { return std::sqrt(r.load_ratio()); }},
@@ -198,7 +191,7 @@ const study::Sheet<TimeRow>& time_sheet() {
 study::Plot force_in_time(const std::vector<study::Row>& rows, const History& history, const std::string& scene) {
     const bool lateral = history.line.both, load_changes = history.load.has_value();
     const bool carter = history.line.carter() && !lateral && !load_changes;
-    const double ratio = history.point.longitudinal, end = double(history.steps.count) * history.steps.dq;
+    const double ratio = history.point.longitudinal, end = history.run.until();
     const auto add = [&](study::Plot& plot, const char* x, const char* y, const std::string& prefix,
                          bool reference = false) {
         time_sheet().draw(plot, rows, {.x = x, .y = y, .prefix = prefix, .markers = false, .reference = reference});
@@ -248,7 +241,7 @@ void run_transient(const study::Options& options) {
         return TimeRow{history, history.line, scene, moment, mu_N * scene.contact.width()};
     };
     write_rolling(
-        options, time_sheet(), scenes, history.steps.count + (history.shift ? 1 : 0), prepare, row,
+        options, time_sheet(), scenes, history.run.steps.count + (history.shift ? 1 : 0), prepare, row,
         [&](const std::vector<study::Row>& rows) { return force_in_time(rows, history, scene_in_title(options)); });
 }
 

@@ -76,9 +76,7 @@ std::optional<Load> read_load(const study::Options& options, double until) {
 struct Scene {
     CreepPoint point;
     std::optional<Load> load;
-    bool from_steady;
-    rollbem::Integrator integrator;
-    double dq;
+    study::RunSettings run;
 
     bool breathes() const { return load && load->breathing; }
 };
@@ -111,7 +109,7 @@ rollbem::FrictionContact make_contact(const Scene& scene, const Patch& patch, co
             throw std::invalid_argument("modes must decay, whatever rounding does; take another --n or --strips");
         }
         return rollbem::FrictionModel(contact, std::move(system), verdict, rollbem::Friction<>{1, pressures},
-                                      scene.integrator);
+                                      scene.run.integrator);
     };
     try {
         const auto [least, largest] = scene.load ? scene.load->shapes() : std::pair(1.0, 1.0);
@@ -136,15 +134,13 @@ Rolling make_rolling(const Scene& scene, const Patch& patch, const Pressure& pre
     const Eigen::ArrayXd pressures =
         load ? rollbem::hertz_pressures(covered.contact, covered.mesh, mu_N(patch)) : pressure(patch);
     Rolling rolling{.contact = make_contact(scene, patch, covered, pressures),
-                    .integrator = scene.integrator,
-                    .dq = scene.dq,
+                    .run = scene.run,
                     .creepage = [constant = creepage(patch, scene.point)](double) { return constant; },
-                    .from_steady = scene.from_steady,
                     .a_0 = patch.contact.half_length()};
     if (!load) return rolling;
-    rolling.load = &*load;
+    rolling.knots = load->knots;
     if (scene.breathes()) {
-        rolling.resolved = [&scene](double) { return scene.load->resolved(scene.dq); };
+        rolling.resolved = [&scene](double) { return scene.load->resolved(scene.run.steps.dq); };
         rolling.load_at = [&patch, &load, pressures](double q) {
             const AxisRatios axes = load->axes(q);
             return rollbem::NormalLoad<double>{load->at(q) / (axes.a * axes.b) * pressures,
@@ -156,7 +152,8 @@ Rolling make_rolling(const Scene& scene, const Patch& patch, const Pressure& pre
     }
     const rollbem::SemiAxes<double> least = rollbem::least_resolved(covered.contact, covered.mesh);
     rolling.resolved = [&scene, &patch, &load, least](double q) {
-        if (!load->resolved(scene.dq) || load->at(q) == 0) return load->resolved(scene.dq);
+        const bool follows = load->resolved(scene.run.steps.dq);
+        if (!follows || load->at(q) == 0) return follows;
         const PatchContact now = stretched(patch.contact, load->axes(q));
         return now.half_length() >= least.half_length && now.half_width() >= least.half_width;
     };
@@ -223,7 +220,7 @@ const study::Sheet<TimeRow, Patch>& time_sheet() {
              {"rounds", "Newton steps", if_computed([](const R& r) { return r.moment.rounds; })},
              {"complementarity_residual", "how far the law is violated",
               if_computed([](const R& r) { return r.moment.step.complementarity_residual; })},
-             {"integrator", "as given", [](const R& r) { return study::word(r.scene.integrator); }}},
+             {"integrator", "as given", [](const R& r) { return study::word(r.scene.run.integrator); }}},
             creepage_columns<R>()),
         "nodes"};
     return columns;
@@ -247,17 +244,14 @@ std::string transient_help() { return time_sheet().help(); }
 
 void run_transient(const study::Options& options, const std::vector<Patch>& patches) {
     const Pressure pressure = read_pressure(options);
-    const study::Steps steps = study::read_steps(options);
+    const study::RunSettings run(options);
     const std::vector<CreepPoint> points = read_points(options, patches);
     if (points.size() != 1) {
         throw study::BadInput("--longitudinal, --lateral and --spin must have one value each with --transient");
     }
-    using rollbem::Integrator;
-    const Scene scene{points.front(), read_load(options, double(steps.count) * steps.dq),
-                      options.choice("from", {"rest", "steady"}) == "steady",
-                      study::read_integrator(options, {Integrator::sdirk2, Integrator::implicit_euler}), steps.dq};
+    const Scene scene{points.front(), read_load(options, run.until()), run};
     friction::write_rolling(
-        options, time_sheet(), patches, steps.count,
+        options, time_sheet(), patches, run.steps.count,
         [&](const Patch& patch) { return make_rolling(scene, patch, pressure); },
         [&](const Patch& patch, const friction::Moment& moment) {
             return TimeRow{scene, scene.point, patch, moment};

@@ -93,6 +93,11 @@ void add_run_options(Options& options, const std::string& load, const std::strin
         .only_with({"transient"});
 }
 
+RunSettings::RunSettings(const Options& options)
+    : steps(read_steps(options)),
+      from_steady(options.choice("from", {"rest", "steady"}) == "steady"),
+      integrator(read_integrator(options, {rollbem::Integrator::sdirk2, rollbem::Integrator::implicit_euler})) {}
+
 std::optional<LoadHistory> read_load_history(const Options& options, double until, const std::string& further) {
     const bool breathing = options.flag("breathing"), by_sine = options.given("load-sine");
     if (!by_sine && !options.given("load")) return std::nullopt;
@@ -144,10 +149,10 @@ std::optional<double> in_halves(double from, double to, const std::function<roll
 
 }  // namespace
 
-std::optional<double> roll(double from, double to, const LoadHistory* load,
+std::optional<double> roll(double from, double to, const Numbers& knots,
                            const std::function<rollbem::StepStatus(double, double)>& step) {
     while (from < to) {
-        const double stop = load != nullptr ? load->next_stop(from, to) : to;
+        const double stop = next_stop(knots, from, to);
         if (const auto failed = in_halves(from, stop, step, most_halvings)) return failed;
         from = stop;
     }

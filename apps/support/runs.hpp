@@ -73,13 +73,21 @@ struct LoadHistory {
 
     /// Whether steps of `dq` [a_0] follow a sine.
     bool resolved(double dq) const;
-
-    double next_stop(double from, double to) const { return study::next_stop(knots, from, to); }
 };
 
 /// Declares what runs with friction share: --load-sine, --load, --breathing, --from, --dq, --until and --integrator,
 /// all for --transient. `load` and `breathing` are what --help says of these besides.
 void add_run_options(Options& options, const std::string& load, const std::string& breathing);
+
+/// The last of these. Throws BadInput.
+struct RunSettings {
+    Steps steps;
+    bool from_steady;
+    rollbem::Integrator integrator;
+
+    explicit RunSettings(const Options& options);
+    double until() const { return double(steps.count) * steps.dq; }
+};
 
 /// --load-sine or --load, and --breathing; nothing if the load is constant. The run is `until` long [a_0]. A table may
 /// have the columns `further` besides. Throws BadInput.
@@ -101,10 +109,9 @@ std::vector<Run> prepared(const Options& options, const std::vector<Case>& cases
 /// How often a step without a solution is divided in halves before the run ends.
 inline constexpr int most_halvings = 6;
 
-/// Rolls between two places by step(from, to), which moves on if its status is ok: divided where the `load` has a knot,
-/// and in halves where a step has no solution. `load` may be null. Returns where a step failed for good; nothing if
-/// none did.
-std::optional<double> roll(double from, double to, const LoadHistory* load,
+/// Rolls between two places by step(from, to), which moves on if its status is ok: divided at the knots in between, and
+/// in halves where a step has no solution. Returns where a step failed for good; nothing if none did.
+std::optional<double> roll(double from, double to, const Numbers& knots,
                            const std::function<rollbem::StepStatus(double, double)>& step);
 
 /// Why a run has no results from the step to q [a] on.

@@ -107,7 +107,8 @@ void take_friction(const std::vector<std::string>& words) {
         const bool possible = hertz.set(ratio * friction::mu_N, load) == rollbem::StepStatus::ok;
         // an underflowing load has no contact length
         require(possible || (history->breathing && ratio < 1e-290), "the mesh covers every load");
-        const double end = std::min(until, q + std::max(steps.dq, until / 50)), next = history->next_stop(q, end);
+        const double end = std::min(until, q + std::max(steps.dq, until / 50)),
+                     next = study::next_stop(history->knots, q, end);
         require(next > q && next <= end, "steps go on");
         q = next;
     }
