@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,7 +18,7 @@
 #include "profile/profile.hpp"
 #include "support/csv.hpp"
 #include "support/options.hpp"
-#include "support/table.hpp"
+#include "support/sheet.hpp"
 
 namespace {
 
@@ -69,6 +68,7 @@ struct Found {
     std::optional<std::size_t> number;  ///< of the patch; none if there is none
     bool has_time;
 
+    double sign(bool mirrored) const { return mirrored && side == Side::left ? -1 : 1; }
     const rollbem::WheelOnRail::Contact& wheel() const { return contacts.of.contacts.wheels[std::size_t(side)]; }
     const RailPatch* patch() const {
         return number && wheel().patches[*number].has_numbers() ? &wheel().patches[*number] : nullptr;
@@ -89,80 +89,61 @@ struct Found {
     }
 };
 
-struct Column {
-    const char* name;
-    std::function<study::Cell(const Found&)> value;
-};
-
 /// In track axes: of a left wheel, y, angles and what lies across the track are those of its mirror image reversed.
-std::vector<Column> columns(bool friction) {
-    const study::Cell none;
+study::Sheet<Found, Case> sheet_of(bool friction) {
+    const auto found = [](const auto& value) { return study::where(&Found::patch, value); };
     const auto of_patch = [=](double RailPatch::*member, bool mirrored = false) {
-        return [=](const Found& f) {
-            const double sign = mirrored && f.side == Side::left ? -1 : 1;
-            return f.patch() != nullptr ? study::Cell(sign * f.patch()->*member) : none;
-        };
+        return found([=](const Found& f) { return f.sign(mirrored) * f.patch()->*member; });
     };
-    std::vector<Column> list{
-        {"shift", [](const Found& f) { return f.at.shift; }},
-        {"yaw", [](const Found& f) { return f.at.yaw; }},
-        {"roll",
+    std::vector<study::Column<Found>> list{
+        {"roll", "",
          [=](const Found& f) {
              if (f.at.roll) return study::Cell(*f.at.roll);
-             return f.patch() != nullptr ? study::Cell(f.contacts.of.contacts.position.roll) : none;
+             return f.patch() != nullptr ? study::Cell(f.contacts.of.contacts.position.roll) : study::Cell();
          }},
-        {"side", [](const Found& f) { return f.side == Side::right ? "right" : "left"; }},
-        {"patch", [=](const Found& f) { return f.number ? study::Cell(*f.number + 1) : none; }},
-        {"height", [=](const Found& f) { return f.patch() != nullptr ? study::Cell(f.wheel().height) : none; }},
-        {"x", of_patch(&RailPatch::x)},
-        {"y", of_patch(&RailPatch::y, true)},
-        {"z", of_patch(&RailPatch::z)},
-        {"rail_y", of_patch(&RailPatch::rail_y)},
-        {"wheel_y", of_patch(&RailPatch::wheel_y)},
-        {"angle", of_patch(&RailPatch::angle, true)},
-        {"rolling_radius", of_patch(&RailPatch::rolling_radius)},
-        {"load", of_patch(&RailPatch::load)},
-        {"approach", of_patch(&RailPatch::approach)},
-        {"peak_pressure", of_patch(&RailPatch::peak_pressure)},
-        {"area", of_patch(&RailPatch::area)},
-        {"half_length", of_patch(&RailPatch::half_length)},
-        {"half_width", of_patch(&RailPatch::half_width)},
-        {"iterations", [=](const Found& f) { return f.patch() != nullptr ? study::Cell(f.patch()->steps) : none; }},
-        {"time_us", [=](const Found& f) { return f.has_time ? study::Cell(f.contacts.time_us) : none; }},
-        {"status", &Found::status}};
-    if (!friction) return list;
-    const auto of_force = [=](const PatchForce* (Found::*which)() const, auto value, bool mirrored) {
-        return [=](const Found& f) {
-            const double sign = mirrored && f.side == Side::left ? -1 : 1;
-            const PatchForce* const force = (f.*which)();
-            return force != nullptr ? study::Cell(sign * value(*force)) : none;
-        };
+        {"side", "", [](const Found& f) { return f.side == Side::right ? "right" : "left"; }},
+        {"patch", "", study::where(&Found::number, [](const Found& f) { return *f.number + 1; })},
+        {"height", "", found([](const Found& f) { return f.wheel().height; })},
+        {"x", "", of_patch(&RailPatch::x)},
+        {"y", "", of_patch(&RailPatch::y, true)},
+        {"z", "", of_patch(&RailPatch::z)},
+        {"rail_y", "", of_patch(&RailPatch::rail_y)},
+        {"wheel_y", "", of_patch(&RailPatch::wheel_y)},
+        {"angle", "", of_patch(&RailPatch::angle, true)},
+        {"rolling_radius", "", of_patch(&RailPatch::rolling_radius)},
+        {"load", "", of_patch(&RailPatch::load)},
+        {"approach", "", of_patch(&RailPatch::approach)},
+        {"peak_pressure", "", of_patch(&RailPatch::peak_pressure)},
+        {"area", "", of_patch(&RailPatch::area)},
+        {"half_length", "", of_patch(&RailPatch::half_length)},
+        {"half_width", "", of_patch(&RailPatch::half_width)},
+        {"iterations", "", found([](const Found& f) { return f.patch()->steps; })},
+        {"time_us", "", study::where(&Found::has_time, [](const Found& f) { return f.contacts.time_us; })},
+        {"status", "", &Found::status}};
+    if (!friction) return {"shift, yaw", list, ""};
+    const auto add = [&](const char* name, auto which, bool mirrored, auto value) {
+        list.push_back(
+            {name, "", study::where(which, [=](const Found& f) { return f.sign(mirrored) * value(*(f.*which)()); })});
     };
     // creepages as CONTACT's, rail minus wheel
-    const auto add = [&](const char* name, auto which, bool mirrored, auto value) {
-        list.push_back({name, of_force(which, value, mirrored)});
-    };
     add("longitudinal_creepage", &Found::force, false, [](const PatchForce& p) { return -p.creepage.longitudinal; });
     add("lateral_creepage", &Found::force, true, [](const PatchForce& p) { return -p.creepage.lateral; });
     add("spin", &Found::force, true, [](const PatchForce& p) { return -p.creepage.spin; });
     add("longitudinal_force", &Found::solved, false, [](const PatchForce& p) { return p.force.longitudinal; });
     add("lateral_force", &Found::solved, true, [](const PatchForce& p) { return p.force.lateral; });
     add("spin_moment", &Found::solved, true, [](const PatchForce& p) { return p.force.moment; });
-    list.push_back({"slip_power", [=](const Found& f) {
-                        if (f.solved() == nullptr) return none;
+    list.push_back({"slip_power", "", study::where(&Found::solved, [](const Found& f) {
                         const double rolling =
                             f.settings.speed + std::abs(f.contacts.of.pitch_rate) * f.patch()->rolling_radius;
-                        return study::Cell(f.solved()->slip_work * rolling / 2);
-                    }});
+                        return f.solved()->slip_work * rolling / 2;
+                    })});
     add("t_gamma", &Found::solved, false, [](const PatchForce& p) { return t_gamma(p); });
-    list.push_back({"fatigue_index", [=](const Found& f) {
-                        if (f.solved() == nullptr) return none;
-                        return study::Cell(surface_fatigue_index(*f.patch(), *f.solved(), f.settings.shear_yield));
-                    }});
-    list.push_back(
-        {"elements", [=](const Found& f) { return f.force() != nullptr ? study::Cell(f.force()->elements) : none; }});
-    list.push_back({"pitch_rate", [](const Found& f) { return f.contacts.of.pitch_rate; }});
-    return list;
+    list.push_back({"fatigue_index", "", study::where(&Found::solved, [](const Found& f) {
+                        return surface_fatigue_index(*f.patch(), *f.solved(), f.settings.shear_yield);
+                    })});
+    list.push_back({"elements", "", study::where(&Found::force, [](const Found& f) { return f.force()->elements; })});
+    list.push_back({"pitch_rate", "", [](const Found& f) { return f.contacts.of.pitch_rate; }});
+    return {"shift, yaw", list, ""};
 }
 
 // --- files -----------------------------------------------------------------------------------------------------------
@@ -262,34 +243,33 @@ int main(int argc, char** argv) {
         const std::string folder = given.text("outline");
         if (!folder.empty()) study::make_folder(folder, "--outline");
         Positions positions(cases.size());  // for files, and the picture of a single one
-        const std::vector<Column> sheet = columns(settings.friction.has_value());
-        std::vector<std::string> names;
-        for (const Column& column : sheet) names.push_back(column.name);
+        const study::Sheet<Found, Case> sheet = sheet_of(settings.friction.has_value());
 
         // 2. A row for each patch; for each wheel that has none, one that says why.
-        study::Table table = study::table_of(names, cases, settings.sides.size());
-        table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-            const Contacts contacts = find_contacts(settings, cases[task]);
-            if (cases.size() == 1 || !folder.empty() || given.given("wear"))
-                positions[task] = Position{contacts.of, range};
+        const auto compute = [&](const Case& at, study::RowRange range, const study::Results<Found>& emit) {
+            const Contacts contacts = find_contacts(settings, at);
+            if (cases.size() == 1 || !folder.empty() || given.given("wear")) {
+                positions[std::size_t(&at - cases.data())] = Position{contacts.of, range};
+            }
             for (std::size_t k = range.first; k < range.last; ++k) {
-                Found found{settings, cases[task], contacts, settings.sides[k], std::nullopt, study::has_times(given)};
+                Found found{settings, at, contacts, settings.sides[k], std::nullopt, study::has_times(given)};
                 const std::size_t count = rollbem::has_numbers(found.wheel().status) ? found.wheel().patches.size() : 0;
-                for (std::size_t number = 0; number < std::max<std::size_t>(count, 1); ++number) {
-                    if (count > 0) found.number = number;
-                    study::Row row;
-                    for (const Column& column : sheet) row.push_back(column.value(found));
-                    emit(std::move(row));
+                if (count == 0) emit(found);
+                for (std::size_t number = 0; number < count; ++number) {
+                    found.number = number;
+                    emit(found);
                 }
             }
         };
+        study::Table table = sheet.table(
+            cases, [&](const Case&) { return settings.sides.size(); }, compute);
         table.written = [&] {
             if (!folder.empty()) write_outlines(folder, settings, positions);
             if (given.given("wear")) write_wear(given.text("wear"), settings, positions);
         };
         // 3. The patches of one position, or the contact points of several.
         table.plot = [&](const std::vector<study::Row>& rows) {
-            if (cases.size() > 1) return profile::draw_contact_points(settings.wheelset.wheel(), names, rows);
+            if (cases.size() > 1) return profile::draw_contact_points(settings.wheelset.wheel(), sheet.names(), rows);
             std::vector<profile::Drawn> drawn;
             for_patches(settings, positions, [&](std::size_t, bool left, std::size_t, const RailPatch& patch) {
                 drawn.push_back({left, patch});

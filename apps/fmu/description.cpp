@@ -41,7 +41,6 @@ bool has_start(const Variable& variable) {
 const char* causality_of(const Variable& variable) {
     switch (variable.causality) {
         case Causality::parameter: return "parameter";
-        case Causality::calculated_parameter: return "calculatedParameter";
         case Causality::input: return "input";
         case Causality::output: return "output";
         case Causality::state:
@@ -51,9 +50,7 @@ const char* causality_of(const Variable& variable) {
 }
 
 const char* variability_of(const Variable& variable) {
-    const bool fixed =
-        variable.causality == Causality::parameter || variable.causality == Causality::calculated_parameter;
-    return fixed ? "fixed" : variable.is<double>() ? "continuous" : "discrete";
+    return variable.causality == Causality::parameter ? "fixed" : variable.is<double>() ? "continuous" : "discrete";
 }
 
 std::string start_of(const Variable& variable) {
@@ -205,7 +202,6 @@ std::string table_of_variables() {
     std::string text = "| variable | what | unit | start | meaning |\n|---|---|---|---|---|\n";
     for (const Variable& variable : model->variables()) {
         std::string what = causality_of(variable);
-        if (variable.causality == Causality::calculated_parameter) what = "calculated";
         if (variable.causality == Causality::state) what = "state";
         // one row for all states, none for their der(...) nor for twins
         if (variable.causality == Causality::derivative || variable.is_code) continue;

@@ -33,7 +33,7 @@ struct Enumeration {
 };
 
 /// As in FMI; a state is a local variable that has a derivative.
-enum class Causality { parameter, calculated_parameter, input, output, state, derivative };
+enum class Causality { parameter, input, output, state, derivative };
 
 /// One variable. Its value reference is its place in the table, its start value the value when it enters the table.
 struct Variable {

@@ -123,8 +123,7 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const f
                             const Rows& rows) {
     const rollbem::PatchContact<double>& contact = patch.contact;
     const auto shown = [](double value) { return study::Cell(value).text(6); };
-    study::Plot plot{
-        .title = "Patch from above", .x_label = "x / c, rolling to the right", .y_label = "y / c", .true_scale = true};
+    study::Plot plot{.title = "Patch from above", .x_label = "x / c, rolling to the right", .y_label = "y / c"};
     if (!contact.outline()) plot.title += ", a/b = " + shown(contact.a_over_b());
     plot.title += ", ν = " + shown(contact.poisson_ratio()) + ", " + std::to_string(patch.mesh.elements_per_strip()) +
                   " × " + std::to_string(patch.mesh.strip_count()) + " elements, ξ = " + shown(point.longitudinal) +
@@ -164,17 +163,8 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const f
     }
     arrows.label = "traction, at most " + study::Cell(longest).text(3) + " μ p_0";
     study::Series edge{.points = edge_of(contact), .markers = false, .style = 4, .reference = true};
-    study::PlotRange across{0, 0}, along{0, 0};
-    for (const auto& [x, y] : edge.points) {
-        along = {std::min(along.low, x), std::max(along.high, x)};
-        across = {std::max(across.low, y), std::min(across.high, y)};  // points down
-    }
-    for (study::PlotRange* range : {&along, &across}) {
-        const double margin = 0.05 * (range->high - range->low);
-        *range = {range->low - margin, range->high + margin};
-    }
-    plot.x_range = along;
-    plot.y_range = across;
+    plot.series = {edge};
+    study::fit_to_scale(plot);
     plot.series = {std::move(stick), std::move(slip), std::move(edge), std::move(arrows)};
     if (shows_pole) {
         plot.series.push_back({.label = "pole of spin", .points = {{pole_x, pole_y}}, .line = false, .style = 6});

@@ -8,30 +8,6 @@
 
 namespace profile {
 
-namespace {
-
-/// Ranges with a margin around all points; `down` reverses y.
-void fit_ranges(study::Plot& plot, bool down) {
-    study::PlotRange x{1e9, -1e9}, y{1e9, -1e9};
-    for (const study::Series& series : plot.series) {
-        for (const auto& [at, value] : series.points) {
-            if (!std::isfinite(at) || !std::isfinite(value)) continue;
-            x = {std::min(x.low, at), std::max(x.high, at)};
-            y = {std::min(y.low, value), std::max(y.high, value)};
-        }
-    }
-    for (study::PlotRange* range : {&x, &y}) {
-        const double margin = 0.05 * (range->high - range->low);
-        *range = {range->low - margin, range->high + margin};
-    }
-    if (down) std::swap(y.low, y.high);
-    plot.x_range = x;
-    plot.y_range = y;
-    plot.true_scale = true;
-}
-
-}  // namespace
-
 study::Plot draw_patches(const std::vector<Drawn>& patches) {
     std::vector<study::Plot> panels;
     for (const auto& [left, patch] : patches) {
@@ -72,7 +48,7 @@ study::Plot draw_patches(const std::vector<Drawn>& patches) {
         }
         edge.points.push_back(edge.points.front());
         plot.series.push_back(std::move(edge));
-        fit_ranges(plot, true);
+        study::fit_to_scale(plot);
         panels.push_back(std::move(plot));
     }
     return study::side_by_side(std::move(panels));
@@ -109,7 +85,7 @@ study::Plot draw_contact_points(const rollbem::WheelOnRail& wheel, const std::ve
         curve(wheel.rail(), 0, 0, "rail");
         curve(wheel.wheel(), offset, -apart, "wheel");
         plot.series.push_back(std::move(joined));
-        fit_ranges(plot, true);
+        study::fit_to_scale(plot);
         panels.push_back(std::move(plot));
     }
     return study::side_by_side(std::move(panels));

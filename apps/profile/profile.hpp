@@ -20,6 +20,7 @@ struct Case {
     std::optional<double> roll, pitch_rate;
     std::string label() const { return "shift = " + study::Cell(shift).text(4) + " m"; }
 };
+inline study::Cell scene_cell(const Case& at, const std::string& name) { return name == "shift" ? at.shift : at.yaw; }
 
 struct Settings {
     rollbem::WheelsetOnTrack wheelset;

@@ -1,9 +1,10 @@
 // The files that options name: configurations, inputs and what is written.
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
+
+#include <rollbem/detail/checked_stream.hpp>
 
 #include "input.hpp"
 #include "options.hpp"
@@ -15,10 +16,10 @@ namespace {
 
 /// By which a changed text is noticed: FNV-1a.
 std::string checksum(std::string_view text) {
-    std::uint64_t hash = 14695981039346656037u;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+    rollbem::detail::Fnv1a hash;
+    hash.add(text.data(), text.size());
     std::ostringstream result;
-    result << "fnv1a64:" << std::hex << std::setw(16) << std::setfill('0') << hash;
+    result << "fnv1a64:" << std::hex << std::setw(16) << std::setfill('0') << hash.value();
     return result.str();
 }
 

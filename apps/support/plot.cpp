@@ -209,6 +209,21 @@ void raise_to_drawn(Plot& plot) {
     }
 }
 
+void fit_to_scale(Plot& plot) {
+    PlotRange x{1e9, -1e9}, y{1e9, -1e9};
+    for (const Series& series : plot.series) {
+        for (const auto& [at, value] : series.points) {
+            if (!std::isfinite(at) || !std::isfinite(value)) continue;
+            x = {std::min(x.low, at), std::max(x.high, at)};
+            y = {std::min(y.low, value), std::max(y.high, value)};
+        }
+    }
+    const double wide = 0.05 * (x.high - x.low), high = 0.05 * (y.high - y.low);
+    plot.x_range = {x.low - wide, x.high + wide};
+    plot.y_range = {y.high + high, y.low - high};
+    plot.true_scale = true;
+}
+
 bool can_be_drawn(const Plot& plot) {
     return std::any_of(plot.series.begin(), plot.series.end(), [&](const Series& series) {
         return std::any_of(series.points.begin(), series.points.end(),

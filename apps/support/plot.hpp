@@ -57,6 +57,9 @@ struct Plot {
     std::vector<Plot> beside{};  ///< panels to the right of this one
 };
 
+/// Draws lengths to scale, in ranges with a margin around all points; y points down.
+void fit_to_scale(Plot& plot);
+
 /// Whether any point has a place on the axes: 0 has none on a logarithmic one. Other plots are not drawn.
 bool can_be_drawn(const Plot& plot);
 
