@@ -54,7 +54,8 @@ Complex c11_as_printed(double z) {
     }
     equations.row(order).setOnes();
     const Eigen::VectorXcd right_hand_side = Eigen::VectorXcd::Unit(order + 1, 0);
-    const Eigen::VectorXcd coefficients = Eigen::PartialPivLU<Eigen::MatrixXcd>(equations).solve(right_hand_side);
+    const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXcd>> lu(equations);
+    const Eigen::VectorXcd coefficients = lu.solve(right_hand_side);
     const Eigen::VectorXd moments = rollbem::studies::monomial_moments<double>(order);
     return -std::numbers::pi * (moments.cast<Complex>().array() * coefficients.array()).sum();
 }

@@ -32,12 +32,7 @@ struct Factorised {
     bool finite;                            ///< whether A, the unknowns and the coefficients are
 };
 
-/// Real matrices, which can be large, are factorised in place.
-template <class Value>
-using Decomposition = Eigen::PartialPivLU<
-    std::conditional_t<Eigen::NumTraits<Value>::IsComplex, MatrixX<Value>, Eigen::Ref<MatrixX<Value>>>>;
-
-/// Solves A p = inputs; A is lost.
+/// Factorises A in place and solves A p = inputs.
 template <class Value, class Scalar>
 Factorised<Value> factorise(MatrixX<Value>& A, const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs) {
     const Eigen::Index n = A.rows();
@@ -49,7 +44,7 @@ Factorised<Value> factorise(MatrixX<Value>& A, const MatrixX<Scalar>& inputs, co
         row_sums += magnitudes;
         norm_1 = (std::max)(norm_1, magnitudes.sum());
     }
-    const Decomposition<Value> lu(A);
+    const Eigen::PartialPivLU<Eigen::Ref<MatrixX<Value>>> lu(A);
     response.unknowns.resize(n, inputs.cols());
     for (Eigen::Index j = 0; j < inputs.cols(); ++j) {
         response.unknowns.col(j) = lu.solve(inputs.col(j).template cast<Value>());

@@ -13,7 +13,7 @@
 
 namespace Eigen {
 
-extern template void PartialPivLU<MatrixXcd>::compute();
+extern template void PartialPivLU<Ref<MatrixXcd>>::compute();
 
 }  // namespace Eigen
 
