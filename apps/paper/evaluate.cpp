@@ -12,16 +12,11 @@
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/discretisation/any_scheme.hpp>
 
-#include "support/timing.hpp"
-
 namespace paper {
 
 namespace {
 
-using Kernel = rollbem::StripKernel<double>;
 using Mesh = rollbem::Mesh<double>;
-
-Kernel strip() { return Kernel::longitudinal(rollbem::Contact<double>::dimensionless(aspect, poisson_ratio)); }
 
 Mesh mesh_of(const Case& c) { return rollbem::make_mesh(c.mesh, c.n, c.grading); }
 
@@ -31,19 +26,17 @@ rollbem::AnyScheme scheme_of(const Case& c) {
     return rollbem::Galerkin{c.alpha_L, c.alpha_T, c.derivative, c.lambda, quadrature};
 }
 
+rollbem::Response<double> steady(const Case& c) { return rollbem::solve_steady(mesh_of(c), scheme_of(c), strip()); }
+
+}  // namespace
+
+rollbem::StripKernel<double> strip() {
+    return rollbem::StripKernel<double>::longitudinal(rollbem::Contact<double>::dimensionless(aspect, poisson_ratio));
+}
+
 rollbem::ElementSystem<double> system_of(const Case& c) {
     return rollbem::rolling_system(mesh_of(c), scheme_of(c), strip());
 }
-
-Eigen::MatrixXd G_prime(const Case& c) { return rollbem::assemble_G_prime(mesh_of(c), scheme_of(c), strip()); }
-
-rollbem::Response<double> steady(const Case& c) { return rollbem::solve_steady(mesh_of(c), scheme_of(c), strip()); }
-
-double relative_difference(const Eigen::MatrixXd& first, const Eigen::MatrixXd& second) {
-    return (first - second).cwiseAbs().maxCoeff() / second.cwiseAbs().maxCoeff();
-}
-
-}  // namespace
 
 std::string name(Method method) {
     switch (method) {
@@ -95,30 +88,6 @@ Tractions tractions(const Case& c) {
     return result;
 }
 
-double knothe_boundary_difference(Eigen::Index n, Derivative derivative) {
-    const rollbem::PlaneKernel<double> plane =
-        rollbem::PlaneKernel<double>::longitudinal(rollbem::Contact<double>::dimensionless(aspect, poisson_ratio));
-    const rollbem::Collocation ahead{.alpha_L = 1, .alpha_T = 1, .derivative = derivative};
-    const rollbem::Response<double> boundary =
-        rollbem::solve_steady(rollbem::uniform_mesh(n + 1), rollbem::KnotheBoundary{derivative}, plane);
-    const rollbem::Response<double> collocation = rollbem::solve_steady(rollbem::uniform_mesh(n), ahead, plane);
-    return relative_difference(boundary.unknowns, collocation.unknowns);
-}
-
-double G_prime_difference(const Case& first, const Case& second) {
-    return relative_difference(G_prime(first), G_prime(second));
-}
-
-double G_difference(const Case& first, const Case& second) {
-    return relative_difference(system_of(first).G(), system_of(second).G());
-}
-
-double gauss_galerkin_difference(int points) {
-    const rollbem::Galerkin galerkin{.alpha_L = 0, .alpha_T = 0.63, .quadrature = points};
-    const double c11 = rollbem::solve_steady(rollbem::uniform_mesh(40), galerkin, strip()).c11();
-    return std::abs(c11 / rollbem::steady_c11(poisson_ratio) - c11_ratio({}));
-}
-
 Eigen::Index unstable_count(const Case& c) {
     const rollbem::ElementSystem<double> system = system_of(c);
     const rollbem::UnstableCount<double> fast = rollbem::count_unstable<double>(system);
@@ -127,8 +96,6 @@ Eigen::Index unstable_count(const Case& c) {
     if (slow.status != rollbem::Status::ok) throw std::runtime_error("the eigenvalues of Eq. (33) were not found");
     return slow.unstable_count;
 }
-
-bool certainly_unstable(const Case& c) { return rollbem::judge_stability<double>(system_of(c)).certainly_unstable(); }
 
 std::vector<HarmonicResponse> harmonic_responses(const Case& c, const std::vector<double>& z) {
     const rollbem::FrequencySweep<double> sweep(system_of(c));
@@ -139,10 +106,6 @@ std::vector<HarmonicResponse> harmonic_responses(const Case& c, const std::vecto
         result.push_back({is_solved(point.status) ? point.c11() : std::complex(nothing, nothing), point.status});
     }
     return result;
-}
-
-double steady_time_us(const Case& c) {
-    return study::median_time_us([&] { return steady(c).c11(); });
 }
 
 }  // namespace paper

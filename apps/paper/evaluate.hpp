@@ -8,8 +8,10 @@
 
 #include <Eigen/Core>
 
+#include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/discretisation/mesh.hpp>
 #include <rollbem/discretisation/scheme.hpp>
+#include <rollbem/elasticity/strip_kernel.hpp>
 #include <rollbem/status.hpp>
 
 namespace paper {
@@ -34,6 +36,10 @@ struct Case {
 
 inline constexpr Derivative analytic = Derivative::analytic;
 inline constexpr Case exact_galerkin{.method = Method::galerkin_exact, .derivative = analytic};
+
+/// The kernel of all cases, and the matrices of one.
+rollbem::StripKernel<double> strip();
+rollbem::ElementSystem<double> system_of(const Case& c);
 
 std::string name(Method method);
 std::string name(Derivative derivative);
@@ -66,25 +72,9 @@ struct Tractions {
 };
 Tractions tractions(const Case& c);
 
-/// Largest difference of the tractions of Knothe and Gross-Thebing's boundary conditions on n + 1 elements from those
-/// of collocation with alpha = 1 on n, over the largest traction (plane kernel, which has no length scale).
-double knothe_boundary_difference(Eigen::Index n, Derivative derivative);
-
-/// Largest difference of G' between two cases of equal n, over its largest entry.
-double G_prime_difference(const Case& first, const Case& second);
-/// The same for G.
-double G_difference(const Case& first, const Case& second);
-
-/// Difference of c11*/c11 between Galerkin with `points` Gauss points and analytic derivative, and collocation with
-/// finite differences: the recommended scheme at n = 40.
-double gauss_galerkin_difference(int points);
-
 /// Eigenvalues of Eq. (33) with positive real part as computed, by the standard eigenvalue problem of G'^-1 G or, if G'
 /// is too ill-conditioned, by the QZ algorithm.
 Eigen::Index unstable_count(const Case& c);
-
-/// Whether an eigenvalue has a positive real part that rounding cannot explain, by the QZ algorithm.
-bool certainly_unstable(const Case& c);
 
 /// c11 under harmonic creepage of omega a/V = z, by the boundary elements; not a number where the equations are
 /// singular to working precision.
@@ -93,8 +83,5 @@ struct HarmonicResponse {
     rollbem::Status status;
 };
 std::vector<HarmonicResponse> harmonic_responses(const Case& c, const std::vector<double>& z);
-
-/// Time to assemble and solve a steady problem [us].
-double steady_time_us(const Case& c);
 
 }  // namespace paper

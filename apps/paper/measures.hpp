@@ -73,6 +73,11 @@ inline double largest_difference(const Points& first, const Points& second) {
     return (values(first) - values(second)).abs().maxCoeff();
 }
 
+/// Largest |difference| of two matrices over the largest entry.
+inline double relative_difference(const Eigen::MatrixXd& first, const Eigen::MatrixXd& second) {
+    return (first - second).cwiseAbs().maxCoeff() / second.cwiseAbs().maxCoeff();
+}
+
 /// Largest minus smallest y.
 inline double spread(const Points& points) { return values(points).maxCoeff() - values(points).minCoeff(); }
 

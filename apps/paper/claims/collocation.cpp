@@ -3,6 +3,7 @@
 #include <limits>
 
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/steady.hpp>
 
 #include "paper/claims.hpp"
 
@@ -43,6 +44,17 @@ double order_of(Case c) {
 /// Oscillation of a steady traction; Carter's is monotone. Anything above rounding counts.
 constexpr double oscillation_threshold = 1e-9;
 double oscillation_of(const Case& c) { return oscillation(tractions(c).value); }
+
+/// Largest difference of the tractions of Knothe and Gross-Thebing's boundary conditions on 41 elements from those of
+/// collocation with alpha = 1 on 40, over the largest traction (plane kernel, which has no length scale).
+double knothe_boundary_difference(Derivative derivative) {
+    const auto plane =
+        rollbem::PlaneKernel<double>::longitudinal(rollbem::Contact<double>::dimensionless(aspect, poisson_ratio));
+    const rollbem::Collocation ahead{.alpha_L = 1, .alpha_T = 1, .derivative = derivative};
+    return relative_difference(
+        rollbem::solve_steady(rollbem::uniform_mesh(41), rollbem::KnotheBoundary{derivative}, plane).unknowns,
+        rollbem::solve_steady(rollbem::uniform_mesh(40), ahead, plane).unknowns);
+}
 
 /// The smallest alpha_L = alpha_T >= 0.5, by 0.01, whose traction is not monotone; infinite if there is none.
 double oscillation_onset(Derivative derivative) {
@@ -238,8 +250,8 @@ Claims tractions_of_collocation(const Results&) {
     const double from_fd = oscillation_onset(Derivative::finite_difference), from = oscillation_onset(analytic);
     const double ahead = oscillation_of({.alpha_T = 1});
     const double ahead_closed = oscillation_of({.derivative = analytic, .alpha_T = 1});
-    const double knothe = knothe_boundary_difference(40, Derivative::finite_difference);
-    const double knothe_closed = knothe_boundary_difference(40, analytic);
+    const double knothe = knothe_boundary_difference(Derivative::finite_difference);
+    const double knothe_closed = knothe_boundary_difference(analytic);
     const Tractions t = tractions({});
     const auto from_carter = [&](Eigen::Index i) { return t.value[i] / t.carter[i] - 1; };
     const double visible = visible_difference(t, -0.8, 1);

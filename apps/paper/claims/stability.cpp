@@ -1,11 +1,16 @@
 // Section 6.1, dynamic stability: Figs. 18 to 21.
 #include <limits>
 
+#include <rollbem/compiled/stability.hpp>
+
 #include "paper/claims.hpp"
 
 namespace paper {
 
 namespace {
+
+/// Whether an eigenvalue has a positive real part that rounding cannot explain, by the QZ algorithm.
+bool certainly_unstable(const Case& c) { return rollbem::judge_stability(system_of(c)).certainly_unstable(); }
 
 /// Where a curve becomes unstable; `never` if it does not.
 double first_of(const Results& r, const std::string& panel, std::size_t k, double never = 1.5) {
