@@ -232,6 +232,7 @@ WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const WheelsetRol
     using Free = WheelsetOnTrack::Free;
     const TrackDimensions& dimensions = wheelset.wheel().dimensions();
     WheelsetForces result;
+    WheelsetPosition position = rolling.position;
     WheelsetSpeeds speeds = rolling.speeds;
     std::array<detail::CarriedLoad, 2> carried;
     constexpr int most = 40;
@@ -240,7 +241,9 @@ WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const WheelsetRol
     for (bool settled = false; !settled;) {
         const bool last = ++result.rounds >= most;
         const std::array loads{rolling.loads[0] * std::exp(carried[0].at), rolling.loads[1] * std::exp(carried[1].at)};
-        result.contacts = wheelset.carry(rolling.position, loads, workspace, rolling.free, options);
+        result.contacts = wheelset.carry(position, loads, workspace, rolling.free, options);
+        // the roll changes little from one round to the next
+        if (has_numbers(result.contacts.status)) position.roll = result.contacts.position.roll;
         bool lost = false;  // a wheel that the loads before had numbers for
         for (std::size_t k = 0; k < 2 && failures < 4; ++k) {
             if (has_numbers(result.contacts.wheels[k].status) || result.patches[k].empty()) continue;
