@@ -40,12 +40,13 @@ struct ScaledBessel {
     Complex i0, i1, sum;
 };
 
-/// For |s| >= 40 Hankel's expansions reach the precision of long double with 26 terms (the last is below 1e-23).
+/// For |s| >= 40 Hankel's expansions reach the precision of long double with 26 terms (the last is below 1e-23), farther
+/// from the origin with fewer.
 inline constexpr long double asymptotic_radius = 40;
 inline constexpr int asymptotic_terms = 26;
 
 /// Coefficients of I_order(s) ~ e^s/sqrt(2 pi s) sum_k c_k / s^k.
-inline std::array<long double, asymptotic_terms> hankel_coefficients(int order) {
+constexpr std::array<long double, asymptotic_terms> hankel_coefficients(int order) {
     std::array<long double, asymptotic_terms> c{};
     c[0] = 1;
     for (int k = 1; k < asymptotic_terms; ++k) {
@@ -62,11 +63,13 @@ struct HankelSplit {
 };
 
 inline HankelSplit hankel_split(Complex s) {
-    const std::array<long double, asymptotic_terms> c0 = hankel_coefficients(0);
-    const std::array<long double, asymptotic_terms> c1 = hankel_coefficients(1);
+    constexpr std::array<long double, asymptotic_terms> c0 = hankel_coefficients(0), c1 = hankel_coefficients(1);
     const Complex inverse = 1.0L / s;
+    const long double step = std::abs(inverse);
+    std::size_t terms = 1;
+    for (long double power = step; terms < c0.size() && c0[terms] * power > 1e-23L; power *= step) ++terms;
     HankelSplit split{};
-    for (std::size_t k = c0.size(); k-- > 0;) {  // Horner's rule; e^{-s} has alternating signs, and I1 with a minus
+    for (std::size_t k = terms; k-- > 0;) {  // Horner's rule; e^{-s} has alternating signs, and I1 with a minus
         const long double sign = k % 2 == 0 ? 1 : -1;
         split.i0_forward = split.i0_forward * inverse + c0[k];
         split.sum_forward = split.sum_forward * inverse + (c0[k] + c1[k]);
@@ -246,13 +249,18 @@ inline std::vector<Complex> eigenvalues(std::size_t count, long double lambda) {
     for (const Complex s : outer_real_eigenvalue(lambda)) {
         result.push_back(s);
     }
+    Complex offset = -1;                 // of s from i pi k, which changes little from one to the next
     while (result.size() < count + 1) {  // one more than requested: the outer real eigenvalue is inserted
         k += 1;
-        Complex s(-1, pi * k);
-        for (int iteration = 0; iteration < 6; ++iteration) {
-            s = (asymptotic_logarithm(s, lambda) + Complex(0, 2 * pi * k)) / 2.0L;
+        const Complex turns(0, pi * k);
+        long double change = 1;
+        const long double precise = 1e-17L * std::abs(turns);
+        for (int iteration = 0; iteration < 12 && change > precise; ++iteration) {
+            const Complex next = asymptotic_logarithm(offset + turns, lambda) / 2.0L;
+            change = std::abs(next - offset);
+            offset = next;
         }
-        result.push_back(polish_eigenvalue(s, lambda));
+        result.push_back(change > precise ? polish_eigenvalue(offset + turns, lambda) : offset + turns);
     }
     std::sort(result.begin(), result.end(),
               [](Complex left, Complex right) { return std::abs(left) < std::abs(right); });
