@@ -490,9 +490,9 @@ TEST_CASE("wheelset_forces: mirrored motions are mirror images; a wheel without 
     const WheelsetOnTrack wheelset(standard());
     WheelsetOnTrack::Workspace workspace;
     const RollingFriction friction{.coefficient = 0.3, .elements = 6, .strips = 7};
-    WheelsetRolling rolling{.position = {.lateral = 5e-3, .yaw = 3e-3}, .loads = {8e4, 1e5}, .speeds = {.forward = 2}};
+    WheelsetRolling rolling{.position = {.lateral = 4e-3, .yaw = 3e-3}, .loads = {8e4, 1e5}, .speeds = {.forward = 2}};
     const auto one = rolling_forces(wheelset, rolling, friction, workspace);
-    rolling.position = {.lateral = -5e-3, .yaw = -3e-3};
+    rolling.position = {.lateral = -4e-3, .yaw = -3e-3};
     rolling.loads = {1e5, 8e4};
     const auto other = rolling_forces(wheelset, rolling, friction, workspace);
     REQUIRE(has_numbers(one.contacts.status));
@@ -506,7 +506,7 @@ TEST_CASE("wheelset_forces: mirrored motions are mirror images; a wheel without 
     const Profile whole = s1002();
     const Eigen::Index most = (whole.y() < 0.02).count();
     const WheelsetOnTrack narrow(WheelOnRail({whole.y().head(most), whole.z().head(most)}, rail_60e1()));
-    rolling.position = {.lateral = 0.05};
+    rolling.position = {.lateral = 0.055};
     rolling.free = WheelsetOnTrack::Free::height;
     const auto derailed = rolling_forces(narrow, rolling, friction, workspace);
     CHECK(!has_numbers(derailed.contacts.wheels[0].status));
@@ -521,21 +521,24 @@ TEST_CASE("wheelset_forces: normal forces and friction carry the loads on the fl
           "[profiles]") {
     const WheelsetOnTrack wheelset(standard());
     const RollingFriction friction{.coefficient = 0.5, .elements = 6, .strips = 7};
-    // contacts of the last one jump with the loads
+    const WheelOnRail::Options few_cells{.cells_x = 20, .cells_s = 16};
+    // contacts of the last two jump with the loads
     for (const auto& [lateral, yaw] :
-         {std::pair{4.91297511e-3, 5.43510045e-3}, {6.39e-3, -7.7e-3}, {6.64322064e-3, -7.22512725e-3}}) {
+         {std::pair{4.91297511e-3, 5.43510045e-3}, {6.59e-3, -6.7e-3}, {7.2e-3, -1.17e-2}}) {
         WheelsetOnTrack::Workspace workspace;
         const WheelsetRolling rolling{.position = {.lateral = lateral, .yaw = yaw}, .speeds = {.forward = 20}};
-        const auto settled = rolling_forces(wheelset, rolling, friction, workspace, {.cells_x = 20, .cells_s = 16});
+        const auto settled = rolling_forces(wheelset, rolling, friction, workspace, few_cells);
         CAPTURE(lateral, settled.rounds, name(settled.contacts.status));
         CHECK((settled.contacts.status == Status::ok || settled.contacts.status == Status::doubtful_plane));
         for (const auto& wheel : settled.on_wheel) CHECK(wheel.force[2] == Approx(-1e5).epsilon(1.01e-6));
     }
     // friction that jumps with the load does not settle; the other wheel does
     WheelsetOnTrack::Workspace workspace;
-    const WheelsetRolling rolling{.position = {.lateral = 6.88781745e-3, .yaw = -2.03198587e-2},
+    const WheelsetRolling rolling{.position = {.lateral = 7e-3, .yaw = -1.56e-2},
+                                  .free = WheelsetOnTrack::Free::height,
                                   .speeds = {.forward = 20}};
-    const auto jumps = rolling_forces(wheelset, rolling, friction, workspace, {.cells_x = 20, .cells_s = 16});
+    const auto jumps =
+        rolling_forces(wheelset, rolling, {.coefficient = 0.6, .elements = 6, .strips = 7}, workspace, few_cells);
     CHECK(jumps.contacts.wheels[0].status == Status::ok);
     CHECK(jumps.contacts.wheels[1].status == Status::unbalanced);
     CHECK(jumps.contacts.status == Status::unbalanced);
