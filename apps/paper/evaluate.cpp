@@ -26,8 +26,6 @@ rollbem::AnyScheme scheme_of(const Case& c) {
     return rollbem::Galerkin{c.alpha_L, c.alpha_T, c.derivative, c.lambda, quadrature};
 }
 
-rollbem::Response<double> steady(const Case& c) { return rollbem::solve_steady(mesh_of(c), scheme_of(c), strip()); }
-
 }  // namespace
 
 rollbem::StripKernel<double> strip() {
@@ -65,14 +63,12 @@ static bool is_solved(rollbem::Status status) {
     return status == rollbem::Status::ok || status == rollbem::Status::assists_creepage;
 }
 
-SteadyRatio steady_ratio(const Case& c) {
-    const rollbem::Response<double> solution = steady(c);
-    return {solution.c11() / rollbem::steady_c11(poisson_ratio), solution.status};
-}
+rollbem::Response<double> steady(const Case& c) { return rollbem::solve_steady(mesh_of(c), scheme_of(c), strip()); }
 
 double c11_ratio(const Case& c) {
-    const SteadyRatio result = steady_ratio(c);
-    return is_solved(result.status) ? result.value : std::numeric_limits<double>::quiet_NaN();
+    const rollbem::Response<double> solution = steady(c);
+    return is_solved(solution.status) ? solution.c11() / rollbem::steady_c11(poisson_ratio)
+                                      : std::numeric_limits<double>::quiet_NaN();
 }
 
 Tractions tractions(const Case& c) {

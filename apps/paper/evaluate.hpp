@@ -13,6 +13,7 @@
 #include <rollbem/discretisation/scheme.hpp>
 #include <rollbem/elasticity/strip_kernel.hpp>
 #include <rollbem/status.hpp>
+#include <rollbem/system/response.hpp>
 
 namespace paper {
 
@@ -51,15 +52,11 @@ struct ElementField {
 };
 ElementField element_field(double x_over_width);
 
-/// c11*/c11 of steady rolling, c11 = pi/(2(1-nu)), and the library's status: near alpha = 0 tractions zigzag and
-/// assist the creepage.
-struct SteadyRatio {
-    double value;
-    rollbem::Status status;
-};
-SteadyRatio steady_ratio(const Case& c);
+/// Steady rolling. Near alpha = 0 tractions zigzag and assist the creepage, which the status says.
+rollbem::Response<double> steady(const Case& c);
 
-/// c11*/c11, even if tractions assist the creepage; not a number if the equations are singular to working precision.
+/// c11*/c11, c11 = pi/(2(1-nu)), even if tractions assist the creepage; not a number if the equations are singular to
+/// working precision.
 double c11_ratio(const Case& c);
 
 /// Tractions of steady rolling, p/(G xi), of every element, trailing to leading.

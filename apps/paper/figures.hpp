@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "evaluate.hpp"
+#include "support/plot.hpp"
 
 namespace paper {
 
@@ -22,9 +23,7 @@ struct Curve {
     Vary vary = Vary::nothing;
 };
 
-struct Range {
-    double low, high;
-};
+using Range = study::PlotRange;
 
 struct Axes {
     int log_base = 0;  ///< of a logarithmic x axis; 0 for a linear one

@@ -38,20 +38,12 @@ std::complex<double> polynomial_c11(double z, Eigen::Index order) {
 
 namespace {
 
-template <class... Values>
-study::Row& append(study::Row& row, const Values&... values) {
-    (row.emplace_back(values), ...);
-    return row;
-}
-
 /// A row of `result`: the curve, its case and the values computed.
-template <class... Values>
-void add_row(CurveResult& result, const Curve& curve, const Case& c, const Values&... values) {
-    study::Row row;
-    append(row, curve.label, name(c.method), name(c.derivative), name(c.mesh));
-    append(row, c.mesh == Topology::uniform ? study::Cell("") : study::Cell(c.grading));
-    append(row, c.n, c.alpha_L, c.alpha_T, c.lambda, values...);
-    result.rows.push_back(std::move(row));
+void add_row(CurveResult& result, const Curve& curve, const Case& c, const study::Row& values) {
+    const study::Cell grading = c.mesh == Topology::uniform ? study::Cell("") : study::Cell(c.grading);
+    result.rows.push_back(study::joined<study::Cell>(
+        {curve.label, name(c.method), name(c.derivative), name(c.mesh), grading, c.n, c.alpha_L, c.alpha_T, c.lambda},
+        values));
 }
 
 CurveResult line(const Panel& panel, const Curve& curve) {
@@ -65,7 +57,7 @@ CurveResult compute_field(const Panel& panel, const Curve& curve) {
         if (!displacement && std::abs(std::abs(x) - 0.5) < 1e-9) x += x > 0 ? -1e-9 : 1e-9;
         const ElementField field = element_field(x);
         const double value = displacement ? field.displacement : field.slope;
-        append(result.rows.emplace_back(), x, value);
+        result.rows.push_back({x, value});
         result.series[0].points.emplace_back(x, value);
     }
     return result;
@@ -75,9 +67,10 @@ CurveResult compute_ratio(const Panel& panel, const Curve& curve) {
     CurveResult result = line(panel, curve);
     for (const double x : panel.grid) {
         const Case c = at(curve, x);
-        const SteadyRatio ratio = steady_ratio(c);
-        add_row(result, curve, c, ratio.value, ratio.value - 1, rollbem::name(ratio.status));
-        if (std::isfinite(ratio.value)) result.series[0].points.emplace_back(x, ratio.value);
+        const rollbem::Response<double> solution = steady(c);
+        const double ratio = solution.c11() / rollbem::steady_c11(poisson_ratio);
+        add_row(result, curve, c, {ratio, ratio - 1, rollbem::name(solution.status)});
+        if (std::isfinite(ratio)) result.series[0].points.emplace_back(x, ratio);
     }
     return result;
 }
@@ -89,9 +82,9 @@ CurveResult compute_stability(const Panel& panel, const Curve& curve) {
         const Eigen::Index count = unstable_count(c);
         const double share = static_cast<double>(count) / static_cast<double>(c.n);
         // stable eigenvalues do not make a scheme converge to full adhesion
-        const bool converges = steady_ratio(c).status != rollbem::Status::assists_creepage;
-        add_row(result, curve, c, count, share,
-                rollbem::name(converges ? rollbem::Status::ok : rollbem::Status::assists_creepage));
+        const bool converges = steady(c).status != rollbem::Status::assists_creepage;
+        const auto status = converges ? rollbem::Status::ok : rollbem::Status::assists_creepage;
+        add_row(result, curve, c, {count, share, rollbem::name(status)});
         result.series[0].points.emplace_back(x, share);
     }
     return result;
@@ -101,8 +94,9 @@ CurveResult compute_traction(const Panel& panel, const Curve& curve) {
     CurveResult result = line(panel, curve);
     const Tractions traction = tractions(curve.at);
     for (Eigen::Index i = 0; i < traction.x.size(); ++i) {
-        add_row(result, curve, curve.at, traction.x[i], traction.value[i], traction.carter[i], traction.carter_mean[i],
-                rollbem::name(traction.status));
+        add_row(result, curve, curve.at,
+                {traction.x[i], traction.value[i], traction.carter[i], traction.carter_mean[i],
+                 rollbem::name(traction.status)});
         result.series[0].points.emplace_back(traction.x[i], traction.value[i]);
     }
     return result;
@@ -135,8 +129,9 @@ CurveResult compute_response(const Panel& panel, const Curve& curve) {
         const double z = panel.grid[i];
         const std::complex<double> c11 = responses[i].c11, polynomial = polynomial_c11(z);
         const std::complex<double> exact = rollbem::reference::plane_c11({0, z}, poisson_ratio, aspect);
-        add_row(result, curve, curve.at, z, c11.real(), c11.imag(), polynomial.real(), polynomial.imag(), exact.real(),
-                exact.imag(), std::abs(c11 - exact) / std::abs(exact), rollbem::name(responses[i].status));
+        add_row(result, curve, curve.at,
+                {z, c11.real(), c11.imag(), polynomial.real(), polynomial.imag(), exact.real(), exact.imag(),
+                 std::abs(c11 - exact) / std::abs(exact), rollbem::name(responses[i].status)});
         add_response(result.series, z, c11);
     }
     return result;
@@ -202,10 +197,10 @@ study::Plot plot(const PanelResult& result) {
     study::Plot plot{.title = "Fig. " + printed(panel.figure) + "  " + with_greek(panel.title),
                      .x_label = with_greek(panel.x_label),
                      .y_label = kind_of(panel.quantity).y_label,
-                     .log_x = panel.axes.log_base > 0};
+                     .log_x = panel.axes.log_base > 0,
+                     .x_range = panel.axes.x,
+                     .y_range = panel.axes.y};
     if (plot.log_x) plot.log_base = panel.axes.log_base;
-    if (panel.axes.x) plot.x_range = study::PlotRange{panel.axes.x->low, panel.axes.x->high};
-    if (panel.axes.y) plot.y_range = study::PlotRange{panel.axes.y->low, panel.axes.y->high};
     for (const CurveResult& curve : result.curves) {
         plot.series.insert(plot.series.end(), curve.series.begin(), curve.series.end());
     }

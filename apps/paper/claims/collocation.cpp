@@ -159,7 +159,7 @@ Finding meets_one_twice(const Results& r) {
     std::string consistent, other;
     int count = 0;
     for (const double alpha : crossings(r.curve("07a", 1))) {
-        const bool counts = steady_ratio({.derivative = analytic, .alpha_T = alpha}).status == rollbem::Status::ok;
+        const bool counts = steady({.derivative = analytic, .alpha_T = alpha}).status == rollbem::Status::ok;
         count += counts;
         (counts ? consistent : other) += " " + number(alpha);
     }
