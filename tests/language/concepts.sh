@@ -42,17 +42,18 @@ struct WrongKernel {
 void function(const Mesh<double>& mesh) {
 END
 
-# calls ARGUMENTS [NAMESPACE]: appends a call of each function, to lines $first and $second.
+# calls ARGUMENTS [NAMESPACE] [OPERATOR]: appends a call of each function, to lines $first and $second.
 calls() {
     first=$(($(wc -l < "$folder/unit.cpp") + 1))
     second=$((first + 1))
-    printf '    (void)%s(%s);\n' "${2-}solve_steady" "$1" "${2-}rolling_system" "$1" >> "$folder/unit.cpp"
+    printf '    (void)%s(%s(%s));\n' "${3-}" "${2-}solve_steady" "$1" "${3-}" "${2-}rolling_system" "$1" >> "$folder/unit.cpp"
 }
 
-# right ARGUMENTS: both functions of ARGUMENTS compile, also by their qualified names.
+# right ARGUMENTS: both functions of ARGUMENTS are found, also by their qualified names. To compile what they do as well
+# takes most of the time, and other tests call them with schemes and kernels of their own.
 right() {
     for namespace in '' rollbem::; do
-        calls "$1" $namespace
+        calls "$1" "$namespace" sizeof
         echo "$first $second" >> "$folder/right"
     done
 }
