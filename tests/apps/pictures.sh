@@ -91,7 +91,7 @@ draws "$programs/transient_study" --sine 1,2 --n 10 --until 1
 title 'Rolling from rest, a sine of creepage, ω a/V = 2, collocation'
 
 # several panels as PNG, too
-for study in "friction_study --n 10" "precision_study --n 4,8 --quantity c11,traction,c11_z1" "frequency_study --n 10"; do
+for study in "friction_study --n 10" "precision_study --n 4,8 --schemes cosine --quantity c11,traction,c11_z1" "frequency_study --n 10"; do
     "$programs/"$study --plot p.png >out 2>err && [ "$(tail -c 8 p.png | head -c 4)" = IEND ] || fail "$study as PNG: $(cat err)"
 done
 # a patch from above: stick, slip, outline, tractions and the pole of spin; curves if there is more to compare

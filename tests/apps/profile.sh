@@ -9,11 +9,12 @@ bad '--shift = 0.1 has no effect with --positions' $profile --shift 0.1 --positi
 bad '--roll = 0.1 has no effect with a column roll' $profile --roll 0.1 --positions "$benchmark/positions.csv"
 bad '--smooth = 1 must lie in [1e-07, 0.001]' $profile --length-unit mm --wheel "$benchmark/wheel.csv" --smooth 1
 
-# --- the benchmark: tables as CSV in mm; positions, pressures and forces beside CONTACT, whose own errors on its grid of
-# 0.2 mm are 2e-2 in areas, more on flanges, 3e-3 in peak pressures, and 9e-3 at most in forces
-at="--length-unit mm --cant 0 --positions $benchmark/positions.csv --side both --load 1e4 --friction 0.3 --speed 2 --slip linear"
+# --- half of the benchmark: tables as CSV in mm; positions, pressures and forces beside CONTACT, whose own errors on its
+# grid of 0.2 mm are 2e-2 in areas, more on flanges, 3e-3 in peak pressures, and 9e-3 at most in forces
+awk 'NR < 3 || NR % 2 == 1' "$benchmark/positions.csv" >positions.csv
+at="--length-unit mm --cant 0 --positions positions.csv --side both --load 1e4 --friction 0.3 --speed 2 --slip linear"
 $profile $at --wheel "$benchmark/wheel.csv" --rail "$benchmark/rail.csv" --output table.csv || fail "the benchmark"
-[ "$(wc -l <table.csv)" -eq 44 ] || fail "$(wc -l <table.csv) lines instead of 44: one position has two patches on a wheel"
+[ "$(wc -l <table.csv)" -eq 24 ] || fail "$(wc -l <table.csv) lines instead of 24: one position has two patches on a wheel"
 awk -F, -f "$benchmark/compare.awk" "$benchmark/contact.csv" table.csv >differences
 within() { # within QUANTITY MEAN LARGEST
     awk -F, -v q=$1 -v mean=$2 -v largest=$3 '$1 == q && $3 <= mean && $4 <= largest { ok = 1 } END { exit !ok }' \
