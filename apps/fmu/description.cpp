@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "model.hpp"
-#include "text.hpp"
 
 namespace fmu {
 

@@ -12,7 +12,6 @@
 
 #include "description.hpp"
 #include "instance.hpp"
-#include "text.hpp"
 
 namespace {
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "description.hpp"
-#include "text.hpp"
 
 namespace fmu {
 
