@@ -108,9 +108,7 @@ Complex exact_root(const rollbem::Contact<double>& contact) {
     const double steady = kappa * rollbem::steady_c11(poisson_ratio);
     Complex old = (-1.0 + std::sqrt(Complex(1 - 4 * lag * steady))) / (2 * lag), s = old * 1.01;
     for (int k = 0; k < 50 && std::abs(s - old) > 1e-13; ++k) {
-        const Complex slope = (residual(s) - residual(old)) / (s - old);
-        old = s;
-        s -= residual(s) / slope;
+        old = std::exchange(s, s - residual(s) * (s - old) / (residual(s) - residual(old)));
     }
     return s;
 }
