@@ -154,7 +154,9 @@ kinds = {
               "roll_rate", "yaw_rate", "left_load", "right_load"),
         refused=[(0, {"lateral_shift": 9.1e-3}, "wrong_table"), (0, {"yaw": 0.1}, "wrong_table"),
                  (0, {"left_load": -1.0}, "invalid_load"), (0, {"rolling_speed": -1.0}, "invalid_step")],
-        wrong=[friction[0], ({"contact_table_file": "/none"}, "contact_table_file = /none must be a file"),
+        wrong=[friction[0],
+               ({"contact_table_file": "/none"},
+                "contact_table_file = /none: ContactTable: /none must be a file that can be read"),
                ({"contact_table_file": sys.argv[2] + "/steel.creep"}, "contact_table_file = "),
                ({"lateral_shift": 1.0}, "status of the tables at the first inputs = wrong_table")]),
 }
