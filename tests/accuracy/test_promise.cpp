@@ -178,7 +178,7 @@ TEST_CASE("Elements recommended for a time loop stay below their error bound", "
 // --- Chebyshev states
 
 TEST_CASE("States recommended for steady rolling stay below their error bound", "[recommendation]") {
-    for (const double nu : {0.0, 0.28, 0.5}) {
+    for (const double nu : {0.0, 0.5}) {
         for (const double aspect : {0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0}) {
             if (aspect < 0.1 && nu > 0) continue;  // narrow strips take long, and err most for nu = 0
             const StripKernel<double> strip(aspect, 1 - nu, nu);
@@ -226,7 +226,7 @@ TEST_CASE("States recommended for the frequency response stay below their error 
 
 TEST_CASE("States recommended for the frequency response stay below their error bound on strips", "[recommendation]") {
     for (const double nu : {0.0, 0.5}) {
-        for (const double aspect : {0.05, 0.3, 1.0, 3.0, 10.0}) {
+        for (const double aspect : {0.05, 0.3, 1.0, 10.0}) {
             if (aspect < 0.1 && nu > 0) continue;  // narrow strips take long
             const StripKernel<double> strip(aspect, 1 - nu, nu);
             std::vector<Complex> exact;
@@ -245,7 +245,7 @@ TEST_CASE("States recommended for a time loop stay below their error bound", "[r
         for (const double aspect : {10.0, 1e5}) {
             const std::vector<double> exact = plane_steps(aspect, nu, 0.25, 40);
             CAPTURE(nu, aspect);
-            for (const double tolerance : {0.5, 0.1, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6}) {
+            for (const double tolerance : {0.5, 0.1, 1e-2, 3e-3, 1e-3, 1e-4, 1e-5, 1e-6}) {
                 const auto best = recommended_scheme(tolerance, Purpose::time_loop);
                 const RollingSystem<double> system =
                     rolling_system(best.scheme, PlaneKernel<double>(aspect, 1 - nu, nu));
@@ -254,9 +254,9 @@ TEST_CASE("States recommended for a time loop stay below their error bound", "[r
         }
     }
     // strips, against an independent solution and its inverse Laplace transform
-    for (const double aspect : {0.3, 1.0, 10.0}) {
+    for (const double aspect : {0.3, 10.0}) {
         std::vector<double> exact;
-        for (const int q : {1, 2, 3}) {
+        for (const int q : {1, 2}) {
             const auto transform = [&](std::complex<long double> s) {
                 return std::complex<long double>(reference::strip_c11(Complex(s), 0.28, aspect).c11) / s;
             };
