@@ -8,10 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/friction.hpp>
-#include <rollbem/compiled/steady.hpp>
+#include <rollbem/adhesion/frequency.hpp>
+#include <rollbem/adhesion/steady.hpp>
+#include <rollbem/adhesion/transient.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/friction/friction.hpp>
 #include <rollbem/normal/hertz.hpp>
+#include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 
 #include "support/catch.hpp"
