@@ -79,11 +79,11 @@ TEST_CASE("patch_steady: 12 x 12 elements, digit by digit") {
 
 TEST_CASE("patch_steady: errors of 24 x 24 elements, and of 12 and 24 extrapolated") {
     for (const Limit& limit : limits) {
-        for (std::size_t k = 0; k < 3; ++k) {
+        for (const std::size_t k : {0, 2}) {
             const double a_over_b = limit.a_over_b, nu = poisson_ratios[k];
             const double* const exact = limit.values[k];
             INFO("a/b " << a_over_b << ", nu " << nu);
-            const auto coarse = solved(a_over_b, nu, 12, 12), fine = solved(a_over_b, nu, 24, 24);
+            const auto fine = solved(a_over_b, nu, 24, 24);
             CHECK(fine.status == Status::ok);
             CHECK(relative(fine.c11, exact[0]) < 3e-3);
             CHECK(relative(fine.c22, exact[1]) < (a_over_b < 10 ? 3e-3 : 3.5e-3));
@@ -91,6 +91,7 @@ TEST_CASE("patch_steady: errors of 24 x 24 elements, and of 12 and 24 extrapolat
             CHECK(relative(fine.c33, exact[3]) < (a_over_b <= 1 ? 8e-3 : 2e-2));
             CHECK(relative(-fine.c32, fine.c23) < 7e-3);
             if (a_over_b < 0.5 || a_over_b > 2) continue;
+            const auto coarse = solved(a_over_b, nu, 12, 12);
             const auto extrapolated = [](double n, double twice_n) { return (4 * twice_n - n) / 3; };
             const double allowed = a_over_b < 2 ? 1e-3 : 1.4e-3;
             CHECK(relative(extrapolated(coarse.c11, fine.c11), exact[0]) < allowed);
@@ -229,6 +230,7 @@ TEST_CASE("patch_steady: frequency response") {
     for (const Eigen::Index n : {12, 24}) {
         std::map<double, FrequencySweep<double>> sweeps;
         for (const Case& known : cases) {
+            if (n == 24 && known.a_over_b == 1) continue;  // takes long
             const auto contact = PatchContact<double>::dimensionless(known.a_over_b, 0.28);
             const PatchMesh<double> mesh = patch_mesh(contact, n, n);
             if (!sweeps.contains(known.a_over_b)) {

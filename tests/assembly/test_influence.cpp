@@ -170,7 +170,7 @@ static_assert(LineKernel<MinimalKernel> && LineKernel<PlaneKernel<double>> && Li
 TEST_CASE("A kernel needs only its logarithm and a smooth part, which a wide strip evaluates a few times",
           "[influence]") {
     for (const double b : {0.1, 1.0, 20.0}) {
-        for (const Eigen::Index n : {3, 10, 60}) {
+        for (const Eigen::Index n : {3, 10, 40}) {
             for (const auto& [name, mesh] : brute_force::every_mesh<double>(n)) {
                 for (const auto& [scheme_name, scheme] : brute_force::every_scheme()) {
                     const MinimalKernel minimal{b};
@@ -194,9 +194,9 @@ TEST_CASE("A kernel needs only its logarithm and a smooth part, which a wide str
 
 TEST_CASE("The smooth part is the same by interpolation and by quadrature", "[influence]") {
     // rows of 2 elements are integrated one by one, those of all together interpolated
-    for (const double b : {0.5, 1.0, 8.0}) {
+    for (const double b : {0.5, 8.0}) {
         const StripKernel<double> kernel(b, 0, 1);  // no logarithm, whose rounding is larger
-        for (const auto& [name, mesh] : brute_force::every_mesh<double>(120)) {
+        for (const auto& [name, mesh] : brute_force::every_mesh<double>(80)) {
             for (const auto& [scheme_name, scheme] : brute_force::every_scheme()) {
                 for (const Quantity quantity : {Quantity::slope, Quantity::displacement}) {
                     const SchemeRows<double> rows = scheme_rows(scheme, quantity, mesh);

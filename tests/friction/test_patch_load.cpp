@@ -136,8 +136,6 @@ TEST_CASE("patch_load: forces of an ellipse that breathes") {
           1.6e-4);
     CHECK(error(0.5, 12, {{.3438, .4011, .4070}, {.3692, .4798, .2228}, {.2443, .2887, .0611}, {.3232, .3445, .1714}}) <
           1.6e-4);
-    CHECK(error(2, 12, {{.5754, .9854, .2013}, {.4847, .8345, .1070}, {.2768, .3946, .0411}, {.4446, .6523, .0795}}) <
-          1.6e-4);
 }
 
 TEST_CASE("patch_load: breathing is of second order in dq by sdirk2, of first by implicit Euler") {

@@ -41,7 +41,7 @@ struct Body {
 Body line() {
     const Contact<double> contact(
         {.half_length = a_0, .half_width = 10 * a_0, .shear_modulus = G, .poisson_ratio = nu});
-    const Mesh<double> mesh = cosine_mesh<double>(16);
+    const Mesh<double> mesh = cosine_mesh<double>(12);
     const ArrayX<double> pressure = 1e9 * mean_hertz_pressure(mesh);
     const ElementSystem<double, 2> system{rolling_system(mesh, chebyshev, PlaneKernel<double>::longitudinal(contact)),
                                           rolling_system(mesh, chebyshev, PlaneKernel<double>::lateral(contact))};
@@ -50,13 +50,13 @@ Body line() {
 }
 
 Body patch(double a_over_b) {
-    static const PatchShapes<double> shapes(8, 6, chebyshev, HalfSpace<double>(nu),
+    static const PatchShapes<double> shapes(6, 5, chebyshev, HalfSpace<double>(nu),
                                             {.least = 0.4, .largest = 2.5, .factor = 1.25});
     const PatchContact<double> contact(
         {.half_length = a_0, .half_width = a_0 / a_over_b, .shear_modulus = G, .poisson_ratio = nu});
     const double N = 8e4 / a_over_b, c = contact.c();
     return {shapes.system(a_over_b),
-            hertz_pressures(contact, patch_mesh(contact, 8, 6), N),
+            hertz_pressures(contact, patch_mesh(contact, 6, 5), N),
             mu * N,
             mu * N / (4 * G * c * c),
             c,

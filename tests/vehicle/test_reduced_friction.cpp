@@ -214,7 +214,7 @@ TEST_CASE("reduced_friction: beside patches whose friction falls with the slip o
     support::Draw draw(11);
     Eigen::Array3d sum = Eigen::Array3d::Zero(), largest = sum, table_sum = sum, table_largest = sum;
     double fallen = 0, lowest = 1, ignored = 0;
-    constexpr int count = 15;
+    constexpr int count = 8;
     for (int i = 0; i < count; ++i) {
         const double level = draw.decades(-1, 1.3), speed = draw.uniform(1, 40);
         const Creepage<double> v = creepage(patch, level, draw);
