@@ -91,9 +91,12 @@ inline constexpr bool is_constant = false;
 template <class Scalar>
 inline constexpr bool is_constant<ConstantFriction<Scalar>> = true;
 
-/// All laws that depend on slip as one type, so that what solves with them is compiled once.
+/// Any law that depends on slip, so that what solves with them is compiled once.
+template <class Scalar>
+using AnySlipLaw = std::function<Scalar(Scalar)>;
+
 template <class Law, class Scalar>
-using UniformLaw = std::conditional_t<is_constant<Law>, Law, std::function<Scalar(Scalar)>>;
+using UniformLaw = std::conditional_t<is_constant<Law>, Law, AnySlipLaw<Scalar>>;
 template <class Law, class Scalar>
 Friction<UniformLaw<Law, Scalar>, Scalar> with_uniform_law(const Friction<Law, Scalar>& of) {
     return {of.law, of.normal_pressure, of.memory, of.with_tangents};

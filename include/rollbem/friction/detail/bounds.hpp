@@ -91,13 +91,14 @@ public:
 /// Bounds of one step or steady solution if mu depends on slip; `bound` is then p_n/G. In a step, the equation for
 /// mu is integrated along the path of each particle by the same stages as the tractions, implicit Euler or sdirk2.
 /// For one direction or two, depending on `Slip`.
-template <class Law, class Slip>
+template <class Slip>
 class SlipDependentBounds {
 public:
     using Scalar = typename Slip::Scalar;
     using Solver = typename Slip::Solver;
     using Vectors = typename Slip::Vectors;
     using Vector = VectorX<Scalar>;
+    using Law = AnySlipLaw<Scalar>;
     using Scratch = SlipDependentScratch<Slip>;
     using State = FrictionState<Slip::directions, Scalar>;
     static constexpr bool are_given = false;
@@ -224,7 +225,7 @@ private:
     // of StageTable
     Scalar ratio() const { return (1 - place_.part) / place_.part; }
 
-    AlongContact<Scalar> at_start() const { return {*points_, start_.data(), static_cast<Scalar>(law_(Scalar(0)))}; }
+    AlongContact<Scalar> at_start() const { return {*points_, start_.data(), law_(0)}; }
     // Position x/a of the particle that arrives at point i, at the start of the step.
     Scalar origin(Index i) const {
         return (stage_half_length_ * (*points_)[i] + place_.progress * dq_) * per_half_length_;

@@ -177,7 +177,7 @@ private:
     using Shape = ShapeEquations<Scalar>;
     using Slip = typename Directions<directions, Scalar>::Slip;
     using Bounds =
-        std::conditional_t<slip_dependent, SlipDependentBounds<Law, Slip>, ConstantBounds<directions, Scalar>>;
+        std::conditional_t<slip_dependent, SlipDependentBounds<Slip>, ConstantBounds<directions, Scalar>>;
     using By = TangentBy<directions>;
     using Tangent = StageTangent<directions, Scalar, Bounds>;
 

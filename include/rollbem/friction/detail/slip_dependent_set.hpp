@@ -55,6 +55,7 @@ public:
     using Index = Eigen::Index;
     using Vector = VectorX<Scalar>;
     using Matrix = MatrixX<Scalar>;
+    using Law = AnySlipLaw<Scalar>;
 
     struct Outcome {
         typename Slip::Outcome solution;  ///< of the last solution; rounds and pivots are those of all
@@ -87,14 +88,13 @@ public:
 
     /// Starts from `start` and `friction`, finite and not negative, and overwrites `friction` with the result. Matrices
     /// and constants of the solver must be set.
-    template <class Law>
     Outcome solve(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                   const typename Slip::Start& start, Solver& solver, Vector& friction) noexcept {
         Outcome outcome;
         start_ = friction;
         slip_.begin(start);
         const Scalar rounding = 64 * static_cast<Scalar>(friction.size() + 10) * std::numeric_limits<Scalar>::epsilon();
-        const Scalar largest = (std::max)(static_cast<Scalar>(law(Scalar(0))), friction.maxCoeff());
+        const Scalar largest = (std::max)(law(0), friction.maxCoeff());
         Scalar settled = 0;  // what rounding explains; a law that rises may lead far above where it starts
         const auto find = [&](const Vector& mu) {
             tried_ = mu.cwiseProduct(passage.pressure);
@@ -124,7 +124,6 @@ public:
 
     /// dp and d mu in the last solution caused by a change, while no element changes its zone. `friction_change` and
     /// `traction_change` must not be vectors in `change`.
-    template <class Law>
     void respond(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                  Solver& solver, const Vector& friction, const SlipDependentChange<Slip>& change,
                  Vectors& traction_change, Vector& friction_change) {
@@ -158,10 +157,9 @@ private:
     static constexpr int most_steps = 30, most_halvings = 8, most_restarts = 6, most_rounds = 600;
 
     // Slip velocities and residual.
-    template <class Law>
     void evaluate(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                   const Solver& solver, const Vector& mu) {
-        const auto at_rest = static_cast<Scalar>(law(Scalar(0)));
+        const auto at_rest = law(0);
         Scalar ahead = at_rest;
         for (Index i = mu.size() - 1; i >= 0; --i) {
             const Scalar v = passage.velocity_per_slip * slip_.size(solver, i);
@@ -169,7 +167,7 @@ private:
             if (passage.pressure[i] > 0) {
                 const Scalar kept = memory.kept(v, passage.duration[i]);
                 const Scalar before = passage.before == nullptr ? ahead : (*passage.before)[i];
-                ahead = kept * before + (1 - kept) * (v == 0 ? at_rest : static_cast<Scalar>(law(v)));
+                ahead = kept * before + (1 - kept) * (v == 0 ? at_rest : law(v));
             } else {
                 ahead = at_rest;
             }
@@ -182,15 +180,14 @@ private:
         return all_finite(residual_) ? residual_.cwiseAbs().maxCoeff() : std::numeric_limits<Scalar>::quiet_NaN();
     }
 
-    template <class Law>
     static Scalar passed(const Law& law, const FrictionMemory<Scalar>& memory, Scalar duration, Scalar before,
                          Scalar v) {
-        const Scalar kept = memory.kept(v, duration), now = static_cast<Scalar>(law(v));
+        const Scalar kept = memory.kept(v, duration), now = law(v);
         return kept * before + (1 - kept) * now;
     }
 
     // Newton steps until the residual is small enough (true) or cannot be reduced.
-    template <class Law, class Find>
+    template <class Find>
     bool newton(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                 Solver& solver, const Scalar& settled, const Find& find, const Outcome& outcome, Vector& friction) {
         for (int step = 0; step < most_steps; ++step) {
@@ -239,7 +236,6 @@ private:
 
     // Newton's step: (1 - d right-hand side / d mu) step = residual. The coefficients of sticking elements have no
     // influence.
-    template <class Law>
     void linearise(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                    Solver& solver, const Vector& mu) {
         factorise(law, memory, passage, solver, mu, false);
@@ -262,7 +258,6 @@ private:
     // The derivatives of the right-hand side by the slip velocity and by the coefficient of the element ahead, and
     // Newton's matrix, which is factorised only if it has changed. The slip of sticking elements remains zero. Tangents
     // need the `exact` derivatives; Newton's method does without those of the angles of turned slip.
-    template <class Law>
     void factorise(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
                    Solver& solver, const Vector& mu, bool exact) {
         slip_.linearise(solver, exact);
@@ -272,7 +267,7 @@ private:
         const Scalar fastest = rounded(velocity_.maxCoeff());
         const Scalar unit = (std::min)(memory.least_velocity, fastest) + fastest / 1000;
         const Scalar share = std::cbrt(std::numeric_limits<Scalar>::epsilon());
-        Scalar ahead = static_cast<Scalar>(law(Scalar(0)));
+        Scalar ahead = law(0);
         for (Index i = size() - 1; i >= 0; --i) {
             slope_[i] = kept_[i] = 0;
             const Scalar before = rounded(steady ? ahead : (*passage.before)[i]);
