@@ -14,7 +14,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -27,14 +26,8 @@ namespace {
 
 using namespace rollbem;
 
-template <class Table>
-Table read(const char* path) {
-    std::ifstream file(path, std::ios::binary);
-    return Table::read(file);
-}
-
-const auto geometry = read<ContactTable>(ROLLBEM_TABLES "/s1002_60e1.contact");
-const auto steel = read<CreepForceTable>(ROLLBEM_TABLES "/steel.creep");
+const auto geometry = ContactTable::read(ROLLBEM_TABLES "/s1002_60e1.contact");
+const auto steel = CreepForceTable::read(ROLLBEM_TABLES "/steel.creep");
 
 constexpr double mass = 1813, inertia = 1120, axle_inertia = 112;     // [kg], of yaw and of pitch [kg m^2]
 constexpr double lateral_spring = 1e6, yaw_spring = 1.5e6;            // [N/m], [N m/rad]
