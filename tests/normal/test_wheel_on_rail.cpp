@@ -468,6 +468,11 @@ TEST_CASE("wheelset_forces: a braked wheelset is held back and its axle turned f
     const double low = place.rail_s + place.outline->low(), high = place.rail_s + place.outline->high();
     CHECK(((wear.work() > 0) == (s > low - wear.width() && s < high + wear.width())).count() >= 498);
     CHECK(rail.at(place.rail_s).y == Approx(place.rail_y));
+    // forces attack at the patch, whose own moments are small
+    const WheelsetPosition& at = free.contacts.position;
+    const std::array<double, 3>& force = free.on_wheel[1].force;
+    CHECK(free.on_wheel[1].moment[0] ==
+          Approx((place.y - at.lateral) * force[2] - (place.z - at.height + 0.46) * force[1]).epsilon(5e-4));
     // the index vanishes where friction over the load is k/p_max
     const double rubs = std::hypot(patch.force.longitudinal, patch.force.lateral) / place.load;
     CHECK(surface_fatigue_index(place, patch, rubs * place.peak_pressure) == Approx(0).margin(1e-12));
@@ -482,6 +487,13 @@ TEST_CASE("wheelset_forces: a braked wheelset is held back and its axle turned f
         // the forces attack r0 below the axle: they turn it forwards, towards negative rates, if it is braked
         CHECK(forced.on_wheelset.moment[1] == Approx(0.46 * forced.on_wheelset.force[0]).epsilon(2e-2));
         CHECK(sign * forced.patches[0][0].creepage.longitudinal > 3e-3);
+    }
+    rolling.speeds.pitch_rate = free.pitch_rate / 2;  // slides everywhere
+    const auto locked = rolling_forces(wheelset, rolling, friction, workspace);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const TangentialForce<double>& slides = locked.patches[k][0].force;
+        CHECK(std::hypot(slides.longitudinal, slides.lateral) ==
+              Approx(0.3 * locked.contacts.wheels[k].patches[0].load).epsilon(1e-5));
     }
 }
 

@@ -155,7 +155,12 @@ TEST_CASE("a table agrees with the patches at its nodes, and has their forces be
     WheelsetOnTrack::Workspace workspace;
     const auto contacts = track.carry({.lateral = -0.5e-3, .yaw = -2e-3}, {1e5, 1e5}, workspace, {}, coarse);
     const RailPatch& patch = contacts.wheels[1].patches[0];
-    const WheelsetSpeeds speeds{.forward = 30, .pitch_rate = -30 / radius * 1.0005, .lateral = 0.01};
+    const WheelsetSpeeds speeds{.forward = 30,
+                                .pitch_rate = -30 / radius * 1.0005,
+                                .lateral = 0.01,
+                                .vertical = 1e-3,
+                                .roll_rate = 3e-3,
+                                .yaw_rate = 0.01};
     const WheelForces at = table.look_up(creep(), WheelsetSide::right, contacts.position, speeds, 1e5, mu);
     REQUIRE(at.status == StepStatus::ok);
     const WheelForces::Point& point = at.points[at.points[0].load_share > 0 ? 0 : 1];
