@@ -176,8 +176,7 @@ private:
     using Place = StagePlace<Scalar>;
     using Shape = ShapeEquations<Scalar>;
     using Slip = typename Directions<directions, Scalar>::Slip;
-    using Bounds =
-        std::conditional_t<slip_dependent, SlipDependentBounds<Slip>, ConstantBounds<directions, Scalar>>;
+    using Bounds = std::conditional_t<slip_dependent, SlipDependentBounds<Slip>, ConstantBounds<directions, Scalar>>;
     using By = TangentBy<directions>;
     using Tangent = StageTangent<directions, Scalar, Bounds>;
 
