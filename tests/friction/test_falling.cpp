@@ -113,8 +113,11 @@ TEST_CASE("A memory needs the points of the equations", "[friction]") {
     CHECK_NOTHROW(both());
 }
 
-TEST_CASE("A law may rise from nothing", "[friction]") {
-    const auto rising = [](double v) { return std::min(0.3, v); };
+TEST_CASE("A law may rise from nothing; it is called as const", "[friction]") {
+    const struct {
+        double operator()(double v) const { return std::min(0.3, v); }
+        double operator()(double) { return NAN; }
+    } rising{};
     const Scene scene(cosine_mesh<double>(40));
     const FrictionModel model(scene.contact, scene.system(), unchecked, Friction{rising, scene.pressure()},
                               Integrator::implicit_euler);

@@ -99,7 +99,11 @@ template <class Law, class Scalar>
 using UniformLaw = std::conditional_t<is_constant<Law>, Law, AnySlipLaw<Scalar>>;
 template <class Law, class Scalar>
 Friction<UniformLaw<Law, Scalar>, Scalar> with_uniform_law(const Friction<Law, Scalar>& of) {
-    return {of.law, of.normal_pressure, of.memory, of.with_tangents};
+    if constexpr (std::is_same_v<UniformLaw<Law, Scalar>, Law>) {
+        return of;
+    } else {  // called as const, for threads may share a model
+        return {[law = of.law](Scalar v) -> Scalar { return law(v); }, of.normal_pressure, of.memory, of.with_tangents};
+    }
 }
 
 /// Throws std::invalid_argument, in the name of `who`, unless the law is valid for a mesh of `mesh_size` elements, the
