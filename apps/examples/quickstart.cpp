@@ -1,15 +1,14 @@
-#include <iostream>
+#include <cstdio>
 
-#include <rollbem/rollbem.hpp>
+#include <rollbem/adhesion/steady.hpp>
 
 int main() {
-    // a wheel-rail contact in SI units: a = 5 mm, b = 50 mm, steel
-    const rollbem::Contact<double> contact(
-        {.half_length = 5e-3, .half_width = 50e-3, .shear_modulus = 8e10, .poisson_ratio = 0.28});
-    const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(40);
-    const rollbem::NodeDifference scheme;
-    const auto kernel = rollbem::StripKernel<double>::longitudinal(contact);
-    const auto rolling = rollbem::solve_steady(mesh, scheme, kernel);
-    if (rolling.status != rollbem::Status::ok) return 1;
-    std::cout << "F = " << creep_force(contact, rolling, 1e-4) << " N, c11 = " << rolling.c11() << '\n';
+    using namespace rollbem;
+    const Contact<double> contact(  // b >> a
+        {.half_length = 5e-3, .half_width = 5.0, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
+    const auto kernel = StripKernel<double>::longitudinal(contact);
+    for (const int n : {10, 40, 160}) {
+        const auto rolling = solve_steady(uniform_mesh(n), Collocation{0, 0.63}, kernel);
+        std::printf("n = %d: c11 = %.6f\n", n, rolling.c11());
+    }
 }
