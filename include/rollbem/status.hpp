@@ -20,6 +20,7 @@ enum class Status {
     no_contact,         ///< the surfaces do not touch: a wheel is lifted, or beside the rail
     end_of_profile,     ///< contact reaches the end of a profile, which is not known beyond
     undefined_section,  ///< the wheel's section is not a function there: yaw is too large
+    too_deep,           ///< the wheel lies more than a millimetre within the rail: a position that cannot be meant
     load_not_reached,   ///< no height was found at which the contact carries the load
     not_converged,  ///< pressures did not settle; the order of a polynomial is too low, or monomials have broken down by
                     ///< cancellation; other meshes of a long patch give other coefficients
@@ -70,6 +71,7 @@ constexpr const char* name(Status status) {
         case Status::no_contact: return "no_contact";
         case Status::end_of_profile: return "end_of_profile";
         case Status::undefined_section: return "undefined_section";
+        case Status::too_deep: return "too_deep";
         case Status::load_not_reached: return "load_not_reached";
         case Status::not_converged: return "not_converged";
         case Status::few_cells: return "few_cells";

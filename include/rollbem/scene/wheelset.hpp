@@ -14,6 +14,8 @@ struct WheelsetPosition {
     double height = 0;   ///< z_ws [m], positive down; 0 where profiles with z = 0 at the tape circle and the top touch
     double roll = 0;     ///< phi [rad]
     double yaw = 0;      ///< psi [rad]
+    double along = 0;    ///< of the middle of the axle along the track [m], for rails that change along it
+    double pitch = 0;    ///< turn about the axle [rad], for wheels that are not round; negative when rolling forward
 };
 
 /// Speeds of a wheelset: the middle of its axle moves by `forward` along x.

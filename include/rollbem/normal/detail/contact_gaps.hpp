@@ -1,0 +1,142 @@
+// The gap between wheel and rail along the normal of a plane of contact, in the cells of a grid.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Core>
+
+#include "../../status.hpp"
+#include "../normal_contact.hpp"
+#include "contact_region.hpp"
+
+namespace rollbem::detail {
+
+/// Gaps before deformation [m], positive where the surfaces are apart.
+struct Gaps {
+    NormalContact::Grid h;  ///< nx x ny; large where a surface has no point
+    Eigen::ArrayXd rail_n;  ///< of the rail's surface in each row, in the middle column where it changes along x
+    /// ok, or why a cell has no gap: end_of_profile or undefined_section.
+    Eigen::Array<Status, Eigen::Dynamic, Eigen::Dynamic> known;
+    bool all_known = true;
+};
+
+/// Finds them by Newton's method, each cell from its neighbour; keeps memory from one grid to the next.
+class GapFinder {
+public:
+    /// `track_x`: of the rail's curve at x = 0; the wheel at `height`.
+    void find(const ContactGeometry& geometry, const PlacedWheel& wheel, double height, double track_x,
+              const ContactPlane& plane, const CellGrid& grid, Gaps& gaps) {
+        geometry_ = &geometry;
+        wheel_ = &wheel;
+        plane_ = &plane;
+        height_ = height;
+        track_x_ = track_x;
+        gaps.h.resize(grid.nx, grid.ny);
+        gaps.rail_n.resize(grid.ny);
+        gaps.known.setConstant(grid.nx, grid.ny, Status::ok);
+        gaps.all_known = true;
+        const Eigen::Index row = std::clamp(Eigen::Index(std::lround(-grid.y_0 / grid.dy)), Eigen::Index(0), grid.ny - 1);
+        wheel_s_.setConstant(grid.nx, plane.wheel_s);
+        rail_s_.setConstant(grid.nx, plane.rail_s);
+        find_row(grid, row, gaps, true);
+        const Eigen::ArrayXd wheel_s = wheel_s_, rail_s = rail_s_;
+        for (Eigen::Index j = row + 1; j < grid.ny; ++j) find_row(grid, j, gaps, false);
+        wheel_s_ = wheel_s;
+        rail_s_ = rail_s;
+        for (Eigen::Index j = row; j-- > 0;) find_row(grid, j, gaps, false);
+    }
+
+    /// The wheel's s where the plane's origin lies below it.
+    static double wheel_place(const PlacedWheel& wheel, double height, const ContactPlane& plane) {
+        double s = plane.wheel_s;
+        for (int k = 0; k < most; ++k) {
+            const CurvePoint p = wheel.section(plane.wheel_part, s, plane.x);
+            const double off = plane.s(p.y, p.z + height);
+            if (std::abs(off) < tiny || !p.defined) break;
+            s = std::clamp(s - step(plane, p, off), 0.0, wheel.surface().length(plane.wheel_part));
+        }
+        return s;
+    }
+
+private:
+    static constexpr int most = 12;                    // steps of Newton's method
+    static constexpr double tiny = 1e-13, far = 1e-2;  // [m]
+
+    // Surfaces may be steeper than 84 degrees in the plane for a while, not where they are found.
+    static double step(const ContactPlane& plane, const CurvePoint& p, double off) {
+        constexpr double largest = 2e-3;
+        const double rate = (std::max)(p.slope[0] * plane.cosine + p.slope[1] * plane.sine, 0.1);
+        return std::clamp(off / rate, -largest, largest);
+    }
+
+    void find_row(const CellGrid& grid, Eigen::Index j, Gaps& gaps, bool first) {
+        const Eigen::Index centre = grid.nx / 2;
+        const bool straight = geometry_->rail().is_straight();
+        double n_rail = 0;
+        Status rail_known = Status::ok;
+        // from the middle outwards
+        for (Eigen::Index c = 0; c < grid.nx; ++c) {
+            const Eigen::Index i = c < grid.nx - centre ? centre + c : grid.nx - 1 - c;
+            const Eigen::Index beside = i > centre ? i - 1 : i < centre ? i + 1 : i;
+            if (first && i != centre) {
+                wheel_s_[i] = wheel_s_[beside];
+                rail_s_[i] = rail_s_[beside];
+            }
+            const double x = plane_->x + grid.x(i), s = grid.y(j);
+            if (c == 0 || !straight) {
+                rail_known = rail_at(x, s, rail_s_[i], n_rail);
+                if (c == 0) gaps.rail_n[j] = n_rail;
+            }
+            double n_wheel = 0;
+            const Status wheel_known = wheel_at(x, s, wheel_s_[i], n_wheel);
+            gaps.known(i, j) = (std::max)(rail_known, wheel_known);
+            const bool known = gaps.known(i, j) == Status::ok;
+            gaps.all_known = gaps.all_known && known;
+            gaps.h(i, j) = known ? n_rail - n_wheel : far;
+        }
+    }
+
+    Status rail_at(double x, double s, double& place, double& n) const {
+        const double length = geometry_->rail().length(plane_->rail_part);
+        if (!geometry_->rail().covers(plane_->rail_part, track_x_ + x)) return Status::end_of_profile;
+        double off = 0;
+        for (int k = 0; k < most; ++k) {
+            const CurvePoint p = geometry_->rail_at(plane_->rail_part, place, track_x_ + x);
+            off = plane_->s(p.y, p.z) - s;
+            n = plane_->n(p.y, p.z);
+            if (std::abs(off) < tiny) break;
+            place -= step(*plane_, p, off);
+        }
+        return outcome(place, length, off);
+    }
+
+    Status wheel_at(double x, double s, double& place, double& n) const {
+        double off = 0;
+        for (int k = 0; k < most; ++k) {
+            const CurvePoint p = wheel_->section(plane_->wheel_part, place, x);
+            if (!p.defined) return Status::undefined_section;
+            off = plane_->s(p.y, p.z + height_) - s;
+            n = plane_->n(p.y, p.z + height_);
+            if (std::abs(off) < tiny) break;
+            place -= step(*plane_, p, off);
+        }
+        return outcome(place, wheel_->surface().length(plane_->wheel_part), off);
+    }
+
+    static Status outcome(double& place, double length, double off) {
+        if (place < 0 || place > length) {
+            place = std::clamp(place, -length, 2 * length);
+            return Status::end_of_profile;
+        }
+        return std::abs(off) < 1e-9 ? Status::ok : Status::undefined_section;
+    }
+
+    const ContactGeometry* geometry_ = nullptr;
+    const PlacedWheel* wheel_ = nullptr;
+    const ContactPlane* plane_ = nullptr;
+    double height_ = 0, track_x_ = 0;
+    Eigen::ArrayXd wheel_s_, rail_s_;  // of the columns in the row before
+};
+
+}  // namespace rollbem::detail

@@ -1,0 +1,315 @@
+// The parts of one contact: regions, each with a plane, a grid over what touches and gaps that hold for a height, and
+// their pressures with the wheel a little lower or higher than that.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../normal_contact.hpp"
+#include "../rail_patch.hpp"
+#include "contact_gaps.hpp"
+#include "contact_region.hpp"
+#include "silhouette_search.hpp"
+#include "slice_search.hpp"
+
+namespace rollbem::detail {
+
+/// How much of the displacement under one patch another one sees whose normal differs by an angle: 1 in one plane. Fitted
+/// to finite elements of rail and wheel to within 0.1 up to 30 mm, 0.15 beyond (REAL.md's 43 pairs).
+inline double interaction(double angle) { return (std::max)(0.0, 1 - 1.4 * (1 - std::cos(angle))); }
+
+/// What a contact is solved with.
+struct ContactSettings {
+    Eigen::Index cells_x, cells_s;
+    double tolerance, cell_size;
+    bool interaction;
+};
+
+/// One region with its plane.
+struct ContactPart {
+    ContactPlane plane{};
+    CellGrid grid{};
+    Gaps gaps{};  // at the height of the plane
+    NormalContact::Solution solution{};
+};
+
+class ContactParts {
+public:
+    /// Starts a contact at a position, without its height.
+    Status locate(const ContactGeometry& geometry, const WheelsetPosition& at, const ContactSettings& settings) {
+        geometry_ = &geometry;
+        settings_ = settings;
+        at_ = at;
+        placed_.emplace(geometry.placed(at));
+        cells_ = 1;
+        return geometry.is_plain() ? silhouette_.locate(geometry, at) : slices_.locate(geometry, at);
+    }
+
+    double touch() const { return geometry_->is_plain() ? silhouette_.touch() : slices_.touch(); }
+    bool is_too_deep() const { return geometry_->is_plain() ? silhouette_.is_too_deep() : slices_.is_too_deep(); }
+    double height() const { return at_.height; }
+
+    /// As many cells as usual in both directions, times this, from the next refine() on.
+    void set_cells(Eigen::Index times) { cells_ = times; }
+
+    /// Parts at a height, and their loads on coarse grids.
+    void divide(double height) {
+        at_.height = height;
+        parts_.clear();
+        for (const Region& region : regions(height)) {
+            ContactPart& part = parts_.emplace_back();
+            part.plane = plane_of(*geometry_, region, at_.along);
+            part.grid = first_grid(part.plane);
+            find_gaps(part);
+        }
+        while (normal_.size() < parts_.size()) normal_.emplace_back(geometry_->compliance());
+        settle(0, 1e-3, false);
+    }
+
+    /// Fine grids over what touches, and planes at a height; regions stay as they are after a few rounds.
+    void refine(double height, int round, bool anew) {
+        std::vector<Region> found = regions(height);
+        if (found.size() != parts_.size() && round < 3) {
+            divide(height);
+            round = 0;
+        }
+        const double fallen = height - at_.height;
+        at_.height = height;
+        if (round == 0) keep_touching();
+        const bool same = round > 0 && found.size() == parts_.size();
+        if (same) match(found);
+        for (std::size_t k = 0; k < parts_.size(); ++k) {
+            ContactPart& part = parts_[k];
+            if (round < 2 || anew || outgrown(k)) part.grid = finer(k);
+            if (same) {
+                const ContactPlane before = std::exchange(part.plane, plane_of(*geometry_, found[k], at_.along));
+                part.grid.x_0 += before.x - part.plane.x;  // the grid stays where it is
+                part.grid.y_0 -= before.s(part.plane.y, part.plane.z);
+            } else if (round > 0) {
+                part.plane.deepest += fallen * part.plane.cosine;
+            }
+            if (settings_.cell_size > 0) {
+                part.grid.x_0 = part.grid.dx * std::round(part.grid.x_0 / part.grid.dx);
+                part.grid.y_0 = part.grid.dy * std::round(part.grid.y_0 / part.grid.dy);
+            }
+            find_gaps(part);
+        }
+    }
+
+    /// Loads with the wheel lower than the gaps say, in rounds, as each displaces the surface below the others.
+    void settle(double lower, double tolerance, bool warm) {
+        const int rounds = parts_.size() > 1 && settings_.interaction ? 4 : 1;
+        for (int round = 0; round < rounds; ++round) {
+            for (std::size_t k = 0; k < parts_.size(); ++k) {
+                ContactPart& part = parts_[k];
+                const double depth = lower * part.plane.cosine - displaced(k);
+                part.solution = normal_[k].approach(part.grid, part.gaps.h, depth, tolerance, warm || round > 0);
+            }
+        }
+    }
+
+    /// By how much the wheel is to be lower than the gaps say to carry a vertical load [N]; nothing if that was not
+    /// found.
+    std::optional<double> lower_until(double load) {
+        if (parts_.empty()) return std::nullopt;
+        if (parts_.size() == 1) {
+            ContactPart& part = parts_[0];
+            part.solution =
+                normal_[0].carry(part.grid, part.gaps.h, load / part.plane.cosine, settings_.tolerance, true);
+            return part.solution.approach / part.plane.cosine;
+        }
+        // the power 2/3 of a load grows nearly linearly
+        const auto root = [](double of) { return std::cbrt(of * of); };
+        double lower = 0, low = -std::numeric_limits<double>::infinity(), high = -low, last = 0, value = 0;
+        for (int k = 0; k < 60; ++k) {
+            settle(lower, settings_.tolerance / 10, true);
+            const double found = carried();
+            if (std::abs(found / load - 1) < settings_.tolerance) return lower;
+            (found < load ? low : high) = lower;
+            const double rate = k == 0 ? root(found) / deepest() : (root(found) - value) / (lower - last);
+            last = lower;
+            value = root(found);
+            lower += (root(load) - value) / rate;
+            if (!(lower > low && lower < high)) {
+                lower = is_finite(high - low) ? (low + high) / 2 : last + (found < load ? 1 : -1) * deepest();
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// The vertical load [N].
+    double carried() const {
+        double sum = 0;
+        for (const ContactPart& part : parts_) sum += part.solution.load * part.plane.cosine;
+        return sum;
+    }
+    double deepest() const {
+        double most = 0;
+        for (const ContactPart& part : parts_) most = (std::max)(most, part.plane.deepest);
+        return most;
+    }
+
+    /// Whether pressure reaches the border of a grid.
+    bool outgrown() const {
+        for (std::size_t k = 0; k < parts_.size(); ++k) {
+            if (outgrown(k)) return true;
+        }
+        return false;
+    }
+
+    /// By decreasing load, with the wheel lower than the gaps say.
+    std::vector<RailPatch> patches(double lower) const {
+        constexpr double crumb = 1e-3;  // of the normal forces
+        double load = 0;
+        for (const ContactPart& part : parts_) load += part.solution.load;
+        std::vector<RailPatch> found;
+        for (std::size_t k = 0; k < parts_.size(); ++k) {
+            const ContactPart& part = parts_[k];
+            if (!(part.solution.load > 0) && part.solution.status == Status::no_contact) continue;
+            add_patches(*geometry_, at_,
+                        {part.plane, part.grid, part.gaps, part.solution, normal_[k].pressure(),
+                         lower * part.plane.cosine},
+                        crumb * load, found);
+        }
+        std::stable_sort(found.begin(), found.end(),
+                         [](const RailPatch& one, const RailPatch& other) { return one.load > other.load; });
+        return found;
+    }
+
+private:
+    std::vector<Region> regions(double height) {
+        return geometry_->is_plain() ? silhouette_.regions(height) : slices_.regions(height);
+    }
+
+    void find_gaps(ContactPart& part) {
+        finder_.find(*geometry_, *placed_, at_.height, at_.along, part.plane, part.grid, part.gaps);
+    }
+
+    // What the loads of the other parts displace under part k [m].
+    double displaced(std::size_t k) const {
+        double sum = 0;
+        for (std::size_t other = 0; settings_.interaction && other < parts_.size(); ++other) {
+            if (other == k) continue;
+            const ContactPlane &here = parts_[k].plane, &there = parts_[other].plane;
+            sum += parts_[other].solution.load * interaction(here.angle - there.angle) /
+                   (std::max)(here.distance(there), 1e-6);
+        }
+        return sum * geometry_->compliance() / std::numbers::pi;
+    }
+
+    CellGrid first_grid(const ContactPlane& plane) const {
+        constexpr Eigen::Index cells = 24;
+        constexpr double least = 2e-6;
+        double half = (plane.x_high - plane.x_low) / 2 * 1.1;
+        if (half == 0) {
+            const WheelSurface::Point wheel = geometry_->wheel().at(plane.wheel_part, plane.wheel_s, 0);
+            half = 1.1 * std::sqrt(2 * plane.deepest * (geometry_->dimensions().radius + wheel.z) /
+                                   (std::max)(plane.cosine, 0.05));
+        }
+        half = (std::max)(half, least);
+        const double height = (std::max)(1.04 * (plane.high - plane.low), least);
+        const double dx = 2 * half / cells, dy = height / cells, middle = (plane.x_low + plane.x_high) / 2;
+        return {cells, cells, middle - half + dx / 2, (plane.low + plane.high - height + dy) / 2, dx, dy};
+    }
+
+    // Cells over what touches, with two cells of margin.
+    CellGrid finer(std::size_t k) {
+        const auto [left, right, bottom, top] = extents(parts_[k].grid, normal_[k].pressure());
+        constexpr Eigen::Index margin = 2, most = 60;
+        if (const double size = settings_.cell_size / double(cells_); size > 0) {
+            const auto count = [=](double length) { return Eigen::Index(std::ceil(length / size)) + 2 * margin + 2; };
+            return {count(right - left),
+                    count(top - bottom),
+                    (std::floor(left / size) - margin) * size,
+                    (std::floor(bottom / size) - margin) * size,
+                    size,
+                    size};
+        }
+        const bool lobes = has_lobes(parts_[k].plane);
+        const Eigen::Index cells_x = settings_.cells_x * cells_, cells_s = settings_.cells_s * cells_,
+                           nx = lobes ? (std::max)(cells_x, most) : cells_x,
+                           ny = lobes ? (std::max)(cells_s, most) : cells_s;
+        const double dx = (right - left) / double(nx - 2 * margin), dy = (top - bottom) / double(ny - 2 * margin);
+        return {nx, ny, left + (0.5 - margin) * dx, bottom + (0.5 - margin) * dy, dx, dy};
+    }
+
+    // Whether cells are too few for the narrowest lobe of the gap, or there are several.
+    bool has_lobes(const ContactPlane& plane) {
+        constexpr Eigen::Index count = 80, least_cells = 10;
+        const double ds = (plane.high - plane.low) / count;
+        if (!(ds > 0)) return false;
+        finder_.find(*geometry_, *placed_, at_.height, at_.along, plane, {1, count, 0, plane.low + ds / 2, ds, ds},
+                     row_);
+        const Eigen::ArrayXd h = row_.h.row(0);
+        // across the deepest lobe: where the gap has risen by a quarter, a parabola has half its width
+        Eigen::Index deepest = 0;
+        const double least = h.minCoeff(&deepest);
+        Eigen::Index low = deepest, high = deepest;
+        while (low > 0 && h[low - 1] < 0.75 * least) --low;
+        while (high + 1 < count && h[high + 1] < 0.75 * least) ++high;
+        if (double(high - low + 1) / count * 2 * double(settings_.cells_s * cells_) < least_cells) return true;
+        // another valley, deeper than what parts it from this one
+        for (const Eigen::Index step : {-1, 1}) {
+            double ridge = least;
+            for (Eigen::Index j = deepest + step; j >= 0 && j < count; j += step) {
+                ridge = (std::max)(ridge, h[j]);
+                if (h[j] < ridge + least / 200) return true;
+            }
+        }
+        return false;
+    }
+
+    // Only parts with a load, and the memory of their pressures.
+    void keep_touching() {
+        std::vector<ContactPart> touching;
+        for (std::size_t k = 0; k < parts_.size(); ++k) {
+            if (!(parts_[k].solution.load > 0)) continue;
+            std::swap(normal_[touching.size()], normal_[k]);
+            touching.push_back(std::move(parts_[k]));
+        }
+        parts_ = std::move(touching);
+    }
+
+    // Regions in the order of the parts that they are nearest to.
+    void match(std::vector<Region>& found) const {
+        for (std::size_t k = 0; k + 1 < parts_.size(); ++k) {
+            std::size_t nearest = k;
+            double least = std::numeric_limits<double>::infinity();
+            for (std::size_t i = k; i < found.size(); ++i) {
+                const double distance = plane_of(*geometry_, found[i], at_.along).distance(parts_[k].plane);
+                if (distance < least) nearest = i;
+                least = (std::min)(least, distance);
+            }
+            std::swap(found[k], found[nearest]);
+        }
+    }
+
+    bool outgrown(std::size_t k) const {
+        const NormalContact::Grid& p = normal_[k].pressure();
+        if (p.size() == 0) return false;
+        const Eigen::Index right = p.rows() - 1, top = p.cols() - 1;
+        return (p.row(0) > 0).any() || (p.row(right) > 0).any() || (p.col(0) > 0).any() || (p.col(top) > 0).any();
+    }
+
+    const ContactGeometry* geometry_ = nullptr;
+    ContactSettings settings_{};
+    WheelsetPosition at_;
+    std::optional<PlacedWheel> placed_;
+    SilhouetteSearch silhouette_;
+    SliceSearch slices_;
+    GapFinder finder_;
+    Gaps row_;
+    std::vector<ContactPart> parts_;
+    std::vector<NormalContact> normal_;  // of the parts
+    Eigen::Index cells_ = 1;
+};
+
+}  // namespace rollbem::detail

@@ -1,0 +1,161 @@
+// Regions where a wheel lies below the surface of its rail, and the plane in which each is solved.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "../contact_geometry.hpp"
+
+namespace rollbem::detail {
+
+/// The point of the rail nearest to a point of the wheel.
+struct Foot {
+    double s, y, z;
+    double depth;  ///< of the wheel's point below the rail's surface, along its normal [m]
+    double angle;  ///< of the surface there [rad]
+    bool inside;   ///< not beyond an end of the curve
+};
+
+/// From a first guess of its place; `x` along the track.
+inline Foot foot_on_rail(const ContactGeometry& geometry, std::size_t part, double s, double x, double y, double z) {
+    const double length = geometry.rail().length(part);
+    Foot foot{.s = s, .y = 0, .z = 0, .depth = 0, .angle = 0, .inside = true};
+    for (int k = 0; k < 10; ++k) {
+        const CurvePoint p = geometry.rail_at(part, foot.s, x);
+        const double square = p.slope[0] * p.slope[0] + p.slope[1] * p.slope[1],
+                     step = ((y - p.y) * p.slope[0] + (z - p.z) * p.slope[1]) / square;
+        foot = {foot.s,
+                p.y,
+                p.z,
+                ((z - p.z) * p.slope[0] - (y - p.y) * p.slope[1]) / std::sqrt(square),
+                std::atan2(p.slope[1], p.slope[0]),
+                p.defined};
+        if (std::abs(step) < 1e-9) break;
+        const double next = std::clamp(foot.s + step, 0.0, length);
+        if (next == foot.s) {  // the curve ends before the normal through the point
+            foot.inside = false;
+            break;
+        }
+        foot.s = next;
+    }
+    return foot;
+}
+
+/// A point of the wheel and its foot on the rail.
+struct Cut {
+    double wheel_s, x, y, z;
+    Foot foot;
+    double width;  ///< the part of the track's y that it stands for [m], times that of x between slices
+};
+
+/// Cuts of one region, those beside the rail's surface with a depth of 0.
+struct Region {
+    std::size_t wheel_part = 0, rail_part = 0;
+    std::vector<Cut> cuts;
+    double x_low = 0, x_high = 0;  ///< of what lies below the rail, where that changes along x [m]
+    double power = 2.5;            ///< of the depth in the weights of cuts
+};
+
+/// The plane of contact: its origin on the rail, s along y turned by the angle, n into the rail; and the region in it.
+struct ContactPlane {
+    double x = 0, y = 0, z = 0, angle = 0, sine = 0, cosine = 1;
+    std::size_t wheel_part = 0, rail_part = 0;
+    double wheel_s = 0, rail_s = 0;  ///< of both curves at the origin
+    double deepest = 0;              ///< the largest depth [m]
+    double low = 0, high = 0;        ///< ends of the region along s [m]
+    double x_low = 0, x_high = 0;    ///< and along x, from the origin; 0 where the silhouette does not tell
+
+    double s(double y_track, double z_track) const { return (y_track - y) * cosine + (z_track - z) * sine; }
+    double n(double y_track, double z_track) const { return (z_track - z) * cosine - (y_track - y) * sine; }
+    /// The distance between the origins.
+    double distance(const ContactPlane& other) const { return std::hypot(x - other.x, y - other.y, z - other.z); }
+};
+
+/// The rail's surface below a cut, where its reference point is taken: z and angle at the cut's y; on a wall, at its foot.
+struct Below {
+    double depth, angle, s;
+};
+inline Below below(const ContactGeometry& geometry, const Region& region, const Cut& cut, double track_x) {
+    constexpr double wall = 0.1;  // dy/ds
+    Below found{cut.foot.depth, cut.foot.angle, cut.foot.s};
+    double s = cut.foot.s;
+    for (int k = 0; k < 3; ++k) {
+        const CurvePoint p = geometry.rail_at(region.rail_part, s, track_x + cut.x);
+        if (!(p.slope[0] > wall)) return found;
+        if (k == 2) return {(std::max)(cut.z - p.z, 0.0), std::atan2(p.slope[1], p.slope[0]), s};
+        s += (cut.y - p.y) / p.slope[0];
+    }
+    return found;
+}
+
+/// Means over the region, weighted by widths along the track's y and powers of the depth; `track_x`: of the rail's curve
+/// at x = 0. Nothing of the region may be all of depth 0.
+inline ContactPlane plane_of(const ContactGeometry& geometry, const Region& region, double track_x) {
+    ContactPlane plane;
+    double sum = 0, rail_s = 0;
+    const auto add = [&](bool by_width) {
+        for (const Cut& cut : region.cuts) {
+            if (!(cut.foot.depth > 0)) continue;
+            const Below rail = below(geometry, region, cut, track_x);
+            const double weight = (by_width ? cut.width : 1) * std::pow(rail.depth, region.power);
+            sum += weight;
+            plane.x += weight * cut.x;
+            plane.y += weight * cut.y;
+            plane.angle += weight * rail.angle;
+            plane.wheel_s += weight * cut.wheel_s;
+            rail_s += weight * rail.s;
+            plane.deepest = (std::max)(plane.deepest, cut.foot.depth);
+        }
+    };
+    add(true);
+    if (!(sum > 0)) add(false);  // a wall
+    for (double* mean : {&plane.x, &plane.y, &plane.angle, &plane.wheel_s, &rail_s}) *mean /= sum;
+    plane.sine = std::sin(plane.angle);
+    plane.cosine = std::cos(plane.angle);
+    plane.wheel_part = region.wheel_part;
+    plane.rail_part = region.rail_part;
+    // the rail's point at y, but on a wall
+    CurvePoint on_rail = geometry.rail_at(region.rail_part, rail_s, track_x + plane.x);
+    for (int k = 0; k < 8 && on_rail.slope[0] > 0.05; ++k) {
+        const double step = (plane.y - on_rail.y) / on_rail.slope[0];
+        rail_s = std::clamp(rail_s + step, 0.0, geometry.rail().length(region.rail_part));
+        on_rail = geometry.rail_at(region.rail_part, rail_s, track_x + plane.x);
+        if (std::abs(step) < 1e-13) break;
+    }
+    plane.rail_s = rail_s;
+    plane.y = on_rail.y;
+    plane.z = on_rail.z;
+    bool first = true;
+    for (const Cut& cut : region.cuts) {
+        if (!(cut.foot.depth > 0)) continue;
+        const double s = plane.s(cut.foot.y, cut.foot.z);
+        plane.low = first ? s : (std::min)(plane.low, s);
+        plane.high = first ? s : (std::max)(plane.high, s);
+        first = false;
+    }
+    if (region.x_high > region.x_low) {
+        plane.x_low = region.x_low - plane.x;
+        plane.x_high = region.x_high - plane.x;
+    }
+    return plane;
+}
+
+/// Whether two regions share a plane: less than 4 mm along the surface part them, and their normals differ by less than
+/// 20 degrees.
+constexpr double joined_distance = 4e-3, joined_angle = 20 * std::numbers::pi / 180;
+
+/// The mean angle of a region's surface.
+inline double mean_angle(const Region& region) {
+    double sum = 0, angle = 0;
+    for (const Cut& cut : region.cuts) {
+        const double weight = std::pow((std::max)(cut.foot.depth, 0.0), region.power);
+        sum += weight;
+        angle += weight * cut.foot.angle;
+    }
+    return sum > 0 ? angle / sum : 0;
+}
+
+}  // namespace rollbem::detail

@@ -1,0 +1,190 @@
+// Where a round wheel touches a straight rail: on its silhouette, as all curves of the rail along x are straight lines.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "../../status.hpp"
+#include "contact_region.hpp"
+
+namespace rollbem::detail {
+
+/// A search at one lateral position, roll and yaw: locate() first, then regions() at any height near the touching one.
+class SilhouetteSearch {
+public:
+    /// Where the wheel touches first when it is lowered.
+    Status locate(const ContactGeometry& geometry, const WheelsetPosition& at) {
+        geometry_ = &geometry;
+        placed_.emplace(geometry.placed(at));
+        trace();
+        const Sample* lowest = nullptr;
+        touch_ = std::numeric_limits<double>::infinity();
+        for (const Sample& sample : samples_) {
+            const double gap = geometry.index().top(sample.y) - sample.z;
+            if (gap < touch_) lowest = &sample;
+            touch_ = (std::min)(touch_, gap);
+        }
+        if (lowest == nullptr) return Status::no_contact;
+        if (lowest->at_border) return Status::undefined_section;
+        // the highest points of the rail are known to the distance of its samples
+        for (int k = 0; k < 20; ++k) {
+            find_feet(touch_);
+            const Sample* deepest = nullptr;
+            for (const Sample& sample : samples_) {
+                if (sample.near && (deepest == nullptr || sample.foot.depth > deepest->foot.depth)) deepest = &sample;
+            }
+            if (deepest == nullptr) break;
+            const double change = deepest->foot.depth / (std::max)(std::cos(deepest->foot.angle), 0.05);
+            touch_ -= change;
+            if (std::abs(change) < 1e-8) break;
+        }
+        return Status::ok;
+    }
+
+    double touch() const { return touch_; }  ///< the height at which the wheel begins to touch [m]
+
+    /// Whether the wheel at the height of the last regions lies more than a millimetre within the rail somewhere.
+    bool is_too_deep() const {
+        constexpr double most = 1e-3;
+        return std::any_of(samples_.begin(), samples_.end(), [this](const Sample& sample) {
+            const double below = sample.z + height_ - geometry_->index().top(sample.y);
+            return below > most && (!sample.near || sample.foot.depth > most);
+        });
+    }
+
+    /// The regions at a height, in the order of the wheel's curve.
+    std::vector<Region> regions(double height) {
+        find_feet(height);
+        std::vector<Run> runs;
+        for (std::size_t i = 0; i < samples_.size(); ++i) {
+            const Sample& sample = samples_[i];
+            if (!sample.near || !sample.foot.inside || !(sample.foot.depth > 0)) continue;
+            const bool goes_on = !runs.empty() && runs.back().last + 1 == i &&
+                                 std::abs(sample.foot.s - samples_[i - 1].foot.s) < joined_distance;
+            if (goes_on) {
+                runs.back().last = i;
+            } else {
+                runs.push_back({i, i});
+            }
+        }
+        join(runs);
+        std::vector<Region> found;
+        for (const Run& run : runs) found.push_back(region(run, height));
+        std::erase_if(found, [](const Region& region) {
+            return std::none_of(region.cuts.begin(), region.cuts.end(),
+                                [](const Cut& cut) { return cut.foot.depth > 0; });
+        });
+        return found;
+    }
+
+private:
+    // A point of the wheel's silhouette at height 0 and, at the last height asked for, its foot if that is near.
+    struct Sample {
+        double s, y, z, normal_y, normal_z;
+        bool at_border, near;
+        Foot foot;
+    };
+    struct Run {
+        std::size_t first, last;
+    };
+
+    void trace() {
+        constexpr double distance = 1e-4;  // flange contacts are four times as wide at least
+        const double length = placed_->surface().length(0);
+        const auto count = static_cast<std::size_t>(std::ceil(length / distance));
+        samples_.clear();
+        searched_at_ = std::numeric_limits<double>::quiet_NaN();
+        bool before = true;
+        for (std::size_t k = 0; k <= count; ++k) {
+            const double s = length * double(k) / double(count);
+            const PlacedWheel::Place p = placed_->silhouette(s);
+            if (p.defined) {
+                samples_.push_back({s, p.y, p.z, 0, 0, !before, false, {}});
+            } else if (before && !samples_.empty()) {
+                samples_.back().at_border = true;
+            }
+            before = p.defined;
+        }
+        for (std::size_t k = 0; k < samples_.size(); ++k) {
+            const Sample &one = samples_[k > 0 ? k - 1 : 0], &two = samples_[(std::min)(k + 1, samples_.size() - 1)];
+            const double size = (std::max)(std::hypot(two.y - one.y, two.z - one.z), 1e-300);
+            samples_[k].normal_y = -(two.z - one.z) / size;
+            samples_[k].normal_z = (two.y - one.y) / size;
+        }
+    }
+
+    void find_feet(double height) {
+        height_ = height;
+        // Samples that were far from the rail stay so while the height changes by little.
+        constexpr double far = CurveIndex::reach / 2;
+        const bool anew = !(std::abs(height - searched_at_) < CurveIndex::reach - far);
+        if (anew) searched_at_ = height;
+        for (Sample& sample : samples_) {
+            const double z = sample.z + height;
+            if (anew) {
+                const SurfaceSample* rail = geometry_->index().facing(sample.y, z, sample.normal_y, sample.normal_z);
+                sample.near = rail != nullptr;
+                if (sample.near) sample.foot.s = rail->s;
+            }
+            if (sample.near) sample.foot = foot_on_rail(*geometry_, 0, sample.foot.s, 0, sample.y, z);
+        }
+    }
+
+    double mean_angle_of(const Run& run) const {
+        double sum = 0, angle = 0;
+        for (std::size_t i = run.first; i <= run.last; ++i) {
+            const double weight = std::pow(samples_[i].foot.depth, 2.5);
+            sum += weight;
+            angle += weight * samples_[i].foot.angle;
+        }
+        return angle / sum;
+    }
+
+    void join(std::vector<Run>& runs) const {
+        for (std::size_t k = 1; k < runs.size();) {
+            const Sample &here = samples_[runs[k - 1].last], &next = samples_[runs[k].first];
+            const bool near = next.s - here.s < joined_distance && std::abs(next.foot.s - here.foot.s) < joined_distance;
+            if (near && std::abs(mean_angle_of(runs[k]) - mean_angle_of(runs[k - 1])) < joined_angle) {
+                runs[k - 1].last = runs[k].last;
+                runs.erase(runs.begin() + std::ptrdiff_t(k));
+            } else {
+                ++k;
+            }
+        }
+    }
+
+    Region region(const Run& run, double height) const {
+        const Sample &one = samples_[run.first > 0 ? run.first - 1 : 0],
+                     &two = samples_[(std::min)(run.last + 1, samples_.size() - 1)];
+        constexpr int count = 160;
+        Region region;
+        double rail_s = samples_[run.first].foot.s;
+        for (int k = 0; k <= count; ++k) {
+            const double s = one.s + (two.s - one.s) * k / count;
+            const PlacedWheel::Place p = placed_->silhouette(s);
+            if (!p.defined) continue;
+            const Foot foot = foot_on_rail(*geometry_, 0, rail_s, 0, p.y, p.z + height);
+            rail_s = foot.s;
+            region.cuts.push_back({s, p.x, p.y, p.z + height, foot, 0});
+            if (!foot.inside) region.cuts.back().foot.depth = 0;
+        }
+        for (std::size_t k = 0; k < region.cuts.size(); ++k) {
+            const Cut &before = region.cuts[k > 0 ? k - 1 : 0],
+                      &after = region.cuts[(std::min)(k + 1, region.cuts.size() - 1)];
+            region.cuts[k].width = (std::max)(after.y - before.y, 0.0);
+        }
+        return region;
+    }
+
+    const ContactGeometry* geometry_ = nullptr;
+    std::optional<PlacedWheel> placed_;
+    std::vector<Sample> samples_;
+    double touch_ = 0, height_ = 0, searched_at_ = std::numeric_limits<double>::quiet_NaN();
+};
+
+}  // namespace rollbem::detail

@@ -1,0 +1,301 @@
+// Where a wheel touches a rail when one of them changes along the way: the smallest gaps over slices of constant x, and
+// the regions about them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "../../status.hpp"
+#include "contact_region.hpp"
+
+namespace rollbem::detail {
+
+/// A search at one lateral position, roll, yaw, pitch and place along the track, as SilhouetteSearch.
+class SliceSearch {
+public:
+    Status locate(const ContactGeometry& geometry, const WheelsetPosition& at) {
+        geometry_ = &geometry;
+        track_x_ = at.along;
+        placed_.emplace(geometry.placed(at));
+        find_slices();
+        touch_ = std::numeric_limits<double>::infinity();
+        for (const Slice& slice : slices_) {
+            for (const SurfaceSample& sample : slice.wheel) {
+                touch_ = (std::min)(touch_, slice.rail.top(sample.y) - sample.z);
+            }
+        }
+        if (!is_finite(touch_)) return Status::no_contact;
+        find_valleys();
+        for (int k = 0; k < 20; ++k) {
+            const Point* deepest = nullptr;
+            for (Point& valley : valleys_) {
+                descend(valley, touch_);
+                if (deepest == nullptr || valley.foot.depth > deepest->foot.depth) deepest = &valley;
+            }
+            if (deepest == nullptr) return Status::undefined_section;
+            const double change = deepest->foot.depth / (std::max)(std::cos(deepest->foot.angle), 0.05);
+            touch_ -= change;
+            if (std::abs(change) < 1e-8) break;
+        }
+        return Status::ok;
+    }
+
+    double touch() const { return touch_; }
+
+    bool is_too_deep() const {
+        constexpr double most = 1e-3;
+        for (const Slice& slice : slices_) {
+            for (const SurfaceSample& sample : slice.wheel) {
+                const double z = sample.z + height_, below = z - slice.rail.top(sample.y);
+                if (!(below > most)) continue;
+                const SurfaceSample* rail = slice.rail.facing(sample.y, z, sample.normal_y, sample.normal_z);
+                if (rail == nullptr) return true;
+                if (foot_on_rail(*geometry_, rail->part, rail->s, track_x_ + slice.x, sample.y, z).depth > most) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    std::vector<Region> regions(double height) {
+        height_ = height;
+        std::vector<Region> found;
+        for (const Point& valley : valleys_) {
+            Point seed = valley;
+            descend(seed, height);
+            if (!(seed.foot.depth > 0) || lies_in(found, seed)) continue;
+            Region region = explore(seed, height);
+            if (!region.cuts.empty()) join(found, std::move(region));
+        }
+        return found;
+    }
+
+private:
+    static constexpr double half_range = 0.1, slice_distance = 4e-3;  // along x [m]
+
+    struct Slice {
+        double x;
+        CurveIndex rail;
+        std::vector<SurfaceSample> wheel;
+    };
+    // A point of the wheel and its foot on the rail.
+    struct Point {
+        std::size_t part, rail_part;
+        double x, s, y, z;
+        Foot foot;
+        bool defined;
+    };
+
+    void find_slices() {
+        constexpr double distance = 2e-4;
+        const auto half = static_cast<int>(half_range / slice_distance);
+        slices_.resize(std::size_t(2 * half + 1));
+        const WheelSurface& wheel = placed_->surface();
+        for (int k = -half; k <= half; ++k) {
+            Slice& slice = slices_[std::size_t(k + half)];
+            slice.x = k * slice_distance;
+            slice.rail.build(geometry_->rail_samples(track_x_ + slice.x));
+            slice.wheel.clear();
+            for (std::size_t part = 0; part < wheel.parts(); ++part) {
+                const auto count = static_cast<std::size_t>(std::ceil(wheel.length(part) / distance));
+                for (std::size_t i = 0; i <= count; ++i) {
+                    const double s = wheel.length(part) * double(i) / double(count);
+                    const CurvePoint p = placed_->section(part, s, slice.x);
+                    const double size = std::hypot(p.slope[0], p.slope[1]);
+                    if (p.defined) slice.wheel.push_back({p.y, p.z, -p.slope[1] / size, p.slope[0] / size, part, s});
+                }
+            }
+        }
+    }
+
+    // Points of slices that lie as deep as their neighbours on the wheel and in both slices beside, or deeper, and not
+    // above the rail by a millimetre when the wheel touches.
+    void find_valleys() {
+        constexpr double high = -1e-3, none = -std::numeric_limits<double>::infinity();
+        std::vector<std::vector<Point>> points(slices_.size());
+        for (std::size_t k = 0; k < slices_.size(); ++k) {
+            const Slice& slice = slices_[k];
+            for (const SurfaceSample& sample : slice.wheel) {
+                const double z = sample.z + touch_;
+                Point& p = points[k].emplace_back(Point{sample.part, 0, slice.x, sample.s, sample.y, z, {}, true});
+                p.foot.depth = none;
+                if (z - slice.rail.top(sample.y) < high - CurveIndex::reach) continue;
+                const SurfaceSample* rail = slice.rail.facing(sample.y, z, sample.normal_y, sample.normal_z);
+                if (rail == nullptr) continue;
+                p.rail_part = rail->part;
+                p.foot = foot_on_rail(*geometry_, rail->part, rail->s, track_x_ + slice.x, sample.y, z);
+                if (!p.foot.inside) p.foot.depth = none;
+            }
+        }
+        valleys_.clear();
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            for (std::size_t i = 0; i < points[k].size(); ++i) {
+                const Point& p = points[k][i];
+                if (!(p.foot.depth > high)) continue;
+                const auto deeper = [&](const Point& other) {
+                    return other.foot.depth > p.foot.depth && std::hypot(other.y - p.y, other.z - p.z) < 1e-3;
+                };
+                bool is_valley = !(i > 0 && deeper(points[k][i - 1])) &&
+                                 !(i + 1 < points[k].size() && deeper(points[k][i + 1]));
+                for (const std::size_t beside : {k - 1, k + 1}) {
+                    if (!is_valley || beside >= points.size()) continue;
+                    is_valley = std::none_of(points[beside].begin(), points[beside].end(), deeper);
+                }
+                if (is_valley) valleys_.push_back(p);
+            }
+        }
+        std::sort(valleys_.begin(), valleys_.end(),
+                  [](const Point& one, const Point& two) { return one.foot.depth > two.foot.depth; });
+    }
+
+    Point point_at(const Point& from, double x, double s, double height) const {
+        Point p = from;
+        p.x = x;
+        p.s = s;
+        const CurvePoint on_wheel = placed_->section(p.part, s, x);
+        p.y = on_wheel.y;
+        p.z = on_wheel.z + height;
+        p.defined = on_wheel.defined && s >= 0 && s <= placed_->surface().length(p.part) &&
+                    geometry_->rail().covers(p.rail_part, track_x_ + x);
+        if (!p.defined) return p;
+        p.foot = foot_on_rail(*geometry_, p.rail_part, from.foot.s, track_x_ + x, p.y, p.z);
+        p.defined = p.foot.inside;
+        return p;
+    }
+
+    // To the deepest point nearby, by parabolas along the wheel's curve and along x.
+    void descend(Point& p, double height) const {
+        p = point_at(p, p.x, p.s, height);
+        double step_s = 2e-4, step_x = 2e-3;
+        for (int k = 0; k < 60 && step_s > 1e-6; ++k) {
+            const Point start = p;
+            for (const bool along_x : {false, true}) {
+                const double step = along_x ? step_x : step_s;
+                const auto beside = [&](double by) {
+                    return point_at(p, p.x + (along_x ? by : 0), p.s + (along_x ? 0 : by), height);
+                };
+                const Point one = beside(-step), two = beside(step);
+                Point best = p;
+                if (one.defined && two.defined && p.defined) {
+                    const double bend = one.foot.depth - 2 * p.foot.depth + two.foot.depth,
+                                 to = bend < 0 ? std::clamp((one.foot.depth - two.foot.depth) / (2 * bend), -1.0, 1.0)
+                                               : 0;
+                    const Point vertex = beside(to * step);
+                    if (vertex.defined && vertex.foot.depth > best.foot.depth) best = vertex;
+                }
+                for (const Point& other : {one, two}) {
+                    if (other.defined && (!best.defined || other.foot.depth > best.foot.depth)) best = other;
+                }
+                p = best;
+            }
+            if (std::abs(p.s - start.s) < step_s && std::abs(p.x - start.x) < step_x) {
+                step_s /= 3;
+                step_x /= 3;
+            }
+        }
+        if (!p.defined) p.foot.depth = -std::numeric_limits<double>::infinity();
+    }
+
+    static bool lies_in(const std::vector<Region>& found, const Point& p) {
+        for (const Region& region : found) {
+            for (const Cut& cut : region.cuts) {
+                if (cut.foot.depth > 0 && std::hypot(cut.x - p.x, cut.y - p.y, cut.z - p.z) < 1.5e-3) return true;
+            }
+        }
+        return false;
+    }
+
+    // The cuts at x about a point of the region, from the wheel's s `low` to `high`; whether any lies below the rail.
+    bool cut_slice(const Point& about, double x, double step, double height, std::array<double, 2>& range,
+                   std::vector<Cut>& cuts) const {
+        const double length = placed_->surface().length(about.part);
+        const double from = (std::max)(range[0] - joined_distance / 2, 0.0),
+                     to = (std::min)(range[1] + joined_distance / 2, length);
+        const auto count = (std::max)(static_cast<int>((to - from) / step), 1);
+        std::vector<Cut> slice;
+        Point p = about;
+        // outwards from the middle, each from its neighbour
+        const int middle = count / 2;
+        const Point start = point_at(about, x, from + (to - from) * middle / count, height);
+        for (const int direction : {-1, 1}) {
+            p = start;
+            for (int k = middle + (direction > 0 ? 1 : 0); k >= 0 && k <= count; k += direction) {
+                p = point_at(p, x, from + (to - from) * k / count, height);
+                Cut cut{p.s, p.x, p.y, p.z, p.foot, 0};
+                if (!p.defined) cut.foot.depth = 0;
+                slice.push_back(cut);
+            }
+            if (direction < 0) std::reverse(slice.begin(), slice.end());
+        }
+        bool any = false;
+        for (std::size_t k = 0; k < slice.size(); ++k) {
+            const Cut &before = slice[k > 0 ? k - 1 : 0], &after = slice[(std::min)(k + 1, slice.size() - 1)];
+            if (!(slice[k].foot.depth > 0)) continue;
+            slice[k].width = (std::max)(after.y - before.y, 0.0);
+            range = any ? std::array{(std::min)(range[0], slice[k].wheel_s), (std::max)(range[1], slice[k].wheel_s)}
+                        : std::array{slice[k].wheel_s, slice[k].wheel_s};
+            any = true;
+            cuts.push_back(slice[k]);
+        }
+        return any;
+    }
+
+    Region explore(const Point& seed, double height) const {
+        Region region{.wheel_part = seed.part, .rail_part = seed.rail_part, .cuts = {}, .x_low = 0, .x_high = 0};
+        region.power = 2;
+        // A tenth of the half-length and of the half-width, as far as curvatures tell.
+        const double step_x = std::clamp(std::sqrt(2 * seed.foot.depth * placed_->radius()) / 10, 2e-6, 1e-3);
+        std::array<double, 2> range{seed.s, seed.s};
+        const double step_s = 5e-5;
+        region.x_low = region.x_high = seed.x;
+        cut_slice(seed, seed.x, step_s, height, range, region.cuts);
+        for (const int direction : {-1, 1}) {
+            std::array<double, 2> here = range;
+            Point about = seed;
+            for (int k = 1; k < 400; ++k) {
+                const double x = seed.x + direction * k * step_x;
+                about = point_at(about, x, (here[0] + here[1]) / 2, height);
+                if (!cut_slice(about, x, step_s, height, here, region.cuts)) break;
+                (direction > 0 ? region.x_high : region.x_low) = x;
+            }
+        }
+        region.x_low -= step_x;
+        region.x_high += step_x;
+        for (Cut& cut : region.cuts) cut.width *= step_x;
+        return region;
+    }
+
+    // To one that is near and has nearly the same normal, else as another.
+    static void join(std::vector<Region>& found, Region region) {
+        for (Region& other : found) {
+            if (other.wheel_part != region.wheel_part || other.rail_part != region.rail_part) continue;
+            double least = std::numeric_limits<double>::infinity();
+            for (const Cut& one : other.cuts) {
+                for (const Cut& two : region.cuts) {
+                    if (std::abs(one.wheel_s - two.wheel_s) > joined_distance) continue;
+                    least = (std::min)(least, std::hypot(one.x - two.x, one.y - two.y, one.z - two.z));
+                }
+            }
+            if (least >= joined_distance || std::abs(mean_angle(other) - mean_angle(region)) >= joined_angle) continue;
+            other.cuts.insert(other.cuts.end(), region.cuts.begin(), region.cuts.end());
+            other.x_low = (std::min)(other.x_low, region.x_low);
+            other.x_high = (std::max)(other.x_high, region.x_high);
+            return;
+        }
+        found.push_back(std::move(region));
+    }
+
+    const ContactGeometry* geometry_ = nullptr;
+    std::optional<PlacedWheel> placed_;
+    double track_x_ = 0, touch_ = 0, height_ = 0;
+    std::vector<Slice> slices_;
+    std::vector<Point> valleys_;
+};
+
+}  // namespace rollbem::detail

@@ -1,0 +1,148 @@
+// One patch of a wheel on a rail, and how it is made of the pressures in a plane.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../scene/outline.hpp"
+#include "../status.hpp"
+#include "detail/contact_gaps.hpp"
+#include "detail/patch_shape.hpp"
+#include "normal_contact.hpp"
+
+namespace rollbem {
+
+/// The plane of contact has its origin at the reference point, s along y turned by the angle, and n into the rail; patch
+/// and pressures are in the axes (x, s) from there.
+struct RailPatch {
+    double x = 0, y = 0, z = 0;      ///< reference point, on the rail, in track axes [m]
+    double rail_y = 0, wheel_y = 0;  ///< of it in both profiles [m]
+    double rail_s = 0, wheel_s = 0;  ///< lengths along them up to it [m]
+    double angle = 0;                ///< delta of the plane [rad]: s = (0, cos delta, sin delta)
+    double rolling_radius = 0;       ///< r0 + z of the wheel there [m]
+    double load = 0;                 ///< normal force [N]
+    double approach = 0;             ///< the largest of wheel_n - rail_n over the cells, undeformed [m]
+    double peak_pressure = 0;        ///< [Pa]
+    double area = 0;                 ///< [m^2]
+    double half_length = 0, half_width = 0;  ///< half the extents [m]
+    int steps = 0;                           ///< of the normal problem, the last time
+    double residual = 0;                     ///< of gaps where there is pressure, over the approach
+    Status status = Status::not_finite;
+    CellGrid grid{};           ///< of the pressures
+    Eigen::ArrayXXd pressure;  ///< [Pa], nx x ny
+    /// Of each row of cells, ny: n of the rail's surface, and of the wheel's where it lies deepest, undeformed [m].
+    Eigen::ArrayXd rail_n, wheel_n;
+    std::optional<Outline<double>> outline;
+    bool has_numbers() const { return rollbem::has_numbers(status); }
+};
+
+namespace detail {
+
+/// The pressures of one plane, with the wheel lower than the gaps say.
+struct PlanePressures {
+    const ContactPlane& plane;
+    const CellGrid& grid;
+    const Gaps& gaps;
+    const NormalContact::Solution& solution;
+    const NormalContact::Grid& pressure;
+    double lower;  ///< along n [m]
+};
+
+/// Why pressures cannot be told from what is not known: cells beside them where a surface has no point.
+inline Status border_of(const Gaps& gaps, const Eigen::ArrayXXd& pressure) {
+    Status worst = Status::ok;
+    if (gaps.all_known) return worst;
+    const Eigen::Index nx = pressure.rows(), ny = pressure.cols();
+    for (Eigen::Index j = 0; j < ny; ++j) {
+        for (Eigen::Index i = 0; i < nx; ++i) {
+            if (!(pressure(i, j) > 0)) continue;
+            const Eigen::Index left = (std::max)(i - 1, Eigen::Index(0)), low = (std::max)(j - 1, Eigen::Index(0));
+            worst = (std::max)(worst, gaps.known
+                                          .block(left, low, (std::min)(i + 2, nx) - left, (std::min)(j + 2, ny) - low)
+                                          .maxCoeff());
+        }
+    }
+    return worst;
+}
+
+/// Extents and area of an outline.
+inline void measure(RailPatch& patch) {
+    const Outline<double>& outline = *patch.outline;
+    patch.area = outline.area();
+    patch.half_width = (outline.high() - outline.low()) / 2;
+    double ahead = outline.leading(outline.low()), behind = ahead;
+    for (const double at : outline.y()) {
+        ahead = (std::max)(ahead, outline.leading(at));
+        behind = (std::min)(behind, outline.trailing(at));
+    }
+    patch.half_length = (ahead - behind) / 2;
+}
+
+/// How far the rail's surface turns across the outline [rad].
+inline double turn_across(const ContactGeometry& geometry, const ContactPlane& plane, double track_x,
+                          const Outline<double>& outline) {
+    const auto angle = [&](double s) {
+        const CurvePoint p = geometry.rail_at(plane.rail_part, plane.rail_s + s, track_x + plane.x);
+        return std::atan2(p.slope[1], p.slope[0]);
+    };
+    return std::abs(angle(outline.high()) - angle(outline.low()));
+}
+
+/// What is the same for all pieces of a plane.
+inline RailPatch patch_on(const ContactGeometry& geometry, const WheelsetPosition& at, const PlanePressures& of) {
+    const ContactPlane& plane = of.plane;
+    const PlacedWheel placed = geometry.placed(at);
+    RailPatch patch;
+    patch.x = plane.x;
+    patch.y = plane.y;
+    patch.z = plane.z;
+    patch.rail_s = plane.rail_s;
+    patch.wheel_s = GapFinder::wheel_place(placed, at.height, plane);
+    patch.rail_y = plane.y - geometry.rail_origin().y;
+    const WheelSurface::Point wheel = geometry.wheel().at(plane.wheel_part, patch.wheel_s, -at.pitch);
+    patch.wheel_y = wheel.y;
+    patch.angle = plane.angle;
+    patch.rolling_radius = geometry.dimensions().radius + wheel.z;
+    patch.steps = of.solution.steps;
+    patch.residual = of.solution.residual;
+    patch.grid = of.grid;
+    patch.rail_n = of.gaps.rail_n;
+    patch.wheel_n = of.gaps.rail_n - of.gaps.h.colwise().minCoeff().transpose() + of.lower;
+    return patch;
+}
+
+/// Pressures as patches that every row cuts in one interval. Crumbs, pieces too small for an outline that carry less
+/// than `crumb` [N], are dropped.
+inline void add_patches(const ContactGeometry& geometry, const WheelsetPosition& at, const PlanePressures& of,
+                        double crumb, std::vector<RailPatch>& patches) {
+    constexpr double doubtful = 0.2;  // [rad]
+    const RailPatch common = patch_on(geometry, at, of);
+    for (Eigen::ArrayXXd& piece : pieces(of.pressure)) {
+        RailPatch patch = common;
+        patch.status = of.solution.status;
+        patch.load = piece.sum() * of.grid.dx * of.grid.dy;
+        patch.outline = contact_outline(of.grid, piece);
+        if (!patch.outline && patch.load < crumb) continue;
+        patch.approach = of.lower - (piece > 0).select(of.gaps.h, of.gaps.h.maxCoeff()).minCoeff();
+        patch.peak_pressure = detail::peak_pressure(piece);
+        if (!patch.outline) {
+            if (patch.has_numbers()) patch.status = Status::few_cells;
+        } else {
+            measure(patch);
+            if (patch.status == Status::ok && turn_across(geometry, of.plane, at.along, *patch.outline) > doubtful) {
+                patch.status = Status::doubtful_plane;
+            }
+        }
+        patch.status = (std::max)(patch.status, border_of(of.gaps, piece));
+        patch.pressure = std::move(piece);
+        patches.push_back(std::move(patch));
+    }
+}
+
+}  // namespace detail
+}  // namespace rollbem

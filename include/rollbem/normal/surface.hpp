@@ -1,0 +1,196 @@
+// Surfaces of rail and wheel: curves swept along the track, about a roller's axle or about the wheel's, alike everywhere
+// or changing along the way. Each is known by its curves at constant x, with derivatives along them.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <variant>
+
+#include "../detail/require.hpp"
+#include "../scene/wheelset.hpp"
+#include "profile.hpp"
+#include "sections.hpp"
+
+namespace rollbem {
+
+/// A point (y, z) [m] of a surface's curve at constant x, and its derivative by the length parameter of the curve.
+struct CurvePoint {
+    double y, z;
+    std::array<double, 2> slope;
+    bool defined;  ///< false where the surface has no such point
+};
+
+/// A rail, in axes of its own: x along the track, y to the right, z down. Straight: (x, y(s), z(s)). Roller: a disc of
+/// radius R about an axle along y at z = R, ((R - z) sin f, y, R - (R - z) cos f). Sections: curves that change along
+/// the track. Its curves at constant x have parts, each with a parameter 0 <= s <= length(part) of about unit speed.
+class RailSurface {
+public:
+    RailSurface(Profile profile) : curve_(std::move(profile)) {}     // NOLINT: implicit on purpose
+    RailSurface(Sections sections) : curve_(std::move(sections)) {}  // NOLINT: the same
+
+    /// Throws std::invalid_argument unless the radius [m] is positive and finite.
+    static RailSurface roller(Profile profile, double radius) {
+        detail::require_positive("RailSurface", "roller radius", radius);
+        RailSurface rail(std::move(profile));
+        rail.radius_ = radius;
+        return rail;
+    }
+
+    bool is_straight() const { return radius_ == 0 && !has_sections(); }
+    bool has_sections() const { return std::holds_alternative<Sections>(curve_); }
+    double roller_radius() const { return radius_; }  ///< [m], 0 of a rail that is none
+    /// Of a straight rail or a roller.
+    const Profile& profile() const { return std::get<Profile>(curve_); }
+
+    std::size_t parts() const { return has_sections() ? std::get<Sections>(curve_).parts() : 1; }
+    double length(std::size_t part) const {
+        return has_sections() ? std::get<Sections>(curve_).length(part) : profile().length();
+    }
+    bool covers(std::size_t part, double x) const {
+        if (has_sections()) return std::get<Sections>(curve_).covers(part, x);
+        return radius_ == 0 || std::abs(x) <= steepest * radius_;
+    }
+
+    /// The point s of the curve at x [m].
+    CurvePoint at(std::size_t part, double s, double x) const noexcept {
+        if (const auto* sections = std::get_if<Sections>(&curve_)) {
+            const Sections::Point p = sections->at(part, s, x);
+            return {p.y, p.z, p.by_s, true};
+        }
+        const Profile::Point p = std::get_if<Profile>(&curve_)->at(s);
+        if (radius_ == 0) return {p.y, p.z, p.slope, true};
+        const double r = radius_ - p.z, square = r * r - x * x;
+        if (!(std::abs(x) <= steepest * r)) return {p.y, p.z, p.slope, false};
+        const double down = std::sqrt(square);
+        return {p.y, radius_ - down, {p.slope[0], p.slope[1] * r / down}, true};
+    }
+
+    /// sin f up to which a roller is looked at.
+    static constexpr double steepest = 0.5;
+
+private:
+    std::variant<Profile, Sections> curve_;
+    double radius_ = 0;
+};
+
+/// A wheel: a curve turned about the axle, (r0 + z(s)) from it at y(s), or curves that change with the angle from the
+/// lowest point towards +x, less the pitch.
+class WheelSurface {
+public:
+    struct Point {
+        double y, z;
+        std::array<double, 2> by_s, by_angle;
+    };
+
+    WheelSurface(Profile profile) : curve_(std::move(profile)) {}     // NOLINT: implicit on purpose
+    WheelSurface(Sections sections) : curve_(std::move(sections)) {}  // NOLINT: the same
+
+    bool is_round() const { return std::holds_alternative<Profile>(curve_); }
+    /// Of a round wheel.
+    const Profile& profile() const { return std::get<Profile>(curve_); }
+
+    std::size_t parts() const { return is_round() ? 1 : std::get<Sections>(curve_).parts(); }
+    double length(std::size_t part) const {
+        return is_round() ? profile().length() : std::get<Sections>(curve_).length(part);
+    }
+
+    Point at(std::size_t part, double s, double angle) const noexcept {
+        if (const auto* profile = std::get_if<Profile>(&curve_)) {
+            const Profile::Point p = profile->at(s);
+            return {p.y, p.z, p.slope, {0, 0}};
+        }
+        const Sections::Point p = std::get_if<Sections>(&curve_)->at(part, s, angle);
+        return {p.y, p.z, p.by_s, p.by_u};
+    }
+
+private:
+    std::variant<Profile, Sections> curve_;
+};
+
+/// A wheel in its place on the track, with the wheelset at height 0: curves at constant x, and the silhouette that a
+/// round wheel shows to a straight rail, where its normal has no component along x (NORMAL.md's locus).
+class PlacedWheel {
+public:
+    /// `origin` [m]: of the profile from the middle of the axle; `radius`: r0 [m].
+    PlacedWheel(const WheelSurface& surface, double origin, double radius, const WheelsetPosition& at)
+        : surface_(&surface),
+          origin_(origin),
+          radius_(radius),
+          lateral_(at.lateral),
+          pitch_(at.pitch),
+          sin_roll_(std::sin(at.roll)),
+          cos_roll_(std::cos(at.roll)),
+          sin_yaw_(std::sin(at.yaw)),
+          cos_yaw_(std::cos(at.yaw)) {}
+
+    /// sin theta up to which the wheel is looked at.
+    static constexpr double steepest = 0.5;
+
+    struct Place {
+        double x, y, z;
+        bool defined;
+    };
+
+    const WheelSurface& surface() const { return *surface_; }
+    double radius() const { return radius_; }
+
+    /// Of a round wheel.
+    Place silhouette(double s) const {
+        const Profile::Point p = surface_->profile().at(s);
+        const double across = sin_yaw_ * p.slope[1], sine = across == 0 ? 0 : -across / (cos_yaw_ * p.slope[0]);
+        if (!(std::abs(sine) <= steepest) || !(p.slope[0] > 0 || across == 0)) return {0, 0, 0, false};
+        return place(p.y, p.z, sine);
+    }
+
+    /// The point s of the curve at x [m].
+    CurvePoint section(std::size_t part, double s, double x) const {
+        if (surface_->is_round()) {
+            const Profile::Point p = surface_->profile().at(s);
+            return section_of({p.y, p.z, p.slope, {0, 0}}, x);
+        }
+        double sine = x / radius_;
+        WheelSurface::Point p{};
+        for (int k = 0; k < 20; ++k) {
+            p = surface_->at(part, s, std::asin(sine) - pitch_);
+            const double next = sine_of(p, x);
+            if (!(std::abs(next) <= steepest)) return {0, 0, {0, 0}, false};
+            const double change = next - std::exchange(sine, next);
+            if (std::abs(change) < 1e-14) break;
+        }
+        return section_of(p, x);
+    }
+
+private:
+    double sine_of(const WheelSurface::Point& p, double x) const {
+        return (x + sin_yaw_ * (origin_ + p.y)) / (cos_yaw_ * (radius_ + p.z));
+    }
+    Place place(double y, double z, double sine) const {
+        const double eta = origin_ + y, r = radius_ + z, cosine = std::sqrt((std::max)(1 - sine * sine, 0.0));
+        const double across = sin_yaw_ * r * sine + cos_yaw_ * eta;
+        return {cos_yaw_ * r * sine - sin_yaw_ * eta, lateral_ + cos_roll_ * across - sin_roll_ * r * cosine,
+                -radius_ + sin_roll_ * across + cos_roll_ * r * cosine, true};
+    }
+    CurvePoint section_of(const WheelSurface::Point& p, double x) const {
+        const double sine = sine_of(p, x), r = radius_ + p.z;
+        if (!(std::abs(sine) <= steepest)) return {0, 0, {0, 0}, false};
+        const double cosine = std::sqrt(1 - sine * sine);
+        const double across = sin_yaw_ * r * sine + cos_yaw_ * (origin_ + p.y), down = r * cosine;
+        // the angle's derivative at constant x
+        const double turn = (sin_yaw_ * p.by_s[0] - cos_yaw_ * sine * p.by_s[1]) /
+                            (cos_yaw_ * (r * cosine + sine * p.by_angle[1]) - sin_yaw_ * p.by_angle[0]);
+        const double dy = p.by_s[0] + p.by_angle[0] * turn, dr = p.by_s[1] + p.by_angle[1] * turn;
+        const double d_across = sin_yaw_ * (dr * sine + r * cosine * turn) + cos_yaw_ * dy,
+                     d_down = dr * cosine - r * sine * turn;
+        return {lateral_ + cos_roll_ * across - sin_roll_ * down,
+                -radius_ + sin_roll_ * across + cos_roll_ * down,
+                {cos_roll_ * d_across - sin_roll_ * d_down, sin_roll_ * d_across + cos_roll_ * d_down},
+                true};
+    }
+
+    const WheelSurface* surface_;
+    double origin_, radius_, lateral_, pitch_, sin_roll_, cos_roll_, sin_yaw_, cos_yaw_;
+};
+
+}  // namespace rollbem
