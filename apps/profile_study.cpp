@@ -50,7 +50,7 @@ Contacts find_contacts(const Settings& settings, const Case& at) {
         contacts.of = rolling_forces(settings.wheelset, rolling, *settings.friction, workspace, settings.grid);
     } else {
         contacts.of.contacts =
-            settings.wheelset.carry(rolling.position, rolling.loads, workspace, rolling.free, settings.grid);
+            settings.wheelset.solve(rolling.position, rolling.loads, workspace, rolling.free, settings.grid);
     }
     contacts.time_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
     return contacts;

@@ -54,7 +54,7 @@ void BM_ProfilePatch(benchmark::State& state) {
     for (auto _ : state) {
         if (fresh) workspace = {};
         const double lateral = -4e-3 - 1e-4 * double(++k % 2);  // one lobe
-        const auto contact = wheel.carry({.lateral = lateral, .yaw = 5e-3}, 1e5, workspace, options);
+        const auto contact = wheel.solve_for_load({.lateral = lateral, .yaw = 5e-3}, 1e5, workspace, options);
         if (contact.status != Status::ok) state.SkipWithError(name(contact.status));
         benchmark::DoNotOptimize(contact.height);
     }

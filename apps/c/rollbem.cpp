@@ -288,7 +288,7 @@ int rollbem_wheel_carry(rollbem_wheel* wheel, double lateral, double roll, doubl
                         double* patches, size_t* count) {
     return guarded([&]() -> int {
         *count = 0;
-        const auto found = wheel->wheel.carry({.lateral = lateral, .roll = roll, .yaw = yaw}, load, wheel->workspace);
+        const auto found = wheel->wheel.solve_for_load({.lateral = lateral, .roll = roll, .yaw = yaw}, load, wheel->workspace);
         if (!has_numbers(found.status)) {
             return failed(std::string("rollbem_wheel_carry: status is ") + name(found.status));
         }

@@ -87,7 +87,7 @@ TEST_CASE("wheel_on_rail: contacts of the Manchester benchmark, S1002 on 60E1, a
             // friction, with the ratio of the reference, carries the rest of 10 kN
             const double ratio = (1e4 / ref_load - std::cos(ref_angle)) / std::sin(ref_angle);
             const auto vertical = [=](double angle) { return 1e4 / (1 + ratio * std::tan(angle)); };
-            const auto contact = wheel.carry(position, vertical(ref_angle), workspace);
+            const auto contact = wheel.solve_for_load(position, vertical(ref_angle), workspace);
             REQUIRE(has_numbers(contact.status));
             REQUIRE(contact.patches.size() == 1);
             const RailPatch& patch = contact.patches[0];
@@ -103,7 +103,7 @@ TEST_CASE("wheel_on_rail: contacts of the Manchester benchmark, S1002 on 60E1, a
             add("lateral creepage", -side * creepage.lateral, ref[11]);
             add("spin", -side * creepage.spin * 1e-3, ref[12]);
 
-            const auto squares = wheel.carry(position, vertical(patch.angle), workspace, {.cell_size = 2e-4});
+            const auto squares = wheel.solve_for_load(position, vertical(patch.angle), workspace, {.cell_size = 2e-4});
             REQUIRE(squares.patches.size() == 1);
             const RailPatch& coarse = squares.patches[0];
             add("area", 0.04 * double((coarse.pressure > 0).count()) / ref[9], 1);
@@ -139,7 +139,7 @@ TEST_CASE("wheelset_forces: the largest difference from CONTACT vanishes on CONT
     const std::vector<double> ref = benchmark_rows("contact.csv", "left,")[1];
     const double load = ref[6], limit = 0.3 * load, nu = wheel.dimensions().poisson_ratio;
     WheelOnRail::Workspace workspace;
-    const auto contact = wheel.carry({-position[0], 0, -position[2], -position[1]}, load * std::cos(ref[4]), workspace,
+    const auto contact = wheel.solve_for_load({-position[0], 0, -position[2], -position[1]}, load * std::cos(ref[4]), workspace,
                                      {.cell_size = 2e-4});
     const RailPatch& patch = contact.patches.at(0);
     // displacements by tractions that are constant in each cell, at the centres, as differences over one cell
@@ -195,7 +195,7 @@ TEST_CASE("wheelset_forces: the largest difference from CONTACT vanishes on CONT
 
 TEST_CASE("wheel_on_rail: a second implementation on fine grids", "[profiles]") {
     WheelOnRail::Workspace workspace;
-    const auto contact = standard().carry({6.5e-3, 0, -4.376e-3, .0156}, 15441 * std::cos(1.15908), workspace,
+    const auto contact = standard().solve_for_load({6.5e-3, 0, -4.376e-3, .0156}, 15441 * std::cos(1.15908), workspace,
                                           {.cells_x = 60, .cells_s = 60});
     REQUIRE(contact.patches.size() == 1);
     const RailPatch& patch = contact.patches[0];
@@ -235,7 +235,7 @@ TEST_CASE("wheel_on_rail: Hertz's ellipses from quadratic profiles, to second or
         const double load = 600;
         CAPTURE(R, along, across);
         const auto contact =
-            cylinder_on_parabola(R).carry({}, load, workspace, {.cells_x = along + 4, .cells_s = across + 4});
+            cylinder_on_parabola(R).solve_for_load({}, load, workspace, {.cells_x = along + 4, .cells_s = across + 4});
         REQUIRE(contact.status == Status::ok);
         const RailPatch& patch = contact.patches.at(0);
         const HertzEllipse<double> hertz = hertz_of(R, load);
@@ -274,11 +274,11 @@ TEST_CASE("wheel_on_rail: contacts do not depend on where the search for them st
     for (const double lateral : {-3e-3, 0.5e-3, 2e-3, 5.088e-3}) {
         const WheelsetPosition position{.lateral = lateral, .yaw = 1e-3};
         WheelOnRail::Workspace fresh, used;
-        const auto cold = standard().carry(position, 1e5, fresh);
+        const auto cold = standard().solve_for_load(position, 1e5, fresh);
         for (const double from : {lateral - 2e-3, lateral + 1e-4, lateral}) {
             const bool same = from == lateral;
-            standard().carry({.lateral = from, .yaw = same ? 1e-3 : 2e-3}, same ? 1e5 : 4e4, used);
-            const auto warm = standard().carry(position, 1e5, used);
+            standard().solve_for_load({.lateral = from, .yaw = same ? 1e-3 : 2e-3}, same ? 1e5 : 4e4, used);
+            const auto warm = standard().solve_for_load(position, 1e5, used);
             CAPTURE(lateral, from);
             REQUIRE(warm.patches.size() == cold.patches.size());
             const RailPatch &one = warm.patches[0], &other = cold.patches[0];
@@ -295,7 +295,7 @@ TEST_CASE("wheel_on_rail: small and large loads, needles, ends of profiles, two 
           "[profiles]") {
     WheelOnRail::Workspace workspace;
     const auto one = [&](double R, double load) {
-        const auto contact = cylinder_on_parabola(R).carry({}, load, workspace, {.cells_x = 40, .cells_s = 40});
+        const auto contact = cylinder_on_parabola(R).solve_for_load({}, load, workspace, {.cells_x = 40, .cells_s = 40});
         const HertzEllipse<double> hertz = hertz_of(R, load);
         CAPTURE(R, load, hertz.half_length(), hertz.half_width());
         REQUIRE(contact.status == Status::ok);
@@ -311,16 +311,16 @@ TEST_CASE("wheel_on_rail: small and large loads, needles, ends of profiles, two 
     one(30, 1e3);    // a/b = 0.06
 
     // pressures at the end of the wheel, which is not known beyond
-    CHECK(cylinder_on_parabola(0.3).carry({.lateral = 0.0295}, 1e5, workspace).status == Status::end_of_profile);
-    CHECK(standard().carry({.lateral = 1}, 1e5, workspace).status == Status::no_contact);
-    CHECK(standard().carry({.yaw = 0.8}, 1e5, workspace).status == Status::undefined_section);
-    CHECK(standard().carry({.roll = 3}, 1e5, workspace).status == Status::no_contact);
-    CHECK(standard().carry({.lateral = NAN}, 1e5, workspace).status == Status::not_finite);
-    CHECK(standard().carry({}, 0, workspace).status == Status::not_finite);
+    CHECK(cylinder_on_parabola(0.3).solve_for_load({.lateral = 0.0295}, 1e5, workspace).status == Status::end_of_profile);
+    CHECK(standard().solve_for_load({.lateral = 1}, 1e5, workspace).status == Status::no_contact);
+    CHECK(standard().solve_for_load({.yaw = 0.8}, 1e5, workspace).status == Status::undefined_section);
+    CHECK(standard().solve_for_load({.roll = 3}, 1e5, workspace).status == Status::no_contact);
+    CHECK(standard().solve_for_load({.lateral = NAN}, 1e5, workspace).status == Status::not_finite);
+    CHECK(standard().solve_for_load({}, 0, workspace).status == Status::not_finite);
 
     // right 11 of the benchmark, 10 mm apart; CONTACT's friction carries a part, a second implementation's loads
     const double vertical = 1e4 - 8557 * 2308 / 8161 * std::sin(0.298) - 1045 * 443 / 1476 * std::sin(0.133);
-    const auto two = standard().carry({5e-3, 0, -3.554e-4, 0.012}, vertical, workspace);
+    const auto two = standard().solve_for_load({5e-3, 0, -3.554e-4, 0.012}, vertical, workspace);
     REQUIRE(two.patches.size() == 2);
     CHECK(two.patches[0].load == Approx(8557).epsilon(5e-3));
     CHECK(two.patches[1].load == Approx(1045).epsilon(7e-2));
@@ -331,7 +331,7 @@ TEST_CASE("wheel_on_rail: a cylinder on a round rail is Hertz's contact", "[prof
     const double R = 0.3, load = 8e4;
     const WheelOnRail wheel = cylinder_on_parabola(R);
     WheelOnRail::Workspace workspace;
-    const auto contact = wheel.carry({}, load, workspace, {.cells_x = 64, .cells_s = 64});
+    const auto contact = wheel.solve_for_load({}, load, workspace, {.cells_x = 64, .cells_s = 64});
     REQUIRE(contact.status == Status::ok);
     const RailPatch& patch = contact.patches.at(0);
     CHECK(patch.y == Approx(wheel.rail_origin()).margin(2e-6));
@@ -377,7 +377,7 @@ TEST_CASE("wheel_on_rail: a result or a status in random positions, and the load
             wheel = k % 20 == 0 ? standard() : WheelOnRail(worn(s1002(), random), worn(rail_60e1(), random));
         const WheelsetPosition position{0.012 * uniform(random), 0, 5e-3 * uniform(random), 0.03 * uniform(random)};
         const double load = 1e5 * std::pow(10, uniform(random));
-        const auto contact = wheel.carry(position, load, workspace);
+        const auto contact = wheel.solve_for_load(position, load, workspace);
         ++statuses[name(contact.status)];
         CAPTURE(k, position.lateral, position.roll, position.yaw, load, name(contact.status));
         CHECK(contact.status != Status::not_finite);
@@ -404,11 +404,11 @@ TEST_CASE("wheel_on_rail: a result or a status in random positions, and the load
 TEST_CASE("wheelset_on_track: both wheels carry their loads; mirrored positions are mirror images", "[profiles]") {
     const WheelsetOnTrack wheelset(standard());
     WheelsetOnTrack::Workspace workspace;
-    const auto one = wheelset.carry({.lateral = 2.5e-3, .yaw = 6e-3}, {1e4, 1e4}, workspace);
+    const auto one = wheelset.solve({.lateral = 2.5e-3, .yaw = 6e-3}, {1e4, 1e4}, workspace);
     REQUIRE(one.status == Status::ok);
     CHECK(one.position.roll == Approx(-1.457e-4).margin(2e-6));  // of the benchmark
     CHECK(one.wheels[0].height == Approx(one.wheels[1].height).margin(1e-9));
-    const auto other = wheelset.carry({.lateral = -2.5e-3, .yaw = -6e-3}, {1e4, 1e4}, workspace);
+    const auto other = wheelset.solve({.lateral = -2.5e-3, .yaw = -6e-3}, {1e4, 1e4}, workspace);
     CHECK(other.position.roll == Approx(-one.position.roll).epsilon(1e-6));
     CHECK(other.wheels[0].patches[0].y == Approx(one.wheels[1].patches[0].y).epsilon(1e-9));
     CHECK(other.wheels[1].patches[0].angle == Approx(one.wheels[0].patches[0].angle).epsilon(1e-6));
@@ -417,7 +417,7 @@ TEST_CASE("wheelset_on_track: both wheels carry their loads; mirrored positions 
 TEST_CASE("wheelset_on_track: regions that join between tread and flange", "[profiles]") {
     const WheelsetOnTrack wheelset(standard());
     WheelsetOnTrack::Workspace workspace;
-    const auto contacts = wheelset.carry({.lateral = 6.3e-3, .yaw = 0.02}, {1e5, 1e5}, workspace);
+    const auto contacts = wheelset.solve({.lateral = 6.3e-3, .yaw = 0.02}, {1e5, 1e5}, workspace);
     REQUIRE(contacts.status == Status::doubtful_plane);
     for (const WheelOnRail::Contact& wheel : contacts.wheels) {
         double vertical = 0;
@@ -425,12 +425,12 @@ TEST_CASE("wheelset_on_track: regions that join between tread and flange", "[pro
         CHECK(vertical == Approx(1e5).epsilon(2e-6));
     }
     // at this height the same loads press the wheels down again
-    const auto pressed = wheelset.carry(contacts.position, {0, 0}, workspace, WheelsetOnTrack::Free::nothing);
+    const auto pressed = wheelset.solve(contacts.position, {0, 0}, workspace, WheelsetOnTrack::Free::nothing);
     for (std::size_t k = 0; k < 2; ++k) {
         REQUIRE(pressed.wheels[k].patches.size() == contacts.wheels[k].patches.size());
         CHECK(pressed.wheels[k].patches[0].load == Approx(contacts.wheels[k].patches[0].load).epsilon(2e-2));
     }
-    const auto lifted = wheelset.carry({.height = -1e-3}, {0, 0}, workspace, WheelsetOnTrack::Free::nothing);
+    const auto lifted = wheelset.solve({.height = -1e-3}, {0, 0}, workspace, WheelsetOnTrack::Free::nothing);
     CHECK(lifted.status == Status::no_contact);
 }
 
@@ -517,7 +517,7 @@ TEST_CASE("wheelset_forces: mirrored motions are mirror images; a wheel without 
     // narrow wheels, the left one beside its rail, the right one on its flange
     const Profile whole = s1002();
     const Eigen::Index most = (whole.y() < 0.02).count();
-    const WheelsetOnTrack narrow(WheelOnRail({whole.y().head(most), whole.z().head(most)}, rail_60e1()));
+    const WheelsetOnTrack narrow(WheelOnRail(Profile(whole.y().head(most), whole.z().head(most)), rail_60e1()));
     rolling.position = {.lateral = 0.055};
     rolling.free = WheelsetOnTrack::Free::height;
     const auto derailed = rolling_forces(narrow, rolling, friction, workspace);
@@ -533,7 +533,7 @@ TEST_CASE(
     "wheelset_forces: rolling backwards is the mirror image of rolling forward; at standstill there is no creepage",
     "[profiles]") {
     WheelOnRail::Workspace wheel;
-    const auto contact = standard().carry({.lateral = 2e-3, .yaw = 2e-3}, 1e4, wheel);
+    const auto contact = standard().solve_for_load({.lateral = 2e-3, .yaw = 2e-3}, 1e4, wheel);
     const Creepage<double> back =
         creepage_of(contact.patches.at(0), {2e-3, contact.height, 0, 2e-3}, {.forward = -2, .pitch_rate = 4.345}, 0.46);
     CHECK(back.longitudinal == Approx(6.55e-4).margin(5e-7));
@@ -623,7 +623,7 @@ TEST_CASE("wheelset_forces: curved slip where the rail's arcs join, and a patch 
 
     const auto area = [&](Eigen::Index n) {
         const auto contact =
-            standard().carry({1e-3, 0, -5.049e-5, .0024}, 1e4, workspace.wheels[1], {.cells_x = 2 * n, .cells_s = n});
+            standard().solve_for_load({1e-3, 0, -5.049e-5, .0024}, 1e4, workspace.wheels[1], {.cells_x = 2 * n, .cells_s = n});
         return contact.patches.at(0).area;
     };
     CHECK(area(20) == Approx(area(80)).epsilon(4e-2));

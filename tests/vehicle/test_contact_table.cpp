@@ -188,7 +188,7 @@ TEST_CASE("a table agrees with the patches at its nodes, and has their forces be
     const ContactTable table = make_contact_table(track, 1e5, creep(), grid, 2, coarse, &missing);
     REQUIRE(missing == 0);
     WheelsetOnTrack::Workspace workspace;
-    const auto contacts = track.carry({.lateral = -0.5e-3, .yaw = -2e-3}, {1e5, 1e5}, workspace, {}, coarse);
+    const auto contacts = track.solve({.lateral = -0.5e-3, .yaw = -2e-3}, {1e5, 1e5}, workspace, {}, coarse);
     const RailPatch& patch = contacts.wheels[1].patches[0];
     const WheelsetSpeeds speeds{.forward = 30,
                                 .pitch_rate = -30 / radius * 1.0005,

@@ -10,11 +10,12 @@
 
 namespace rollbem {
 
-extern template WheelOnRail::Contact WheelOnRail::carry<double>(const WheelsetPosition&, double,
-                                                                WheelOnRail::Workspace&,
-                                                                const WheelOnRail::Options&) const;
-extern template WheelOnRail::Contact WheelOnRail::press<double>(const WheelsetPosition&, WheelOnRail::Workspace&,
-                                                                const WheelOnRail::Options&) const;
+extern template WheelOnRail::Contact WheelOnRail::solve_for_load<double>(const WheelsetPosition&, double,
+                                                                         WheelOnRail::Workspace&,
+                                                                         const WheelOnRail::Options&) const;
+extern template WheelOnRail::Contact WheelOnRail::solve_at_height<double>(const WheelsetPosition&,
+                                                                          WheelOnRail::Workspace&,
+                                                                          const WheelOnRail::Options&) const;
 extern template WheelForces ContactTable::look_up<double>(const CreepForceTable&, WheelsetSide, const WheelsetPosition&,
                                                           const WheelsetSpeeds&, double, double) const noexcept;
 extern template WheelsetForces rolling_forces<double>(const WheelsetOnTrack&, const WheelsetRolling&,

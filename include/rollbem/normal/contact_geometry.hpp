@@ -18,12 +18,13 @@ namespace rollbem {
 /// Where profiles are. Track axes: x forward, y to the right, z down, the origin between the rails at the height of
 /// their tops.
 struct TrackDimensions {
-    double gauge = 1.435, gauge_depth = 0.014;  ///< between the rails: the least down to this depth below their tops [m]
-    double flange_back = 1.36;                  ///< between the backs of both flanges [m]
-    double tape_offset = 0.07;                  ///< of the tape circle from the flange's back [m]
-    double radius = 0.46;                       ///< of the tape circle r0 [m]
-    double shear_modulus = 8.2e10;              ///< G [Pa] of both bodies
-    double poisson_ratio = 0.28;                ///< nu [-] of both bodies
+    double gauge = 1.435,
+           gauge_depth = 0.014;     ///< between the rails: the least down to this depth below their tops [m]
+    double flange_back = 1.36;      ///< between the backs of both flanges [m]
+    double tape_offset = 0.07;      ///< of the tape circle from the flange's back [m]
+    double radius = 0.46;           ///< of the tape circle r0 [m]
+    double shear_modulus = 8.2e10;  ///< G [Pa] of both bodies
+    double poisson_ratio = 0.28;    ///< nu [-] of both bodies
     struct Origin {
         double y, z;
     };
@@ -58,7 +59,8 @@ inline TrackDimensions::Origin origin_by_gauge(const Profile& rail, const TrackD
     for (Eigen::Index i = below; i < top; ++i) {
         const double from = (std::max)(rail.s()[i], deepest), to = rail.s()[i + 1];
         if (rail.at(from).slope[0] < 0 && rail.at(to).slope[0] > 0) {
-            narrowest = (std::min)(narrowest, rail.at(root(from, to, [&](double s) { return rail.at(s).slope[0] < 0; })).y);
+            narrowest =
+                (std::min)(narrowest, rail.at(root(from, to, [&](double s) { return rail.at(s).slope[0] < 0; })).y);
         }
         narrowest = (std::min)(narrowest, rail.at(to).y);
     }

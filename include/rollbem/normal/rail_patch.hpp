@@ -20,15 +20,15 @@ namespace rollbem {
 /// The plane of contact has its origin at the reference point, s along y turned by the angle, and n into the rail; patch
 /// and pressures are in the axes (x, s) from there.
 struct RailPatch {
-    double x = 0, y = 0, z = 0;      ///< reference point, on the rail, in track axes [m]
-    double rail_y = 0, wheel_y = 0;  ///< of it in both profiles [m]
-    double rail_s = 0, wheel_s = 0;  ///< lengths along them up to it [m]
-    double angle = 0;                ///< delta of the plane [rad]: s = (0, cos delta, sin delta)
-    double rolling_radius = 0;       ///< r0 + z of the wheel there [m]
-    double load = 0;                 ///< normal force [N]
-    double approach = 0;             ///< the largest of wheel_n - rail_n over the cells, undeformed [m]
-    double peak_pressure = 0;        ///< [Pa]
-    double area = 0;                 ///< [m^2]
+    double x = 0, y = 0, z = 0;              ///< reference point, on the rail, in track axes [m]
+    double rail_y = 0, wheel_y = 0;          ///< of it in both profiles [m]
+    double rail_s = 0, wheel_s = 0;          ///< lengths along them up to it [m]
+    double angle = 0;                        ///< delta of the plane [rad]: s = (0, cos delta, sin delta)
+    double rolling_radius = 0;               ///< r0 + z of the wheel there [m]
+    double load = 0;                         ///< normal force [N]
+    double approach = 0;                     ///< the largest of wheel_n - rail_n over the cells, undeformed [m]
+    double peak_pressure = 0;                ///< [Pa]
+    double area = 0;                         ///< [m^2]
     double half_length = 0, half_width = 0;  ///< half the extents [m]
     int steps = 0;                           ///< of the normal problem, the last time
     double residual = 0;                     ///< of gaps where there is pressure, over the approach
@@ -62,9 +62,9 @@ inline Status border_of(const Gaps& gaps, const Eigen::ArrayXXd& pressure) {
         for (Eigen::Index i = 0; i < nx; ++i) {
             if (!(pressure(i, j) > 0)) continue;
             const Eigen::Index left = (std::max)(i - 1, Eigen::Index(0)), low = (std::max)(j - 1, Eigen::Index(0));
-            worst = (std::max)(worst, gaps.known
-                                          .block(left, low, (std::min)(i + 2, nx) - left, (std::min)(j + 2, ny) - low)
-                                          .maxCoeff());
+            worst = (std::max)(
+                worst,
+                gaps.known.block(left, low, (std::min)(i + 2, nx) - left, (std::min)(j + 2, ny) - low).maxCoeff());
         }
     }
     return worst;
@@ -91,6 +91,20 @@ inline double turn_across(const ContactGeometry& geometry, const ContactPlane& p
         return std::atan2(p.slope[1], p.slope[0]);
     };
     return std::abs(angle(outline.high()) - angle(outline.low()));
+}
+
+/// The largest depth of the undeformed surfaces over the cells of a piece: the vertex of the parabolas through the
+/// deepest cell and its neighbours.
+inline double largest_depth(const NormalContact::Grid& h, const Eigen::ArrayXXd& piece) {
+    Eigen::Index i = 0, j = 0;
+    double least = (piece > 0).select(h, h.maxCoeff()).minCoeff(&i, &j);
+    const auto vertex = [&](double before, double after) {
+        const double bend = before - 2 * h(i, j) + after, slope = (after - before) / 2;
+        return (std::max)(before, after) < 0 && std::abs(slope) < bend ? slope * slope / (2 * bend) : 0;
+    };
+    if (i > 0 && i + 1 < h.rows()) least -= vertex(h(i - 1, j), h(i + 1, j));
+    if (j > 0 && j + 1 < h.cols()) least -= vertex(h(i, j - 1), h(i, j + 1));
+    return -least;
 }
 
 /// What is the same for all pieces of a plane.
@@ -128,7 +142,7 @@ inline void add_patches(const ContactGeometry& geometry, const WheelsetPosition&
         patch.load = piece.sum() * of.grid.dx * of.grid.dy;
         patch.outline = contact_outline(of.grid, piece);
         if (!patch.outline && patch.load < crumb) continue;
-        patch.approach = of.lower - (piece > 0).select(of.gaps.h, of.gaps.h.maxCoeff()).minCoeff();
+        patch.approach = of.lower + largest_depth(of.gaps.h, piece);
         patch.peak_pressure = detail::peak_pressure(piece);
         if (!patch.outline) {
             if (patch.has_numbers()) patch.status = Status::few_cells;

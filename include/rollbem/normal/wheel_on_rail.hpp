@@ -89,9 +89,9 @@ public:
 
     const ContactGeometry& geometry() const { return geometry_; }
     const TrackDimensions& dimensions() const { return geometry_.dimensions(); }
-    double compliance() const { return geometry_.compliance(); }        ///< 1/E* [1/Pa]
-    double rail_origin() const { return geometry_.rail_origin().y; }    ///< y of the right rail's [m]
-    double wheel_origin() const { return geometry_.wheel_origin(); }    ///< of the right wheel's from the middle [m]
+    double compliance() const { return geometry_.compliance(); }          ///< 1/E* [1/Pa]
+    double rail_origin() const { return geometry_.rail_origin().y; }      ///< y of the right rail's [m]
+    double wheel_origin() const { return geometry_.wheel_origin(); }      ///< of the right wheel's from the middle [m]
     const Profile& wheel() const { return geometry_.wheel().profile(); }  ///< of a round wheel
     const Profile& rail() const { return geometry_.rail().profile(); }    ///< of a straight rail or a roller
 

@@ -141,8 +141,8 @@ struct ContactNode {
             auto& v = point.values;
             v = ellipse.values;
             v[arm_x] = patch.x + ellipse.x;
-            v[arm_y] = patch.y + ellipse.s * cosine - patch.penetration * sine - seen.lateral;
-            v[arm_z] = patch.z + ellipse.s * sine + patch.penetration * cosine - seen.height + dimensions.radius;
+            v[arm_y] = patch.y + ellipse.s * cosine - patch.approach * sine - seen.lateral;
+            v[arm_z] = patch.z + ellipse.s * sine + patch.approach * cosine - seen.height + dimensions.radius;
             v[angle] = patch.angle;
             v[length] = ellipse.half_length / root;
             v[width] = ellipse.half_width / root;
@@ -199,7 +199,7 @@ inline ContactTable make_contact_table(
             for (Eigen::Index i = 0; i < grid.shifts; ++i) {
                 start.lateral = grid.shift(i);
                 start.yaw = grid.yaw(k);
-                const auto contacts = track.carry(start, {load, load}, workspace, {}, options);
+                const auto contacts = track.solve(start, {load, load}, workspace, {}, options);
                 const bool carries = std::all_of(contacts.wheels.begin(), contacts.wheels.end(), [](const auto& wheel) {
                     return !wheel.patches.empty() && (has_numbers(wheel.status) || wheel.status == Status::few_cells);
                 });

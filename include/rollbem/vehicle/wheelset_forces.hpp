@@ -198,7 +198,8 @@ namespace detail {
 
 /// At which the longitudinal creepages of the largest patches of all wheels that touch add up to zero [rad/s]: slip is
 /// linear in the rate, and the velocity of rolling by which it is divided changes little from one round to the next.
-inline double free_pitch_rate(const WheelsetOnTrack::Contacts& contacts, WheelsetSpeeds speeds, double radius) {
+inline double free_pitch_rate(const WheelsetOnTrack& wheelset, const WheelsetOnTrack::Contacts& contacts,
+                              WheelsetSpeeds speeds) {
     speeds.pitch_rate = 0;
     for (int round = 0; round < 20; ++round) {
         double sum = 0, growth = 0;  // of creepages, and its derivative at constant velocities of rolling
@@ -207,6 +208,7 @@ inline double free_pitch_rate(const WheelsetOnTrack::Contacts& contacts, Wheelse
             if (!has_numbers(wheel.status)) continue;
             const RailPatch& patch = wheel.patches[0];
             const WheelsetPosition at = contacts.seen(side);
+            const double radius = wheelset.wheel(side).dimensions().radius;
             const auto slip = [&](const WheelsetSpeeds& of) {
                 const WheelsetSpeeds seen = WheelsetOnTrack::seen_from(side, of);
                 return SlipVelocity(patch, at, seen, radius).at_reference().longitudinal;
@@ -275,7 +277,6 @@ WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const WheelsetRol
                               const RollingFriction& friction, WheelsetOnTrack::Workspace& workspace,
                               const WheelOnRail::Options& options = {}) {
     using Free = WheelsetOnTrack::Free;
-    const TrackDimensions& dimensions = wheelset.wheel().dimensions();
     WheelsetForces result;
     WheelsetPosition position = rolling.position;
     WheelsetSpeeds speeds = rolling.speeds;
@@ -287,7 +288,7 @@ WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const WheelsetRol
     for (bool settled = false; !settled;) {
         const bool last = ++result.rounds >= most;
         const std::array loads{rolling.loads[0] * std::exp(carried[0].at), rolling.loads[1] * std::exp(carried[1].at)};
-        result.contacts = wheelset.carry(position, loads, workspace, rolling.free, options);
+        result.contacts = wheelset.solve(position, loads, workspace, rolling.free, options);
         // the roll changes little from one round to the next
         if (has_numbers(result.contacts.status)) position.roll = result.contacts.position.roll;
         bool lost = false;  // a wheel that the loads before had numbers for
@@ -300,7 +301,7 @@ WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const WheelsetRol
             ++failures;
             continue;
         }
-        if (rolling.free_pitch) speeds.pitch_rate = detail::free_pitch_rate(result.contacts, speeds, dimensions.radius);
+        if (rolling.free_pitch) speeds.pitch_rate = detail::free_pitch_rate(wheelset, result.contacts, speeds);
         settled = true;
         for (const WheelsetOnTrack::Side side : WheelsetOnTrack::sides) {
             const auto k = static_cast<std::size_t>(side);
@@ -309,8 +310,9 @@ WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const WheelsetRol
             if (!has_numbers(wheel.status)) continue;
             result.pitch_rate = speeds.pitch_rate;
             for (const RailPatch& patch : wheel.patches) {
-                result.patches[k].push_back(patch_force(
-                    patch, result.contacts.seen(side), WheelsetOnTrack::seen_from(side, speeds), dimensions, friction));
+                result.patches[k].push_back(patch_force(patch, result.contacts.seen(side),
+                                                        WheelsetOnTrack::seen_from(side, speeds),
+                                                        wheelset.wheel(side).dimensions(), friction));
             }
             if (rolling.free == Free::nothing || carried[k].settled(wheel, result.patches[k], rolling.loads[k])) {
                 continue;
@@ -338,7 +340,7 @@ WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const WheelsetRol
         const WheelsetPosition at = result.contacts.seen(side);
         for (std::size_t i = 0; i < result.patches[k].size(); ++i) {
             result.on_wheel[k] += wrench_of(result.contacts.wheels[k].patches[i], result.patches[k][i], at.lateral,
-                                            at.height - dimensions.radius);
+                                            at.height - wheelset.wheel(side).dimensions().radius);
         }
         if (side == WheelsetOnTrack::Side::left) {
             for (double* of :

@@ -43,7 +43,7 @@ public:
         return {v_x, v_y * cosine_t + v_z * sine_t, w_z_ * cosine - w_y_ * sine};
     }
     /// At the reference point, of the wheel's material, which lies below the rail's surface.
-    Creepage<double> at_reference() const { return (*this)(0, 0, patch_.penetration, 0); }
+    Creepage<double> at_reference() const { return (*this)(0, 0, patch_.approach, 0); }
 
 private:
     const RailPatch& patch_;
@@ -106,15 +106,18 @@ inline PressureGrid<double> pressure_of(const RailPatch& patch) {
             Eigen::ArrayXd::LinSpaced(grid.ny, grid.y(0), grid.y(grid.ny - 1)), patch.pressure.matrix()};
 }
 
-/// Both wheels of a wheelset on both rails, which are mirror images. Immutable.
+/// Both wheels of a wheelset on both rails. Immutable.
 class WheelsetOnTrack {
 public:
-    explicit WheelsetOnTrack(WheelOnRail wheel) : wheel_(std::move(wheel)) {}
-
-    const WheelOnRail& wheel() const { return wheel_; }
-
     using Side = WheelsetSide;
     static constexpr std::array<Side, 2> sides{Side::left, Side::right};
+
+    /// Mirror images of each other.
+    explicit WheelsetOnTrack(const WheelOnRail& both) : WheelsetOnTrack(both, both) {}
+    /// The left one as its mirror image, a right wheel on a right rail.
+    WheelsetOnTrack(WheelOnRail left, WheelOnRail right) : wheels_{std::move(left), std::move(right)} {}
+
+    const WheelOnRail& wheel(Side side = Side::right) const { return wheels_[std::size_t(side)]; }
 
     struct Workspace {
         std::array<WheelOnRail::Workspace, 2> wheels;
@@ -145,7 +148,7 @@ public:
     /// A position as the wheel of one side sees it: reversed for the left one.
     static WheelsetPosition seen_from(Side side, const WheelsetPosition& position) {
         if (side == Side::right) return position;
-        return {-position.lateral, position.height, -position.roll, -position.yaw};
+        return {-position.lateral, position.height, -position.roll, -position.yaw, position.along, position.pitch};
     }
     static WheelsetSpeeds seen_from(Side side, const WheelsetSpeeds& speeds) {
         if (side == Side::right) return speeds;
@@ -154,14 +157,19 @@ public:
     }
 
     /// Where normal forces carry the wheels' vertical loads [N], left and right, at this lateral position and yaw.
-    Contacts carry(WheelsetPosition position, const std::array<double, 2>& loads, Workspace& workspace,
+    Contacts solve(WheelsetPosition position, const std::array<double, 2>& loads, Workspace& workspace,
                    Free free = Free::height_and_roll, const WheelOnRail::Options& options = {}) const;
+    [[deprecated("solve")]] Contacts carry(const WheelsetPosition& position, const std::array<double, 2>& loads,
+                                           Workspace& workspace, Free free = Free::height_and_roll,
+                                           const WheelOnRail::Options& options = {}) const {
+        return solve(position, loads, workspace, free, options);
+    }
 
 private:
-    WheelOnRail wheel_;
+    std::array<WheelOnRail, 2> wheels_;
 };
 
-inline auto WheelsetOnTrack::carry(WheelsetPosition position, const std::array<double, 2>& loads, Workspace& workspace,
+inline auto WheelsetOnTrack::solve(WheelsetPosition position, const std::array<double, 2>& loads, Workspace& workspace,
                                    Free free, const WheelOnRail::Options& options) const -> Contacts {
     Contacts contacts;
     // by how much the right wheel's height exceeds the left one's; a roll lowers the right wheel, so that it falls
@@ -170,8 +178,9 @@ inline auto WheelsetOnTrack::carry(WheelsetPosition position, const std::array<d
         for (const Side side : sides) {
             const auto k = static_cast<std::size_t>(side);
             const WheelsetPosition at = seen_from(side, position);
-            contacts.wheels[k] = free == Free::nothing ? wheel_.press(at, workspace.wheels[k], options)
-                                                       : wheel_.carry(at, loads[k], workspace.wheels[k], options);
+            contacts.wheels[k] = free == Free::nothing
+                                     ? wheels_[k].solve_at_height(at, workspace.wheels[k], options)
+                                     : wheels_[k].solve_for_load(at, loads[k], workspace.wheels[k], options);
         }
         contacts.status = (std::max)(contacts.wheels[0].status, contacts.wheels[1].status);
         return contacts.wheels[1].height - contacts.wheels[0].height;
@@ -181,7 +190,7 @@ inline auto WheelsetOnTrack::carry(WheelsetPosition position, const std::array<d
     if (free != Free::height_and_roll) return contacts;
     // contacts, and with them heights, jump a little where grids change
     constexpr double precise = 1e-10, jump = 1e-6;  // of the height [m]
-    detail::RisingRoot root(2 * wheel_.wheel_origin(), 5e-3);
+    detail::RisingRoot root(wheels_[0].wheel_origin() + wheels_[1].wheel_origin(), 5e-3);
     for (int k = 0; k < 40 && has_numbers(contacts.status) && std::abs(excess) > precise; ++k) {
         roll = root.next(roll, -excess);
         if (root.width() < 1e-10 && std::abs(excess) < jump) break;

@@ -36,7 +36,8 @@ public:
         gaps.rail_n.resize(grid.ny);
         gaps.known.setConstant(grid.nx, grid.ny, Status::ok);
         gaps.all_known = true;
-        const Eigen::Index row = std::clamp(Eigen::Index(std::lround(-grid.y_0 / grid.dy)), Eigen::Index(0), grid.ny - 1);
+        const Eigen::Index row =
+            std::clamp(Eigen::Index(std::lround(-grid.y_0 / grid.dy)), Eigen::Index(0), grid.ny - 1);
         wheel_s_.setConstant(grid.nx, plane.wheel_s);
         rail_s_.setConstant(grid.nx, plane.rail_s);
         find_row(grid, row, gaps, true);

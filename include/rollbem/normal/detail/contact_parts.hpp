@@ -174,10 +174,10 @@ public:
         for (std::size_t k = 0; k < parts_.size(); ++k) {
             const ContactPart& part = parts_[k];
             if (!(part.solution.load > 0) && part.solution.status == Status::no_contact) continue;
-            add_patches(*geometry_, at_,
-                        {part.plane, part.grid, part.gaps, part.solution, normal_[k].pressure(),
-                         lower * part.plane.cosine},
-                        crumb * load, found);
+            add_patches(
+                *geometry_, at_,
+                {part.plane, part.grid, part.gaps, part.solution, normal_[k].pressure(), lower * part.plane.cosine},
+                crumb * load, found);
         }
         std::stable_sort(found.begin(), found.end(),
                          [](const RailPatch& one, const RailPatch& other) { return one.load > other.load; });

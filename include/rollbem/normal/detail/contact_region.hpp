@@ -79,16 +79,17 @@ struct Below {
     double depth, angle, s;
 };
 inline Below below(const ContactGeometry& geometry, const Region& region, const Cut& cut, double track_x) {
-    constexpr double wall = 0.1;  // dy/ds
-    Below found{cut.foot.depth, cut.foot.angle, cut.foot.s};
+    constexpr double wall = 0.03;  // dy/ds
+    const Below at_foot{cut.foot.depth, cut.foot.angle, cut.foot.s};
     double s = cut.foot.s;
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 12; ++k) {
         const CurvePoint p = geometry.rail_at(region.rail_part, s, track_x + cut.x);
-        if (!(p.slope[0] > wall)) return found;
-        if (k == 2) return {(std::max)(cut.z - p.z, 0.0), std::atan2(p.slope[1], p.slope[0]), s};
-        s += (cut.y - p.y) / p.slope[0];
+        if (!(p.slope[0] > wall)) return at_foot;
+        const double step = std::clamp((cut.y - p.y) / p.slope[0], -1e-3, 1e-3);
+        if (std::abs(step) < 1e-8) return {(std::max)(cut.z - p.z, 0.0), std::atan2(p.slope[1], p.slope[0]), s};
+        s += step;
     }
-    return found;
+    return at_foot;
 }
 
 /// Means over the region, weighted by widths along the track's y and powers of the depth; `track_x`: of the rail's curve

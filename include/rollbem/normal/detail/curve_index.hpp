@@ -25,6 +25,9 @@ public:
 
     void build(std::vector<SurfaceSample> samples) {
         samples_ = std::move(samples);
+        tops_.assign(2, std::numeric_limits<double>::infinity());
+        columns_ = rows_ = 0;
+        if (samples_.empty()) return;
         low_y_ = low_z_ = std::numeric_limits<double>::infinity();
         double high_y = -low_y_, high_z = -low_y_;
         for (const SurfaceSample& sample : samples_) {
@@ -33,8 +36,8 @@ public:
             high_y = (std::max)(high_y, sample.y);
             high_z = (std::max)(high_z, sample.z);
         }
-        columns_ = samples_.empty() ? 0 : std::ptrdiff_t((high_y - low_y_) / reach) + 1;
-        rows_ = samples_.empty() ? 0 : std::ptrdiff_t((high_z - low_z_) / reach) + 1;
+        columns_ = std::ptrdiff_t((high_y - low_y_) / reach) + 1;
+        rows_ = std::ptrdiff_t((high_z - low_z_) / reach) + 1;
         first_.assign(std::size_t(columns_ * rows_) + 1, 0);
         for (const SurfaceSample& sample : samples_) ++first_[cell(sample.y, sample.z) + 1];
         for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
@@ -85,7 +88,6 @@ private:
     // the highest points on lines of constant y, by the chords between neighbouring samples of a part
     void find_tops(double high_y) {
         tops_.assign(std::size_t((high_y - low_y_) / column_) + 2, std::numeric_limits<double>::infinity());
-        if (samples_.empty()) tops_.assign(2, std::numeric_limits<double>::infinity());
         for (std::size_t k = 1; k < samples_.size(); ++k) {
             const SurfaceSample &one = samples_[k - 1], &two = samples_[k];
             if (one.part != two.part) continue;

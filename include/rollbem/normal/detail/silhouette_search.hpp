@@ -29,7 +29,7 @@ public:
             if (gap < touch_) lowest = &sample;
             touch_ = (std::min)(touch_, gap);
         }
-        if (lowest == nullptr) return Status::no_contact;
+        if (lowest == nullptr) return is_whole_ ? Status::no_contact : Status::undefined_section;
         if (lowest->at_border) return Status::undefined_section;
         // the highest points of the rail are known to the distance of its samples
         for (int k = 0; k < 20; ++k) {
@@ -99,6 +99,7 @@ private:
         const auto count = static_cast<std::size_t>(std::ceil(length / distance));
         samples_.clear();
         searched_at_ = std::numeric_limits<double>::quiet_NaN();
+        is_whole_ = true;
         bool before = true;
         for (std::size_t k = 0; k <= count; ++k) {
             const double s = length * double(k) / double(count);
@@ -109,6 +110,7 @@ private:
                 samples_.back().at_border = true;
             }
             before = p.defined;
+            is_whole_ = is_whole_ && p.defined;
         }
         for (std::size_t k = 0; k < samples_.size(); ++k) {
             const Sample &one = samples_[k > 0 ? k - 1 : 0], &two = samples_[(std::min)(k + 1, samples_.size() - 1)];
@@ -148,7 +150,8 @@ private:
     void join(std::vector<Run>& runs) const {
         for (std::size_t k = 1; k < runs.size();) {
             const Sample &here = samples_[runs[k - 1].last], &next = samples_[runs[k].first];
-            const bool near = next.s - here.s < joined_distance && std::abs(next.foot.s - here.foot.s) < joined_distance;
+            const bool near =
+                next.s - here.s < joined_distance && std::abs(next.foot.s - here.foot.s) < joined_distance;
             if (near && std::abs(mean_angle_of(runs[k]) - mean_angle_of(runs[k - 1])) < joined_angle) {
                 runs[k - 1].last = runs[k].last;
                 runs.erase(runs.begin() + std::ptrdiff_t(k));
@@ -184,6 +187,7 @@ private:
     const ContactGeometry* geometry_ = nullptr;
     std::optional<PlacedWheel> placed_;
     std::vector<Sample> samples_;
+    bool is_whole_ = true;  // the silhouette is defined everywhere
     double touch_ = 0, height_ = 0, searched_at_ = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -42,6 +42,7 @@ public:
             touch_ -= change;
             if (std::abs(change) < 1e-8) break;
         }
+        keep_different();
         return Status::ok;
     }
 
@@ -138,11 +139,14 @@ private:
             for (std::size_t i = 0; i < points[k].size(); ++i) {
                 const Point& p = points[k][i];
                 if (!(p.foot.depth > high)) continue;
+                // on a plateau, the first
                 const auto deeper = [&](const Point& other) {
-                    return other.foot.depth > p.foot.depth && std::hypot(other.y - p.y, other.z - p.z) < 1e-3;
+                    const bool first = other.x < p.x || (other.x == p.x && other.s < p.s);
+                    return other.foot.depth > p.foot.depth + (first ? -1e-12 : 1e-12) &&
+                           std::hypot(other.y - p.y, other.z - p.z) < 1e-3;
                 };
-                bool is_valley = !(i > 0 && deeper(points[k][i - 1])) &&
-                                 !(i + 1 < points[k].size() && deeper(points[k][i + 1]));
+                bool is_valley =
+                    !(i > 0 && deeper(points[k][i - 1])) && !(i + 1 < points[k].size() && deeper(points[k][i + 1]));
                 for (const std::size_t beside : {k - 1, k + 1}) {
                     if (!is_valley || beside >= points.size()) continue;
                     is_valley = std::none_of(points[beside].begin(), points[beside].end(), deeper);
@@ -152,6 +156,18 @@ private:
         }
         std::sort(valleys_.begin(), valleys_.end(),
                   [](const Point& one, const Point& two) { return one.foot.depth > two.foot.depth; });
+    }
+
+    // One of valleys that have met.
+    void keep_different() {
+        std::vector<Point> kept;
+        for (const Point& valley : valleys_) {
+            const bool known = std::any_of(kept.begin(), kept.end(), [&](const Point& other) {
+                return std::hypot(valley.x - other.x, valley.y - other.y, valley.z - other.z) < 2e-4;
+            });
+            if (!known && is_finite(valley.foot.depth)) kept.push_back(valley);
+        }
+        valleys_ = std::move(kept);
     }
 
     Point point_at(const Point& from, double x, double s, double height) const {
@@ -211,57 +227,59 @@ private:
         return false;
     }
 
-    // The cuts at x about a point of the region, from the wheel's s `low` to `high`; whether any lies below the rail.
-    bool cut_slice(const Point& about, double x, double step, double height, std::array<double, 2>& range,
-                   std::vector<Cut>& cuts) const {
+    // The cuts at x about a point of the region, outwards along the wheel until nothing lies below the rail for a while;
+    // how far it does, from and to on the wheel's curve, nothing if nowhere. `step` [m] is that between cuts.
+    std::optional<std::array<double, 2>> cut_slice(const Point& about, double step, double height,
+                                                   std::vector<Cut>& cuts) const {
         const double length = placed_->surface().length(about.part);
-        const double from = (std::max)(range[0] - joined_distance / 2, 0.0),
-                     to = (std::min)(range[1] + joined_distance / 2, length);
-        const auto count = (std::max)(static_cast<int>((to - from) / step), 1);
         std::vector<Cut> slice;
-        Point p = about;
-        // outwards from the middle, each from its neighbour
-        const int middle = count / 2;
-        const Point start = point_at(about, x, from + (to - from) * middle / count, height);
         for (const int direction : {-1, 1}) {
-            p = start;
-            for (int k = middle + (direction > 0 ? 1 : 0); k >= 0 && k <= count; k += direction) {
-                p = point_at(p, x, from + (to - from) * k / count, height);
-                Cut cut{p.s, p.x, p.y, p.z, p.foot, 0};
-                if (!p.defined) cut.foot.depth = 0;
-                slice.push_back(cut);
+            Point p = about;
+            double last = p.s, stride = step;
+            if (direction > 0) p = point_at(p, p.x, p.s + stride, height);
+            while (std::abs(p.s - last) < joined_distance / 2 && p.s >= 0 && p.s <= length) {
+                const bool below = p.defined && p.foot.depth > 0;
+                slice.push_back({p.s, p.x, p.y, p.z, p.foot, 0});
+                if (!below) slice.back().foot.depth = 0;
+                if (below) last = p.s;
+                stride = below ? step : (std::max)(step, (std::min)(1.2 * stride, 1e-4));
+                p = point_at(p, p.x, p.s + direction * stride, height);
             }
             if (direction < 0) std::reverse(slice.begin(), slice.end());
         }
-        bool any = false;
+        std::optional<std::array<double, 2>> range;
         for (std::size_t k = 0; k < slice.size(); ++k) {
             const Cut &before = slice[k > 0 ? k - 1 : 0], &after = slice[(std::min)(k + 1, slice.size() - 1)];
             if (!(slice[k].foot.depth > 0)) continue;
             slice[k].width = (std::max)(after.y - before.y, 0.0);
-            range = any ? std::array{(std::min)(range[0], slice[k].wheel_s), (std::max)(range[1], slice[k].wheel_s)}
-                        : std::array{slice[k].wheel_s, slice[k].wheel_s};
-            any = true;
+            if (!range) range = {slice[k].wheel_s, slice[k].wheel_s};
+            (*range)[1] = slice[k].wheel_s;
             cuts.push_back(slice[k]);
         }
-        return any;
+        return range;
     }
 
     Region explore(const Point& seed, double height) const {
         Region region{.wheel_part = seed.part, .rail_part = seed.rail_part, .cuts = {}, .x_low = 0, .x_high = 0};
         region.power = 2;
-        // A tenth of the half-length and of the half-width, as far as curvatures tell.
+        // A tenth of the half-length, as far as the wheel's radius tells, and a fortieth of the width.
         const double step_x = std::clamp(std::sqrt(2 * seed.foot.depth * placed_->radius()) / 10, 2e-6, 1e-3);
-        std::array<double, 2> range{seed.s, seed.s};
-        const double step_s = 5e-5;
+        double step_s = 5e-5;
+        for (int k = 0; k < 2; ++k) {
+            region.cuts.clear();
+            const auto range = cut_slice(seed, step_s, height, region.cuts);
+            if (!range) return region;
+            step_s = std::clamp(((*range)[1] - (*range)[0]) / 40, 1e-6, 2.5e-4);
+        }
         region.x_low = region.x_high = seed.x;
-        cut_slice(seed, seed.x, step_s, height, range, region.cuts);
         for (const int direction : {-1, 1}) {
-            std::array<double, 2> here = range;
             Point about = seed;
             for (int k = 1; k < 400; ++k) {
                 const double x = seed.x + direction * k * step_x;
-                about = point_at(about, x, (here[0] + here[1]) / 2, height);
-                if (!cut_slice(about, x, step_s, height, here, region.cuts)) break;
+                about = point_at(about, x, about.s, height);
+                const auto range = cut_slice(about, step_s, height, region.cuts);
+                if (!range) break;
+                about = point_at(about, x, ((*range)[0] + (*range)[1]) / 2, height);
                 (direction > 0 ? region.x_high : region.x_low) = x;
             }
         }
