@@ -1,0 +1,118 @@
+// Whether a profile can be meant as a wheel or a rail.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include <Eigen/Core>
+
+#include "../detail/require.hpp"
+#include "detail/profile_direction.hpp"
+#include "profile.hpp"
+
+namespace rollbem {
+
+namespace detail {
+
+/// What is wrong with a profile as a wheel, with its quantity and value; "" if nothing is. `tape` is y of the tape
+/// circle, 70 mm from the flange's back.
+inline std::string fault_of_wheel(const Eigen::ArrayXd& y, const Eigen::ArrayXd& z, double tape) {
+    const auto text = [](const char* quantity, double value, const char* rule) {
+        return std::string(quantity) + " = " + to_text(std::round(1e6 * value) / 1e6) + " m must " + rule;
+    };
+    const double width = y.maxCoeff() - y.minCoeff();
+    if (width < 0.09 || width > 0.18) return text("width of the wheel", width, "lie in 0.09 to 0.18 m");
+    if (flange_points_up(y, z)) return text("z of the flange", z.minCoeff(), "be positive");
+    Eigen::Index crown = 0;
+    z.maxCoeff(&crown);
+    if (y[crown] >= tape) {
+        return text("y of the flange's crown (largest z)", y[crown], "be less than that of the tape circle");
+    }
+    // where the curve passes the tape circle, nearest to z = 0
+    std::optional<double> height;
+    for (Eigen::Index i = 1; i < y.size(); ++i) {
+        const double from = y[i - 1] - tape, to = y[i] - tape;
+        if (from * to > 0 || from == to) continue;
+        const double here = z[i - 1] + (z[i] - z[i - 1]) * from / (from - to);
+        if (!height || std::abs(here) < std::abs(*height)) height = here;
+    }
+    if (!height) return text("y of the tape circle", tape, "lie on the wheel");
+    if (std::abs(*height) >= 2e-3) return text("z on the tape circle", *height, "lie within 0.002 m of 0");
+    return "";
+}
+
+/// What is wrong with a profile as a rail.
+inline std::string fault_of_rail(const Eigen::ArrayXd& y, const Eigen::ArrayXd& z) {
+    const auto text = [](const char* quantity, double value, const char* rule) {
+        return std::string(quantity) + " = " + to_text(std::round(1e6 * value) / 1e6) + " m must " + rule;
+    };
+    const double width = y.maxCoeff() - y.minCoeff();
+    if (width < 0.03 || width > 0.2) return text("width of the rail", width, "lie in 0.03 to 0.2 m");
+    Eigen::Index top = 0;
+    const double least = z.minCoeff(&top);
+    if (std::abs(least) > 10e-3) return text("z of the rail's top (least z)", least, "lie within 0.01 m of 0");
+    if (top == 0 || top == z.size() - 1 || sides_point_up(y, z)) {
+        return text("y of the rail's top (least z)", y[top], "lie between its sides");
+    }
+    return "";
+}
+
+/// A unit in which the width would be right: " (these look like inches ...)".
+inline std::string look_of_unit(double width, double least, double most) {
+    const auto fits = [&](double factor) { return width * factor >= least && width * factor <= most; };
+    if (fits(1000)) return ": these look like metres read as millimetres: --length-unit m";
+    if (fits(1e-3)) return ": these look like millimetres read as metres: --length-unit mm";
+    if (fits(25.4)) return ": these look like inches read as millimetres: convert the file";
+    return "";
+}
+
+}  // namespace detail
+
+/// Throws std::invalid_argument, with what was found and the remedy, unless the profile can be a whole right wheel: 90
+/// to 180 mm wide, its flange (largest z) at smaller y than the tape circle, and |z| < 2 mm there. The tape circle is
+/// 70 mm from the flange's back and the profile's origin `tape_offset` [m]. Pieces pass.
+inline void require_wheel(const Profile& wheel, double tape_offset) {
+    if (wheel.is_piece()) return;
+    const Eigen::ArrayXd &y = wheel.y(), &z = wheel.z();
+    std::string fault = detail::fault_of_wheel(y, z, 0.07 - tape_offset);
+    if (fault.empty()) return;
+    const auto right = [&](double sign_y, double sign_z, double offset) {
+        return detail::fault_of_wheel(sign_y * y, sign_z * z, 0.07 - offset).empty();
+    };
+    const std::string otherwise = ", or --any-shape (Profile::Use::piece) for a piece of a wheel";
+    std::string remedy = detail::look_of_unit(y.maxCoeff() - y.minCoeff(), 0.09, 0.18);
+    for (const double offset : {tape_offset, 0.0, 0.07}) {
+        const std::string moved = offset == tape_offset ? ""
+                                  : offset == 0         ? "y seems to begin at the flange's back: --tape-offset 0"
+                                                        : "y seems to begin at the tape circle: --tape-offset 0.07";
+        for (const char* mirror : {"", "y", "z", "yz"}) {
+            const std::string axes = mirror;
+            const bool by_y = axes.find('y') != axes.npos, by_z = axes.find('z') != axes.npos;
+            if (!remedy.empty() || !right(by_y ? -1 : 1, by_z ? -1 : 1, offset)) continue;
+            remedy = ": " + moved + (moved.empty() || axes.empty() ? "" : ", and ");
+            if (axes == "y") remedy += "this seems to be a left wheel: --wheel-mirror y";
+            if (axes == "z") remedy += "z seems to point up: --wheel-mirror z";
+            if (axes == "yz") remedy += "this seems to be a left wheel, its z pointing up: --wheel-mirror yz";
+        }
+    }
+    throw std::invalid_argument("wheel: " + fault + (remedy.empty() ? ": move or cut its points" + otherwise : remedy));
+}
+
+/// Throws std::invalid_argument, with what was found and the remedy, unless the profile can be a whole rail: 30 to 200
+/// mm wide, its top (least z) within 10 mm of z = 0 and higher than both ends. Pieces pass.
+inline void require_rail(const Profile& rail) {
+    if (rail.is_piece()) return;
+    const std::string fault = detail::fault_of_rail(rail.y(), rail.z());
+    if (fault.empty()) return;
+    std::string remedy = detail::look_of_unit(rail.y().maxCoeff() - rail.y().minCoeff(), 0.03, 0.2);
+    if (remedy.empty() && detail::fault_of_rail(rail.y(), -rail.z()).empty()) {
+        remedy = ": z seems to point up: --rail-mirror z";
+    }
+    if (remedy.empty()) remedy = ": move or cut its points, or --any-shape (Profile::Use::piece) for a piece of a rail";
+    throw std::invalid_argument("rail: " + fault + remedy);
+}
+
+}  // namespace rollbem
