@@ -12,7 +12,7 @@
 
 #include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
-#include <rollbem/normal/profile.hpp>
+#include <rollbem/normal/standard_profiles.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/vehicle/wear.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
@@ -28,7 +28,7 @@ using namespace rollbem;
 using Catch::Matchers::ContainsSubstring;
 
 const WheelOnRail& standard() {
-    static const WheelOnRail wheel(s1002(), rail_60e1());
+    static const WheelOnRail wheel(s1002(), rail_uic60());
     return wheel;
 }
 
@@ -139,8 +139,8 @@ TEST_CASE("wheelset_forces: the largest difference from CONTACT vanishes on CONT
     const std::vector<double> ref = benchmark_rows("contact.csv", "left,")[1];
     const double load = ref[6], limit = 0.3 * load, nu = wheel.dimensions().poisson_ratio;
     WheelOnRail::Workspace workspace;
-    const auto contact = wheel.solve_for_load({-position[0], 0, -position[2], -position[1]}, load * std::cos(ref[4]), workspace,
-                                     {.cell_size = 2e-4});
+    const auto contact = wheel.solve_for_load({-position[0], 0, -position[2], -position[1]}, load * std::cos(ref[4]),
+                                              workspace, {.cell_size = 2e-4});
     const RailPatch& patch = contact.patches.at(0);
     // displacements by tractions that are constant in each cell, at the centres, as differences over one cell
     const double unit = std::sqrt(patch.area / std::numbers::pi), d = patch.grid.dx / unit;
@@ -196,7 +196,7 @@ TEST_CASE("wheelset_forces: the largest difference from CONTACT vanishes on CONT
 TEST_CASE("wheel_on_rail: a second implementation on fine grids", "[profiles]") {
     WheelOnRail::Workspace workspace;
     const auto contact = standard().solve_for_load({6.5e-3, 0, -4.376e-3, .0156}, 15441 * std::cos(1.15908), workspace,
-                                          {.cells_x = 60, .cells_s = 60});
+                                                   {.cells_x = 60, .cells_s = 60});
     REQUIRE(contact.patches.size() == 1);
     const RailPatch& patch = contact.patches[0];
     CHECK(patch.angle == Approx(-1.15908).margin(4e-4));
@@ -212,8 +212,8 @@ WheelOnRail cylinder_on_parabola(double R) {
     // 14 mm high on the inner side
     const double inner = std::sqrt(2 * R * 0.0145), step = std::min(1e-4, R / 50);
     const Eigen::ArrayXd head = Eigen::ArrayXd::LinSpaced(Eigen::Index((inner + 0.02) / step), -inner, 0.02);
-    const Profile rail(head, head.square() / (2 * R));
-    return {Profile(across, Eigen::ArrayXd::Zero(400)),
+    const Profile rail(head, head.square() / (2 * R), Profile::Use::piece);
+    return {Profile(across, Eigen::ArrayXd::Zero(400), Profile::Use::piece),
             rail,
             {.gauge = 10 - 2 * std::sqrt(2 * R * 0.0139), .gauge_depth = 0.0139, .flange_back = 10, .tape_offset = 0}};
 }
@@ -286,7 +286,7 @@ TEST_CASE("wheel_on_rail: contacts do not depend on where the search for them st
             CHECK(one.load == Approx(other.load).epsilon(1e-4));
             CHECK(one.peak_pressure == Approx(other.peak_pressure).epsilon(4e-3));
             CHECK(one.area == Approx(other.area).epsilon(2e-2));
-            CHECK(one.grid.x_0 == Approx(other.grid.x_0).margin(0.2 * other.grid.dx));
+            CHECK(one.grid.x_0 == Approx(other.grid.x_0).margin(0.3 * other.grid.dx));
         }
     }
 }
@@ -295,7 +295,8 @@ TEST_CASE("wheel_on_rail: small and large loads, needles, ends of profiles, two 
           "[profiles]") {
     WheelOnRail::Workspace workspace;
     const auto one = [&](double R, double load) {
-        const auto contact = cylinder_on_parabola(R).solve_for_load({}, load, workspace, {.cells_x = 40, .cells_s = 40});
+        const auto contact =
+            cylinder_on_parabola(R).solve_for_load({}, load, workspace, {.cells_x = 40, .cells_s = 40});
         const HertzEllipse<double> hertz = hertz_of(R, load);
         CAPTURE(R, load, hertz.half_length(), hertz.half_width());
         REQUIRE(contact.status == Status::ok);
@@ -311,7 +312,8 @@ TEST_CASE("wheel_on_rail: small and large loads, needles, ends of profiles, two 
     one(30, 1e3);    // a/b = 0.06
 
     // pressures at the end of the wheel, which is not known beyond
-    CHECK(cylinder_on_parabola(0.3).solve_for_load({.lateral = 0.0295}, 1e5, workspace).status == Status::end_of_profile);
+    CHECK(cylinder_on_parabola(0.3).solve_for_load({.lateral = 0.0295}, 1e5, workspace).status ==
+          Status::end_of_profile);
     CHECK(standard().solve_for_load({.lateral = 1}, 1e5, workspace).status == Status::no_contact);
     CHECK(standard().solve_for_load({.yaw = 0.8}, 1e5, workspace).status == Status::undefined_section);
     CHECK(standard().solve_for_load({.roll = 3}, 1e5, workspace).status == Status::no_contact);
@@ -374,7 +376,7 @@ TEST_CASE("wheel_on_rail: a result or a status in random positions, and the load
     WheelOnRail wheel = standard();
     for (int k = 0; k < count; ++k) {
         if (k % 10 == 0)
-            wheel = k % 20 == 0 ? standard() : WheelOnRail(worn(s1002(), random), worn(rail_60e1(), random));
+            wheel = k % 20 == 0 ? standard() : WheelOnRail(worn(s1002(), random), worn(rail_uic60(), random));
         const WheelsetPosition position{0.012 * uniform(random), 0, 5e-3 * uniform(random), 0.03 * uniform(random)};
         const double load = 1e5 * std::pow(10, uniform(random));
         const auto contact = wheel.solve_for_load(position, load, workspace);
@@ -517,7 +519,8 @@ TEST_CASE("wheelset_forces: mirrored motions are mirror images; a wheel without 
     // narrow wheels, the left one beside its rail, the right one on its flange
     const Profile whole = s1002();
     const Eigen::Index most = (whole.y() < 0.02).count();
-    const WheelsetOnTrack narrow(WheelOnRail(Profile(whole.y().head(most), whole.z().head(most)), rail_60e1()));
+    const WheelsetOnTrack narrow(
+        WheelOnRail(Profile(whole.y().head(most), whole.z().head(most), Profile::Use::piece), rail_uic60()));
     rolling.position = {.lateral = 0.055};
     rolling.free = WheelsetOnTrack::Free::height;
     const auto derailed = rolling_forces(narrow, rolling, friction, workspace);
@@ -622,8 +625,8 @@ TEST_CASE("wheelset_forces: curved slip where the rail's arcs join, and a patch 
     CHECK(std::abs(force(true) - force(false)) / 3e3 == Approx(3.6e-2).margin(1e-2));
 
     const auto area = [&](Eigen::Index n) {
-        const auto contact =
-            standard().solve_for_load({1e-3, 0, -5.049e-5, .0024}, 1e4, workspace.wheels[1], {.cells_x = 2 * n, .cells_s = n});
+        const auto contact = standard().solve_for_load({1e-3, 0, -5.049e-5, .0024}, 1e4, workspace.wheels[1],
+                                                       {.cells_x = 2 * n, .cells_s = n});
         return contact.patches.at(0).area;
     };
     CHECK(area(20) == Approx(area(80)).epsilon(4e-2));
@@ -653,7 +656,7 @@ TEST_CASE("profile: points must follow a curve; smoothing leaves the deviation i
     CHECK_THAT(refused({0, 1, 0.5, 2}, {0, 0, 0, 0}), ContainsSubstring("90 degrees"));
     CHECK_THAT(refused({0, 1, NAN, 2}, {0, 0, 0, 0}), ContainsSubstring("finite"));
 
-    const Profile exact = rail_60e1();
+    const Profile exact = rail_uic60();
     // the spline through its points is the curve between them; from either end
     const Profile reversed(exact.y().reverse(), exact.z().reverse());
     for (const double s : {0.01, 0.0233, 0.04}) CHECK(reversed.at(s).z == Approx(exact.at(s).z).margin(1e-12));

@@ -93,14 +93,15 @@ inline double turn_across(const ContactGeometry& geometry, const ContactPlane& p
     return std::abs(angle(outline.high()) - angle(outline.low()));
 }
 
-/// The largest depth of the undeformed surfaces over the cells of a piece: the vertex of the parabolas through the
-/// deepest cell and its neighbours.
+/// The largest depth of the undeformed surfaces over the cells of a piece: where they are smooth, the vertex of the
+/// parabolas through the deepest cell and its neighbours.
 inline double largest_depth(const NormalContact::Grid& h, const Eigen::ArrayXXd& piece) {
+    constexpr double smooth = 0.1;  // across edges of profiles parabolas mean nothing
     Eigen::Index i = 0, j = 0;
     double least = (piece > 0).select(h, h.maxCoeff()).minCoeff(&i, &j);
     const auto vertex = [&](double before, double after) {
         const double bend = before - 2 * h(i, j) + after, slope = (after - before) / 2;
-        return (std::max)(before, after) < 0 && std::abs(slope) < bend ? slope * slope / (2 * bend) : 0;
+        return std::abs(slope) < bend && bend < smooth * std::abs(h(i, j)) ? slope * slope / (2 * bend) : 0;
     };
     if (i > 0 && i + 1 < h.rows()) least -= vertex(h(i - 1, j), h(i + 1, j));
     if (j > 0 && j + 1 < h.cols()) least -= vertex(h(i, j - 1), h(i, j + 1));

@@ -131,7 +131,7 @@ inline Status WheelOnRail::settle_height(Parts& parts, double load, bool first, 
     // planes rotate with the height: secants on the missing load
     double last = 0, step = 0, rate = -1;
     for (int round = first ? 0 : 1, k = 0; k < 12; ++round, ++k) {
-        parts.refine(parts.touch() + approach, round, k == 0);
+        round = parts.refine(parts.touch() + approach, round, k < 3, k == 0);
         const std::optional<double> missing = parts.lower_until(load);
         if (!missing) return Status::load_not_reached;
         lower = *missing;
@@ -189,10 +189,10 @@ auto WheelOnRail::solve_at_height(const WheelsetPosition& position, Workspace& w
     parts.divide(position.height);
     for (Eigen::Index times = 1; times <= 4; times *= 2) {
         parts.set_cells(times);
-        parts.refine(position.height, times == 1 ? 0 : 1, true);
+        parts.refine(position.height, times == 1 ? 0 : 1, true, true);
         parts.settle(0, options.tolerance, false);
         for (int k = 0; k < 4 && parts.outgrown(); ++k) {
-            parts.refine(position.height, 1, false);
+            parts.refine(position.height, 1, true, false);
             parts.settle(0, options.tolerance, false);
         }
         collect(parts, 0, contact);

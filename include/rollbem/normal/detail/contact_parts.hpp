@@ -74,10 +74,12 @@ public:
         settle(0, 1e-3, false);
     }
 
-    /// Fine grids over what touches, and planes at a height; regions stay as they are after a few rounds.
-    void refine(double height, int round, bool anew) {
+    /// Fine grids over what touches, and planes at a height: in rounds, of which the first follows divide() and the first
+    /// two make grids anew. Where regions have joined or parted meanwhile and `divides` is set, parts are divided again;
+    /// returns the round that this has become.
+    int refine(double height, int round, bool divides, bool anew) {
         std::vector<Region> found = regions(height);
-        if (found.size() != parts_.size() && round < 3) {
+        if (found.size() != parts_.size() && divides) {
             divide(height);
             round = 0;
         }
@@ -102,6 +104,7 @@ public:
             }
             find_gaps(part);
         }
+        return round;
     }
 
     /// Loads with the wheel lower than the gaps say, in rounds, as each displaces the surface below the others.
@@ -233,7 +236,9 @@ private:
                     size,
                     size};
         }
-        const bool lobes = has_lobes(parts_[k].plane);
+        // lines across the track end where profiles have edges
+        constexpr double line = 10;
+        const bool lobes = top - bottom > line * (right - left) || has_lobes(parts_[k].plane);
         const Eigen::Index cells_x = settings_.cells_x * cells_, cells_s = settings_.cells_s * cells_,
                            nx = lobes ? (std::max)(cells_x, most) : cells_x,
                            ny = lobes ? (std::max)(cells_s, most) : cells_s;
