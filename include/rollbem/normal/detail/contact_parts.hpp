@@ -113,8 +113,9 @@ public:
         for (int round = 0; round < rounds; ++round) {
             for (std::size_t k = 0; k < parts_.size(); ++k) {
                 ContactPart& part = parts_[k];
-                const double depth = lower * part.plane.cosine - displaced(k);
-                part.solution = normal_[k].approach(part.grid, part.gaps.h, depth, tolerance, warm || round > 0);
+                const double depth = lower * part.plane.cosine;
+                const NormalContact::Grid& h = rounds > 1 ? displaced(k) : part.gaps.h;
+                part.solution = normal_[k].approach(part.grid, h, depth, tolerance, warm || round > 0);
             }
         }
     }
@@ -196,16 +197,24 @@ private:
         finder_.find(*geometry_, *placed_, at_.height, at_.along, part.plane, part.grid, part.gaps);
     }
 
-    // What the loads of the other parts displace under part k [m].
-    double displaced(std::size_t k) const {
-        double sum = 0;
-        for (std::size_t other = 0; settings_.interaction && other < parts_.size(); ++other) {
-            if (other == k) continue;
-            const ContactPlane &here = parts_[k].plane, &there = parts_[other].plane;
-            sum += parts_[other].solution.load * interaction(here.angle - there.angle) /
-                   (std::max)(here.distance(there), 1e-6);
+    // The gaps of part k with what the loads of the other parts displace, as if each acted at its plane's origin.
+    const NormalContact::Grid& displaced(std::size_t k) {
+        const ContactPart& part = parts_[k];
+        const ContactPlane& here = part.plane;
+        displaced_ = part.gaps.h;
+        for (std::size_t other = 0; other < parts_.size(); ++other) {
+            const ContactPlane& there = parts_[other].plane;
+            const double size = parts_[other].solution.load * interaction(here.angle - there.angle) *
+                                geometry_->compliance() / std::numbers::pi;
+            if (other == k || size == 0) continue;
+            const double x = here.x - there.x, s = -here.s(there.y, there.z), n = here.n(there.y, there.z);
+            for (Eigen::Index j = 0; j < part.grid.ny; ++j) {
+                for (Eigen::Index i = 0; i < part.grid.nx; ++i) {
+                    displaced_(i, j) += size / (std::max)(std::hypot(x + part.grid.x(i), s + part.grid.y(j), n), 1e-6);
+                }
+            }
         }
-        return sum * geometry_->compliance() / std::numbers::pi;
+        return displaced_;
     }
 
     CellGrid first_grid(const ContactPlane& plane) const {
@@ -312,6 +321,7 @@ private:
     SliceSearch slices_;
     GapFinder finder_;
     Gaps row_;
+    NormalContact::Grid displaced_;
     std::vector<ContactPart> parts_;
     std::vector<NormalContact> normal_;  // of the parts
     Eigen::Index cells_ = 1;

@@ -1,0 +1,375 @@
+// rollbem/normal/wheel_on_rail.hpp, normal/surface.hpp, normal/detail/: contacts of real surfaces
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <rollbem/compiled/wheelset.hpp>
+#include <rollbem/normal/hertz_ellipse.hpp>
+#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/wheel_on_rail.hpp>
+
+#include "support/catch.hpp"
+
+using namespace rollbem;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// z(y) at `count` equidistant y.
+Profile piece(double from, double to, Eigen::Index count, const std::function<double(double)>& z) {
+    const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(count, from, to);
+    return {y, y.unaryExpr(z), Profile::Use::piece};
+}
+/// Through points y, z [mm].
+Profile polygon(const std::vector<std::array<double, 2>>& points) {
+    Eigen::ArrayXd y(Eigen::Index(points.size())), z(y.size());
+    for (Eigen::Index i = 0; i < y.size(); ++i) {
+        y[i] = 1e-3 * points[std::size_t(i)][0];
+        z[i] = 1e-3 * points[std::size_t(i)][1];
+    }
+    return {y, z, Profile::Use::piece};
+}
+const Profile& cylinder() {
+    static const Profile of = piece(-0.06, 0.06, 241, [](double) { return 0; });
+    return of;
+}
+/// z of a crown of radius R [m].
+double crown(double y, double R) { return R - std::sqrt(R * R - y * y); }
+
+/// The wheel's tape circle above the rail's origin.
+constexpr TrackDimensions above{.radius = 0.46, .rail_origin = TrackDimensions::Origin{0.75, 0}};
+
+const ElasticBody<double>& steel() {
+    static const ElasticBody<double> of{2 * 8.2e10 * 1.28, 0.28};
+    return of;
+}
+
+/// Points of the rail's curve of a plain contact, close together, to measure distances from without the library's search.
+class Distances {
+public:
+    explicit Distances(const WheelOnRail& wheel) {
+        for (double s = 0; s < wheel.rail().length(); s += 1e-4) {
+            const Profile::Point p = wheel.rail().at(s);
+            const double y = p.y + wheel.geometry().rail_origin().y, z = p.z + wheel.geometry().rail_origin().z;
+            points_[column(y)].push_back({y, z, p.slope[0], p.slope[1]});
+        }
+    }
+    /// Of a point of the wheel above the rail, along the rail's normal, where normals are less than 60 degrees apart;
+    /// infinite where nothing is near. The rail's angle there.
+    std::pair<double, double> above(double y, double z, double slope_y, double slope_z) const {
+        double least = 4e-6, found = std::numeric_limits<double>::infinity(), angle = 0;
+        for (int k = column(y) - 1; k <= column(y) + 1; ++k) {
+            const auto points = points_.find(k);
+            if (points == points_.end()) continue;
+            for (const auto& [rail_y, rail_z, dy, dz] : points->second) {
+                const double square = (y - rail_y) * (y - rail_y) + (z - rail_z) * (z - rail_z);
+                if (square > least ||
+                    dy * slope_y + dz * slope_z < 0.5 * std::hypot(dy, dz) * std::hypot(slope_y, slope_z))
+                    continue;
+                least = square;
+                found = ((y - rail_y) * dz - (z - rail_z) * dy) / std::hypot(dy, dz);
+                angle = std::atan2(dz, dy);
+            }
+        }
+        return {found, angle};
+    }
+
+private:
+    static int column(double y) { return static_cast<int>(std::floor(y / 2e-3)); }
+
+    std::map<int, std::vector<std::array<double, 4>>> points_;
+};
+
+/// What the pressures of a patch displace at (x, y, z) along its normal [m].
+double displacement(const RailPatch& patch, double compliance, double x, double y, double z) {
+    const double s = (y - patch.y) * std::cos(patch.angle) + (z - patch.z) * std::sin(patch.angle), here = x - patch.x;
+    const CellGrid& grid = patch.grid;
+    const double beyond = std::max({std::abs(here - grid.x(grid.nx / 2)) / (double(grid.nx) * grid.dx),
+                                    std::abs(s - grid.y(grid.ny / 2)) / (double(grid.ny) * grid.dy)});
+    if (beyond > 1.5) {
+        return compliance * patch.load / (pi * std::hypot(x - patch.x, y - patch.y, z - patch.z));
+    }
+    double sum = 0;
+    const auto corner = [](double a, double b) {
+        return (a == 0 ? 0 : a * std::asinh(b / std::abs(a))) + (b == 0 ? 0 : b * std::asinh(a / std::abs(b)));
+    };
+    for (Eigen::Index j = 0; j < grid.ny; ++j) {
+        for (Eigen::Index i = 0; i < grid.nx; ++i) {
+            if (!(patch.pressure(i, j) > 0)) continue;
+            const double dx = here - grid.x(i), dy = s - grid.y(j);
+            const double near = 3 * std::max(grid.dx, grid.dy);
+            sum += patch.pressure(i, j) *
+                   (dx * dx + dy * dy > near * near
+                        ? grid.dx * grid.dy / std::hypot(dx, dy)
+                        : corner(dx + grid.dx / 2, dy + grid.dy / 2) - corner(dx - grid.dx / 2, dy + grid.dy / 2) -
+                              corner(dx + grid.dx / 2, dy - grid.dy / 2) + corner(dx - grid.dx / 2, dy - grid.dy / 2));
+        }
+    }
+    return sum * compliance / pi;
+}
+
+/// The least gap between wheel and rail after the displacements of all patches [m], each seen by another surface as
+/// detail::interaction says.
+double least_gap(const WheelOnRail& wheel, const Distances& rail, WheelsetPosition at,
+                 const WheelOnRail::Contact& contact) {
+    at.height = contact.height;
+    const PlacedWheel placed = wheel.geometry().placed(at);
+    const double length = wheel.wheel().length();
+    double least = 0;
+    for (double x = -0.03; x <= 0.03; x += 4e-3) {
+        for (double s = 0; s <= length; s += 7e-4) {
+            const CurvePoint p = placed.section(0, s, x);
+            const double z = p.z + at.height;
+            if (!p.defined) continue;
+            const auto [gap, angle] = rail.above(p.y, z, p.slope[0], p.slope[1]);
+            if (!(gap < least)) continue;
+            double displaced = 0;
+            for (const RailPatch& patch : contact.patches) {
+                const double own = std::hypot(p.y - patch.y, z - patch.z) < 1.5 * patch.half_width ? 1 : 0,
+                             share = own == 1 ? 1 : detail::interaction(angle - patch.angle);
+                displaced += share * displacement(patch, wheel.compliance(), x, p.y, z);
+            }
+            least = std::min(least, gap + displaced);
+        }
+    }
+    return least;
+}
+
+}  // namespace
+
+TEST_CASE("contact_search: two crowns carry half of the load each, and displace each other", "[profiles]") {
+    const Profile crowns = piece(-0.05, 0.05, 401, [](double y) { return std::pow(std::abs(y) - 0.03, 2) / 0.6; });
+    const WheelOnRail wheel(cylinder(), crowns, above);
+    WheelOnRail::Workspace workspace;
+    for (const auto& [interaction, height] : {std::pair{true, 0.068489e-3}, {false, 0.066161e-3}}) {
+        const auto contact = wheel.solve_for_load({}, 1e5, workspace, {.interaction = interaction});
+        REQUIRE(contact.status == Status::ok);
+        REQUIRE(contact.patches.size() == 2);
+        for (const RailPatch& patch : contact.patches) {
+            CHECK(patch.load == Approx(5e4).epsilon(1e-4));
+            CHECK(std::abs(patch.y - 0.75) == Approx(0.03).margin(1e-5));
+        }
+        CHECK(contact.height == Approx(height).epsilon(1e-3));
+    }
+}
+
+TEST_CASE("contact_search: a stretch of rail beyond a dent, and on both sides of a groove", "[profiles]") {
+    // y falls by 0.1 um on the way from one crown to the other
+    std::vector<std::array<double, 2>> dented, grooved;
+    for (int k = -500; k <= 500; ++k) {
+        const double y = 0.1 * k, z = std::pow(std::abs(y) - 30, 2) / 600;
+        dented.push_back({y, z});
+        if (k == -100) dented.push_back({y - 1e-4, z - 0.03});
+        if (std::abs(y) < 10) continue;
+        grooved.push_back({y, z});
+        if (k != -100) continue;
+        for (const auto& [wall, depth] :
+             {std::pair{-9.9, 8.0}, {-9.5, 30.0}, {-8.0, 36.0}, {8.0, 36.0}, {9.5, 30.0}, {9.9, 8.0}})
+            grooved.push_back({wall, depth});
+    }
+    for (const auto& points : {dented, grooved}) {
+        WheelOnRail::Workspace workspace;
+        const auto contact = WheelOnRail(cylinder(), polygon(points), above).solve_for_load({}, 1e5, workspace);
+        REQUIRE(contact.status == Status::ok);
+        REQUIRE(contact.patches.size() == 2);
+        for (const RailPatch& patch : contact.patches) CHECK(patch.load == Approx(5e4).epsilon(1e-3));
+    }
+}
+
+TEST_CASE("contact_search: the back of a flange at a guard rail with a vertical face", "[profiles]") {
+    // the running rail's crown, and beside the flange's back a guard rail with a rounded edge of 5 mm
+    std::vector<std::array<double, 2>> points{{-130, -20}};
+    for (int k = 0; k <= 45; ++k) {
+        const double angle = pi / 2 * k / 45;
+        points.push_back({-84.6 + 5 * std::sin(angle), -15 - 5 * std::cos(angle)});
+    }
+    for (const auto& [y, z] : {std::pair{-79.6, 0.0}, {-79.6, 40.0}, {-40.0, 41.0}, {-38.0, 20.0}, {-36.0, 5.0}})
+        points.push_back({y, z});
+    for (int k = -60; k <= 60; ++k) points.push_back({0.5 * k, k * k * 0.25 / 600});
+    // S1002 with the back of its flange
+    const Profile front = s1002();
+    std::vector<std::array<double, 2>> whole;
+    for (int k = 0; k < 20; ++k) whole.push_back({1e3 * front.y()[0] - 0.05, -20 + 1.4 * k});
+    for (Eigen::Index i = 0; i < front.size(); ++i) whole.push_back({1e3 * front.y()[i], 1e3 * front.z()[i]});
+    const WheelOnRail wheel(polygon(whole), polygon(points), above);
+    WheelOnRail::Workspace workspace;
+    // turned, so that the back touches on its rim
+    const WheelsetPosition at{.lateral = -8.2e-3, .height = 1e-4, .yaw = 0.01};
+    const auto contact = wheel.solve_at_height(at, workspace, {});
+    CAPTURE(name(contact.status), contact.patches.size());
+    REQUIRE(has_numbers(contact.status));
+    REQUIRE(contact.patches.size() >= 2);
+    const auto guard = std::max_element(contact.patches.begin(), contact.patches.end(),
+                                        [](const auto& one, const auto& two) { return one.angle < two.angle; });
+    CHECK(guard->angle > 1.3);
+    CHECK(guard->y < 0.69);
+    CHECK(least_gap(wheel, Distances(wheel), at, contact) > -1e-6);
+}
+
+TEST_CASE("contact_search: a cylinder on a plane, a crown on a roller: Hertz with both curvatures along x",
+          "[profiles]") {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const Profile arc = piece(-0.03, 0.03, 401, [](double y) { return crown(y, 0.3); });
+    for (const double radius : {0.3, 1.0, infinite}) {
+        const RailSurface rail = radius < infinite ? RailSurface::roller(arc, radius) : RailSurface(arc);
+        const WheelOnRail wheel(cylinder(), rail, above);
+        WheelOnRail::Workspace workspace;
+        const auto contact = wheel.solve_for_load({}, 1e5, workspace);
+        CAPTURE(radius);
+        REQUIRE(contact.status == Status::ok);
+        REQUIRE(contact.patches.size() == 1);
+        const RailPatch& patch = contact.patches[0];
+        const HertzEllipse<double> hertz(
+            {.load = 1e5, .radii_1 = {0.46, infinite}, .radii_2 = {radius, 0.3}, .body_1 = steel(), .body_2 = steel()});
+        CHECK(patch.approach == Approx(hertz.approach()).epsilon(2e-3));
+        CHECK(patch.peak_pressure == Approx(hertz.peak_pressure()).epsilon(2e-3));
+        CHECK(patch.half_length == Approx(hertz.half_length()).epsilon(4e-3));
+        CHECK(patch.half_width == Approx(hertz.half_width()).epsilon(4e-3));
+    }
+}
+
+TEST_CASE("contact_search: a wheel stands on the chord of its flat", "[profiles]") {
+    constexpr double half = 0.05, r = 0.46;  // of the flat's angle
+    std::vector<Section> sections;
+    for (int k = -40; k <= 40; ++k) {
+        const double angle = 2 * half * k / 40,
+                     z = std::abs(angle) < half ? r * (std::cos(half) / std::cos(angle) - 1) : 0;
+        sections.push_back({angle, piece(-0.06, 0.06, 61, [z](double) { return z; })});
+    }
+    const WheelSurface flat{Sections(sections, Sections::Interpolation::through)};
+    const Profile arc = piece(-0.03, 0.03, 401, [](double y) { return crown(y, 0.3); });
+    const WheelOnRail wheel(flat, arc, above), round(cylinder(), arc, above);
+    WheelOnRail::Workspace workspace;
+    const auto on_chord = wheel.solve_for_load({}, 1e4, workspace);
+    REQUIRE(has_numbers(on_chord.status));
+    CHECK(on_chord.patches[0].half_length == Approx(r * std::sin(half)).epsilon(0.05));
+    CHECK(on_chord.height - on_chord.patches[0].approach == Approx(r * (1 - std::cos(half))).margin(3e-6));
+    // half a turn of pitch away it is round
+    const auto beside = wheel.solve_for_load({.pitch = 3}, 1e4, workspace),
+               same = round.solve_for_load({}, 1e4, workspace);
+    REQUIRE(beside.status == Status::ok);
+    CHECK(beside.height == Approx(same.height).epsilon(1e-3));
+    CHECK(beside.patches[0].area == Approx(same.patches[0].area).epsilon(1e-2));
+}
+
+TEST_CASE("contact_search: a wheel touches a ramp of 1:10 where its slope is that of the ramp", "[profiles]") {
+    std::vector<Section> sections;
+    for (const double u : {-0.3, -0.1, 0.0, 0.2, 0.3}) {
+        sections.push_back({u, piece(-0.03, 0.03, 201, [u](double y) { return crown(y, 0.3) - 0.1 * u; })});
+    }
+    const WheelOnRail wheel(cylinder(), Sections(sections, Sections::Interpolation::through), above);
+    WheelOnRail::Workspace workspace;
+    for (const double along : {0.0, 0.03}) {
+        const auto contact = wheel.solve_for_load({.along = along}, 1e3, workspace);
+        CAPTURE(along, name(contact.status));
+        REQUIRE(contact.status == Status::ok);
+        REQUIRE(contact.patches.size() == 1);
+        CHECK(contact.patches[0].x == Approx(0.46 * std::sin(std::atan(0.1))).margin(3e-5));
+        const double touch = 0.46 * (1 - std::sqrt(1.01)) - 0.1 * along;
+        CHECK(contact.height - touch == Approx(contact.patches[0].approach).epsilon(0.01));
+    }
+}
+
+TEST_CASE("contact_search: two contacts inclined by 60 degrees displace each other by 0.3 of what they do in a plane",
+          "[profiles]") {
+    // a ball of 20 mm in a groove of two planes
+    const Profile ball = piece(-0.0199, 0.0199, 801, [](double y) { return std::sqrt(4e-4 - y * y) - 0.02; });
+    const double slope = std::tan(pi / 6);
+    const Profile groove = polygon({{-20, -20 * slope},
+                                    {-15, -15 * slope},
+                                    {-10, -10 * slope},
+                                    {0, 0},
+                                    {10, -10 * slope},
+                                    {15, -15 * slope},
+                                    {20, -20 * slope}});
+    const WheelOnRail wheel(
+        ball, groove,
+        {.flange_back = 1.36, .tape_offset = 0.07, .radius = 0.02, .rail_origin = TrackDimensions::Origin{0.75, 0}});
+    WheelOnRail::Workspace workspace;
+    const double touch = 0.02 / std::cos(pi / 6) - 0.02, lower = 2e-5;  // of the ball's lowest point above the edge
+    const auto contact = wheel.solve_at_height({.height = lower - touch}, workspace, {});
+    REQUIRE(has_numbers(contact.status));
+    REQUIRE(contact.patches.size() == 2);
+    const double load = contact.patches[0].load;
+    CHECK(contact.patches[1].load == Approx(load).epsilon(1e-3));
+    CHECK(std::abs(contact.patches[0].angle) == Approx(pi / 6).epsilon(1e-3));
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const HertzEllipse<double> hertz(
+        {.load = load, .radii_1 = {0.02, 0.02}, .radii_2 = {infinite, infinite}, .body_1 = steel(), .body_2 = steel()});
+    const double apart = 2 * 0.02 * std::sin(pi / 6), other = 0.3 * load * 0.72 / (pi * 8.2e10 * apart);
+    CHECK(hertz.approach() + other == Approx(lower * std::cos(pi / 6)).epsilon(3e-3));
+}
+
+// ROLLBEM_POSITIONS=10000 draws so many positions of S1002 on UIC60, and as many of rough profiles
+TEST_CASE("contact_search: loads are carried and no contact is lost in random positions, or a status says why",
+          "[profiles]") {
+    const char* const given = std::getenv("ROLLBEM_POSITIONS");
+    const int count = given != nullptr ? std::atoi(given) : 500;
+    std::mt19937_64 random(41);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    // hollows and bumps of half a millimetre, and waves as of a measured surface
+    const auto rough = [&](const Profile& profile) {
+        Eigen::ArrayXd z = profile.z();
+        for (int k = 0; k < 3; ++k) {
+            const double depth = 5e-4 * uniform(random), middle = 0.03 * uniform(random),
+                         width = 0.008 + 0.004 * uniform(random);
+            z += depth * (-((profile.y() - middle) / width).square()).exp();
+        }
+        for (const double length : {2e-3, 4e-3, 8e-3}) {
+            z += 0.1 * length * length * uniform(random) * (profile.y() * 2 * pi / length + pi * uniform(random)).sin();
+        }
+        return Profile(profile.y(), z);
+    };
+    WheelOnRail wheel(s1002(), rail_uic60());
+    Distances distances(wheel);
+    WheelOnRail::Workspace workspace;
+    std::map<std::string, int> statuses;
+    double deepest = 0;
+    for (int k = 0; k < 2 * count; ++k) {
+        if (k >= count && (k - count) % std::max(count / 10, 1) == 0) {
+            wheel = WheelOnRail(rough(s1002()), rough(rail_uic60()));
+            distances = Distances(wheel);
+        }
+        const WheelsetPosition at{0.012 * uniform(random), 0, 5e-3 * uniform(random), 0.03 * uniform(random)};
+        const double load = 6e4 * std::pow(10, uniform(random) / 2);
+        const auto contact = wheel.solve_for_load(at, load, workspace, {.cells_x = 24, .cells_s = 16});
+        ++statuses[name(contact.status)];
+        CAPTURE(k, at.lateral, at.roll, at.yaw, load, name(contact.status));
+        CHECK(contact.status != Status::not_finite);
+        CHECK(contact.status != Status::not_converged);
+        if (!has_numbers(contact.status)) continue;
+        double vertical = 0;
+        bool sound = true;
+        for (const RailPatch& patch : contact.patches) {
+            sound = sound && (patch.pressure >= 0).all() && patch.pressure.allFinite() && patch.outline.has_value() &&
+                    patch.residual <= 1e-6 && patch.area > 0 && patch.peak_pressure > 0 && detail::is_finite(patch.x) &&
+                    detail::is_finite(patch.y) && detail::is_finite(patch.z) && detail::is_finite(patch.angle);
+            vertical += patch.load * std::cos(patch.angle);
+        }
+        CHECK(sound);
+        const bool has_crumbs = std::abs(vertical / load - 1) > 1.01e-6;
+        CHECK(vertical == Approx(load).epsilon(2e-3));
+        const double gap = least_gap(wheel, distances, at, contact);
+        deepest = std::min(deepest, gap);
+        // some hundredths of the depth are what cells leave between their centres, of the second order in their size
+        double depth = 0;
+        for (const RailPatch& patch : contact.patches) depth = std::max(depth, patch.approach);
+        const double rough_share = contact.status == Status::doubtful_plane ? 0.1 : 0.03;
+        CHECK(gap > (has_crumbs ? -3e-6 : -1e-6) - rough_share * depth);
+    }
+    std::string text = "deepest " + std::to_string(1e6 * deepest) + " um, ";
+    for (const auto& [status, times] : statuses) text += status + " " + std::to_string(times) + ", ";
+    INFO(text);
+    if (given != nullptr) WARN(text);
+    CHECK(statuses["ok"] + statuses["doubtful_plane"] > 0.95 * 2 * count);
+}
