@@ -24,6 +24,7 @@
 #include "normal_contact.hpp"
 #include "pressure_grid.hpp"
 #include "profile.hpp"
+#include "standard_profiles.hpp"
 
 namespace rollbem {
 
