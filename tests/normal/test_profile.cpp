@@ -283,8 +283,8 @@ TEST_CASE("standard profiles: UIC 60 by the centres of its arcs", "[profiles]") 
     for (Eigen::Index i = 0; i < rail.size(); ++i) {
         const double y = 1e3 * std::abs(rail.y()[i]), z = 1e3 * rail.z()[i];
         CAPTURE(y);
-        if (y > 10.6 && y < 25.9) CHECK(std::hypot(y - 7.7, z - 80.1348) == Approx(80).margin(1e-4));
-        if (y > 26.1 && y < 35.9) CHECK(std::hypot(y - 23.0162, z - 14.9090) == Approx(13).margin(1e-4));
+        if (y > 10.6 && y < 25.9) CHECK(std::hypot(y - 7.7, z - 80.1348) == Approx(80).margin(1e-9));
+        if (y > 26.1 && y < 35.9) CHECK(std::hypot(y - 23.0162, z - 14.9090) == Approx(13).margin(1e-9));
     }
 }
 

@@ -205,6 +205,7 @@ TEST_CASE("profile_file: headers of MiniProf end where points begin", "[profiles
         {"a pair without its quote", "MINIPROF 2020\n32.58 37.11 14.71\n(Sd/Sh/qR)\n"},
         {"keys after the first blank line", "A=1\n\nB=2\n"},
         {"a comment first", "#MINIWHEELPROF\nA.whl\nCar Number..:\n\n"},
+        {"free lines with numbers and a blank line", "MINIPROF 2020\n32.58 37.11 14.71\n\n"},
         {"none", ""},
     }));
     INFO(scene.what);
@@ -225,6 +226,7 @@ TEST_CASE("profile_file: MiniProf's offsets are added", "[profiles]") {
 TEST_CASE("profile_file: no block of MiniProf's points is lost", "[profiles]") {
     // neither to a blank line between points nor to a second header
     CHECK(profile_of("a.ban", "A=1\n0 0\n3 0\n6 0\n9 0\n\n12 0\n15 0\n").size() == 6);
+    CHECK(profile_of("a.ban", "A=1\n0 0\n3 0\n\n6 0\n9 0\n12 0\n15 0\n").size() == 6);
     CHECK_THAT(refused("a.ban", "A=1\n0 0\n3 0\n6 0\n9 0\nB=2\n12 0\n15 0\n18 0\n21 0\n"),
                ContainsSubstring("line 6 (B=2)"));
 }
@@ -350,6 +352,7 @@ TEST_CASE("profile_file: what folds back, crosses itself or has a gap is refused
         {"a gap", "0 0\n2 0\n4 0\n24.1 0\n26 0\n",
          "line 4 (24.1 0): the next point is expected within 20 mm; this one is 20.1 mm from that of line 3"},
         {"a loop", "0 0\n5 0\n8 3\n5 6\n2 3\n5 -3\n9 -3\n", "the curve crosses itself at y = "},
+        {"a loop of three steps", "0 0\n10 0\n5 3\n8 -3\n12 -3\n", "the curve crosses itself at y = "},
         {"a closed curve", "0 0\n5 0\n5 5\n0 5\n0 0\n", "the curve crosses itself"},
         {"all points the same", "1 1\n1 1\n1 1\n1 1\n1 1\n", "at least 4 points are expected, found: 1"},
     }));
