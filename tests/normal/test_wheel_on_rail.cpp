@@ -1,4 +1,4 @@
-// rollbem/normal/profile.hpp, normal/wheel_on_rail.hpp, vehicle/wheelset_on_track.hpp, vehicle/wheelset_forces.hpp
+// rollbem/normal/wheel_on_rail.hpp, vehicle/wheelset_on_track.hpp, vehicle/wheelset_forces.hpp
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -630,51 +630,6 @@ TEST_CASE("wheelset_forces: curved slip where the rail's arcs join, and a patch 
         return contact.patches.at(0).area;
     };
     CHECK(area(20) == Approx(area(80)).epsilon(4e-2));
-}
-
-TEST_CASE("profile: the curve goes through its points, smoothly", "[profiles]") {
-    const Profile profile(Eigen::ArrayXd{{0, 1, 2, 4, 5, 5.5}}, Eigen::ArrayXd{{0, 0.5, 0, 1, 0.8, 1.5}});
-    for (Eigen::Index i = 0; i < profile.size(); ++i) {
-        const double s = profile.s()[i], h = 1e-9;
-        CAPTURE(i);
-        CHECK(profile.at(s).y == Approx(profile.y()[i]).margin(1e-14));
-        CHECK(profile.at(s).z == Approx(profile.z()[i]).margin(1e-14));
-        CHECK(profile.at(s + h).slope[1] == Approx(profile.at(s - h).slope[1]).margin(1e-7));
-        CHECK(profile.at(s + h).bend[1] == Approx(profile.at(s - h).bend[1]).margin(1e-7));
-    }
-}
-
-TEST_CASE("profile: points must follow a curve; smoothing leaves the deviation it was given", "[profiles]") {
-    const auto refused = [](const std::vector<double>& y, const std::vector<double>& z) {
-        return refusal([&] {
-            Profile(Eigen::Map<const Eigen::ArrayXd>(y.data(), Eigen::Index(y.size())),
-                    Eigen::Map<const Eigen::ArrayXd>(z.data(), Eigen::Index(z.size())));
-        });
-    };
-    CHECK_THAT(refused({0, 1, 2}, {0, 0, 0}), ContainsSubstring("number of points = 3 must be at least 4"));
-    CHECK_THAT(refused({0, 1, 1, 2}, {0, 0, 0, 0}), ContainsSubstring("point = 3"));
-    CHECK_THAT(refused({0, 1, 0.5, 2}, {0, 0, 0, 0}), ContainsSubstring("90 degrees"));
-    CHECK_THAT(refused({0, 1, NAN, 2}, {0, 0, 0, 0}), ContainsSubstring("finite"));
-
-    const Profile exact = rail_uic60();
-    // the spline through its points is the curve between them; from either end
-    const Profile reversed(exact.y().reverse(), exact.z().reverse());
-    for (const double s : {0.01, 0.0233, 0.04}) CHECK(reversed.at(s).z == Approx(exact.at(s).z).margin(1e-12));
-    std::mt19937_64 random(7);
-    std::normal_distribution<double> normal(0, 1e-5);
-    Eigen::ArrayXd z = exact.z();
-    for (double& value : z) value += normal(random);
-    const Profile noisy(exact.y(), z), smooth = noisy.smoothed(1e-5);
-    const double left = std::sqrt(((smooth.z() - noisy.z()).square() + (smooth.y() - noisy.y()).square()).mean());
-    CHECK(left == Approx(1e-5).epsilon(1e-3));
-    // what the noise has bent is straight again
-    const auto roughest = [](const Profile& profile) {
-        double bend = 0;
-        for (double s = 0.02; s < 0.05; s += 1e-5) bend = std::max(bend, std::abs(profile.at(s).bend[1]));
-        return bend;
-    };
-    CHECK(roughest(noisy) > 20 * roughest(exact));
-    CHECK(roughest(smooth) < 2 * roughest(exact));
 }
 
 }  // namespace

@@ -44,35 +44,43 @@ inline double s1002_height(double y) {
 /// joints, and a side 1:20 that touches the last.
 class RailHead {
 public:
-    /// Half the widths at both joints.
-    RailHead(double joint_80, double joint_13) : joint_80_(joint_80), joint_13_(joint_13) {
-        centre_80_ = beyond(crown_, joint_80, 80);
-        centre_13_ = beyond(centre_80_, joint_13, 13);
-        side_ = centre_13_.y + 13 * std::cos(std::atan(0.05));
+    struct Arc {
+        double y, z, radius;  // of the centre
+        double height(double at) const { return z - std::sqrt(radius * radius - (at - y) * (at - y)); }
+    };
+
+    RailHead(const Arc& arc_80, const Arc& arc_13)
+        : arc_80_(arc_80), arc_13_(arc_13), joint_80_(joint(crown, arc_80)), joint_13_(joint(arc_80, arc_13)) {}
+
+    /// By half the widths at both joints.
+    static RailHead joined_at(double joint_80, double joint_13) {
+        const Arc arc_80 = beyond(crown, joint_80, 80);
+        return {arc_80, beyond(arc_80, joint_13, 13)};
     }
 
     /// z at y.
     double operator()(double y) const {
         const double x = std::abs(y);
-        if (x <= joint_80_) return crown_.height(x);
-        if (x <= joint_13_) return centre_80_.height(x);
-        if (x <= side_) return centre_13_.height(x);
-        return centre_13_.height(side_) + 20 * (x - side_);
+        if (x <= joint_80_) return crown.height(x);
+        if (x <= joint_13_) return arc_80_.height(x);
+        if (x <= side_) return arc_13_.height(x);
+        return arc_13_.height(side_) + 20 * (x - side_);
     }
 
 private:
-    struct Arc {
-        double y, z, radius;  // of the centre
-        double height(double at) const { return z - std::sqrt(radius * radius - (at - y) * (at - y)); }
-    };
     // Where arcs touch, their centres and the joint lie on one line.
+    static double joint(const Arc& in, const Arc& out) {
+        return in.y + in.radius * (out.y - in.y) / std::hypot(out.y - in.y, out.z - in.z);
+    }
     static Arc beyond(const Arc& arc, double joint, double radius) {
         const double share = radius / arc.radius, z = arc.height(joint);
         return {joint + share * (arc.y - joint), z + share * (arc.z - z), radius};
     }
 
-    double joint_80_, joint_13_, side_;
-    Arc crown_{0, 300, 300}, centre_80_, centre_13_;
+    static constexpr Arc crown{0, 300, 300};
+    Arc arc_80_, arc_13_;
+    double joint_80_, joint_13_;
+    double side_ = arc_13_.y + 13 * std::cos(std::atan(0.05));  // where the arc has the slope of the side
 };
 
 /// The curve z(y) by points at most `step` apart along it; mm in, m out.
@@ -111,18 +119,20 @@ inline constexpr double usual_cant = 0.02499479361892016;  // atan(1/40)
 /// The wheel S1002 (EN 13715), from the flange's back to 60 mm outside the tape circle; tape circle at y = 0.
 inline Profile s1002() { return detail::sampled(-69.95, 60, 0.1, detail::s1002_height); }
 
-/// The rail UIC 60 (UIC 861; arcs join at 10.5 and 25.988 mm from the middle), canted inwards, towards negative y, by
+/// The rail UIC 60 (UIC 861; by the centres of its arcs, which join at 10.50 and 25.99 mm from the middle), canted inwards, towards negative y, by
 /// `cant` [rad], its highest point at y = z = 0; so are those below.
-inline Profile rail_uic60(double cant = detail::usual_cant) { return detail::canted_rail({10.5, 25.988}, 36.2, cant); }
+inline Profile rail_uic60(double cant = detail::usual_cant) {
+    return detail::canted_rail({{7.7, 80.1348, 80}, {23.0162, 14.9090, 13}}, 36.2, cant);
+}
 
 /// The rail 60E1 (EN 13674-1; joints 20.456 and 52.053 mm apart).
 inline Profile rail_60e1(double cant = detail::usual_cant) {
-    return detail::canted_rail({10.228, 26.0265}, 36.2, cant);
+    return detail::canted_rail(detail::RailHead::joined_at(10.228, 26.0265), 36.2, cant);
 }
 
 /// The rail 54E1 (EN 13674-1; joints 20.024 and 49.727 mm apart).
 inline Profile rail_54e1(double cant = detail::usual_cant) {
-    return detail::canted_rail({10.012, 24.8635}, 35.2, cant);
+    return detail::canted_rail(detail::RailHead::joined_at(10.012, 24.8635), 35.2, cant);
 }
 
 }  // namespace rollbem

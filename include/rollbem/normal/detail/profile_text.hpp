@@ -257,10 +257,10 @@ inline bool ends_in(std::string_view text, std::string_view end) {
 /// or after the first blank line, whichever is later; the header ends before four lines of points.
 inline std::size_t first_point_of_miniprof(const TextFile& file) {
     std::size_t begin = 0, in_a_row = 0, blank = file.size();
-    bool any = false;
+    bool any = false, free = false;  // lines of text, and some that are neither points nor keys after the last key
     for (std::size_t i = 0; i < file.size() && in_a_row < 4; ++i) {
         const std::string_view line = trimmed(file.line(i)), content = file.content(i, "%#!\"");
-        if (line.empty() && any && blank == file.size() && in_a_row == 0) blank = i;
+        if (line.empty() && any && blank == file.size() && (in_a_row == 0 || free)) blank = i;
         any = any || !line.empty();
         const bool quality = ends_in(line, "(Sd/Sh/qR)");
         if (content.empty() && !quality) continue;
@@ -270,7 +270,8 @@ inline std::size_t first_point_of_miniprof(const TextFile& file) {
             continue;
         }
         in_a_row = 0;
-        if (quality || line.find_first_of("=:") != std::string_view::npos) begin = i + 1;
+        free = !quality && line.find_first_of("=:") == std::string_view::npos;
+        if (!free) begin = i + 1;
     }
     return blank < file.size() ? (std::max)(begin, blank + 1) : begin;
 }
