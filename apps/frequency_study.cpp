@@ -283,8 +283,8 @@ int main(int argc, char** argv) {
 One row per scheme and frequency:
 )" + sheet.help() +
         R"(--method polynomial has no elements: n is empty and the column order gives the order. --basis monomial is the
-paper's; an order at which it has broken down, or has not converged (orders m and m + 10 disagree), is refused
-without --unchecked.
+paper's; an order at which it has broken down, or has not converged (the Chebyshev basis gives another c11), is
+refused without --unchecked.
 --method chebyshev: alpha_L, alpha_T, lambda are empty. 8 states have errors of 3e-14 up to omega = 1 and 2e-4
 up to 5, 12 states of 6e-9 up to 5; narrow strips need more (b/a = 1: 16). c11 is empty if more states would
 change its steady value by more than 1e-2.
