@@ -63,7 +63,8 @@ paper::Results compute_figures(const Settings& settings) {
 paper::Claims judge_claims(const Settings& settings, const paper::Results& results) {
     using paper::Claims, paper::Results;
     constexpr auto timed = paper::costs_of_galerkin;  // while nothing else runs
-    Claims (*const chapters[])(const Results&) = {paper::kernel_and_alpha,
+    Claims (*const chapters[])(const Results&) = {paper::equations,
+                                                  paper::kernel_and_alpha,
                                                   paper::convergence,
                                                   paper::analytic_derivative,
                                                   paper::tractions_of_collocation,

@@ -25,6 +25,9 @@ claims=$results/claims.csv
 [ "$(head -n 1 "$claims")" = "claim,figure,paper,measured,holds,expected,reason,kind" ] || fail "columns of claims.csv"
 statements=$(grep -c ',statement$' "$claims") additions=$(grep -c ',addition$' "$claims")
 [ "$statements" -gt 25 ] || fail "fewer than 25 statements of the paper"
+for equation in 'Eq\. 8' 'Eq\. 12' 'Eq\. 15' 'Eq\. 16' 'Eqs\. 24-26' 'Eq\. 29' 'Eq\. 31'; do
+    grep -q ",$equation,.*,no,no,.*,statement$" "$claims" || fail "the claim on $equation"
+done
 [ $((statements + additions + 1)) -eq "$(wc -l <"$claims")" ] || fail "a claim is neither statement nor addition"
 page=$results/index.html
 grep -q "$statements statements of the paper: .* $additions additions: all hold" "$page" || fail "numbers of claims"
