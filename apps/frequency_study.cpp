@@ -238,9 +238,7 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
     sheet.draw_exact(argand, rows, "omega", "exact_re", "exact_im");
     for (const std::string part : {"re", "im"}) {
         const std::string prefix = part == "re" ? "Re" : "Im";
-        const std::size_t first = parts.series.size();
         sheet.draw(parts, rows, {.by = also, .x = "omega", .y = "c11_" + part, .prefix = prefix, .markers = markers});
-        for (std::size_t k = first; k < parts.series.size(); ++k) parts.series[k].style = k - first;
         sheet.draw_exact(parts, rows, "omega", "omega", "exact_" + part, prefix + ", ");
     }
     sheet.draw(errors, rows, {.by = also, .x = "omega", .y = "relative_error", .absolute = true, .markers = markers});

@@ -273,7 +273,7 @@ int main(int argc, char** argv) {
             for_patches(settings, positions, [&](std::size_t, bool left, std::size_t, const RailPatch& patch) {
                 drawn.push_back({left, patch});
             });
-            return profile::draw_patches(drawn);
+            return profile::draw_patches(drawn, rows.size() - drawn.size());
         };
         study::write_table(given, table);
         return study::exit_ok;

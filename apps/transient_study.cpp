@@ -170,6 +170,7 @@ study::Plot draw_force(const History& history, const std::vector<study::Row>& ro
     }
     sheet.draw(beside, errors, {.x = "q_over_a", .y = "force", .absolute = true, .markers = false});
     beside.title.clear();
+    study::raise_to_drawn(beside);
     if (can_be_drawn(beside)) plot.beside.push_back(std::move(beside));
     return plot;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <functional>
+#include <initializer_list>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -13,24 +14,29 @@ namespace paper {
 
 namespace {
 
-/// Plain text as HTML: Greek letters, alpha_L and c11 with subscripts.
-std::string html(const std::string& text) {
-    std::string result = with_greek(text);
-    for (const auto& [plain, marked] : {std::pair{"&", "&amp;"},
-                                        {"<", "&lt;"},
-                                        {">", "&gt;"},
-                                        {"α_L", "α<sub>L</sub>"},
-                                        {"α_T", "α<sub>T</sub>"},
-                                        {"dx_T", "dx<sub>T</sub>"},
-                                        {"dx_L", "dx<sub>L</sub>"},
-                                        {"c11", "c<sub>11</sub>"},
-                                        {"c_{11}", "c<sub>11</sub>"}}) {
-        const std::size_t size = std::string_view(marked).size();
-        for (std::size_t i = result.find(plain); i != std::string::npos; i = result.find(plain, i + size)) {
-            result.replace(i, std::string_view(plain).size(), marked);
+/// Each of the texts replaced by what stands beside it.
+std::string replaced(std::string text, std::initializer_list<std::pair<std::string_view, std::string_view>> pairs) {
+    for (const auto& [plain, marked] : pairs) {
+        for (std::size_t i = text.find(plain); i != std::string::npos; i = text.find(plain, i + marked.size())) {
+            text.replace(i, plain.size(), marked);
         }
     }
-    return result;
+    return text;
+}
+
+/// The value of an attribute: Greek letters, no markup.
+std::string attribute(const std::string& text) {
+    return replaced(with_greek(text), {{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}});
+}
+
+/// Plain text as HTML: Greek letters, alpha_L and c11 with subscripts.
+std::string html(const std::string& text) {
+    return replaced(attribute(text), {{"α_L", "α<sub>L</sub>"},
+                                      {"α_T", "α<sub>T</sub>"},
+                                      {"dx_T", "dx<sub>T</sub>"},
+                                      {"dx_L", "dx<sub>L</sub>"},
+                                      {"c11", "c<sub>11</sub>"},
+                                      {"c_{11}", "c<sub>11</sub>"}});
 }
 
 /// Those of the claims that are asked for.
@@ -153,7 +159,7 @@ std::string page(const Results& results, const Claims& claims, const std::set<st
         titles.try_emplace(number, say("Fig. {}: ", number) + html(panel.title));
         panels[number] += "<figure id=\"panel" + panel.figure + "\">\n";
         if (drawn.count(panel.figure) > 0) {
-            panels[number] += say("<img src=\"fig{}.svg\" alt=\"{}\">\n", panel.figure, html(panel.title));
+            panels[number] += say("<img src=\"fig{}.svg\" alt=\"{}\">\n", panel.figure, attribute(panel.title));
         }
         panels[number] +=
             say("<figcaption>{}. Chosen: {}. Data: <a href=\"fig{}.csv\">fig{}.csv</a></figcaption></figure>\n",

@@ -36,6 +36,7 @@ grep -q "$statements statements of the paper: .* $additions additions: all hold"
 grep -q approximation "$page" && ! grep -q 'ξm' "$page" || fail "a Greek letter within a word"
 failing=$(sed -n 's/.*hold, \([0-9]*\) do not hold as printed.*/\1/p' "$page")  # their rows appear twice
 [ "$(grep -c '<td>“..*”</td>' "$page")" -eq $((statements + failing)) ] || fail "statements without the paper's words"
+grep -q 'alt="[^"]*<' "$page" && fail "markup in the description of a picture"
 links=$(grep -o 'href="#[^"]*"' "$page" | sed 's/href="#\(.*\)"/\1/')
 [ "$(echo "$links" | wc -l)" -ge 20 ] || fail "contents of the page: $links"
 for link in $links; do grep -q "id=\"$link\"" "$page" || fail "the contents lead nowhere: $link"; done
