@@ -40,7 +40,8 @@ namespace {
 
 /// A row of `result`: the curve, its case and the values computed.
 void add_row(CurveResult& result, const Curve& curve, const Case& c, const study::Row& values) {
-    const study::Cell grading = c.mesh == Topology::uniform ? study::Cell("") : study::Cell(c.grading);
+    const bool graded = !rollbem::topology_info(c.mesh).grading.empty();
+    const study::Cell grading = graded ? study::Cell(c.grading) : study::Cell("");
     result.rows.push_back(study::joined<study::Cell>(
         {curve.label, name(c.method), name(c.derivative), name(c.mesh), grading, c.n, c.alpha_L, c.alpha_T, c.lambda},
         values));

@@ -92,6 +92,9 @@ std::string listed(const std::vector<std::string>& words, const std::string& las
 /// What --mesh may be.
 std::vector<std::string> mesh_names();
 
+/// The option that sets what a column of this name shows: "size-ratio" for size_ratio.
+std::string option_of(std::string column);
+
 class Options {
 public:
     /// Declares the options all studies share. `purpose` is the first line of --help.
