@@ -195,10 +195,7 @@ int main(int argc, char** argv) {
     options.not_with({"sine", "history"}, "ramp");
     options.not_with({"history"}, "sine");
     study::add_steps(options);
-    options.add(
-        "integrator", "NAME",
-        "sdirk2 (second order, L-stable), implicit-euler, or exponential (exact for creepage linear over a step)",
-        "sdirk2");
+    study::add_integrator(options, false);
     options.add_flag("unchecked", "also step schemes that are unstable, may be unstable, or do not converge");
     study::offer_chebyshev(options);
     options.footer(
@@ -215,9 +212,7 @@ One row per step:
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         const study::Steps steps = study::read_steps(given);
         const History history = make_history(given, steps.dq);
-        using rollbem::Integrator;
-        const Integrator integrator = study::read_integrator(
-            given, {Integrator::sdirk2, Integrator::implicit_euler, Integrator::matrix_exponential});
+        const rollbem::Integrator integrator = study::read_integrator(given, false);
 
         // 2. One model for each scene, if eigenvalues and steady rolling tell that stepping makes sense, and the exact
         // response of its contact.

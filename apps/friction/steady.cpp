@@ -128,7 +128,7 @@ const study::Sheet<CreepRow>& traction_sheet() {
          {"lateral_slip", "", if_ok([](const R& r) { return r.if_both(r.of.slip(r.i, 1)); })},
          {"layer", "", [](const R& r) { return r.line.layer; }},
          {"friction_ratio", "mu/mu_0",
-          if_ok([](const R& r) { return r.line.falling ? study::Cell(r.of.friction[r.i]) : study::Cell(); })}},
+          if_ok([](const R& r) { return r.line.law ? study::Cell(r.of.friction[r.i]) : study::Cell(); })}},
         study::settings};
     return columns;
 }
@@ -150,7 +150,7 @@ std::vector<study::Plot> draw_tractions(const Tractions& tractions, const Line& 
         }
     }
     if (!shown) return {};
-    const bool falling = line.falling.has_value();
+    const bool falling = line.law.has_value();
     const double sign = *shown < 0 ? -1 : 1;
     study::Series exact{.label = "Carter", .markers = false, .reference = true};
     study::Series bound{.label = "bound " + coefficient(falling) + " p_n", .markers = false, .reference = true};
@@ -183,7 +183,7 @@ std::vector<study::Plot> draw_tractions(const Tractions& tractions, const Line& 
 /// With the tractions beside it at the creepage nearest to half of full sliding, for the last mesh.
 study::Plot creep_picture(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
                           const Curve& curve, const Tractions& tractions) {
-    const bool falling = curve.line.falling.has_value();
+    const bool falling = curve.line.law.has_value();
     study::Plot plot{.title = "Creep curve" + scene_in_title(curve.options),
                      .x_label = creepage_label(falling, "δ = ξ"),
                      .y_label = force_label(falling),
@@ -207,7 +207,7 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
 /// Both forces over the creepage ratio, a panel each, one line for each lateral ratio.
 study::Plot combined_creep(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
                            const Curve& curve) {
-    const bool falling = curve.line.falling.has_value();
+    const bool falling = curve.line.law.has_value();
     const auto panel = [&](const std::string& title, const char* force, const char* y) {
         study::Plot plot{
             .title = title, .x_label = creepage_label(falling, "δ_x = ξ_x"), .y_label = force_label(falling, force)};
