@@ -132,9 +132,9 @@ study::Sheet<Found, Case> sheet_of(bool friction) {
     add("lateral_force", &Found::solved, true, [](const PatchForce& p) { return p.force.lateral; });
     add("spin_moment", &Found::solved, true, [](const PatchForce& p) { return p.force.moment; });
     list.push_back({"slip_power", "", study::where(&Found::solved, [](const Found& f) {
-                        const double rolling =
-                            f.settings.speed + std::abs(f.contacts.of.pitch_rate) * f.patch()->rolling_radius;
-                        return f.solved()->slip_work * rolling / 2;
+                        const rollbem::WheelsetSpeeds speeds{.forward = f.settings.speed,
+                                                             .pitch_rate = f.contacts.of.pitch_rate};
+                        return f.solved()->slip_work * std::abs(rolling_velocity_of(*f.patch(), speeds));
                     })});
     add("t_gamma", &Found::solved, false, [](const PatchForce& p) { return t_gamma(p); });
     list.push_back({"fatigue_index", "", study::where(&Found::solved, [](const Found& f) {

@@ -23,16 +23,17 @@ solution for pressures; time_us of the whole position [microseconds], once. Leng
 pressures in Pa, all of them SI. status: ok; doubtful_plane, surfaces turn by more than 0.2 rad over the patch;
 unbalanced, normal forces and friction did not come to carry the loads to 1e-6; and without numbers: no_contact, end_of_profile, undefined_section, load_not_reached, not_converged, few_cells, not_finite.
 --friction: longitudinal_creepage, lateral_creepage and spin [1/m] are numbers as CONTACT's CKSI, CETA and CPHI, those
-of the rail on the wheel, over the mean of V and the circumferential speed: a driven wheel has a positive longitudinal
-creepage. longitudinal_force, lateral_force (along s) and spin_moment, about n at the reference point, act on the wheel
-(CONTACT's FX, FS, MN on the rail are minus these). Slip is that of the three creepages, or of the curved surfaces with
+of the rail on the wheel, over the size of the mean of V and the circumferential speed -pitch_rate rolling_radius: a
+wheel driven forward has a positive longitudinal creepage. longitudinal_force, lateral_force (along s) and spin_moment,
+about n at the reference point, act on the wheel (CONTACT's FX, FS, MN on the rail are minus these). Slip is that of the three creepages, or of the curved surfaces with
 --slip curved. slip_power [W] is what friction turns into heat, minus the power of
 forces and moment on the creepages; t_gamma [N] that power per metre rolled, for wear; fatigue_index the force of
 friction over the normal force, less --shear-yield over the peak pressure (surface fatigue where positive); elements
 those of each patch. --wear FILE has, for right rail and right wheel (of left ones in their mirror images) of each side,
 s, the length along the profile, y, z, and work [J/m^2]: frictional work per metre rolled and metre of profile, the mean
 over all positions. The loads are vertical: the normal forces are found
-together with those of friction. Status may then be that of friction, with the forces empty.
+together with those of friction. Status may then be that of friction, with the forces empty; invalid_step: the wheel
+does not roll, as that mean is 0.
 --outline writes files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P and patch K, e.g. for
   patch_study --n 12 --outline DIR/1_right_1.outline.csv --pressure DIR/1_right_1.pressure.csv --longitudinal 0.1
 --positions: a row for each position. --smooth is for worn or measured profiles: the smoothest curve that leaves the
@@ -69,7 +70,7 @@ void add_options(study::Options& options) {
                 "40,20");
     options.group("Friction");
     options.add("friction", "MU", "coefficient of friction: adds creepages and forces (dimensionless)");
-    options.add("speed", "V", "with --friction: of the wheelset [m/s]", "1");
+    options.add("speed", "V", "with --friction: of the wheelset, negative when rolling backwards [m/s]", "1");
     options.add("pitch-rate", "LIST",
                 "with --friction: about the axle, negative when rolling forward [rad/s]; default: that in which the "
                 "longitudinal creepages of the wheels that touch add up to 0");
@@ -159,7 +160,8 @@ Settings read_settings(const study::Options& options) {
         for (const char* name : {"speed", "pitch-rate", "n", "strips", "slip", "shear-yield", "wear"})
             options.ignored(name, "without --friction");
     }
-    const double load = positive("load"), speed = positive("speed");
+    const double load = positive("load"), speed = options.number("speed", study::finite());
+    options.require(speed != 0, "speed", "differ from 0: creepage is slip over the velocity of rolling");
     const rollbem::Profile wheel = read_wheel(options), rail = read_rail(options);
     try {
         return {rollbem::WheelsetOnTrack(rollbem::WheelOnRail(wheel, rail, track)),

@@ -16,7 +16,7 @@ enum class Status {
     order_differs,     ///< values to be extrapolated do not converge with the given order
     // contact of profiles, the worse the later
     doubtful_plane,     ///< numbers, but surfaces turn by more than 0.2 rad over the contact: a plane is an assumption
-    unbalanced,         ///< numbers, but normal forces and friction did not settle
+    unbalanced,         ///< numbers, but normal forces and friction did not settle, or a wheel does not roll
     no_contact,         ///< the surfaces do not touch: a wheel is lifted, or beside the rail
     end_of_profile,     ///< contact reaches the end of a profile, which is not known beyond
     undefined_section,  ///< the wheel's section is not a function there: yaw is too large

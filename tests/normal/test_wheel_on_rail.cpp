@@ -529,6 +529,61 @@ TEST_CASE("wheelset_forces: mirrored motions are mirror images; a wheel without 
     CHECK(derailed.on_wheelset.force[2] == Approx(-8e4).epsilon(1.01e-6));
 }
 
+TEST_CASE(
+    "wheelset_forces: rolling backwards is the mirror image of rolling forward; at standstill there is no creepage",
+    "[profiles]") {
+    WheelOnRail::Workspace wheel;
+    const auto contact = standard().carry({.lateral = 2e-3, .yaw = 2e-3}, 1e4, wheel);
+    const Creepage<double> back =
+        creepage_of(contact.patches.at(0), {2e-3, contact.height, 0, 2e-3}, {.forward = -2, .pitch_rate = 4.345}, 0.46);
+    CHECK(back.longitudinal == Approx(6.55e-4).margin(5e-7));
+    CHECK(back.lateral == Approx(2.007e-3).margin(5e-7));
+    CHECK(back.spin == Approx(0.173).margin(5e-4));
+
+    const WheelsetOnTrack wheelset(standard());
+    WheelsetOnTrack::Workspace workspace;
+    const auto roll = [&](double direction, const WheelsetSpeeds& speeds, bool free, bool curved) {
+        WheelsetRolling rolling{.position = {.lateral = 4e-3, .yaw = direction * 3e-3}, .loads = {8e4, 1e5}};
+        rolling.speeds = speeds;
+        rolling.free_pitch = free;
+        return rolling_forces(wheelset, rolling, {.elements = 6, .strips = 7, .curved_slip = curved}, workspace,
+                              {.cells_x = 20, .cells_s = 16});
+    };
+    for (const bool free : {true, false}) {
+        const WheelsetSpeeds speeds{2, -4.35, 1e-3, 2e-3, 3e-3, 4e-3};
+        const auto forward = roll(1, speeds, free, !free),
+                   backward = roll(-1, {-2, 4.35, 1e-3, 2e-3, 3e-3, -4e-3}, free, !free);
+        REQUIRE(forward.contacts.status == Status::ok);
+        REQUIRE(backward.contacts.status == Status::ok);
+        CAPTURE(free, forward.pitch_rate);
+        CHECK(backward.pitch_rate == Approx(-forward.pitch_rate).epsilon(1e-9));
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double sign = i == 0 ? -1 : 1;
+            CHECK(backward.on_wheelset.force[i] == Approx(sign * forward.on_wheelset.force[i]).margin(1));
+            CHECK(backward.on_wheelset.moment[i] == Approx(-sign * forward.on_wheelset.moment[i]).margin(1));
+        }
+        const PatchForce &one = forward.patches[1].at(0), &other = backward.patches[1].at(0);
+        CHECK(std::abs(one.force.moment) > 1);
+        CHECK(other.creepage.spin == Approx(-one.creepage.spin).epsilon(1e-4));
+        CHECK(other.slip_work == Approx(one.slip_work).epsilon(1e-4));
+    }
+
+    for (const WheelsetSpeeds& speeds :
+         {WheelsetSpeeds{.forward = 0}, {.forward = 0, .lateral = 1e-3}, {.forward = 1e-310}}) {
+        const auto stands = roll(1, speeds, true, false);
+        CHECK(stands.contacts.status == Status::unbalanced);
+        for (const auto& patches : stands.patches) {
+            CHECK(patches.at(0).status == StepStatus::invalid_step);
+            CHECK(patches.at(0).force.longitudinal == 0);
+        }
+        CHECK(stands.on_wheelset.force[0] == 0);
+        CHECK(stands.on_wheelset.force[2] == Approx(-1.8e5).epsilon(1e-5));
+        for (const double moment : stands.on_wheelset.moment) CHECK(detail::is_finite(moment));
+    }
+    CHECK(roll(1, {.forward = NAN}, true, false).contacts.status == Status::not_finite);
+    CHECK(roll(1, {.forward = 2, .lateral = INFINITY}, true, false).contacts.status == Status::not_finite);
+}
+
 TEST_CASE("wheelset_forces: normal forces and friction carry the loads on the flange, where friction lifts the wheel",
           "[profiles]") {
     const WheelsetOnTrack wheelset(standard());

@@ -100,6 +100,41 @@ TEST_CASE("the left wheel is the mirror image of the right one", "[contact_table
     }
 }
 
+TEST_CASE("rolling backwards is the mirror image of rolling forward; at standstill there is a status",
+          "[contact_table]") {
+    std::mt19937_64 random(10);
+    for (int scene = 0; scene < 50; ++scene) {
+        Inputs x = random_inputs(random, 8e-3);
+        const WheelsetSide side = scene % 2 == 0 ? WheelsetSide::right : WheelsetSide::left;
+        const WheelForces forward = look_up(x, side);
+        constexpr std::array<double, 6> signs{-1, 1, 1, 1, -1, -1};
+        constexpr Inputs turned{1, -1, -1, -1, 1, 1, 1, -1, 1, 1};
+        for (std::size_t j = 0; j < x.size(); ++j) x[j] *= turned[j];
+        const WheelForces backward = look_up(x, side);
+        REQUIRE(backward.status == StepStatus::ok);
+        for (Eigen::Index i = 0; i < 6; ++i) {
+            const double sign = signs[std::size_t(i)];
+            REQUIRE(backward.force[i] == sign * forward.force[i]);
+            for (Eigen::Index j = 0; j < WheelForces::inputs; ++j) {
+                REQUIRE(backward.tangent(i, j) == sign * turned[std::size_t(j)] * forward.tangent(i, j));
+            }
+        }
+        REQUIRE(backward.heat == forward.heat);
+        for (std::size_t k = 0; k < 2; ++k) {
+            REQUIRE(backward.points[k].arm[0] == -forward.points[k].arm[0]);
+            REQUIRE(backward.points[k].creepage.spin == -forward.points[k].creepage.spin);
+        }
+    }
+    for (const double speed : {0.0, 1e-310}) {
+        Inputs x = rolling(1e-3);
+        x[2] = speed;
+        x[3] = -speed / radius;
+        REQUIRE(look_up(x).status == StepStatus::invalid_step);
+        x[4] = 0.01;
+        REQUIRE(look_up(x, WheelsetSide::left).status == StepStatus::invalid_step);
+    }
+}
+
 TEST_CASE("a wheel carries its load, and friction makes heat", "[contact_table]") {
     std::mt19937_64 random(9);
     for (int scene = 0; scene < 200; ++scene) {

@@ -69,7 +69,8 @@ struct WheelForces {
     std::array<Point, 2> points;
     double heat = 0;  ///< of both points [W]
     /// wrong_table (the position lies beyond the table, or Poisson's ratios differ), invalid_load (load or mu is
-    /// negative), not_finite, no_solution (the rail cannot carry the load: friction holds the wheel up)
+    /// negative), invalid_step (the wheel does not roll: the mean of its speed and the circumferential one is 0),
+    /// not_finite, no_solution (the rail cannot carry the load: friction holds the wheel up)
     StepStatus status = StepStatus::not_finite;
 
     auto derivative(Input input) const { return tangent.col(input); }
@@ -330,11 +331,10 @@ WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide sid
     using enum ContactRow::Of;
     WheelForces result;
     const double mirror = side == WheelsetSide::left ? -1 : 1;
-    const std::array<double, WheelForces::inputs> inputs{
-        mirror * position.lateral, mirror * position.yaw,    speeds.forward,
-        speeds.pitch_rate,         mirror * speeds.lateral,  speeds.vertical,
-        mirror * speeds.roll_rate, mirror * speeds.yaw_rate, load,
-        friction_coefficient};
+    std::array<double, WheelForces::inputs> inputs{mirror * position.lateral, mirror * position.yaw,    speeds.forward,
+                                                   speeds.pitch_rate,         mirror * speeds.lateral,  speeds.vertical,
+                                                   mirror * speeds.roll_rate, mirror * speeds.yaw_rate, load,
+                                                   friction_coefficient};
     for (const double input : inputs) {
         if (!detail::is_finite(input)) return result;
     }
@@ -345,6 +345,12 @@ WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide sid
     if (!covers(position.lateral, position.yaw)) {
         result.status = StepStatus::wrong_table;
         return result;
+    }
+    // rolling backwards is the mirror image, across the track, of rolling forward
+    const double tread = sample<1>(cell(inputs[0], inputs[1]), radius).value[0];
+    const double along = speeds.forward - speeds.pitch_rate * tread < 0 ? -1 : 1;
+    for (const auto which : {WheelForces::yaw, WheelForces::forward, WheelForces::pitch_rate, WheelForces::yaw_rate}) {
+        inputs[static_cast<std::size_t>(which)] *= along;
     }
     const auto input = [&](WheelForces::Input which) {
         return Dual(inputs[static_cast<std::size_t>(which)], partials, static_cast<int>(which));
@@ -368,7 +374,11 @@ WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide sid
         const Dual sine = sin(delta), cosine = cos(delta);
         const Dual v_y = input(WheelForces::lateral_speed) + w_z * r_x - w_x * r_z,
                    v_z = input(WheelForces::vertical_speed) + w_x * r_y - w_y * r_x;
-        const Dual reference = (input(WheelForces::forward) + (rate.value() < 0 ? Dual(-rate) : rate) * r) * 0.5;
+        const Dual reference = (input(WheelForces::forward) - rate * r) * 0.5;
+        if (!(reference.value() >= std::numeric_limits<double>::min())) {
+            result.status = StepStatus::invalid_step;
+            return result;
+        }
         const Dual xi = (input(WheelForces::forward) + w_y * r_z - w_z * r_y) / reference,
                    eta = (v_y * cosine + v_z * sine) / reference, phi = (w_z * cosine - w_y * sine) / reference;
         const Dual wanted = part * input(WheelForces::load);
@@ -451,20 +461,21 @@ WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide sid
             return result;
         }
         found.load_share = part.value();
-        found.arm = {r_x.value(), r_y.value(), r_z.value()};
+        found.arm = {along * r_x.value(), r_y.value(), r_z.value()};
         found.angle = delta.value();
         found.rolling_radius = r.value();
         found.normal_load = normal_load;
-        found.creepage = {xi.value(), eta.value(), phi.value()};
-        found.force = {force[0].value(), force[1].value(), force[2].value()};
+        found.creepage = {along * xi.value(), eta.value(), along * phi.value()};
+        found.force = {along * force[0].value(), force[1].value(), along * force[2].value()};
         found.heat = -reference.value() *
                      (found.force.longitudinal * found.creepage.longitudinal +
                       found.force.lateral * found.creepage.lateral + found.force.moment * found.creepage.spin);
         result.heat += found.heat;
     }
     // the left wheel is the mirror image
-    const std::array<double, 6> signs{1, mirror, 1, mirror, 1, mirror};
-    const std::array<double, WheelForces::inputs> turned{mirror, mirror, 1, 1, mirror, 1, mirror, mirror, 1, 1};
+    const std::array<double, 6> signs{along, mirror, 1, mirror, along, along * mirror};
+    const std::array<double, WheelForces::inputs> turned{mirror, along * mirror, along,          along, mirror,
+                                                         1,      mirror,         along * mirror, 1,     1};
     for (Eigen::Index i = 0; i < 6; ++i) {
         const auto own = static_cast<std::size_t>(i);
         result.force[i] = signs[own] * sum[own].value();

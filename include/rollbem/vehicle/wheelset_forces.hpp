@@ -62,11 +62,54 @@ struct Wrench {
     }
 };
 
-/// Steady rolling on the patch's own outline, under its own pressures, with the slip of both surfaces. The patch must
-/// have numbers; position and speeds are those that the right wheel sees.
+namespace detail {
+
+// Mirror images in the plane x = 0, across the track.
+inline WheelsetPosition mirrored_along(WheelsetPosition position) {
+    position.yaw = -position.yaw;
+    return position;
+}
+inline WheelsetSpeeds mirrored_along(const WheelsetSpeeds& speeds) {
+    return {-speeds.forward, -speeds.pitch_rate, speeds.lateral, speeds.vertical, speeds.roll_rate, -speeds.yaw_rate};
+}
+inline RailPatch mirrored_along(RailPatch patch) {
+    patch.x = -patch.x;
+    patch.grid.x_0 = -patch.grid.x(patch.grid.nx - 1);
+    patch.pressure = patch.pressure.colwise().reverse().eval();
+    if (patch.outline) {
+        const Eigen::ArrayXd y = patch.outline->y();
+        Eigen::ArrayXd trailing = y, leading = y;
+        for (Eigen::Index i = 0; i < y.size(); ++i) {
+            trailing[i] = -patch.outline->leading(y[i]);
+            leading[i] = -patch.outline->trailing(y[i]);
+        }
+        patch.outline.emplace(y, trailing, leading);
+    }
+    return patch;
+}
+
+}  // namespace detail
+
+/// Steady rolling on the patch's own outline, under its own pressures, with the slip of both surfaces; backwards as the
+/// mirror image of rolling forward. A patch that does not roll, V = 0, has the status invalid_step, no creepage and no
+/// force. The patch must have numbers; position and speeds are those that the right wheel sees.
 inline PatchForce patch_force(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
                               const TrackDimensions& dimensions, const RollingFriction& friction) {
+    const double rolling = rolling_velocity_of(patch, speeds);
+    if (rolling < 0) {
+        PatchForce image = patch_force(detail::mirrored_along(patch), detail::mirrored_along(at),
+                                       detail::mirrored_along(speeds), dimensions, friction);
+        for (double* of :
+             {&image.creepage.longitudinal, &image.creepage.spin, &image.force.longitudinal, &image.force.moment}) {
+            *of = -*of;
+        }
+        return image;
+    }
     const Creepage<double> creepage = creepage_of(patch, at, speeds, dimensions.radius);
+    const bool rolls = rolling >= std::numeric_limits<double>::min() && detail::is_finite(creepage);
+    if (detail::is_finite(speeds) && !rolls) {
+        return {.force = {0, 0, 0}, .slip_work = 0, .status = StepStatus::invalid_step};
+    }
     const PatchContact<double> contact = contact_of(patch, dimensions);
     const PressureGrid<double> pressures = pressure_of(patch);
     PatchForce result{.creepage = creepage};
@@ -153,29 +196,30 @@ struct WheelsetForces {
 
 namespace detail {
 
-/// At which the longitudinal creepages of the largest patches of all wheels that touch add up to zero [rad/s].
+/// At which the longitudinal creepages of the largest patches of all wheels that touch add up to zero [rad/s]: slip is
+/// linear in the rate, and the velocity of rolling by which it is divided changes little from one round to the next.
 inline double free_pitch_rate(const WheelsetOnTrack::Contacts& contacts, WheelsetSpeeds speeds, double radius) {
-    const auto creepage = [&](double rate) {
-        double sum = 0;
-        speeds.pitch_rate = rate;
+    speeds.pitch_rate = 0;
+    for (int round = 0; round < 20; ++round) {
+        double sum = 0, growth = 0;  // of creepages, and its derivative at constant velocities of rolling
         for (const WheelsetOnTrack::Side side : WheelsetOnTrack::sides) {
             const WheelOnRail::Contact& wheel = contacts.wheels[std::size_t(side)];
             if (!has_numbers(wheel.status)) continue;
-            sum += creepage_of(wheel.patches[0], contacts.seen(side), WheelsetOnTrack::seen_from(side, speeds), radius)
-                       .longitudinal;
+            const RailPatch& patch = wheel.patches[0];
+            const WheelsetPosition at = contacts.seen(side);
+            const auto slip = [&](const WheelsetSpeeds& of) {
+                const WheelsetSpeeds seen = WheelsetOnTrack::seen_from(side, of);
+                return SlipVelocity(patch, at, seen, radius).at_reference().longitudinal;
+            };
+            const double rolling = round > 0 ? std::abs(rolling_velocity_of(patch, speeds)) : 1;
+            sum += slip(speeds) / rolling;
+            growth += slip({.forward = 0, .pitch_rate = 1}) / rolling;
         }
-        return sum;
-    };
-    double rate = -speeds.forward / radius, last = 1.001 * rate, before = creepage(last);
-    for (int k = 0; k < 10; ++k) {
-        const double here = creepage(rate);
-        if (here == before) break;
-        const double next = rate - here * (rate - last) / (here - before);
-        last = rate;
-        before = here;
-        rate = next;
+        const double next = speeds.pitch_rate - sum / growth;
+        if (!is_finite(next) || next == speeds.pitch_rate) break;
+        speeds.pitch_rate = next;
     }
-    return rate;
+    return speeds.pitch_rate;
 }
 
 /// The vertical load of a wheel's normal forces with which it carries, with friction, the load wanted. Logarithms of
@@ -224,7 +268,8 @@ private:
 
 /// The forces of a rolling wheelset. Loads are vertical, carried by normal forces and friction together: contacts and
 /// friction are found in turn until they carry the loads to 1e-6; if they do not in 40 rounds, the wheel's status is
-/// `unbalanced`, and `load_not_reached` where friction holds the wheel up. Statuses say what failed; allocates.
+/// `unbalanced`, and `load_not_reached` where friction holds the wheel up. A wheel that does not roll (patch_force) has
+/// the forces of its pressures alone and is `unbalanced`, too. Statuses say what failed; allocates.
 template <std::same_as<double> Scalar = double>  // for rollbem::compiled
 WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const WheelsetRolling& rolling,
                               const RollingFriction& friction, WheelsetOnTrack::Workspace& workspace,
@@ -234,6 +279,7 @@ WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const WheelsetRol
     WheelsetForces result;
     WheelsetPosition position = rolling.position;
     WheelsetSpeeds speeds = rolling.speeds;
+    if (!detail::is_finite(speeds)) return result;
     std::array<detail::CarriedLoad, 2> carried;
     constexpr int most = 40;
     int failures = 0;
@@ -276,6 +322,12 @@ WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const WheelsetRol
                 for (WheelOnRail::Contact& both : result.contacts.wheels) both.status = wheel.status;
             }
             if (last) wheel.status = (std::max)(wheel.status, Status::unbalanced);
+        }
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+        Status& status = result.contacts.wheels[k].status;
+        for (const PatchForce& patch : result.patches[k]) {
+            if (patch.status == StepStatus::invalid_step) status = (std::max)(status, Status::unbalanced);
         }
     }
     auto& [left, right] = result.contacts.wheels;

@@ -21,17 +21,16 @@ namespace rollbem {
 
 namespace detail {
 
-/// The rigid slip of the wheel on the rail over the mean of V and the circumferential speed, at a point (x, s, n) of a
-/// patch's plane: along x, along s turned by `tilt` into the plane's normal, and about the plane's normal.
-class RigidSlip {
+/// The velocity of the wheel on the rail at a point (x, s, n) of a patch's plane: along x, along s turned by `tilt` into
+/// the plane's normal [m/s], and about the plane's normal [rad/s].
+class SlipVelocity {
 public:
-    RigidSlip(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds, double radius)
+    SlipVelocity(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds, double radius)
         : patch_(patch), at_(at), speeds_(speeds), radius_(radius) {
         const double rate = speeds.pitch_rate;
         w_x_ = -rate * std::sin(at.yaw) + speeds.roll_rate;
         w_y_ = rate * std::cos(at.roll) * std::cos(at.yaw);
         w_z_ = rate * std::sin(at.roll) * std::cos(at.yaw) + speeds.yaw_rate;
-        reference_ = (speeds.forward + std::abs(rate) * patch.rolling_radius) / 2;
     }
 
     Creepage<double> operator()(double x, double s, double n, double tilt) const {
@@ -41,27 +40,35 @@ public:
         const double v_x = speeds_.forward + w_y_ * r_z - w_z_ * r_y, v_y = speeds_.lateral + w_z_ * r_x - w_x_ * r_z,
                      v_z = speeds_.vertical + w_x_ * r_y - w_y_ * r_x;
         const double sine_t = std::sin(patch_.angle + tilt), cosine_t = std::cos(patch_.angle + tilt);
-        return {v_x / reference_, (v_y * cosine_t + v_z * sine_t) / reference_,
-                (w_z_ * cosine - w_y_ * sine) / reference_};
+        return {v_x, v_y * cosine_t + v_z * sine_t, w_z_ * cosine - w_y_ * sine};
     }
+    /// At the reference point, of the wheel's material, which lies below the rail's surface.
+    Creepage<double> at_reference() const { return (*this)(0, 0, patch_.penetration, 0); }
 
 private:
     const RailPatch& patch_;
     const WheelsetPosition& at_;
     const WheelsetSpeeds& speeds_;
-    double radius_, w_x_, w_y_, w_z_, reference_;
+    double radius_, w_x_, w_y_, w_z_;
 };
 
 }  // namespace detail
 
-/// The rigid slip of the wheel on the rail at the reference point of a patch, over the mean of V and the
-/// circumferential speed, in the axes (x, s, n) of its plane [-, -, 1/m]: a braked wheel has a positive longitudinal
-/// creepage. Forces by it act on the wheel. CONTACT's CKSI, CETA and CPHI are the same with the opposite sign, and its
-/// forces act on the rail.
+/// V [m/s] at which a patch rolls, the mean of the wheelset's speed and the circumferential speed at the reference
+/// point: negative when rolling backwards, 0 if the patch does not roll.
+inline double rolling_velocity_of(const RailPatch& patch, const WheelsetSpeeds& speeds) {
+    return (speeds.forward - speeds.pitch_rate * patch.rolling_radius) / 2;
+}
+
+/// The rigid slip of the wheel on the rail at the reference point of a patch, over |V| of rolling_velocity_of, in the
+/// axes (x, s, n) of its plane [-, -, 1/m]: a wheel braked while it rolls forward has a positive longitudinal creepage.
+/// Not finite where V = 0. Forces by it act on the wheel. CONTACT's CKSI, CETA and CPHI are the same with the opposite
+/// sign, and its forces act on the rail.
 inline Creepage<double> creepage_of(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
                                     double radius) {
-    // the wheel's material lies below the rail's surface
-    return detail::RigidSlip(patch, at, speeds, radius)(0, 0, patch.penetration, 0);
+    const Creepage<double> slip = detail::SlipVelocity(patch, at, speeds, radius).at_reference();
+    const double speed = std::abs(rolling_velocity_of(patch, speeds));
+    return {slip.longitudinal / speed, slip.lateral / speed, slip.spin / speed};
 }
 
 /// The rigid slip that curved surfaces have at points (x, s) of the plane besides that of creepage_of, a row each,
@@ -69,7 +76,8 @@ inline Creepage<double> creepage_of(const RailPatch& patch, const WheelsetPositi
 /// surfaces. Where arcs of a rail join, a patch is so wide that its rolling radii differ by 1e-3.
 inline Eigen::MatrixX2d curved_slip_of(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
                                        double radius, const Eigen::ArrayXd& x, const Eigen::ArrayXd& s) {
-    const detail::RigidSlip slip(patch, at, speeds, radius);
+    const detail::SlipVelocity slip(patch, at, speeds, radius);
+    const double speed = std::abs(rolling_velocity_of(patch, speeds));
     const Creepage<double> linear = creepage_of(patch, at, speeds, radius);
     const CellGrid& grid = patch.grid;
     const Eigen::ArrayXd middle = (patch.rail_n + patch.wheel_n) / 2;
@@ -79,8 +87,8 @@ inline Eigen::MatrixX2d curved_slip_of(const RailPatch& patch, const WheelsetPos
         const auto j = static_cast<Eigen::Index>(row);
         const double part = row - double(j), n = (1 - part) * patch.wheel_n[j] + part * patch.wheel_n[j + 1];
         const Creepage<double> here = slip(x[i], s[i], n, std::atan((middle[j + 1] - middle[j]) / grid.dy));
-        rows(i, 0) = here.longitudinal - (linear.longitudinal - linear.spin * s[i]);
-        rows(i, 1) = here.lateral - (linear.lateral + linear.spin * x[i]);
+        rows(i, 0) = here.longitudinal / speed - (linear.longitudinal - linear.spin * s[i]);
+        rows(i, 1) = here.lateral / speed - (linear.lateral + linear.spin * x[i]);
     }
     return rows;
 }
