@@ -317,6 +317,21 @@ TEST_CASE("wheel_on_rail: small and large loads, needles, ends of profiles, two 
     CHECK(standard().carry({.roll = 3}, 1e5, workspace).status == Status::no_contact);
     CHECK(standard().carry({.lateral = NAN}, 1e5, workspace).status == Status::not_finite);
     CHECK(standard().carry({}, 0, workspace).status == Status::not_finite);
+    for (const double load : {5e-324, 1e-300, 1e300})
+        CHECK_FALSE(has_numbers(standard().carry({}, load, workspace).status));
+    using Options = WheelOnRail::Options;
+    for (const Options& options : {Options{.cells_x = 4},
+                                   {.cells_s = 0},
+                                   {.tolerance = 0},
+                                   {.tolerance = NAN},
+                                   {.cell_size = -1},
+                                   {.cell_size = NAN},
+                                   {.cell_size = 1e-300}}) {
+        CHECK_THAT(refusal([&] { standard().carry({}, 1e5, workspace, options); }), ContainsSubstring("WheelOnRail: "));
+        CHECK_THAT(refusal([&] { standard().press({}, workspace, options); }), ContainsSubstring(" must "));
+    }
+    CHECK_THAT(refusal([] { WheelOnRail(s1002(), rail_60e1(), {.shear_modulus = 1e-310}); }),
+               ContainsSubstring("compliance"));
 
     // right 11 of the benchmark, 10 mm apart; CONTACT's friction carries a part, a second implementation's loads
     const double vertical = 1e4 - 8557 * 2308 / 8161 * std::sin(0.298) - 1045 * 443 / 1476 * std::sin(0.133);
@@ -652,6 +667,8 @@ TEST_CASE("profile: points must follow a curve; smoothing leaves the deviation i
     CHECK_THAT(refused({0, 1, 1, 2}, {0, 0, 0, 0}), ContainsSubstring("point = 3"));
     CHECK_THAT(refused({0, 1, 0.5, 2}, {0, 0, 0, 0}), ContainsSubstring("90 degrees"));
     CHECK_THAT(refused({0, 1, NAN, 2}, {0, 0, 0, 0}), ContainsSubstring("finite"));
+    CHECK_THAT(refused({0, 1, 2, 1e160}, {0, 0, 0, 0}), ContainsSubstring("lie within 1e100 of the one before it"));
+    CHECK_THAT(refused({0, 1e-320, 1, 2}, {0, 0, 0, 0}), ContainsSubstring("differ from the one before it"));
 
     const Profile exact = rail_60e1();
     // the spline through its points is the curve between them; from either end

@@ -20,8 +20,8 @@ namespace rollbem {
 /// down. Of a wheel: the right one, z = 0 on the tape circle and the flange at negative y. Of a rail: z = 0 at its
 /// highest point, and the inner side of the right one at negative y.
 ///
-/// Invariant: at least 4 points, finite, no two in a row equal, and the polygon turns by at most 90 degrees at each; y
-/// grows from the first to the last.
+/// Invariant: at least 4 points, finite, from 1e-100 to 1e100 from one to the next, and the polygon turns by at most 90
+/// degrees at each; y grows from the first to the last.
 class Profile {
 public:
     struct Point {
@@ -33,12 +33,15 @@ public:
     /// point by its number from 1.
     Profile(Eigen::ArrayXd y, Eigen::ArrayXd z) : values_{std::move(y), std::move(z)} {
         const Eigen::Index n = values_[0].size();
+        constexpr double least = 1e-100;  // of distances: their squares and inverses are numbers
         detail::require(n >= 4, "Profile", "number of points", n, "be at least 4");
         detail::require(values_[1].size() == n, "Profile", "number of z", values_[1].size(), "equal that of y");
         for (Eigen::Index i = 0; i < n; ++i) {
             check(i, detail::is_finite(values_[0][i]) && detail::is_finite(values_[1][i]), "be finite");
             if (i == 0) continue;
-            check(i, std::hypot(step(0, i), step(1, i)) > 0, "differ from the one before it");
+            const double distance = std::hypot(step(0, i), step(1, i));
+            check(i, distance > least, "differ from the one before it");
+            check(i, distance < 1 / least, "lie within 1e100 of the one before it");
             if (i == 1) continue;
             check(i - 1, step(0, i) * step(0, i - 1) + step(1, i) * step(1, i - 1) >= 0,
                   "not turn the curve by more than 90 degrees");

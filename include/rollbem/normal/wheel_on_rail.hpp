@@ -84,9 +84,10 @@ public:
     WheelOnRail(Profile wheel, Profile rail, const TrackDimensions& dimensions = {});
 
     struct Options {
-        Eigen::Index cells_x = 40, cells_s = 20;  ///< across what touches; more in patches with two lobes
-        double tolerance = 1e-6;                  ///< of the load, and of gaps over the approach
-        /// If positive, instead: the side [m] of square cells, one centred on the reference point, as CONTACT has.
+        Eigen::Index cells_x = 40, cells_s = 20;  ///< across what touches, at least 5; more in patches with two lobes
+        double tolerance = 1e-6;                  ///< of the load, and of gaps over the approach; positive, below 1
+        /// Instead, unless 0: the side [m] of square cells, one centred on the reference point, as CONTACT has; from 1e-5
+        /// to 1.
         double cell_size = 0;
     };
 
@@ -129,7 +130,8 @@ public:
     };
 
     /// The contact whose normal forces carry the vertical load [N], sum N cos delta, at this lateral position, roll and
-    /// yaw; the height of `position` is not used.
+    /// yaw; the height of `position` is not used. Throws std::invalid_argument if an option is out of its range, as
+    /// press() does.
     template <std::same_as<double> Scalar = double>  // for rollbem::compiled
     Contact carry(const WheelsetPosition& position, double load, Workspace& workspace, const Options& options) const;
     Contact carry(const WheelsetPosition& position, double load, Workspace& workspace) const {
@@ -172,6 +174,16 @@ private:
     using Plane = Workspace::Plane;
     using Part = Workspace::Part;
     class Search;
+
+    static void check(const Options& options) {
+        constexpr const char *who = "WheelOnRail", *few = "be at least 5";
+        detail::require(options.cells_x >= 5, who, "cells_x", options.cells_x, few);
+        detail::require(options.cells_s >= 5, who, "cells_s", options.cells_s, few);
+        detail::require(options.tolerance > 0 && options.tolerance < 1, who, "tolerance", options.tolerance,
+                        "be positive and below 1");
+        const double size = options.cell_size;
+        detail::require(size == 0 || (size >= 1e-5 && size <= 1), who, "cell_size", size, "be 0 or lie in [1e-5, 1]");
+    }
 
     // sin theta = `sine`; not defined where the wheel turns away too fast for a section
     Place place(const Attitude& attitude, const Point& p, double sine) const {
@@ -224,6 +236,7 @@ inline WheelOnRail::WheelOnRail(Profile wheel, Profile rail, const TrackDimensio
     detail::require_positive(who, "radius", d.radius);
     detail::require_positive(who, "shear_modulus", d.shear_modulus);
     detail::require_poisson_ratio(who, d.poisson_ratio);
+    detail::require_positive(who, "compliance (1 - poisson_ratio) / shear_modulus", compliance());
     Eigen::Index top = 0;
     const double highest = rail_.z().minCoeff(&top);
     for (rail_first_ = top; rail_first_ > 0 && rail_.y()[rail_first_ - 1] < rail_.y()[rail_first_];) --rail_first_;
@@ -754,6 +767,7 @@ private:
 template <std::same_as<double> Scalar>
 auto WheelOnRail::carry(const WheelsetPosition& position, double load, Workspace& workspace,
                         const Options& options) const -> Contact {
+    check(options);
     if (!detail::is_finite(position) || !(detail::is_finite(load) && load > 0)) return {};
     return Search(*this, position, workspace, options).carry(load);
 }
@@ -761,6 +775,7 @@ auto WheelOnRail::carry(const WheelsetPosition& position, double load, Workspace
 template <std::same_as<double> Scalar>
 auto WheelOnRail::press(const WheelsetPosition& position, Workspace& workspace, const Options& options) const
     -> Contact {
+    check(options);
     if (!detail::is_finite(position)) return {};
     return Search(*this, position, workspace, options).press(position.height);
 }
