@@ -337,12 +337,17 @@ void rollbem_wheel_free(rollbem_wheel* wheel) { delete wheel; }
 int rollbem_wheel_carry(rollbem_wheel* wheel, double lateral, double roll, double yaw, double load, size_t most,
                         double* patches, size_t* count) {
     return guarded([&]() -> int {
-        require_given("rollbem_wheel_carry", {{"wheel", wheel}, {"count", count}});
-        if (most > 0) require_given("rollbem_wheel_carry", {{"patches", patches}});
+        constexpr const char* who = "rollbem_wheel_carry";
+        require_given(who, {{"wheel", wheel}, {"count", count}});
+        if (most > 0) require_given(who, {{"patches", patches}});
         *count = 0;
+        detail::require_finite(who, "lateral", lateral);
+        detail::require_finite(who, "roll", roll);
+        detail::require_finite(who, "yaw", yaw);
+        detail::require_positive(who, "load", load);
         const auto found = wheel->wheel.carry({.lateral = lateral, .roll = roll, .yaw = yaw}, load, wheel->workspace);
         if (!has_numbers(found.status)) {
-            return failed(std::string("rollbem_wheel_carry: status is ") + name(found.status));
+            return failed(std::string(who) + ": status is " + name(found.status));
         }
         for (const RailPatch& patch : found.patches) {
             if ((*count)++ >= most) continue;

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -95,15 +97,26 @@ Points read_simpack(const study::Options& options, const std::string& name) {
     return points;
 }
 
-bool ends_with(const std::string& text, const std::string& end) {
-    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+/// A profile that an option may name, and the ending of its files that are not CSV.
+struct Kind {
+    std::string option, known, ending;
+};
+const Kind of_wheel{"wheel", "s1002", ".prw"}, of_rail{"rail", "60e1", ".prr"};
+
+/// Whether the profile is a file of CSV. Throws BadInput unless it is the known one or ends as a file of one.
+bool is_csv(const study::Options& options, const Kind& kind) {
+    if (options.text(kind.option) == kind.known) return false;
+    std::string ending = std::filesystem::path(options.text(kind.option)).extension().string();
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    options.require(ending == ".csv" || ending == kind.ending, kind.option,
+                    "be " + kind.known + " or a file that ends in .csv or " + kind.ending);
+    return ending == ".csv";
 }
 
-rollbem::Profile read(const study::Options& options, const std::string& name, const std::string& known,
-                      const std::string& ending) {
-    const std::string file = options.text(name);
+rollbem::Profile read(const study::Options& options, const Kind& kind) {
+    const std::string& name = kind.option;
     Points points;
-    const bool csv = ends_with(file, ".csv");
+    const bool csv = is_csv(options, kind);
     if (csv) {
         points = read_csv(options, name);
         const double per_metre = options.choice("length-unit", {"m", "mm"}) == "mm" ? 1000 : 1;
@@ -111,7 +124,6 @@ rollbem::Profile read(const study::Options& options, const std::string& name, co
             for (double& value : *of) value /= per_metre;
         }
     } else {
-        options.require(ends_with(file, ending), name, "be " + known + " or a file that ends in .csv or " + ending);
         points = read_simpack(options, name);
     }
     std::optional<rollbem::Profile> profile;
@@ -159,17 +171,17 @@ void add_profile_options(study::Options& options) {
 
 rollbem::Profile read_wheel(const study::Options& options) {
     options.choice("length-unit", {"m", "mm"});
-    const std::string wheel = options.text("wheel"), rail = options.text("rail");
-    if (!ends_with(wheel, ".csv") && !ends_with(rail, ".csv")) options.ignored("length-unit", "without a .csv profile");
-    if (wheel == "s1002" && rail == "60e1") options.ignored("smooth", "without a profile from a file");
-    return options.text("wheel") == "s1002" ? rollbem::s1002()
-                                            : smoothed(options, read(options, "wheel", "s1002", ".prw"));
+    const bool csv_wheel = is_csv(options, of_wheel), csv_rail = is_csv(options, of_rail);
+    if (!csv_wheel && !csv_rail) options.ignored("length-unit", "without a .csv profile");
+    const bool known = options.text("wheel") == of_wheel.known;
+    if (known && options.text("rail") == of_rail.known) options.ignored("smooth", "without a profile from a file");
+    return known ? rollbem::s1002() : smoothed(options, read(options, of_wheel));
 }
 
 rollbem::Profile read_rail(const study::Options& options) {
     const double cant = options.number("cant", study::between(-0.5, 0.5));
-    if (options.text("rail") == "60e1") return rollbem::rail_60e1(cant);
-    const rollbem::Profile rail = smoothed(options, read(options, "rail", "60e1", ".prr"));
+    if (options.text("rail") == of_rail.known) return rollbem::rail_60e1(cant);
+    const rollbem::Profile rail = smoothed(options, read(options, of_rail));
     const rollbem::Profile canted = cant == 0 ? rail : rail.moved(-cant, 0, 0);
     return canted.moved(0, 0, -canted.z().minCoeff());
 }

@@ -179,6 +179,11 @@ static void test_wheel(void) {
     expect(fabs(patches[5] * cos(patches[3]) / 1e5 - 1) < 1e-5 || count > 1, "the vertical load is carried");
     expect(rollbem_wheel_carry(wheel, 1, 0, 0, 1e5, 2, patches, &count) == ROLLBEM_FAILED && count == 0,
            "a wheel beside the rail");
+    for (int i = 0; i < 2; ++i) {
+        expect(rollbem_wheel_carry(wheel, 0, 0, 0, -i, 2, patches, &count) == ROLLBEM_INVALID && count == 0 &&
+                   strstr(rollbem_last_error(), "load") != NULL,
+               "a load that is not positive");
+    }
     rollbem_wheel_free(wheel);
     const double points[8] = {0, 0, 1, 0, 0, 0, 1, 1};
     expect(rollbem_wheel_new(points, 4, NULL, 0, NULL) == NULL, "a profile that turns back");

@@ -316,7 +316,8 @@ TEST_CASE("wheel_on_rail: small and large loads, needles, ends of profiles, two 
     CHECK(standard().carry({.yaw = 0.8}, 1e5, workspace).status == Status::undefined_section);
     CHECK(standard().carry({.roll = 3}, 1e5, workspace).status == Status::no_contact);
     CHECK(standard().carry({.lateral = NAN}, 1e5, workspace).status == Status::not_finite);
-    CHECK(standard().carry({}, 0, workspace).status == Status::not_finite);
+    CHECK(standard().carry({}, NAN, workspace).status == Status::not_finite);
+    for (const double load : {0.0, -1.0}) CHECK(standard().carry({}, load, workspace).status == Status::no_contact);
     for (const double load : {5e-324, 1e-300, 1e300})
         CHECK_FALSE(has_numbers(standard().carry({}, load, workspace).status));
     using Options = WheelOnRail::Options;

@@ -130,8 +130,8 @@ public:
     };
 
     /// The contact whose normal forces carry the vertical load [N], sum N cos delta, at this lateral position, roll and
-    /// yaw; the height of `position` is not used. Throws std::invalid_argument if an option is out of its range, as
-    /// press() does.
+    /// yaw; the height of `position` is not used. no_contact if the load is not positive. Throws std::invalid_argument if
+    /// an option is out of its range, as press() does.
     template <std::same_as<double> Scalar = double>  // for rollbem::compiled
     Contact carry(const WheelsetPosition& position, double load, Workspace& workspace, const Options& options) const;
     Contact carry(const WheelsetPosition& position, double load, Workspace& workspace) const {
@@ -768,7 +768,8 @@ template <std::same_as<double> Scalar>
 auto WheelOnRail::carry(const WheelsetPosition& position, double load, Workspace& workspace,
                         const Options& options) const -> Contact {
     check(options);
-    if (!detail::is_finite(position) || !(detail::is_finite(load) && load > 0)) return {};
+    if (!detail::is_finite(position) || !detail::is_finite(load)) return {};
+    if (!(load > 0)) return {.height = 0, .patches = {}, .status = Status::no_contact};
     return Search(*this, position, workspace, options).carry(load);
 }
 
