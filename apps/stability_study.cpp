@@ -58,7 +58,7 @@ const study::Sheet<Count> counts{
       count_of(&Result::unstable_fraction)},
      {"spectral_abscissa", "the largest real part of the finite ones", count_of(&Result::spectral_abscissa)},
      {"cond_G", "in the 2-norm, empty if G is singular", study::where(&Count::found, &Count::cond_G)},
-     {"time_us", "[microseconds] assembly and eigenvalues, median of at least 5 runs",
+     {"time_us", std::string("[microseconds] assembly and eigenvalues, ") + study::median_of_runs,
       study::where(&Count::found, &Count::time_us)},
      {"spectral_radius",
       "the largest |nu a| (steps of an explicit integrator must stay below 2/spectral_radius); empty if an eigenvalue "

@@ -6,6 +6,8 @@
 
 #include <rollbem/closed_form/friction.hpp>
 
+#include "support/timing.hpp"
+
 namespace friction {
 
 namespace {
@@ -70,7 +72,7 @@ const study::Sheet<CreepRow>& creep_sheet() {
              {"complementarity_residual",
               "the largest violation of |p| <= mu p_n (over mu p0) and of the direction of slip (over |xi|)",
               [](const R& r) { return r.of.step.complementarity_residual; }},
-             {"time_us", "[microseconds] of the solution, median of at least 5 runs",
+             {"time_us", std::string("[microseconds] of the solution, ") + study::median_of_runs,
               [](const R& r) { return r.of.time_us; }},
              {"lateral_ratio", "as creepage_ratio, across the rolling direction",
               [](const R& r) { return r.point.lateral; }},
