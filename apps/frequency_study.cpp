@@ -200,7 +200,8 @@ Polynomials solve_polynomials(const study::Options& options, const std::vector<d
 // --- differential equations and pictures
 
 /// Throws BadInput unless there is one scene, whose G is regular and whose tractions converge to full adhesion.
-std::function<void()> state_space_writer(const study::Options& options, const std::vector<study::Scene>& scenes) {
+void write_state_space(const study::Options& options, study::OutputFiles& files,
+                       const std::vector<study::Scene>& scenes) {
     const auto make = [&] {
         const study::Scene& scene = scenes.front();
         const auto space_of = [&](const auto& system) {
@@ -212,8 +213,8 @@ std::function<void()> state_space_writer(const study::Options& options, const st
         return scene.chebyshev ? space_of(rolling_system(*scene.chebyshev, scene.kernel))
                                : space_of(rolling_system(*scene.mesh, scene.scheme, scene.kernel));
     };
-    return study::state_space_writer(
-        options, scenes.size(), make,
+    study::write_state_space(
+        options, files, scenes.size(), make,
         {.one = "scheme",
          .lists = "--n, --alpha-L, --alpha-T and --lambda",
          .conventions = "equations = \"d x/d(q/a) = A x + B xi, -F/(a G) = C x + D xi; q = V t, F per unit width\"\n"
@@ -308,11 +309,12 @@ holds for |c11| at every omega, and is twice the sum of the Hankel singular valu
                 for (std::size_t i = range.first; i < range.last; ++i) emit(known[i]);
             });
         if (by_polynomials) table.label = {};
-        if (given.given("state-space")) table.written = state_space_writer(given, scenes);
+        study::OutputFiles files;
+        if (given.given("state-space")) write_state_space(given, files, scenes);
         table.plot = [&](const std::vector<study::Row>& drawn) {
             return draw_response(drawn, given.given("order"), omegas);
         };
-        study::write_table(given, table);
+        study::write_table(given, table, files);
         return study::exit_ok;
     });
 }

@@ -305,10 +305,12 @@ int main(int argc, char** argv) {
         table.plot = [&](const std::vector<study::Row>& rows) { return precision::pictures(quantities, rows, points); };
 
         // 4. The rows, and the cheapest scheme for each tolerance.
-        std::optional<study::OutputFile> cheapest;
-        if (given.given("cheapest")) cheapest.emplace(given.text("cheapest"), "--cheapest");
-        study::write_table(given, table);
-        if (cheapest) precision::write_cheapest(*cheapest, points, quantities);
+        study::OutputFiles files;
+        if (given.given("cheapest")) {
+            study::OutputFile* const cheapest = &files.open(given.text("cheapest"), "--cheapest");
+            table.finish = [&, cheapest] { precision::write_cheapest(*cheapest, points, quantities); };
+        }
+        study::write_table(given, table, files);
         return study::exit_ok;
     });
 }

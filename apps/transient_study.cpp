@@ -240,7 +240,6 @@ One row per step:
                             run(rolling.model, history, steps, rolling.exact, !given.flag("unchecked"), range, emit);
                         });
         table.plot = [&](const std::vector<study::Row>& rows) { return draw_force(history, rows); };
-        table.resumable = !given.given("plot");
         study::write_table(given, table);
         return study::exit_ok;
     });

@@ -268,12 +268,12 @@ void run_steady(const study::Options& options) {
             }
         });
     };
-    table.written = [&] { tractions.write(); };
+    table.finish = [&] { tractions.write(); };
     table.plot = [&](const std::vector<study::Row>& rows) {
         return curve.line.both ? combined_creep(table.columns, rows, curve)
                                : creep_picture(table.columns, rows, curve, tractions);
     };
-    study::write_table(options, table);
+    study::write_table(options, table, tractions.files);
 }
 
 }  // namespace friction

@@ -172,11 +172,11 @@ void run_friction(const study::Options& options, const std::vector<Patch>& patch
             }
         }
     };
-    table.written = [&] { tractions.write(); };
+    table.finish = [&] { tractions.write(); };
     table.plot = [&](const std::vector<study::Row>& rows) {
         return from_above ? draw_from_above(patches, points.front(), tractions) : draw_friction(table.columns, rows);
     };
-    study::write_table(options, table);
+    study::write_table(options, table, tractions.files);
 }
 
 }  // namespace patch

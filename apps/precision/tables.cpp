@@ -110,7 +110,6 @@ void write_cheapest(study::OutputFile& file, const std::vector<Point>& points,
             }
         }
     }
-    file.commit();
 }
 
 void print_recommendations(const study::Options& options) {

@@ -10,8 +10,8 @@
 #include <rollbem/discretisation/mesh.hpp>
 
 #include "build_info.hpp"
-#include "csv.hpp"
 #include "input.hpp"
+#include "output.hpp"
 #include "sidecar.hpp"
 
 namespace study {
@@ -293,7 +293,7 @@ int run_guarded(const std::string& program, const std::function<int()>& body) {
         return code;
     };
     gsl_set_error_handler_off();  // the default handler aborts the program
-    ignore_write_signals();
+    handle_signals();
     try {
         return body();
     } catch (const std::invalid_argument& error) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "csv.hpp"
+#include "options.hpp"
 
 namespace study {
 
