@@ -149,7 +149,9 @@ int run(const Settings& settings) {
             std::filesystem::remove(path_of("fig" + result.panel.figure + ".svg"), error);
         }
     }
-    std::printf("%s. See %s\n", paper::summary(claims).c_str(), path_of("index.html").c_str());
+    study::OutputFile summary = study::OutputFile::standard_output();
+    summary.write(paper::summary(claims) + ". See " + path_of("index.html") + "\n");
+    summary.commit();
     return as_expected ? study::exit_ok : study::exit_failed;
 }
 

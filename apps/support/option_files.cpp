@@ -3,6 +3,7 @@
 
 #include "input.hpp"
 #include "options.hpp"
+#include "output.hpp"
 #include "sidecar.hpp"
 
 namespace study {
@@ -47,11 +48,8 @@ void Options::check_files() const {
         return path != "-" && std::filesystem::is_character_file(path, error);
     };
     const auto add = [&](const std::string& path, const std::string& said, bool written) {
-        std::error_code error;
         if (is_device(path)) return;
-        const std::string key =
-            path == "-" ? (written ? "standard output" : "standard input")
-                        : std::filesystem::weakly_canonical(std::filesystem::absolute(path), error).string();
+        const std::string key = path != "-" ? place_of(path) : written ? "standard output" : "standard input";
         const auto [found, is_new] = names.emplace(key, said);
         if (!is_new) throw BadInput(said + " must not be the same file as " + found->second);
     };

@@ -17,44 +17,39 @@ namespace study {
 
 namespace fs = std::filesystem;
 
-struct detail::Made {
+/// What a run has made and must not leave: a file, or a folder if it is empty.
+struct Unfinished {
     std::string path;
-    Made* older;
-    std::atomic<bool> provisional{true};
+    Unfinished* older;
+    std::atomic<bool> removable{true};
 
+    void keep() { removable = false; }
     void remove() {
-        if (provisional.exchange(false) && ::unlink(path.c_str()) != 0) ::rmdir(path.c_str());
+        if (removable.exchange(false) && ::unlink(path.c_str()) != 0) ::rmdir(path.c_str());
     }
 };
 
 namespace {
 
 /// Of a list that only grows: an interrupt may come at any time.
-std::atomic<detail::Made*> newest{nullptr};
+std::atomic<Unfinished*> newest{nullptr};
 
-constexpr int interrupts[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU};
+Unfinished* unfinished(const std::string& path) { return newest = new Unfinished{path, newest}; }
 
 extern "C" void end_by(int signal) {
-    for (detail::Made* made = newest; made != nullptr; made = made->older) made->remove();
+    for (Unfinished* one = newest; one != nullptr; one = one->older) one->remove();
     std::raise(signal);  // whose action is the default by now
 }
 
-sigset_t all_interrupts() {
-    sigset_t all;
-    ::sigemptyset(&all);
-    for (const int signal : interrupts) ::sigaddset(&all, signal);
-    return all;
-}
-
-/// Interrupts wait while it lives.
+/// Signals wait while it lives.
 class Uninterrupted {
 public:
     Uninterrupted() {
-        const sigset_t all = all_interrupts();
+        sigset_t all;
+        ::sigfillset(&all);
         ::pthread_sigmask(SIG_BLOCK, &all, &before_);
     }
     Uninterrupted(const Uninterrupted&) = delete;
-    Uninterrupted& operator=(const Uninterrupted&) = delete;
     ~Uninterrupted() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
 
 private:
@@ -65,24 +60,22 @@ private:
 
 void handle_signals() {
     for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
-    for (const int signal : interrupts) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU}) {
         struct sigaction action = {};
         ::sigaction(signal, nullptr, &action);
         if (action.sa_handler == SIG_IGN) continue;
         action.sa_handler = end_by;
-        action.sa_mask = all_interrupts();
+        ::sigfillset(&action.sa_mask);
         action.sa_flags = static_cast<int>(SA_RESETHAND);
         ::sigaction(signal, &action, nullptr);
     }
 }
 
-Provisional::Provisional(std::string path) : made_(new detail::Made{std::move(path), newest}) { newest = made_; }
-
-Provisional::~Provisional() { made_->remove(); }
-
-const std::string& Provisional::path() const { return made_->path; }
-
-void Provisional::keep() { made_->provisional = false; }
+std::string place_of(const std::string& path) {
+    std::error_code error;
+    const fs::path place = fs::weakly_canonical(fs::absolute(path, error), error);
+    return error ? path : place.string();
+}
 
 OutputFile::OutputFile(const std::string& path, const std::string& name)
     : path_(path == "-" ? "standard output" : path) {
@@ -98,8 +91,7 @@ OutputFile::OutputFile(const std::string& path, const std::string& name)
     } else if (fs::exists(status) && !fs::is_regular_file(status)) {
         file_ = std::fopen(path.c_str(), "a");
     } else {
-        target_ = fs::weakly_canonical(fs::absolute(path), error).string();  // a link stays a link
-        if (error) target_ = path;
+        target_ = place_of(path);  // a link stays a link
         if (fs::exists(status) && ::access(target_.c_str(), W_OK) != 0) refuse(std::strerror(errno));
         std::random_device random;
         std::string part;
@@ -108,13 +100,14 @@ OutputFile::OutputFile(const std::string& path, const std::string& name)
             part = target_ + "." + std::to_string(random()) + ".part";
             file_ = std::fopen(part.c_str(), "wx");
         } while (file_ == nullptr && errno == EEXIST);
-        if (file_ != nullptr) part_.emplace(part);
+        if (file_ != nullptr) part_ = unfinished(part);
     }
     if (file_ == nullptr) refuse(std::strerror(errno));
 }
 
 OutputFile::~OutputFile() {
     if (file_ != nullptr && file_ != stdout) std::fclose(file_);
+    if (part_ != nullptr) part_->remove();
 }
 
 bool OutputFile::is_terminal() const { return ::isatty(::fileno(file_)) == 1; }
@@ -138,9 +131,14 @@ void OutputFile::close() {
 
 void OutputFile::commit() {
     close();
-    if (!part_) return;
-    require(std::rename(part_->path().c_str(), target_.c_str()) == 0);
+    if (part_ == nullptr) return;
+    require(std::rename(part_->path.c_str(), target_.c_str()) == 0);
     part_->keep();
+}
+
+OutputFiles::~OutputFiles() {
+    files_.clear();
+    for (Unfinished* const folder : folders_) folder->remove();
 }
 
 void OutputFiles::make_folder(const std::string& path, const std::string& name) {
@@ -149,7 +147,7 @@ void OutputFiles::make_folder(const std::string& path, const std::string& name) 
     const Uninterrupted making;
     for (const fs::path& part : fs::path(path)) {
         made /= part;
-        if (path != "-" && !error && fs::create_directory(made, error)) folders_.emplace_front(made.string());
+        if (path != "-" && !error && fs::create_directory(made, error)) folders_.push_front(unfinished(made.string()));
     }
     if (path != "-" && fs::is_directory(path, unknown)) return;
     throw BadInput(name + " = " + path + " must be a folder that can be written" +
@@ -182,7 +180,7 @@ void OutputFiles::commit() {
     for (OutputFile& file : files_) file.close();
     const Uninterrupted renaming;
     for (OutputFile& file : files_) file.commit();
-    for (Provisional& folder : folders_) folder.keep();
+    for (Unfinished* const folder : folders_) folder->keep();
 }
 
 }  // namespace study

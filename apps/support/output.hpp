@@ -4,7 +4,6 @@
 
 #include <cstdio>
 #include <deque>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,28 +11,14 @@
 
 namespace study {
 
-/// From now on SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGXCPU, unless they are ignored, remove what is provisional before
+/// From now on SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGXCPU, unless they are ignored, remove what is unfinished before
 /// they end the program; a closed pipe and a file larger than allowed make write() throw instead of ending it.
 void handle_signals();
 
-namespace detail {
-struct Made;
-}
+/// A path without links and detours, to tell whether two are one file. A file that does not exist has one, too.
+std::string place_of(const std::string& path);
 
-/// A file or folder that is removed again, a folder if it is empty, unless it is kept.
-class Provisional {
-public:
-    explicit Provisional(std::string path);
-    Provisional(const Provisional&) = delete;
-    Provisional& operator=(const Provisional&) = delete;
-    ~Provisional();
-
-    const std::string& path() const;
-    void keep();
-
-private:
-    detail::Made* made_;
-};
+struct Unfinished;
 
 /// A file to write from start to end. A regular file is written to FILE.NUMBER.part and takes its name in commit();
 /// without commit() nothing is left. Pipes and devices are written to directly.
@@ -44,39 +29,36 @@ public:
     /// `name` is the option or quantity that named the path, for messages. A path of - is standard output. Throws
     /// BadInput if the file cannot be written.
     OutputFile(const std::string& path, const std::string& name);
-
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
     ~OutputFile();
 
-    bool is_regular() const { return part_.has_value(); }  ///< written to FILE.NUMBER.part first
+    bool is_regular() const { return part_ != nullptr; }  ///< written to FILE.NUMBER.part first
     bool is_terminal() const;
     const std::string& path() const { return path_; }
-    const std::string& target() const { return target_; }  ///< of a regular file: the place it takes, links followed
+    const std::string& target() const { return target_; }  ///< of a regular file: the place that it takes
 
-    /// Throws WriteError.
+    // All of these throw WriteError.
     void write(std::string_view text);
-
-    /// Passes everything written so far to the system. Throws WriteError.
-    void flush();
-
-    /// Nothing can be written any more. Throws WriteError.
-    void close();
-
-    /// Ends the file and gives it its name. Throws WriteError.
-    void commit();
+    void flush();   ///< passes everything written so far to the system
+    void close();   ///< the end of what is written
+    void commit();  ///< close(), and the file has its name
 
 private:
     void require(bool done) const;
 
     std::string path_, target_;
-    std::optional<Provisional> part_;
+    Unfinished* part_ = nullptr;
     std::FILE* file_ = nullptr;
 };
 
 /// All files of a run but its picture.
 class OutputFiles {
 public:
+    OutputFiles() = default;
+    OutputFiles(const OutputFiles&) = delete;
+    ~OutputFiles();
+
     /// A folder to write to, created if it does not exist. Throws BadInput, which names `name`.
     void make_folder(const std::string& path, const std::string& name);
 
@@ -94,7 +76,7 @@ public:
     void commit();
 
 private:
-    std::deque<Provisional> folders_;
+    std::deque<Unfinished*> folders_;  // those within others first
     std::deque<OutputFile> files_;
 };
 

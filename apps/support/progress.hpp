@@ -20,9 +20,8 @@ class Progress {
 public:
     Progress(std::string what, std::size_t total, bool enabled, std::string unit = "rows")
         : what_(std::move(what)), unit_(std::move(unit)), total_(total) {
-        if (!enabled || isatty(STDERR_FILENO) == 0) return;
         try {
-            clock_ = std::thread([this] { draw(); });
+            if (enabled && isatty(STDERR_FILENO) == 1) clock_ = std::thread([this] { draw(); });
         } catch (const std::system_error&) {  // no more threads: no line
         }
     }
@@ -51,13 +50,9 @@ public:
 
     /// Ends the line.
     void clear() {
-        if (!clock_.joinable()) return;
-        {
-            const std::lock_guard lock(mutex_);
-            ended_ = true;
-        }
+        beside([this] { ended_ = true; });
         end_.notify_one();
-        clock_.join();
+        if (clock_.joinable()) clock_.join();
     }
 
 private:
@@ -66,21 +61,15 @@ private:
     void draw() {
         std::unique_lock lock(mutex_);
         std::chrono::milliseconds pause(500);
-        while (!end_.wait_for(lock, pause, [this] { return ended_; })) {
-            show();
-            pause = std::chrono::milliseconds(200);
+        for (; !end_.wait_for(lock, pause, [this] { return ended_; }); pause = std::chrono::milliseconds(200)) {
+            const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+            std::fprintf(stderr, "\r\033[K%s: %zu of %zu %s%s%s, %.0f s", what_.c_str(), done_, total_, unit_.c_str(),
+                         now_.empty() ? "" : ", ", now_.c_str(), elapsed);
+            if (done_ > 0) {
+                std::fprintf(stderr, ", about %.0f s to go", elapsed * double(total_ - done_) / double(done_));
+            }
+            shown_ = true;
         }
-        erase();
-    }
-
-    void show() {
-        const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
-        std::fprintf(stderr, "\r\033[K%s: %zu of %zu %s%s%s, %.0f s", what_.c_str(), done_, total_, unit_.c_str(),
-                     now_.empty() ? "" : ", ", now_.c_str(), elapsed);
-        if (done_ > 0) {
-            std::fprintf(stderr, ", about %.0f s to go", elapsed * double(total_ - done_) / double(done_));
-        }
-        shown_ = true;
     }
 
     void erase() {
@@ -93,7 +82,7 @@ private:
     Clock::time_point start_ = Clock::now();
     std::mutex mutex_;
     std::condition_variable end_;
-    std::thread clock_;  // the last, as it uses the others
+    std::thread clock_;
 };
 
 }  // namespace study

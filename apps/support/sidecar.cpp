@@ -92,17 +92,17 @@ Config read_config(const std::string& text, const std::string& said) {
 std::string sidecar_text(const Options& options) {
     toml::table given;
     for (const auto& [name, value] : options.given_values()) given.insert(name, value);
-    const toml::table all{{"program", options.program()},
-                          {"command_line", shell_quoted(options.words())},
-                          {"version", build_info::version},
-                          {"git_revision", build_info::git_revision},
-                          {"given", given},
-                          {"build", toml::table{{"compiler", build_info::compiler},
-                                                {"flags", build_info::flags},
-                                                {"build_type", build_info::build_type},
-                                                {"eigen", build_info::eigen},
-                                                {"gsl", gsl_version}}},
-                          {"machine", toml::table{{"cpu", cpu_name()}}}};
+    toml::table all{{"program", options.program()},
+                    {"command_line", shell_quoted(options.words())},
+                    {"version", build_info::version},
+                    {"git_revision", build_info::git_revision},
+                    {"given", given},
+                    {"build", toml::table{{"compiler", build_info::compiler},
+                                          {"flags", build_info::flags},
+                                          {"build_type", build_info::build_type},
+                                          {"eigen", build_info::eigen},
+                                          {"gsl", gsl_version}}},
+                    {"machine", toml::table{{"cpu", cpu_name()}}}};
     std::ostringstream text;
     text << toml::toml_formatter(all, toml::format_flags::allow_unicode_strings) << "\n\n[conventions]\n"
          << (options.conventions().empty() ? conventions : options.conventions());

@@ -27,15 +27,9 @@ std::string reduce(const Options& options, Space& space, const std::string& boun
     space = reduced.space;
     const Eigen::Index kept = space.A.rows(), present = reduced.hankel_singular_values.size();
     const double left_out = kept < present ? reduced.hankel_singular_values[kept] : 0;
-    return "x = \"of a balanced reduction, whose steady state is exact\"\n"
-           "states = " +
-           std::to_string(kept) +
-           "\n"
-           "largest_hankel_singular_value_left_out = " +
-           Cell(left_out).text() +
-           "\n"
-           "error_bound = " +
-           Cell(reduced.error_bound).text() + "  # of " + bounded + ", at every frequency\n";
+    return "x = \"of a balanced reduction, whose steady state is exact\"\nstates = " + std::to_string(kept) +
+           "\nlargest_hankel_singular_value_left_out = " + Cell(left_out).text() +
+           "\nerror_bound = " + Cell(reduced.error_bound).text() + "  # of " + bounded + ", at every frequency\n";
 }
 
 /// Plain numbers, comma-separated, one row a line.

@@ -10,7 +10,8 @@ if [ "$(id -u)" -ne 0 ]; then
     bad 'must be a file that can be written' "$steady" --output "$scratch/locked/x.csv"
     mkdir hidden && chmod 000 hidden
     bad 'must be a file that can be written' "$steady" --output "$scratch/hidden/x.csv"
-    bad 'must be a folder that can be written' "$programs/frequency_study" --state-space "$scratch/hidden/x"
+    bad 'must be a folder that can be written' "$programs/frequency_study" --n 8 --state-space "$scratch/hidden/x"
+    chmod 700 hidden
 fi
 
 # --help and --version
@@ -91,8 +92,9 @@ if command -v script >/dev/null; then
 fi
 
 # errors while writing
-for sink in '> /dev/full' '--output /dev/full' '| true' '| true --jobs 2'; do
+for sink in '> /dev/full' '--output /dev/full' '| true' '| true --jobs 2' --recommend; do
     case $sink in
+    --recommend) "$programs/precision_study" --recommend 1e-4 >/dev/full 2>err; echo $? >code ;;
     '| true'*) { { "$steady" --n 200,201,202 ${sink#| true} 2>err; echo $? >code; } | true; } ;;
     '> /dev/full') "$steady" --n 10 >/dev/full 2>err; echo $? >code ;;
     *) "$steady" --n 10 --output /dev/full 2>err; echo $? >code ;;
