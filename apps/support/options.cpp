@@ -10,6 +10,7 @@
 #include <rollbem/discretisation/mesh.hpp>
 
 #include "build_info.hpp"
+#include "csv.hpp"
 #include "input.hpp"
 #include "output.hpp"
 #include "sidecar.hpp"
