@@ -5,6 +5,7 @@
 //     ./creep_table --n 6 --levels 5 --shapes 6 --output coarse.csv --check 1000
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <numbers>
 #include <optional>
@@ -12,6 +13,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -23,6 +25,7 @@
 #include "support/csv.hpp"
 #include "support/input.hpp"
 #include "support/options.hpp"
+#include "support/output.hpp"
 #include "support/progress.hpp"
 #include "support/table.hpp"
 
@@ -55,6 +58,7 @@ Job make_job(const study::Options& options) {
             " give a table of (levels + 3)^2 (2 levels + 3) (shapes + 2) = " + std::to_string(numbers) +
             " coefficients, which must be at most " + std::to_string(CreepForceGrid::most_coefficients));
     }
+    const study::Progress progress(options.program(), 1, study::shows_progress(options), "grids");
     try {
         return {range.n, rollbem::make_creep_force_grid(range, study::job_count(options))};
     } catch (const std::invalid_argument& error) {
@@ -79,7 +83,9 @@ study::Row node_cells(const CreepForceSource& source, const Creepage<double>& v)
             v.spin};
 }
 
-void emit_slab(const Job& job, const CreepForceGrid::Slab& slab, study::RowRange range, const study::Emit& emit) {
+/// Rows of a slab; their forces go into the columns of `forces`.
+void emit_slab(const Job& job, const CreepForceGrid::Slab& slab, study::RowRange range, const study::Emit& emit,
+               Eigen::Array3Xd& forces) {
     const CreepForceGrid& grid = job.grid;
     CreepForceSource source = job.source(slab.shape);
     const Eigen::Index first = slab.first + static_cast<Eigen::Index>(range.first),
@@ -92,22 +98,56 @@ void emit_slab(const Job& job, const CreepForceGrid::Slab& slab, study::RowRange
         const CreepForceSource::Solution solution = source.solve(v, grid.begins_line(node));
         if (node < first) continue;
         const auto& step = solution.step;
+        auto force = forces.col(slab.shape * grid.nodes() + node);
+        if (step.status == rollbem::StepStatus::ok) force = solution.force + 0.0;  // without -0, as in the row
         study::Row row = node_cells(source, v);
-        for (const double value : solution.force) {
-            row.emplace_back(step.status == rollbem::StepStatus::ok ? study::Cell(value) : study::Cell());
-        }
+        for (const double value : force) row.emplace_back(value);
         emit(study::joined(std::move(row), {step.stick_count, step.rounds, step.complementarity_residual, study::Cell(),
                                             name(step.status), "chebyshev"}));
     }
 }
 
-/// The forces of rows, which must be all those of the grid. `where` names a row, counted from 0, for messages.
-Eigen::Array3Xd read_forces(const Job& job, const std::vector<std::string>& lines,
-                            const std::function<std::string(std::size_t)>& where) {
+/// Computes and writes the rows, calls finish(forces) for those of all nodes, NaN where this run has none, and gives
+/// `files` their names.
+void write_rows(const study::Options& options, const Job& job, study::OutputFiles& files,
+                const std::function<void(const Eigen::Array3Xd&)>& finish) {
+    const CreepForceGrid& grid = job.grid;
+    const std::vector<CreepForceGrid::Slab> slabs = grid.slabs();
+    Eigen::Array3Xd forces = Eigen::Array3Xd::Constant(3, grid.nodes() * grid.shapes(), std::nan(""));
+    study::Table table;
+    table.columns = columns;
+    for (const auto& slab : slabs) table.rows_of_task.push_back(static_cast<std::size_t>(slab.last - slab.first));
+    table.label = [&](std::size_t task) { return "a/b = " + study::Cell(grid.a_over_b(slabs[task].shape)).text(3); };
+    table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
+        emit_slab(job, slabs[task], range, emit, forces);
+    };
+    table.finish = [&] { finish(forces); };
+    study::write_table(options, table, files);
+}
+
+/// The rows of --rows.
+struct ReadRows {
+    std::vector<std::string> lines, places;  ///< places for messages
+
+    explicit ReadRows(const study::Options& options) {
+        const std::string header = study::join(columns, ",");
+        study::Lines read(options, "rows");
+        while (read.next()) {
+            if (read.is_first() && read.text() != header) throw study::BadInput(read.where() + " must be " + header);
+            if (read.is_first()) continue;
+            lines.push_back(read.text());
+            places.push_back(read.where());
+        }
+    }
+};
+
+/// The forces of rows, which must be all those of the grid.
+Eigen::Array3Xd read_forces(const Job& job, const ReadRows& rows, const std::string& said) {
+    const auto& [lines, places] = rows;
     const CreepForceGrid& grid = job.grid;
     Eigen::Array3Xd forces(3, grid.nodes() * grid.shapes());
     if (static_cast<Eigen::Index>(lines.size()) != forces.cols()) {
-        throw study::BadInput(where(lines.size()) + ": number of rows = " + std::to_string(lines.size()) + " must be " +
+        throw study::BadInput(said + ": number of rows = " + std::to_string(lines.size()) + " must be " +
                               std::to_string(forces.cols()));
     }
     std::optional<CreepForceSource> source;
@@ -117,7 +157,7 @@ Eigen::Array3Xd read_forces(const Job& job, const std::vector<std::string>& line
         std::vector<std::string> cells = study::cells_of(study::detail::trim(lines[i]), ',');
         if (cells.size() != columns.size()) cells.assign(columns.size(), "");
         const auto require = [&](bool holds, const std::string& what) {
-            if (!holds) throw study::BadInput(where(i) + ": " + what);
+            if (!holds) throw study::BadInput(places[i] + ": " + what);
         };
         if (node == 0) source.emplace(grid.a_over_b(shape), grid.poisson_ratio(), job.n);
         const study::Row expected = node_cells(*source, grid.creepage(shape, node));
@@ -241,8 +281,7 @@ int main(int argc, char** argv) {
 
 Writes a row for each node of the grid, with the columns of patch_study: creepages times G a b/(mu N), spin times
 G a b c/(mu N), -F_x, -F_y over mu N, -M_z over mu N c, c = sqrt(a b). Beside FILE stands FILE.bin, which
-CreepForceTable::read of the library takes (not for a shard, nor on standard output). An interrupt leaves
-FILE.part; the same command goes on from there.
+CreepForceTable::read of the library takes (not for a shard, nor on standard output).
 Nodes are denser for small creepages, follow saturation and end at full sliding, so no creepage lies outside. Each node
 is solved on one mesh. Where the pole of a large spin lies inside or near the edge, forces are a mean of two: the second
 has one more element in each strip and one more strip. Columns other than forces, residual and status are of the first.
@@ -257,62 +296,43 @@ the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Ten scenes share an ellipse
         const bool whole = !given.given("shard");
         const auto scenes = given.given("check") ? static_cast<std::size_t>(given.integer("check", 1, 10'000'000)) : 0;
         if (!whole && scenes > 0) given.ignored("check", "with --shard: a part is no table");
-        const bool to_file = given.given("output") && given.text("output") != "-";
+        std::error_code unknown;
+        const std::string output = given.text("output");
+        const bool to_file = given.given("output") && output != "-" && !std::filesystem::is_other(output, unknown);
         if (scenes > 0 && !to_file) given.ignored("check", "without --output FILE");
-        std::optional<study::OutputFile> binary;
-        if (whole && to_file) binary.emplace(given.text("output") + ".bin", "--output");
+        study::OutputFiles files;
+        study::OutputFile* binary = nullptr;
+        if (whole && to_file) binary = &files.open(output + ".bin", "--output");
         const Job job = make_job(given);
 
         // 3. Its rows: read, or computed.
         std::optional<CreepForceTable> made;
-        const auto finish = [&] {
+        const auto finish = [&](const Eigen::Array3Xd& forces) {
+            for (Eigen::Index i = 0; i < forces.cols(); ++i) {
+                if (forces.col(i).allFinite()) continue;
+                throw std::runtime_error(
+                    "row " + std::to_string(i + 1) +
+                    " has no forces, so there is no table; its status is in the rows of --shard 1/1");
+            }
+            made.emplace(job.grid, forces);
             std::ostringstream bytes;
             made->write(bytes);
             binary->write(bytes.str());
-            binary->commit();
-            if (scenes > 0) check(given, job, *made, scenes);
         };
-        const std::string header = study::join(columns, ",");
         if (given.given("rows")) {
-            std::vector<std::string> lines, places;
-            study::Lines read(given, "rows");
-            while (read.next()) {
-                if (read.is_first() && read.text() != header)
-                    throw study::BadInput(read.where() + " must be " + header);
-                if (read.is_first()) continue;
-                lines.push_back(read.text());
-                places.push_back(read.where());
-            }
             if (!to_file) throw study::BadInput("--rows = " + given.text("rows") + " must go with --output FILE");
-            made.emplace(job.grid, read_forces(job, lines, [&](std::size_t i) {
-                             return i < places.size() ? places[i] : given.said("rows");
-                         }));
-            study::TableFile file(given, "output", header + "\n");
-            for (const std::string& line : lines) file.rows().write(line + "\n");
-            file.commit();
-            finish();
-            return study::exit_ok;
+            const ReadRows rows(given);
+            finish(read_forces(job, rows, given.said("rows")));
+            study::OutputFile& file =
+                files.open_table(given, "output", study::csv_line({columns.begin(), columns.end()}));
+            for (const std::string& line : rows.lines) file.write(line + "\n");
+            files.commit();
+        } else {
+            write_rows(given, job, files, [&](const Eigen::Array3Xd& forces) {
+                if (binary != nullptr) finish(forces);
+            });
         }
-        const std::vector<CreepForceGrid::Slab> slabs = job.grid.slabs();
-        study::Table table;
-        table.columns = columns;
-        for (const auto& slab : slabs) table.rows_of_task.push_back(static_cast<std::size_t>(slab.last - slab.first));
-        table.label = [&](std::size_t task) {
-            return "a/b = " + study::Cell(job.grid.a_over_b(slabs[task].shape)).text(3);
-        };
-        table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-            emit_slab(job, slabs[task], range, emit);
-        };
-        table.resumable = to_file;
-        if (whole && to_file) {
-            table.accept = [&](const std::vector<std::string>& lines) {
-                made.emplace(job.grid, read_forces(job, lines, [&](std::size_t i) {
-                                 return given.said("output") + ": line " + std::to_string(i + 2);
-                             }));
-            };
-            table.written = finish;
-        }
-        study::write_table(given, table);
+        if (made && scenes > 0) check(given, job, *made, scenes);
         return study::exit_ok;
     });
 }

@@ -200,7 +200,8 @@ Polynomials solve_polynomials(const study::Options& options, const std::vector<d
 // --- differential equations and pictures
 
 /// Throws BadInput unless there is one scene, whose G is regular and whose tractions converge to full adhesion.
-std::function<void()> state_space_writer(const study::Options& options, const std::vector<study::Scene>& scenes) {
+void write_state_space(const study::Options& options, study::OutputFiles& files,
+                       const std::vector<study::Scene>& scenes) {
     const auto make = [&] {
         const study::Scene& scene = scenes.front();
         const auto space_of = [&](const auto& system) {
@@ -212,8 +213,8 @@ std::function<void()> state_space_writer(const study::Options& options, const st
         return scene.chebyshev ? space_of(rolling_system(*scene.chebyshev, scene.kernel))
                                : space_of(rolling_system(*scene.mesh, scene.scheme, scene.kernel));
     };
-    return study::state_space_writer(
-        options, scenes.size(), make,
+    study::write_state_space(
+        options, files, scenes.size(), make,
         {.one = "scheme",
          .lists = "--n, --alpha-L, --alpha-T and --lambda",
          .conventions = "equations = \"d x/d(q/a) = A x + B xi, -F/(a G) = C x + D xi; q = V t, F per unit width\"\n"
@@ -238,9 +239,7 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
     sheet.draw_exact(argand, rows, "omega", "exact_re", "exact_im");
     for (const std::string part : {"re", "im"}) {
         const std::string prefix = part == "re" ? "Re" : "Im";
-        const std::size_t first = parts.series.size();
         sheet.draw(parts, rows, {.by = also, .x = "omega", .y = "c11_" + part, .prefix = prefix, .markers = markers});
-        for (std::size_t k = first; k < parts.series.size(); ++k) parts.series[k].style = k - first;
         sheet.draw_exact(parts, rows, "omega", "omega", "exact_" + part, prefix + ", ");
     }
     sheet.draw(errors, rows, {.by = also, .x = "omega", .y = "relative_error", .absolute = true, .markers = markers});
@@ -283,8 +282,8 @@ int main(int argc, char** argv) {
 One row per scheme and frequency:
 )" + sheet.help() +
         R"(--method polynomial has no elements: n is empty and the column order gives the order. --basis monomial is the
-paper's; an order at which it has broken down, or has not converged (orders m and m + 10 disagree), is refused
-without --unchecked.
+paper's; an order at which it has broken down, or has not converged (the Chebyshev basis gives another c11), is
+refused without --unchecked.
 --method chebyshev: alpha_L, alpha_T, lambda are empty. 8 states have errors of 3e-14 up to omega = 1 and 2e-4
 up to 5, 12 states of 6e-9 up to 5; narrow strips need more (b/a = 1: 16). c11 is empty if more states would
 change its steady value by more than 1e-2.
@@ -310,11 +309,12 @@ holds for |c11| at every omega, and is twice the sum of the Hankel singular valu
                 for (std::size_t i = range.first; i < range.last; ++i) emit(known[i]);
             });
         if (by_polynomials) table.label = {};
-        if (given.given("state-space")) table.written = state_space_writer(given, scenes);
+        study::OutputFiles files;
+        if (given.given("state-space")) write_state_space(given, files, scenes);
         table.plot = [&](const std::vector<study::Row>& drawn) {
             return draw_response(drawn, given.given("order"), omegas);
         };
-        study::write_table(given, table);
+        study::write_table(given, table, files);
         return study::exit_ok;
     });
 }

@@ -3,6 +3,7 @@
 //
 //     ./friction_study --n 20,40 --creepage-ratio 0.25,0.5,0.75,1 --plot curve.svg
 //     ./friction_study --transient --n 40 --creepage-ratio 0.5 --shift 2 --until 10
+#include "friction/law.hpp"
 #include "friction/steady.hpp"
 #include "support/options.hpp"
 #include "support/runs.hpp"
@@ -81,19 +82,12 @@ int main(int argc, char** argv) {
         .only_with({"lateral-ratio"});
     options.add("layer", "L", "compliance of an elastic layer between the bodies, in a/G, 0 or more (dimensionless)",
                 "0");
-    options.add("falling", "K,VH",
-                "friction that falls with slip from mu_0 to K mu_0, by half at a slip velocity VH in V mu_0 p0/G "
-                "(dimensionless)");
-    options
-        .add("memory", "D,V0",
-             "mu is forgotten within a distance D of slip, in a mu_0 p0/G, at a velocity of at "
-             "least V0, in V mu_0 p0/G (dimensionless)")
-        .only_with({"falling"});
+    friction::add_law_options(options);
     options
         .add("sweep", "up|down",
              "each point starts from its neighbour in the order of the creepage ratios, "
              "separately for each lateral one, not from rest")
-        .only_with({"falling"})
+        .only_with(friction::law_options())
         .not_with("transient");
     options
         .add_table("tractions",
@@ -103,8 +97,10 @@ int main(int argc, char** argv) {
         .add_flag("fit-border",
                   "solve for the border between slip and stick exactly, by series; n elements are used where that "
                   "fails")
-        .not_with("transient")
-        .not_with("falling", ", which is solved by elements");
+        .not_with("transient");
+    for (const std::string& law : friction::law_options()) {
+        options.not_with({"fit-border"}, law, ", which is solved by elements");
+    }
     options.not_with({"mesh", "edges", "method", "derivative", "alpha-L", "alpha-T", "alpha"}, "fit-border",
                      ", which needs no elements");
     options.not_with({"lateral-ratio", "spin-ratio", "layer"}, "fit-border",

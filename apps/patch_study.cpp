@@ -149,7 +149,7 @@ void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::Ro
 
 // --- differential equations ----------------------------------------------------------------------------------------
 
-std::function<void()> state_space_writer(const study::Options& options, const std::vector<Patch>& patches) {
+void write_state_space(const study::Options& options, study::OutputFiles& files, const std::vector<Patch>& patches) {
     const auto make = [&] {
         const Patch& patch = patches.front();
         rollbem::StateSpace<double> space =
@@ -161,8 +161,8 @@ std::function<void()> state_space_writer(const study::Options& options, const st
         space.C.row(2) *= length;
         return space;
     };
-    return study::state_space_writer(
-        options, patches.size(), make,
+    study::write_state_space(
+        options, files, patches.size(), make,
         {.one = "patch",
          .lists = "--n, --strips, --a-over-b and --poisson",
          .conventions = "equations = \"d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D "
@@ -260,11 +260,12 @@ int main(int argc, char** argv) {
             [&](const Patch& patch, study::RowRange range, const study::Results<Found>& emit) {
                 harmonic ? emit_sweep(patch, omegas, range, emit) : emit(steady(given, patch));
             });
-        if (given.given("state-space")) table.written = state_space_writer(given, patches);
+        study::OutputFiles files;
+        if (given.given("state-space")) write_state_space(given, files, patches);
         table.plot = [&](const std::vector<study::Row>& rows) {
             return (harmonic ? patch::draw_responses : patch::draw_coefficients)(table.columns, rows);
         };
-        study::write_table(given, table);
+        study::write_table(given, table, files);
         return study::exit_ok;
     });
 }

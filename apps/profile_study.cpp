@@ -170,15 +170,10 @@ void for_patches(const Settings& settings, const Positions& positions, const Vis
     }
 }
 
-void write_file(const std::string& path, const std::string& option, const std::string& text) {
-    study::OutputFile file(path, option);
-    file.write(text);
-    file.commit();
-}
-
 /// Files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P, wheel SIDE and patch K, counted from 1, in
 /// metres.
-void write_outlines(const std::string& folder, const Settings& settings, const Positions& positions) {
+void write_outlines(study::OutputFiles& files, const std::string& folder, const Settings& settings,
+                    const Positions& positions) {
     for_patches(settings, positions, [&](std::size_t at, bool left, std::size_t number, const RailPatch& patch) {
         // a left wheel is a mirror image: s is reversed
         const double sign = left ? -1 : 1;
@@ -196,16 +191,16 @@ void write_outlines(const std::string& folder, const Settings& settings, const P
         }
         const std::string name =
             folder + "/" + std::to_string(at + 1) + (left ? "_left_" : "_right_") + std::to_string(number + 1);
-        write_file(name + ".outline.csv", "--outline", edges);
-        write_file(name + ".pressure.csv", "--outline", pressures);
+        files.add(name + ".outline.csv", "--outline", edges);
+        files.add(name + ".pressure.csv", "--outline", pressures);
     });
 }
 
 /// Frictional work on the profiles of both sides, the mean over the positions.
-void write_wear(const std::string& path, const Settings& settings, const Positions& positions) {
+void write_wear(study::OutputFile& file, const Settings& settings, const Positions& positions) {
     const auto known = [](const std::optional<Position>& position) { return position.has_value(); };
     const auto count = double(std::count_if(positions.begin(), positions.end(), known));
-    std::string text = "side,profile,s,y,z,work\n";
+    file.write("side,profile,s,y,z,work\n");
     for (const Side side : settings.sides) {
         for (const bool rail : {true, false}) {
             const rollbem::WheelOnRail& wheel = settings.wheelset.wheel();
@@ -222,12 +217,11 @@ void write_wear(const std::string& path, const Settings& settings, const Positio
             for (Eigen::Index i = 0; i < wear.work().size(); ++i) {
                 const double s = (double(i) + 0.5) * wear.width();
                 const rollbem::Profile::Point at = profile.at(s);
-                text += std::string(side == Side::left ? "left," : "right,") + (rail ? "rail," : "wheel,") +
-                        study::csv_line({s, at.y, at.z, wear.work()[i]});
+                file.write(study::csv_line(
+                    {side == Side::left ? "left" : "right", rail ? "rail" : "wheel", s, at.y, at.z, wear.work()[i]}));
             }
         }
     }
-    write_file(path, "--wear", text);
 }
 
 }  // namespace
@@ -240,14 +234,16 @@ int main(int argc, char** argv) {
         const Settings settings = profile::read_settings(given);
         const std::vector<Case> cases = profile::read_cases(given);
         const std::string folder = given.text("outline");
-        if (!folder.empty()) study::make_folder(folder, "--outline");
+        study::OutputFiles files;
+        if (!folder.empty()) files.make_folder(folder, "--outline");
+        study::OutputFile* wear = given.given("wear") ? &files.open(given.text("wear"), "--wear") : nullptr;
         Positions positions(cases.size());  // for files, and the picture of a single one
         const study::Sheet<Found, Case> sheet = sheet_of(settings.friction.has_value());
 
         // 2. A row for each patch; for each wheel that has none, one that says why.
         const auto compute = [&](const Case& at, study::RowRange range, const study::Results<Found>& emit) {
             const Contacts contacts = find_contacts(settings, at);
-            if (cases.size() == 1 || !folder.empty() || given.given("wear")) {
+            if (cases.size() == 1 || !folder.empty() || wear != nullptr) {
                 positions[std::size_t(&at - cases.data())] = Position{contacts.of, range};
             }
             for (std::size_t k = range.first; k < range.last; ++k) {
@@ -262,9 +258,9 @@ int main(int argc, char** argv) {
         };
         study::Table table = sheet.table(
             cases, [&](const Case&) { return settings.sides.size(); }, compute);
-        table.written = [&] {
-            if (!folder.empty()) write_outlines(folder, settings, positions);
-            if (given.given("wear")) write_wear(given.text("wear"), settings, positions);
+        table.finish = [&] {
+            if (!folder.empty()) write_outlines(files, folder, settings, positions);
+            if (wear != nullptr) write_wear(*wear, settings, positions);
         };
         // 3. The patches of one position, or the contact points of several.
         table.plot = [&](const std::vector<study::Row>& rows) {
@@ -273,9 +269,9 @@ int main(int argc, char** argv) {
             for_patches(settings, positions, [&](std::size_t, bool left, std::size_t, const RailPatch& patch) {
                 drawn.push_back({left, patch});
             });
-            return profile::draw_patches(drawn);
+            return profile::draw_patches(drawn, rows.size() - drawn.size());
         };
-        study::write_table(given, table);
+        study::write_table(given, table, files);
         return study::exit_ok;
     });
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
-#include <deque>
 #include <filesystem>
 #include <functional>
 #include <iterator>
@@ -27,6 +26,7 @@
 #include "paper/results.hpp"
 #include "support/csv.hpp"
 #include "support/options.hpp"
+#include "support/output.hpp"
 #include "support/plot.hpp"
 #include "support/progress.hpp"
 
@@ -63,7 +63,8 @@ paper::Results compute_figures(const Settings& settings) {
 paper::Claims judge_claims(const Settings& settings, const paper::Results& results) {
     using paper::Claims, paper::Results;
     constexpr auto timed = paper::costs_of_galerkin;  // while nothing else runs
-    Claims (*const chapters[])(const Results&) = {paper::kernel_and_alpha,
+    Claims (*const chapters[])(const Results&) = {paper::equations,
+                                                  paper::kernel_and_alpha,
                                                   paper::convergence,
                                                   paper::analytic_derivative,
                                                   paper::tractions_of_collocation,
@@ -99,12 +100,11 @@ std::string csv_of(const paper::PanelResult& result) {
 
 int run(const Settings& settings) {
     // 1. The folder, and two of the files, so that a folder that cannot be written to costs no computing time.
-    study::make_folder(settings.directory, "DIR");
+    study::OutputFiles files;
+    files.make_folder(settings.directory, "DIR");
     const auto path_of = [&](const std::string& name) { return settings.directory + "/" + name; };
-    std::deque<study::OutputFile> files;
-    const auto open = [&](const std::string& name) { files.emplace_back(path_of(name), "DIR"); };
-    open("claims.csv");
-    open("index.html");
+    study::OutputFile& claims_file = files.open(path_of("claims.csv"), "DIR");
+    study::OutputFile& page_file = files.open(path_of("index.html"), "DIR");
 
     // 2. All curves of all panels, then the claims, which use the curves and compute what else they need.
     const paper::Results results = compute_figures(settings);
@@ -115,13 +115,11 @@ int run(const Settings& settings) {
     std::string note;
     for (const paper::PanelResult& result : results.panels()) {
         const std::string name = "fig" + result.panel.figure;
-        open(name + ".csv");
-        files.back().write(csv_of(result));
+        files.add(path_of(name + ".csv"), "DIR", csv_of(result));
         if (!note.empty()) continue;
         try {
             const std::string drawing = study::picture(paper::plot(result), false, path_of(name + ".svg"));
-            open(name + ".svg");
-            files.back().write(drawing);
+            files.add(path_of(name + ".svg"), "DIR", drawing);
             drawn.insert(result.panel.figure);
         } catch (const study::PlotError&) {
             note = "No plots: gnuplot is missing or failed. The data of every panel are there as CSV.";
@@ -140,19 +138,20 @@ int run(const Settings& settings) {
         std::fprintf(stderr, "reproduce_paper: Fig. %s: %s: %s; measured: %s\n", claim.figure.c_str(),
                      claim.claim.c_str(), paper::reason(claim).c_str(), claim.finding.measured.c_str());
     }
-    files[0].write(rows);
-    files[1].write(paper::page(results, claims, drawn, note));
+    claims_file.write(rows);
+    page_file.write(paper::page(results, claims, drawn, note));
 
     // 5. The files take their names when all of them are on the disk. No drawing of an earlier run remains.
-    for (study::OutputFile& file : files) file.flush();
-    for (study::OutputFile& file : files) file.commit();
+    files.commit();
     for (const paper::PanelResult& result : results.panels()) {
         std::error_code error;
         if (drawn.count(result.panel.figure) == 0) {
             std::filesystem::remove(path_of("fig" + result.panel.figure + ".svg"), error);
         }
     }
-    std::printf("%s. See %s\n", paper::summary(claims).c_str(), path_of("index.html").c_str());
+    study::OutputFile summary = study::OutputFile::standard_output();
+    summary.write(paper::summary(claims) + ". See " + path_of("index.html") + "\n");
+    summary.commit();
     return as_expected ? study::exit_ok : study::exit_failed;
 }
 

@@ -10,9 +10,11 @@
 #include <cmath>
 #include <complex>
 #include <functional>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rollbem/compiled/stability.hpp>
@@ -56,7 +58,7 @@ const study::Sheet<Count> counts{
       count_of(&Result::unstable_fraction)},
      {"spectral_abscissa", "the largest real part of the finite ones", count_of(&Result::spectral_abscissa)},
      {"cond_G", "in the 2-norm, empty if G is singular", study::where(&Count::found, &Count::cond_G)},
-     {"time_us", "[microseconds] assembly and eigenvalues, median of at least 5 runs",
+     {"time_us", std::string("[microseconds] assembly and eigenvalues, ") + study::median_of_runs,
       study::where(&Count::found, &Count::time_us)},
      {"spectral_radius",
       "the largest |nu a| (steps of an explicit integrator must stay below 2/spectral_radius); empty if an eigenvalue "
@@ -204,34 +206,56 @@ void emit_spectrum(const study::Scene& scene, study::RowRange range, const auto&
     }
 }
 
-/// The complex plane up to the highest wavenumber that the elements resolve, with a margin.
+/// What the picture shows: the complex plane up to the highest wavenumber that the elements resolve, and every mode that
+/// grows. Those that decay faster are left beyond the frame.
+void set_view(study::Plot& plot, double wavenumber) {
+    double fastest = 0, right = 0, height = wavenumber;
+    for (const study::Series& series : plot.series) {
+        for (const auto& [re, im] : series.points) {
+            if (re <= 0 && std::abs(im) <= wavenumber) fastest = std::max(fastest, -re);
+            if (re > 0) height = std::max(height, std::abs(im));
+            right = std::max(right, re);
+        }
+    }
+    const double left = -std::clamp(fastest, 1.0, std::max({3.0, wavenumber / 4, right}));
+    plot.x_range = {left, right};
+    plot.y_range = {-height, height};
+    if (std::max(right, height) > 20 * wavenumber) plot.linear_within = wavenumber / 4;
+}
+
 study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::vector<study::Row>& rows) {
     Eigen::Index n = 0;
     for (const study::Scene& scene : scenes) n = std::max(n, scene.n());
-    const double height = std::numbers::pi / 2 * static_cast<double>(n);
-    study::Plot plot{.title = "Eigenvalues", .x_label = "Re(ν a)", .y_label = "Im(ν a)"};
+    const double wavenumber = std::numbers::pi / 2 * static_cast<double>(n);
+    study::Plot plot{.x_label = "Re(ν a)", .y_label = "Im(ν a)"};
     spectrum.draw(plot, rows, {.x = "re", .y = "im"});
-    double left = -1, right = 0;
+    study::Series unstable{.label = "unstable, Re(ν a) > 0", .line = false, .alarm = true};
+    std::size_t infinite = 0, palette = 0;
     for (study::Series& series : plot.series) {
         series.line = false;
-        for (const auto& [re, im] : series.points) {
-            if (std::abs(im) > height) continue;
-            left = std::min(left, std::max(re, -height / 4));
-            right = std::max(right, std::min(re, height));
-        }
+        series.style = palette += palette == 1 ? 1 : 0;  // not the colour of the unstable ones
+        ++palette;
+        const std::size_t before = unstable.points.size();
+        std::copy_if(series.points.begin(), series.points.end(), std::back_inserter(unstable.points),
+                     [](const auto& nu) { return nu.first > 0; });
+        if (plot.series.size() > 1)
+            series.label += ": " + std::to_string(unstable.points.size() - before) + " unstable";
+        infinite += std::erase_if(series.points, [](const auto& nu) { return std::isnan(nu.first); });
     }
+    const std::string count = unstable.points.empty() ? "none" : std::to_string(unstable.points.size());
+    plot.title = "Eigenvalues, " + count + " of " + std::to_string(rows.size()) + " unstable" +
+                 (infinite > 0 ? ", " + std::to_string(infinite) + " infinite or not found" : "") +
+                 (plot.title.empty() ? "" : ", " + plot.title);
     study::Series exact{.label = "exact", .line = false, .open = true, .style = 2, .reference = true};
     for (const study::Scene& scene : scenes) {
-        for (const Complex& nu : exact_eigenvalues(scene.contact, height)) {
+        for (const Complex& nu : exact_eigenvalues(scene.contact, wavenumber)) {
             exact.points.emplace_back(nu.real(), nu.imag());
             if (nu.imag() > 0) exact.points.emplace_back(nu.real(), -nu.imag());
-            left = std::min(left, nu.real());
         }
     }
-    const double margin = (right - left) / 20;
-    plot.x_range = {left - margin, right + margin};
-    plot.y_range = {-height, height};
     plot.series.push_back(std::move(exact));
+    plot.series.insert(plot.series.begin(), std::move(unstable));
+    set_view(plot, wavenumber);
     return plot;
 }
 

@@ -5,6 +5,7 @@
 //     ./steady_study --mesh cosine --alpha 0.5 --aspect inf --output cosine.csv --plot cosine.svg
 //     ./steady_study --method chebyshev --n 4,8,16 --aspect 1
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,8 @@ const study::Sheet<Steady> sheet{
       "what the solution p leaves of its equations, max|G' p - xi| / (|G'| max|p| + |xi|) with the largest row sum "
       "|G'|: near 1e-16 they are solved to rounding, whatever the error of the discretisation; empty with chebyshev",
       &Steady::residual},
-     {"assembly_us", "[microseconds] median of at least 5 runs; empty with chebyshev", &Steady::assembly_us},
+     {"assembly_us", std::string("[microseconds] ") + study::median_of_runs + "; empty with chebyshev",
+      &Steady::assembly_us},
      {"solve_us", "the same; with chebyshev it includes assembly", &Steady::solve_us},
      {"error_estimate", "chebyshev: what more states would change, relative to c11", &Steady::error_estimate},
      {"status",
@@ -57,21 +59,29 @@ const study::Sheet<Steady> sheet{
 /// would spoil it.
 Steady solve(const study::Scene& scene, bool timed) {
     const bool has_elements = !scene.chebyshev;
-    const auto assemble = [&] { return rollbem::assemble_G_prime(*scene.mesh, scene.scheme, scene.kernel); };
-    const Eigen::MatrixXd G_prime = has_elements ? assemble() : Eigen::MatrixXd();
-    const auto response = [&] {
-        if (!has_elements) return solve_steady(*scene.chebyshev, scene.kernel);
-        return rollbem::solve_steady<double>(G_prime, rollbem::unknown_widths(*scene.mesh, scene.scheme));
-    };
-    const rollbem::Response<double> solution = response();
+    std::optional<double> assembly_us;
+    Eigen::MatrixXd G_prime;
+    if (has_elements) {
+        assembly_us = study::time_us_if(timed, [&] {
+            G_prime = rollbem::assemble_G_prime(*scene.mesh, scene.scheme, scene.kernel);
+            return G_prime(0, 0);
+        });
+    }
+    rollbem::Response<double> solution;
+    const std::optional<double> solve_us = study::time_us_if(timed, [&] {
+        solution = has_elements
+                       ? rollbem::solve_steady<double>(G_prime, rollbem::unknown_widths(*scene.mesh, scene.scheme))
+                       : solve_steady(*scene.chebyshev, scene.kernel);
+        return solution.c11();
+    });
     Steady result{.c11 = solution.c11(),
                   .exact = rollbem::steady_c11(scene.contact.poisson_ratio()),
-                  .status = study::steady_status(scene, solution.status, solution.c11())};
+                  .status = study::steady_status(scene, solution.status, solution.c11()),
+                  .assembly_us = assembly_us,
+                  .solve_us = solve_us};
     if (result.status != study::ok) result.c11 = std::nan("");
     if (has_elements) result.residual = solution.residual;
     if (!has_elements) result.error_estimate = solution.error_estimate();
-    if (timed && has_elements) result.assembly_us = study::median_time_us([&] { return assemble()(0, 0); });
-    if (timed) result.solve_us = study::median_time_us([&] { return response().c11(); });
     return result;
 }
 

@@ -43,8 +43,7 @@ const study::Sheet<Traction> sheet{
       "if it is not ok, traction and relative_error are empty: ill_conditioned or not_finite if G' is singular to "
       "working precision; assists_creepage if tractions assist the creepage (alpha at or below 0, or above 1); coarse "
       "if c11 of fewer than 10 elements is wrong by more than half; not_converged if more Chebyshev states would "
-      "change "
-      "c11 by more than 1e-2, as in narrow strips",
+      "change c11 by more than 1e-2, as in narrow strips",
       &Traction::status}},
     std::string("method, derivative, mesh, ") + study::settings};
 

@@ -170,6 +170,7 @@ study::Plot draw_force(const History& history, const std::vector<study::Row>& ro
     }
     sheet.draw(beside, errors, {.x = "q_over_a", .y = "force", .absolute = true, .markers = false});
     beside.title.clear();
+    study::raise_to_drawn(beside);
     if (can_be_drawn(beside)) plot.beside.push_back(std::move(beside));
     return plot;
 }
@@ -194,10 +195,7 @@ int main(int argc, char** argv) {
     options.not_with({"sine", "history"}, "ramp");
     options.not_with({"history"}, "sine");
     study::add_steps(options);
-    options.add(
-        "integrator", "NAME",
-        "sdirk2 (second order, L-stable), implicit-euler, or exponential (exact for creepage linear over a step)",
-        "sdirk2");
+    study::add_integrator(options, false);
     options.add_flag("unchecked", "also step schemes that are unstable, may be unstable, or do not converge");
     study::offer_chebyshev(options);
     options.footer(
@@ -214,9 +212,7 @@ One row per step:
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         const study::Steps steps = study::read_steps(given);
         const History history = make_history(given, steps.dq);
-        using rollbem::Integrator;
-        const Integrator integrator = study::read_integrator(
-            given, {Integrator::sdirk2, Integrator::implicit_euler, Integrator::matrix_exponential});
+        const rollbem::Integrator integrator = study::read_integrator(given, false);
 
         // 2. One model for each scene, if eigenvalues and steady rolling tell that stepping makes sense, and the exact
         // response of its contact.
@@ -244,7 +240,6 @@ One row per step:
                             run(rolling.model, history, steps, rolling.exact, !given.flag("unchecked"), range, emit);
                         });
         table.plot = [&](const std::vector<study::Row>& rows) { return draw_force(history, rows); };
-        table.resumable = !given.given("plot");
         study::write_table(given, table);
         return study::exit_ok;
     });

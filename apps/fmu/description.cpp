@@ -163,7 +163,8 @@ std::string description_with(std::string_view guid) {
             attribute("canInterpolateInputs", "true") + "/>\n";
     text += units(variables) + types(variables);
     text +=
-        "  <LogCategories>\n    <Category name=\"logStatusDiscard\"/>\n    <Category name=\"logStatusError\"/>\n"
+        "  <LogCategories>\n    <Category name=\"logStatusWarning\"/>\n    <Category name=\"logStatusDiscard\"/>\n"
+        "    <Category name=\"logStatusError\"/>\n"
         "  </LogCategories>\n";
     text += "  <DefaultExperiment" + attribute("startTime", "0") + attribute("stopTime", text_of(identity.stop_time)) +
             attribute("stepSize", text_of(identity.step_size)) + "/>\n";

@@ -114,6 +114,7 @@ fmi2Status fmi2ExitInitializationMode(fmi2Component component) {
     return call(component, __func__, fmu::initialization, [](Instance& instance) {
         instance.build();
         instance.mode = instance.used() == fmu::Interface::model_exchange ? fmu::event : fmu::stepping;
+        return instance.warn();
     });
 }
 

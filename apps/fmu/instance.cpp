@@ -57,17 +57,23 @@ void Instance::make() {
 }
 
 void Instance::log(fmi2Status status, const std::string& message) const {
-    const bool discard = status == fmi2Discard;
-    if (callbacks_.logger == nullptr || !(discard ? log_discards_ : log_errors_)) return;
+    const bool warning = status == fmi2Warning, discard = status == fmi2Discard;
+    const bool wanted = warning ? log_warnings_ : discard ? log_discards_ : log_errors_;
+    if (callbacks_.logger == nullptr || !wanted) return;
     callbacks_.logger(callbacks_.componentEnvironment, name_.c_str(), status,
-                      discard ? "logStatusDiscard" : "logStatusError", "%s", message.c_str());
+                      warning   ? "logStatusWarning"
+                      : discard ? "logStatusDiscard"
+                                : "logStatusError",
+                      "%s", message.c_str());
 }
 
 void Instance::set_logging(std::span<const fmi2String> categories) {
-    bool discards = categories.empty(), errors = categories.empty();
+    bool warnings = categories.empty(), discards = warnings, errors = warnings;
     for (const fmi2String category : categories) {
         const std::string_view wanted = category == nullptr ? "" : category;
-        if (wanted == "logStatusDiscard") {
+        if (wanted == "logStatusWarning") {
+            warnings = true;
+        } else if (wanted == "logStatusDiscard") {
             discards = true;
         } else if (wanted == "logStatusError") {
             errors = true;
@@ -75,8 +81,16 @@ void Instance::set_logging(std::span<const fmi2String> categories) {
             throw std::invalid_argument("there is no log category " + std::string(wanted));
         }
     }
+    log_warnings_ = warnings;
     log_discards_ = discards;
     log_errors_ = errors;
+}
+
+fmi2Status Instance::warn() {
+    if (model_->warning.empty()) return fmi2OK;
+    log(fmi2Warning, model_->warning);
+    model_->warning.clear();
+    return fmi2Warning;
 }
 
 void Instance::reset() {
@@ -153,7 +167,7 @@ fmi2Status Instance::step(double start, double duration) {
         return tell(outcome, "a step of " + text_of(duration) + " s from t = " + text_of(start) + " s");
     }
     time = start + duration;
-    return fmi2OK;
+    return warn();
 }
 
 double Instance::partial(fmi2ValueReference unknown, fmi2ValueReference known) {
@@ -196,6 +210,7 @@ void Instance::restore(std::span<const std::byte> bytes) {
     built_ = built_ && same_parameters;
     if (header.built && !built_) {
         build();  // sets variables
+        model_->warning.clear();
         Archive again(variables);
         keep_variables(again);
     }

@@ -63,6 +63,8 @@ public:
     /// Brings outputs and derivatives up to date with states and inputs.
     fmi2Status refresh();
     fmi2Status step(double time, double duration);
+    /// Logs what the model warns of, once.
+    fmi2Status warn();
     double partial(fmi2ValueReference unknown, fmi2ValueReference known);
 
     void save(std::vector<std::byte>& bytes);
@@ -85,7 +87,7 @@ private:
     Interface interface_;
     std::string resources_;  // a path
     fmi2CallbackFunctions callbacks_;
-    bool log_discards_ = true, log_errors_ = true;
+    bool log_warnings_ = true, log_discards_ = true, log_errors_ = true;
     std::unique_ptr<Model> model_;
     bool built_ = false;
     double refused_from_ = 0;  // where the last step began, if it was refused [s]

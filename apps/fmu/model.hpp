@@ -144,6 +144,9 @@ public:
     /// Folder of what is packed with the FMU.
     std::string resources;
 
+    /// What initialise() or step() warns of; empty: of nothing.
+    std::string warning;
+
     /// Gives enumerations the values of their integer twins. Throws std::invalid_argument if an enumeration among the
     /// parameters has none of its values.
     void settle_enumerations();

@@ -89,6 +89,10 @@ public:
             .min = 0;
         add_output(&half_width_, "contact_half_width", "m", "b, the semi-axis along y likewise").min = 0;
         add_output(&sticking_elements_, "sticking_elements", "", "Number of elements that stick; 0 by table").min = 0;
+        auto& off_table = add_output(&off_table_, "off_table", "",
+                                     "1 where a/b of the last step lies beyond the table, whose nearest ellipse of "
+                                     "the same area then gives the forces, with an unknown error; else 0");
+        off_table.lies_in(0, 1);
         add_output(&status_, "status", "", "Status of the last step", &step_statuses);
     }
 
@@ -121,6 +125,7 @@ private:
 
     void begin_patch() {
         table_.reset();
+        off_table_ = 0;
         for (const auto& [name, count] : {std::pair("elements", elements_), std::pair("strips", strips_)}) {
             require(count >= 1 && count <= 32, name, count, "lie in [1, 32]");
         }
@@ -165,10 +170,25 @@ private:
                  std::to_string(grid.largest_a_over_b()) + "] of the table")
                     .c_str());
         const Past inputs = at_once(1);
-        const Step steady = look_up(inputs);
+        bool on_table = true;
+        const Step steady = look_up(inputs, on_table);
         require(steady.status == StepStatus::ok, "status of the table at the first inputs", name(steady.status),
                 "be ok");
         begin(inputs, steady);
+        off_table_ = 0;
+        tell(inputs, on_table);
+    }
+
+    // Sets off_table, and warns where a/b leaves the table.
+    void tell(const Past& step, bool on_table) {
+        if (!on_table && off_table_ == 0) {
+            const rollbem::CreepForceGrid& grid = table_->grid();
+            warning = "a/b = " + rollbem::detail::to_text(contact_of(step)->a_over_b()) +
+                      " of the contact lies beyond the table, " + rollbem::detail::to_text(grid.smallest_a_over_b()) +
+                      " to " + rollbem::detail::to_text(grid.largest_a_over_b()) +
+                      ": forces are those of its border while off_table is 1";
+        }
+        off_table_ = on_table ? 0 : 1;
     }
 
     // A step at the present inputs.
@@ -192,11 +212,14 @@ private:
         step.shift = {end_of(step.shift.longitudinal, start.shift.longitudinal),
                       end_of(step.shift.lateral, start.shift.lateral), end_of(step.shift.spin, start.shift.spin)};
         step.distance = std::max(end_of(step.distance, start.distance), Scalar(0));
-        Step result = look_up(step);
+        bool on_table = true, unused = true;
+        Step result = look_up(step, on_table);
+        if (result.status != StepStatus::ok) return result;
+        tell(step, on_table);
         const bool constant = start.shift == step.shift && start.distance == step.distance && start.load == step.load &&
                               start.factor == step.factor && start.semi_axes[0] == step.semi_axes[0] &&
                               start.semi_axes[1] == step.semi_axes[1];
-        if (!constant) result.slip_work = (result.slip_work + look_up(start).slip_work) / 2;
+        if (!constant) result.slip_work = (result.slip_work + look_up(start, unused).slip_work) / 2;
         return result;
     }
 
@@ -225,8 +248,9 @@ private:
         return table_->look_up(*contact, friction_coefficient_ * step.factor, lifted(step.load) ? 0 : step.load,
                                {along / distance, across / distance, turn / distance});
     }
-    Step look_up(const Past& step) const {
+    Step look_up(const Past& step, bool& on_table) const {
         const rollbem::TabulatedForce found = find(step);
+        on_table = found.a_over_b_on_table;
         const Scalar distance = std::max(step.distance, least_speed * step.duration);
         const auto& [along, across, turn] = step.shift;
         Step result;
@@ -307,7 +331,7 @@ private:
     Scalar shear_modulus_ = 8e10, poisson_ratio_ = 0.28, friction_coefficient_ = 0.3, largest_load_ = 2e5;
     rollbem::HertzEllipse<Scalar>::Radii wheel_{.rolling = 0.46, .lateral = 1e9}, rail_{.rolling = 1e9, .lateral = 0.3};
     int elements_ = 8, strips_ = 8, mesh_size_ = mesh_follows_load;
-    int mode_ = by_elements;
+    int mode_ = by_elements, off_table_ = 0;
     std::string table_file_;
     Scalar half_length_ = 0, half_width_ = 0;
 

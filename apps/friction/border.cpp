@@ -20,11 +20,12 @@ void solve_by_border(const Curve& curve, const study::Scene& scene, study::RowRa
     const rollbem::Mesh<double> mesh = rollbem::cosine_mesh<double>(scene.n());
     for (std::size_t i = range.first; i < range.last; ++i) {
         const double unit = creepage_unit(scene);
-        const auto solve = [&] {
-            return rollbem::studies::solve_stick_border(scene.contact, scene.kernel, 1.0, pressure,
-                                                        unit * curve.points[i].longitudinal, scene.n());
-        };
-        const rollbem::studies::StickBorderSolution<double> found = solve();
+        rollbem::studies::StickBorderSolution<double> found;
+        const auto time_us = study::time_us_if(curve.timed, [&] {
+            found = rollbem::studies::solve_stick_border(scene.contact, scene.kernel, 1.0, pressure,
+                                                         unit * curve.points[i].longitudinal, scene.n());
+            return found.force_per_width;
+        });
         const std::optional<double> alpha = found.exact ? std::nullopt : std::optional(0.5);
         Solution solution{.mesh_name = found.exact ? "fitted" : "cosine",
                           .alpha_L = alpha,
@@ -35,6 +36,7 @@ void solve_by_border(const Curve& curve, const study::Scene& scene, study::RowRa
                           .pivots = 0,
                           .traction = Eigen::MatrixXd::Zero(scene.n(), 2),
                           .slip = Eigen::MatrixXd::Zero(scene.n(), 2),
+                          .time_us = time_us,
                           .status = name(found.status)};
         for (Eigen::Index k = 0; k < scene.n(); ++k) {
             const double x = mesh.centres()[k];
@@ -43,7 +45,6 @@ void solve_by_border(const Curve& curve, const study::Scene& scene, study::RowRa
             solution.slip(k, 0) = found.slip(x);
             solution.sticks.push_back(found.exact ? x > found.border : solution.slip(k, 0) == 0);
         }
-        if (curve.timed) solution.time_us = study::median_time_us([&] { return solve().force_per_width; });
         rollbem::FrictionStep<2>& step = solution.step;
         step.force.longitudinal = found.force_per_width;
         step.tangent.by_longitudinal.longitudinal = found.tangent_per_width;

@@ -111,10 +111,11 @@ void solve_by_elements(const Curve& curve, const study::Scene& scene, study::Row
     for (std::size_t i = range.first; i < range.last; ++i) {
         const auto solve = [&] {
             workspace = fresh;  // without factors
-            return contact->steady(starts[i], curve.points[i].times(creepage_unit(scene)), V, state, workspace);
+            solution.step =
+                contact->steady(starts[i], curve.points[i].times(creepage_unit(scene)), V, state, workspace);
+            return solution.step.slip_work;
         };
-        solution.step = solve();
-        if (curve.timed) solution.time_us = study::median_time_us([&] { return solve().slip_work; });
+        solution.time_us = study::time_us_if(curve.timed, solve);
         solution.status = name(solution.step.status);
         if (!curve.line.both) solution.pivots = solution.step.pivots;
         fill(state, workspace.slip(), solution);

@@ -25,21 +25,6 @@ double read_layer(const study::Options& options) {
     return layer;
 }
 
-std::optional<rollbem::Friction<rollbem::ExponentialFall<>>> read_falling(const study::Options& options) {
-    if (!options.given("falling")) return std::nullopt;
-    const auto law = options.pair("falling");
-    options.require(law && law->first >= 0 && law->second > 0, "falling",
-                    "be K,VH with K >= 0 and VH > 0, both finite");
-    rollbem::Friction<rollbem::ExponentialFall<>> falling{
-        {.mu_0 = 1, .mu_k = law->first, .half_velocity = law->second}, {}, {}};
-    if (!options.given("memory")) return falling;
-    const auto memory = options.pair("memory");
-    options.require(memory && memory->first > 0 && memory->second >= 0, "memory",
-                    "be D,V0 with D > 0 and V0 >= 0, both finite");
-    falling.memory = {.distance = memory->first, .least_velocity = memory->second};
-    return falling;
-}
-
 /// Of a mesh of that half-length [a_0].
 rollbem::Contact<double> contact_of(const study::Scene& scene, double half_length) {
     return rollbem::Contact<double>({.half_length = half_length,
@@ -87,7 +72,7 @@ Line::Line(const study::Options& options)
     : both(options.given("lateral-ratio")),
       pressure(make_pressure(options)),
       layer(read_layer(options)),
-      falling(read_falling(options)) {}
+      law(read_law(options)) {}
 
 System Line::system(const study::Scene& scene, Direction direction, bool in_time, double half_length) const {
     using Kernel = rollbem::AnyKernel<double>;
@@ -108,13 +93,13 @@ rollbem::FrictionContact Line::contact(const study::Scene& scene, const System& 
                                        const std::optional<System>& across, const Eigen::ArrayXd& means,
                                        const rollbem::StabilityVerdict& checks, rollbem::Integrator integrator,
                                        double half_length) const {
-    const auto under = [&](const auto& law) -> rollbem::FrictionContact {
+    const auto under = [&](const auto& friction) -> rollbem::FrictionContact {
         const rollbem::Contact<double> contact = contact_of(scene, half_length);
-        if (!across) return rollbem::FrictionModel(contact, along, checks, law, integrator);
-        return rollbem::FrictionModel(contact, rollbem::ElementSystem(along, *across), checks, law, integrator);
+        if (!across) return rollbem::FrictionModel(contact, along, checks, friction, integrator);
+        return rollbem::FrictionModel(contact, rollbem::ElementSystem(along, *across), checks, friction, integrator);
     };
-    if (!falling) return under(rollbem::Friction<>{1, means});
-    return under(rollbem::Friction<rollbem::ExponentialFall<>>{falling->law, means, falling->memory});
+    if (!law) return under(rollbem::Friction<>{1, means});
+    return under(rollbem::Friction<std::function<double(double)>>{law->mu(), means, law->memory});
 }
 
 study::Cell relative_error(double value, std::optional<double> exact) {
@@ -174,7 +159,7 @@ std::string scene_in_title(const study::Options& options) {
         say("load-sine", "N/N_0 = 1 + ", " sin(2π q/", ")");
         if (options.given("load")) title += ", load of a table";
     }
-    say("falling", "μ falls to μ_0 times ", ", by half at a slip of ");
+    for (const NamedLaw& known : laws()) say(known.option.c_str(), known.before, known.between);
     say("memory", "memory ", " and ");
     say("layer", "layer ");
     return title;

@@ -13,6 +13,7 @@
 #include <rollbem/friction/friction_contact.hpp>
 #include <rollbem/normal/hertz_load.hpp>
 
+#include "law.hpp"
 #include "support/options.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
@@ -68,13 +69,11 @@ struct Line {
 
     bool both;  ///< friction in both directions
     Pressure pressure;
-    double layer;  ///< compliance [a_0/G]
-    /// mu/mu_0 of the slip velocity in V mu_0 p0/G with its memory, distance in a mu_0 p0/G and velocity as that of
-    /// slip; nothing where mu is constant.
-    std::optional<rollbem::Friction<rollbem::ExponentialFall<>>> falling;
+    double layer;                ///< compliance [a_0/G]
+    std::optional<SlipLaw> law;  ///< nothing where mu is constant
 
     /// Whether Carter's closed form holds along the rolling direction.
-    bool carter() const { return pressure.hertz && layer == 0 && !falling; }
+    bool carter() const { return pressure.hertz && layer == 0 && !law; }
 
     /// Matrices of a direction, on a mesh that covers more than the contact where half_length > 1 [a_0]: G' alone for
     /// steady rolling, G besides `in_time`. Throw std::invalid_argument where they are not finite.
@@ -90,19 +89,25 @@ struct Line {
                                      double half_length = 1) const;
 };
 
-/// layer, falling_ratio, half_velocity, memory_distance and least_velocity, of rows that know their `line`.
+/// layer, the parameters of every law, memory_distance and least_velocity, of rows that know their `line`.
 template <class Row>
 std::vector<study::Column<Row>> law_columns() {
-    const auto of_law = [](auto value) {
-        return study::where([](const Row& r) { return r.line.falling.has_value(); },
-                            [value](const Row& r) { return value(*r.line.falling); });
+    std::vector<study::Column<Row>> columns{{"layer", "--layer", [](const Row& r) { return r.line.layer; }}};
+    for (const NamedLaw& law : laws()) {
+        for (std::size_t k = 0; k < law.columns.size(); ++k) {
+            columns.push_back({law.columns[k], "--" + law.option, [&law, k](const Row& r) {
+                                   return r.line.law && &r.line.law->named == &law
+                                              ? study::Cell(r.line.law->parameters[k])
+                                              : study::Cell();
+                               }});
+        }
+    }
+    const auto of_memory = [](double rollbem::FrictionMemory<>::*member) {
+        return [member](const Row& r) { return r.line.law ? study::Cell(r.line.law->memory.*member) : study::Cell(); };
     };
-    const char* given = "--falling and --memory";
-    return {{"layer", "--layer", [](const Row& r) { return r.line.layer; }},
-            {"falling_ratio", given, of_law([](const auto& of) { return of.law.mu_k; })},
-            {"half_velocity", given, of_law([](const auto& of) { return of.law.half_velocity; })},
-            {"memory_distance", given, of_law([](const auto& of) { return of.memory.distance; })},
-            {"least_velocity", given, of_law([](const auto& of) { return of.memory.least_velocity; })}};
+    columns.push_back({"memory_distance", "--memory", of_memory(&rollbem::FrictionMemory<>::distance)});
+    columns.push_back({"least_velocity", "--memory", of_memory(&rollbem::FrictionMemory<>::least_velocity)});
+    return columns;
 }
 
 /// value/exact - 1 where both are defined.

@@ -79,7 +79,7 @@ std::string roll(const Rolling& rolling, study::RowRange range, const std::funct
             return next.status;
         }
         const double after = work(next, end);  // implicit Euler knows no other
-        keep(next, distance * (rolling.run.integrator == rollbem::Integrator::sdirk2 ? (before + after) / 2 : after));
+        keep(next, distance * (study::named(rolling.run.integrator).order > 1 ? (before + after) / 2 : after));
         return next.status;
     };
     for (std::size_t k = 0; row < range.last; ++k) {

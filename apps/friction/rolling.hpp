@@ -68,7 +68,6 @@ void write_rolling(const study::Options& options, const Sheet& sheet, const std:
                            [&](const Moment& moment) { emit(sheet.row(cases[task], row(cases[task], moment))); });
     };
     table.plot = plot;
-    table.resumable = !options.given("plot");
     study::write_runs(options, table, ended);
 }
 

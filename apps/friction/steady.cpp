@@ -6,6 +6,8 @@
 
 #include <rollbem/closed_form/friction.hpp>
 
+#include "support/timing.hpp"
+
 namespace friction {
 
 namespace {
@@ -70,7 +72,7 @@ const study::Sheet<CreepRow>& creep_sheet() {
              {"complementarity_residual",
               "the largest violation of |p| <= mu p_n (over mu p0) and of the direction of slip (over |xi|)",
               [](const R& r) { return r.of.step.complementarity_residual; }},
-             {"time_us", "[microseconds] of the solution, median of at least 5 runs",
+             {"time_us", std::string("[microseconds] of the solution, ") + study::median_of_runs,
               [](const R& r) { return r.of.time_us; }},
              {"lateral_ratio", "as creepage_ratio, across the rolling direction",
               [](const R& r) { return r.point.lateral; }},
@@ -128,7 +130,7 @@ const study::Sheet<CreepRow>& traction_sheet() {
          {"lateral_slip", "", if_ok([](const R& r) { return r.if_both(r.of.slip(r.i, 1)); })},
          {"layer", "", [](const R& r) { return r.line.layer; }},
          {"friction_ratio", "mu/mu_0",
-          if_ok([](const R& r) { return r.line.falling ? study::Cell(r.of.friction[r.i]) : study::Cell(); })}},
+          if_ok([](const R& r) { return r.line.law ? study::Cell(r.of.friction[r.i]) : study::Cell(); })}},
         study::settings};
     return columns;
 }
@@ -150,7 +152,7 @@ std::vector<study::Plot> draw_tractions(const Tractions& tractions, const Line& 
         }
     }
     if (!shown) return {};
-    const bool falling = line.falling.has_value();
+    const bool falling = line.law.has_value();
     const double sign = *shown < 0 ? -1 : 1;
     study::Series exact{.label = "Carter", .markers = false, .reference = true};
     study::Series bound{.label = "bound " + coefficient(falling) + " p_n", .markers = false, .reference = true};
@@ -183,7 +185,7 @@ std::vector<study::Plot> draw_tractions(const Tractions& tractions, const Line& 
 /// With the tractions beside it at the creepage nearest to half of full sliding, for the last mesh.
 study::Plot creep_picture(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
                           const Curve& curve, const Tractions& tractions) {
-    const bool falling = curve.line.falling.has_value();
+    const bool falling = curve.line.law.has_value();
     study::Plot plot{.title = "Creep curve" + scene_in_title(curve.options),
                      .x_label = creepage_label(falling, "δ = ξ"),
                      .y_label = force_label(falling),
@@ -207,7 +209,7 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
 /// Both forces over the creepage ratio, a panel each, one line for each lateral ratio.
 study::Plot combined_creep(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
                            const Curve& curve) {
-    const bool falling = curve.line.falling.has_value();
+    const bool falling = curve.line.law.has_value();
     const auto panel = [&](const std::string& title, const char* force, const char* y) {
         study::Plot plot{
             .title = title, .x_label = creepage_label(falling, "δ_x = ξ_x"), .y_label = force_label(falling, force)};
@@ -266,12 +268,12 @@ void run_steady(const study::Options& options) {
             }
         });
     };
-    table.written = [&] { tractions.write(); };
+    table.finish = [&] { tractions.write(); };
     table.plot = [&](const std::vector<study::Row>& rows) {
         return curve.line.both ? combined_creep(table.columns, rows, curve)
                                : creep_picture(table.columns, rows, curve, tractions);
     };
-    study::write_table(options, table);
+    study::write_table(options, table, tractions.files);
 }
 
 }  // namespace friction

@@ -7,6 +7,7 @@
 
 #include "support/csv.hpp"
 #include "support/options.hpp"
+#include "support/output.hpp"
 #include "support/table.hpp"
 
 namespace friction {
@@ -17,15 +18,14 @@ struct Tractions {
         : columns(names), wanted(drawn || options.given("tractions")), rows(tasks) {
         if (!options.given("tractions")) return;
         const bool header = study::has_header(options);
-        file.emplace(options, "tractions", header ? study::csv_line({names.begin(), names.end()}) : "");
+        file = &files.open_table(options, "tractions", header ? study::csv_line({names.begin(), names.end()}) : "");
     }
 
     void write() {
-        if (!file) return;
+        if (file == nullptr) return;
         for (const std::vector<study::Row>& of_task : rows) {
-            for (const study::Row& row : of_task) file->rows().write(study::csv_line(row));
+            for (const study::Row& row : of_task) file->write(study::csv_line(row));
         }
-        file->commit();
     }
 
     /// A cell as a number.
@@ -36,7 +36,8 @@ struct Tractions {
     std::vector<std::string> columns;
     bool wanted;                                ///< in a file or for a picture
     std::vector<std::vector<study::Row>> rows;  ///< of each task, which one thread computes
-    std::optional<study::TableFile> file;
+    study::OutputFiles files;                   ///< for those of the study's table, too
+    study::OutputFile* file = nullptr;
 };
 
 }  // namespace friction

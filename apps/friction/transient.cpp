@@ -198,7 +198,7 @@ study::Plot force_in_time(const std::vector<study::Row>& rows, const History& hi
     };
     study::Plot plot{.title = "Rolling with friction" + scene,
                      .x_label = "distance rolled q/a",
-                     .y_label = force_label(history.line.falling.has_value(), "-F", load_changes ? "N_0" : "N"),
+                     .y_label = force_label(history.line.law.has_value(), "-F", load_changes ? "N_0" : "N"),
                      .x_range = study::PlotRange{0, end}};
     if (rows.empty()) return plot;  // of a shard
     add(plot, "q_over_a", "force_ratio", lateral ? "longitudinal" : "computed");

@@ -40,7 +40,8 @@ namespace {
 
 /// A row of `result`: the curve, its case and the values computed.
 void add_row(CurveResult& result, const Curve& curve, const Case& c, const study::Row& values) {
-    const study::Cell grading = c.mesh == Topology::uniform ? study::Cell("") : study::Cell(c.grading);
+    const bool graded = !rollbem::topology_info(c.mesh).grading.empty();
+    const study::Cell grading = graded ? study::Cell(c.grading) : study::Cell("");
     result.rows.push_back(study::joined<study::Cell>(
         {curve.label, name(c.method), name(c.derivative), name(c.mesh), grading, c.n, c.alpha_L, c.alpha_T, c.lambda},
         values));
@@ -70,7 +71,7 @@ CurveResult compute_ratio(const Panel& panel, const Curve& curve) {
         const rollbem::Response<double> solution = steady(c);
         const double ratio = solution.c11() / rollbem::steady_c11(poisson_ratio);
         add_row(result, curve, c, {ratio, ratio - 1, rollbem::name(solution.status)});
-        if (std::isfinite(ratio)) result.series[0].points.emplace_back(x, ratio);
+        result.series[0].points.emplace_back(x, ratio);
     }
     return result;
 }
@@ -199,7 +200,8 @@ study::Plot plot(const PanelResult& result) {
                      .y_label = kind_of(panel.quantity).y_label,
                      .log_x = panel.axes.log_base > 0,
                      .x_range = panel.axes.x,
-                     .y_range = panel.axes.y};
+                     .y_range = panel.axes.y,
+                     .x_is_part = true};
     if (plot.log_x) plot.log_base = panel.axes.log_base;
     for (const CurveResult& curve : result.curves) {
         plot.series.insert(plot.series.end(), curve.series.begin(), curve.series.end());

@@ -158,12 +158,11 @@ void run_friction(const study::Options& options, const std::vector<Patch>& patch
         auto state = rest;
         auto workspace = model.workspace();
         for (std::size_t k = range.first; k < range.last; ++k) {
-            const auto solve = [&] { return model.steady(rest, creepage(patch, points[k]), state, workspace); };
-            study::Cell time_us;
-            if (study::has_times(options)) {
-                time_us = study::median_time_us([&] { return solve().force.longitudinal; });
-            }
-            const rollbem::FrictionStep<2> step = solve();
+            rollbem::FrictionStep<2> step;
+            const auto time_us = study::time_us_if(study::has_times(options), [&] {
+                step = model.steady(rest, creepage(patch, points[k]), state, workspace);
+                return step.force.longitudinal;
+            });
             FrictionRow row{
                 patch,  points[k], step, state, workspace.slip(), elements, largest_slip(patch, points[k], elements),
                 time_us};
@@ -173,11 +172,11 @@ void run_friction(const study::Options& options, const std::vector<Patch>& patch
             }
         }
     };
-    table.written = [&] { tractions.write(); };
+    table.finish = [&] { tractions.write(); };
     table.plot = [&](const std::vector<study::Row>& rows) {
         return from_above ? draw_from_above(patches, points.front(), tractions) : draw_friction(table.columns, rows);
     };
-    study::write_table(options, table);
+    study::write_table(options, table, tractions.files);
 }
 
 }  // namespace patch

@@ -68,6 +68,11 @@ std::vector<study::Plot> panels_of(const study::Plot& frame, const Columns& colu
         panel.y_label = label;
         selection.y = column;
         study::add_series(panel, columns, rows, selection);
+        const bool rounding = std::all_of(panel.series.begin(), panel.series.end(), [](const study::Series& series) {
+            return std::none_of(series.points.begin(), series.points.end(),
+                                [](const auto& point) { return std::abs(point.second) > 1e-13; });
+        });
+        if (rounding && !panel.log_y) panel.y_range = study::PlotRange{-1, 1};
         if (!panels.empty()) panel.title.clear();
         panels.push_back(std::move(panel));
     }
@@ -124,6 +129,9 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const f
     const rollbem::PatchContact<double>& contact = patch.contact;
     const auto shown = [](double value) { return study::Cell(value).text(6); };
     study::Plot plot{.title = "Patch from above", .x_label = "x / c, rolling to the right", .y_label = "y / c"};
+    if (rows.empty()) return plot;  // of another shard
+    plot.series = {{.points = edge_of(contact), .markers = false, .style = 4, .reference = true}};
+    study::fit_to_scale(plot);
     if (!contact.outline()) plot.title += ", a/b = " + shown(contact.a_over_b());
     plot.title += ", ν = " + shown(contact.poisson_ratio()) + ", " + std::to_string(patch.mesh.elements_per_strip()) +
                   " × " + std::to_string(patch.mesh.strip_count()) + " elements, ξ = " + shown(point.longitudinal) +
@@ -138,7 +146,10 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const f
     double longest = 0, area = 0;
     for (const study::Row& row : rows) {
         const auto traction_x = number(row, "traction_x"), traction_y = number(row, "traction_y");
-        if (!traction_x || !traction_y) return plot;  // not solved
+        if (!traction_x || !traction_y) {
+            plot.title += ": no result";
+            return plot;
+        }
         if (!(*number(row, "pressure_bound") > 0)) continue;
         const double x = *number(row, "x") * a, y = *number(row, "y") * b;
         const double dx = *number(row, "width") * a / 2, dy = *number(row, "strip_width") * b / 2;
@@ -152,7 +163,6 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const f
         longest = std::max(longest, std::hypot(*traction_x, *traction_y));
         area += 4 * dx * dy;
     }
-    if (arrows.points.empty()) return plot;
     // their middles in those of the elements, the longest as long as one and a half elements of mean size
     const double scale = longest > 0 ? 1.5 * std::sqrt(2 * area / double(arrows.points.size())) / longest : 0;
     for (std::size_t i = 1; i < arrows.points.size(); i += 2) {
@@ -162,10 +172,8 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const f
         arrows.points[i - 1] = {x - dx, y - dy};
     }
     arrows.label = "traction, at most " + study::Cell(longest).text(3) + " μ p_0";
-    study::Series edge{.points = edge_of(contact), .markers = false, .style = 4, .reference = true};
-    plot.series = {edge};
-    study::fit_to_scale(plot);
-    plot.series = {std::move(stick), std::move(slip), std::move(edge), std::move(arrows)};
+    for (study::Series* under : {&slip, &stick}) plot.series.insert(plot.series.begin(), std::move(*under));
+    plot.series.push_back(std::move(arrows));
     if (shows_pole) {
         plot.series.push_back({.label = "pole of spin", .points = {{pole_x, pole_y}}, .line = false, .style = 6});
     }
@@ -221,13 +229,6 @@ study::Plot draw_friction(const Columns& columns, const Rows& rows) {
         .title = "Contact patch with friction", .x_label = x.label, .log_x = x.column == "a_over_b"};
     std::vector<study::Plot> panels =
         panels_of(frame, columns, rows, {.by = others(columns, rows, x), .x = x.column}, forces_over("μ N", "c"));
-    for (study::Plot& panel : panels) {
-        const bool rounding = std::all_of(panel.series.begin(), panel.series.end(), [](const study::Series& series) {
-            return std::all_of(series.points.begin(), series.points.end(),
-                               [](const auto& point) { return std::abs(point.second) < 1e-13; });
-        });
-        if (rounding) panel.y_range = study::PlotRange{-1, 1};
-    }
     return study::side_by_side(std::move(panels));
 }
 

@@ -69,7 +69,9 @@ std::vector<Discrete> discretise(const Scene& scene, const Scheme& scheme, long 
     // points, with the plane kernel, can change the half-length.
     const bool breathes =
         scheme.topology != Topology::uniform && scene.plane() && scheme.equations.get_if<Galerkin>() == nullptr;
-    const double grading = scheme.graded_by("size_ratio") ? scene.size_ratio : scene.epsilon;
+    const double grading = scheme.graded_by("size_ratio") ? scene.size_ratio
+                           : scheme.graded_by("epsilon")  ? scene.epsilon
+                                                          : nan;  // refused by a mesh that takes one
     std::vector<Discrete> meshes;
     for (const long own : scheme.order > 0 ? std::vector{n / 2, n} : std::vector{n}) {
         meshes.push_back({scene, scheme.equations, rollbem::make_mesh(scheme.topology, own, grading), {}, breathes});

@@ -47,39 +47,25 @@ study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, co
     const std::vector<double> sustained = sustained_errors(points);
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (points[i].quantity != quantity || !points[i].on_front.value_or(false)) continue;
-        front.points.emplace_back(*points[i].time_us, std::max(sustained[i], floor));
+        front.points.emplace_back(*points[i].time_us, sustained[i]);
     }
     std::sort(front.points.begin(), front.points.end());
     front.markers = front.points.size() == 1;
-    bool below = false;
     int left_out = 0;  // of the front: they serve for comparison
-    double largest_error = floor;
-    std::vector<double> times;
     for (const std::string& scheme : all_schemes()) {
         study::Series series{.label = scheme, .style = style_of(scheme)};
         for (const study::Row& cells : rows) {
             if (cells[0].text() != scheme || cells[2].text() != quantity) continue;
             const std::optional<double> error = cells[3].number(), time = cells[4].number();
-            if (!error || !time) continue;
-            if (scheme == "closed-form" && *error == 0) continue;  // the reference itself
-            below = below || std::abs(*error) < floor;
-            largest_error = std::max(largest_error, std::abs(*error));
-            times.push_back(*time);
-            series.points.emplace_back(*time, std::max(std::abs(*error), floor));
+            if (!time || (scheme == "closed-form" && error == 0.0)) continue;  // not timed, or the reference itself
+            series.points.emplace_back(*time, std::abs(error.value_or(nan)));
         }
         if (series.points.empty()) continue;
         plot.series.push_back(std::move(series));
         if (!is_discretisation(scheme)) front.label += (left_out++ == 0 ? " without " : ", ") + scheme;
     }
     if (!front.points.empty()) plot.series.push_back(std::move(front));
-    if (below) {
-        const auto [first, last] = std::minmax_element(times.begin(), times.end());
-        plot.y_range = study::PlotRange{floor / 3, 3 * largest_error};
-        plot.series.push_back({.label = "1e-14 or less",
-                               .points = {{*first, floor}, {*last, floor}},
-                               .markers = false,
-                               .reference = true});
-    }
+    study::raise_to_drawn(plot, floor);
     return plot;
 }
 
@@ -88,23 +74,24 @@ study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, co
 study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<study::Row>& rows,
                      const std::vector<Point>& points) {
     constexpr std::size_t most = 3;
-    const auto has_times = [&](const Quantity& quantity) {
+    const auto has_points = [&](const Quantity& quantity) {
         return std::any_of(rows.begin(), rows.end(), [&](const study::Row& cells) {
-            return cells[2].text() == quantity.name && cells[4].number().has_value();
+            return cells[2].text() == quantity.name && cells[3].number() && cells[4].number();
         });
     };
     const auto is_usual = [](const Quantity& quantity) {
         return quantity.name == "c11" || quantity.name == "c11_z5" || quantity.name == "friction_force";
     };
     std::vector<Quantity> all, shown;
-    std::copy_if(quantities.begin(), quantities.end(), std::back_inserter(all), has_times);
+    std::copy_if(quantities.begin(), quantities.end(), std::back_inserter(all), has_points);
     if (all.empty()) all.push_back(quantities.front());
     if (all.size() > most) std::copy_if(all.begin(), all.end(), std::back_inserter(shown), is_usual);
     if (shown.empty()) shown.assign(all.begin(), all.begin() + std::ptrdiff_t(std::min(most, all.size())));
 
     study::Plot plot = panel(shown.front(), rows, points);
-    if (shown.size() < all.size()) {
-        plot.title += " (" + std::to_string(shown.size()) + " of " + std::to_string(all.size()) + " quantities drawn)";
+    if (shown.size() < quantities.size()) {
+        plot.title +=
+            " (" + std::to_string(shown.size()) + " of " + std::to_string(quantities.size()) + " quantities drawn)";
     }
     for (std::size_t i = 1; i < shown.size(); ++i) plot.beside.push_back(panel(shown[i], rows, points));
     return plot;

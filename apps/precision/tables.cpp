@@ -1,7 +1,6 @@
 // The rows of precision_study, read again for --front, the file of --cheapest, and the lines of --recommend.
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -110,7 +109,6 @@ void write_cheapest(study::OutputFile& file, const std::vector<Point>& points,
             }
         }
     }
-    file.commit();
 }
 
 void print_recommendations(const study::Options& options) {
@@ -120,12 +118,13 @@ void print_recommendations(const study::Options& options) {
         if (name != "recommend" && name != "a-over-b") options.ignored(name, "with --recommend");
     }
     const double a_over_b = options.number("a-over-b", study::between(0.1, 25));
+    study::OutputFile output = study::OutputFile::standard_output();
     const auto print = [&](const char* purpose, const auto& line) {
-        std::cout << "# " << purpose << "\n";
+        output.write(std::string("# ") + purpose + "\n");
         try {
-            std::cout << line() << "\n";
+            output.write(line() + "\n");
         } catch (const std::invalid_argument&) {
-            std::cout << "# none: so small an error was not measured\n";
+            output.write("# none: so small an error was not measured\n");
         }
     };
     const auto states = [&](rollbem::Purpose::Adhesion purpose) {
@@ -161,6 +160,7 @@ void print_recommendations(const study::Options& options) {
     const double any = std::numeric_limits<double>::infinity();
     print("friction on a patch, any creepages and spin, forces over mu N", [&] { return patch(any); });
     print("the same without spin", [&] { return patch(0); });
+    output.commit();
 }
 
 }  // namespace precision

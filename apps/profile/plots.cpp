@@ -8,7 +8,7 @@
 
 namespace profile {
 
-study::Plot draw_patches(const std::vector<Drawn>& patches) {
+study::Plot draw_patches(const std::vector<Drawn>& patches, std::size_t without) {
     std::vector<study::Plot> panels;
     for (const auto& [left, patch] : patches) {
         const double sign = left ? -1 : 1;
@@ -51,6 +51,10 @@ study::Plot draw_patches(const std::vector<Drawn>& patches) {
         study::fit_to_scale(plot);
         panels.push_back(std::move(plot));
     }
+    if (without > 0 && !panels.empty()) {
+        panels.back().title +=
+            "; " + std::to_string(without) + (without == 1 ? " row has" : " rows have") + " no patch";
+    }
     return study::side_by_side(std::move(panels));
 }
 
@@ -67,14 +71,22 @@ study::Plot draw_contact_points(const rollbem::WheelOnRail& wheel, const std::ve
                          .x_label = "y from the rail's top, field side to the right [mm]",
                          .y_label = "z [mm]"};
         study::Series joined{.label = "contact points", .style = 1};
+        std::size_t all = 0, without = 0;
         for (const study::Row& row : rows) {
-            if (row[study::index_of(columns, "side")].text() != side || !number(row, "load")) continue;
+            if (row[study::index_of(columns, "side")].text() != side) continue;
+            ++all;
+            if (!number(row, "load")) {
+                ++without;
+                continue;
+            }
             joined.points.emplace_back(1e3 * *number(row, "rail_y"), 1e3 * *number(row, "z"));
             joined.points.emplace_back(offset + 1e3 * *number(row, "wheel_y"),
                                        1e3 * (*number(row, "rolling_radius") - wheel.dimensions().radius) - apart);
             joined.points.emplace_back(std::nan(""), 0);
         }
-        if (joined.points.empty()) continue;
+        if (all == 0) continue;
+        if (without > 0)
+            plot.title += "; " + std::to_string(without) + " of " + std::to_string(all) + " rows have none";
         const auto curve = [&](const rollbem::Profile& profile, double dy, double dz, const char* label) {
             study::Series series{.label = label, .markers = false, .reference = true};
             for (Eigen::Index i = 0; i < profile.size(); ++i) {

@@ -59,8 +59,9 @@ struct Drawn {
     rollbem::RailPatch patch;  ///< as on the right wheel
 };
 
-/// Patches from above: pressures in steps of a fifth of the largest one, and outlines.
-study::Plot draw_patches(const std::vector<Drawn>& patches);
+/// Patches from above: pressures in steps of a fifth of the largest one, and outlines; the last title counts rows
+/// `without` a patch.
+study::Plot draw_patches(const std::vector<Drawn>& patches, std::size_t without);
 
 /// Wheel above rail, and lines that join where they touch, one for each row.
 study::Plot draw_contact_points(const rollbem::WheelOnRail& wheel, const std::vector<std::string>& columns,

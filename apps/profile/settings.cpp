@@ -85,7 +85,7 @@ void add_options(study::Options& options) {
     options.add("shear-yield", "K", "with --friction: yield stress in shear, for the fatigue index [Pa]", "3e8");
     options.group("Result");
     options.add_folder("outline", "also write outlines and pressures of all patches into this folder, for patch_study");
-    options.add("wear", "FILE", "with --friction: also write frictional work over both profiles to this CSV file");
+    options.add_output("wear", "with --friction: also write frictional work over both profiles to this CSV file");
     options.footer(help);
     options.set_conventions(
         "axes = \"track axes: x forward, y to the right, z down; patches: x, s along y turned by the angle, n into the "

@@ -25,7 +25,6 @@ std::string contents(const Options& options, const std::string& name) {
     options.require(from.good() || from.eof(), name,
                     std::string("be a file that can be read: ") + std::strerror(errno));
     const std::string text = read.str();
-    options.note_input(name, text);
     return text.rfind("\xEF\xBB\xBF", 0) == 0 ? text.substr(3) : text;
 }
 

@@ -1,29 +1,12 @@
 // The files that options name: configurations, inputs and what is written.
-#include <cstdio>
 #include <filesystem>
-#include <iomanip>
-#include <sstream>
-
-#include <rollbem/detail/checked_stream.hpp>
 
 #include "input.hpp"
 #include "options.hpp"
+#include "output.hpp"
 #include "sidecar.hpp"
 
 namespace study {
-
-namespace {
-
-/// By which a changed text is noticed: FNV-1a.
-std::string checksum(std::string_view text) {
-    rollbem::detail::Fnv1a hash;
-    hash.add(text.data(), text.size());
-    std::ostringstream result;
-    result << "fnv1a64:" << std::hex << std::setw(16) << std::setfill('0') << hash.value();
-    return result.str();
-}
-
-}  // namespace
 
 std::vector<std::pair<std::string, std::string>> Options::given_values() const {
     std::vector<std::pair<std::string, std::string>> result;
@@ -34,21 +17,9 @@ std::vector<std::pair<std::string, std::string>> Options::given_values() const {
     return result;
 }
 
-void Options::note_input(const std::string& name, std::string_view contents) const {
-    if (name == "config") return;
-    const std::string text = checksum(contents);
-    const auto expected = expected_.find(name);
-    if (expected != expected_.end() && expected->second != text) {
-        std::fprintf(stderr, "%s: %s is not as it was in the run that %s repeats\n", program_.c_str(),
-                     said(name).c_str(), said("config").c_str());
-    }
-    inputs_[name] = text;
-}
-
 void Options::read_config() {
     Config config = study::read_config(contents(*this, "config"), said("config"));
     replays_ = config.is_sidecar;
-    expected_ = std::move(config.inputs);
     if (replays_ && !config.program.empty() && config.program != program_) {
         throw BadInput(said("config") + ": program = " + config.program + " must be " + program_ +
                        ", whose run this is to repeat");
@@ -77,11 +48,8 @@ void Options::check_files() const {
         return path != "-" && std::filesystem::is_character_file(path, error);
     };
     const auto add = [&](const std::string& path, const std::string& said, bool written) {
-        std::error_code error;
         if (is_device(path)) return;
-        const std::string key =
-            path == "-" ? (written ? "standard output" : "standard input")
-                        : std::filesystem::weakly_canonical(std::filesystem::absolute(path), error).string();
+        const std::string key = path != "-" ? place_of(path) : written ? "standard output" : "standard input";
         const auto [found, is_new] = names.emplace(key, said);
         if (!is_new) throw BadInput(said + " must not be the same file as " + found->second);
     };

@@ -12,11 +12,18 @@
 #include "build_info.hpp"
 #include "csv.hpp"
 #include "input.hpp"
+#include "output.hpp"
 #include "sidecar.hpp"
 
 namespace study {
 
 namespace {
+
+std::vector<std::string> grading_options() {
+    std::vector<std::string> names;
+    for (const rollbem::GradingInfo& known : rollbem::gradings) names.push_back(option_of(known.name));
+    return names;
+}
 
 /// "--one, --two or --three"; of NAME=VALUE "--name one or two".
 std::string dashed(std::vector<std::string> modes, const std::string& last) {
@@ -35,6 +42,11 @@ std::vector<std::string> mesh_names() {
     std::vector<std::string> names;
     for (const rollbem::TopologyInfo& known : rollbem::topologies) names.emplace_back(known.name);
     return names;
+}
+
+std::string option_of(std::string column) {
+    std::replace(column.begin(), column.end(), '_', '-');
+    return column;
 }
 
 Options::Options(std::string program, const std::string& purpose)
@@ -60,16 +72,21 @@ Options::Options(std::string program, const std::string& purpose)
               "precedence. Every input FILE may be -, standard input");
 
     group("Discretisation");
-    not_with({"mesh", "edges", "size-ratio", "epsilon", "derivative"}, "method=chebyshev", ", which has no elements");
+    not_with(joined<std::string>(joined<std::string>({"mesh", "edges"}, grading_options()), {"derivative"}),
+             "method=chebyshev", ", which has no elements");
     add("n", "LIST", "number of elements of the contact, 1 to 100000 (dimensionless)", "20,40,60").not_with("edges");
     add("mesh", "NAME", listed(mesh_names(), "or"), "uniform").not_with("edges");
     add_input("edges", "instead of --mesh and --n: edges x/a from -1 to 1, one per line (dimensionless)");
-    add("size-ratio", "LIST", "dx_trailing / dx_leading, 1e-12 to 1e12 (dimensionless)", "2")
-        .not_with("edges")
-        .only_with({"mesh=geometric"});
-    add("epsilon", "LIST", "size of the end element over that of an inner one, 1e-12 to 1e12 (dimensionless)", "0.4")
-        .not_with("edges")
-        .only_with({"mesh=knothe", "mesh=modified-knothe"});
+    for (const rollbem::GradingInfo& grading : rollbem::gradings) {
+        std::vector<std::string> meshes;
+        for (const rollbem::TopologyInfo& known : rollbem::topologies) {
+            if (known.grading == grading.name) meshes.push_back(std::string("mesh=") + known.name);
+        }
+        const std::string meaning = grading.meaning;
+        add(option_of(grading.name), "LIST", meaning + ", 1e-12 to 1e12 (dimensionless)", Cell(grading.usual).text())
+            .not_with("edges")
+            .only_with(meshes);
+    }
     add("method", "NAME",
         "collocation, galerkin, knothe-bc (Knothe and Gross-Thebing's boundary conditions) or nodes (differences "
         "between the --nodes of neighbouring elements)",
@@ -277,7 +294,7 @@ int run_guarded(const std::string& program, const std::function<int()>& body) {
         return code;
     };
     gsl_set_error_handler_off();  // the default handler aborts the program
-    ignore_write_signals();
+    handle_signals();
     try {
         return body();
     } catch (const std::invalid_argument& error) {

@@ -92,6 +92,9 @@ std::string listed(const std::vector<std::string>& words, const std::string& las
 /// What --mesh may be.
 std::vector<std::string> mesh_names();
 
+/// The option that sets what a column of this name shows: "size-ratio" for size_ratio.
+std::string option_of(std::string column);
+
 class Options {
 public:
     /// Declares the options all studies share. `purpose` is the first line of --help.
@@ -215,13 +218,6 @@ public:
     /// the run.
     std::vector<std::pair<std::string, std::string>> given_values() const;
 
-    /// Every file read so far except that of --config, by option, with its checksum.
-    const std::map<std::string, std::string>& inputs() const { return inputs_; }
-
-    /// To be called with the contents of each file that is read. Says on standard error if this run repeats another one
-    /// and the contents were different.
-    void note_input(const std::string& name, std::string_view contents) const;
-
 private:
     enum class Kind { value, flag, input, output, table, folder };
 
@@ -270,9 +266,7 @@ private:
     std::map<std::string, Entry> entries_;
     std::vector<Limit> limits_;
     std::vector<std::string> words_;
-    bool replays_ = false;                         ///< --config is the file beside a CSV file
-    std::map<std::string, std::string> expected_;  ///< checksums of the run to repeat, by option
-    mutable std::map<std::string, std::string> inputs_;
+    bool replays_ = false;  ///< --config is the file beside a CSV file
 };
 
 /// body(), which returns the exit code of a program; exceptions become exit codes and one line on standard error.

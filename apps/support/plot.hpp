@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "csv.hpp"
+#include "options.hpp"
 
 namespace study {
 
@@ -16,8 +17,8 @@ namespace study {
 /// and head of arrows.
 enum class Shape { curve, rectangles, arrows };
 
-/// A line of the plot, interrupted at points that are not finite or have no place on a logarithmic axis. A line of one
-/// point gets a marker. Labels use gnuplot's enhanced text: x_1 is a subscript.
+/// A line of the plot, interrupted at points that are not finite or have no place on a logarithmic axis. The title counts
+/// those, except where x alone is not a number, which only ends a line. A point without a neighbour gets a marker. Labels use gnuplot's enhanced text: x_1 is a subscript.
 struct Series {
     std::string label{};
     std::vector<std::pair<double, double>> points{};
@@ -26,6 +27,7 @@ struct Series {
     bool open = false;                   ///< markers, which then show what lies below them
     std::optional<std::size_t> style{};  ///< index of colour, dashes and markers; by default each series has its own
     bool reference = false;              ///< such as exact values: black, and drawn however many curves there are
+    bool alarm = false;                  ///< such as modes that grow: crosses on other markers, drawn in any case
     Shape shape = Shape::curve;
 };
 
@@ -35,14 +37,6 @@ inline constexpr std::size_t most_curves = 12;
 /// How pictures name a column: "α_T" for alpha_T.
 std::string shown_name(const std::string& column);
 
-/// Relative errors below this are round-off, or 0, which a logarithmic axis cannot show.
-inline constexpr double least_drawn = 1e-16;
-
-struct Plot;
-
-/// Raises smaller values of y to it: a logarithmic axis has no zero, and results can be exact.
-void raise_to_drawn(Plot& plot);
-
 struct PlotRange {
     double low, high;  ///< the other way round if the axis points left or down
 };
@@ -51,11 +45,17 @@ struct Plot {
     std::string title{}, x_label{}, y_label{};
     bool log_x = false, log_y = false;
     int log_base = 10;                              ///< of the marks on a logarithmic x axis
-    std::optional<PlotRange> x_range{}, y_range{};  ///< of the axes; by default all points
+    double linear_within = 0;                       ///< if > 0: both axes, with ranges, are logarithmic beyond, +-
+    std::optional<PlotRange> x_range{}, y_range{};  ///< of the axes; by default all points; what lies beyond is marked
+    bool x_is_part = false;                         ///< x_range is a part, as the title says: beyond, nothing is marked
     bool true_scale = false;                        ///< a length is as long along either axis; takes ranges
     std::vector<Series> series{};
     std::vector<Plot> beside{};  ///< panels to the right of this one
 };
+
+/// Raises smaller values of y to `least`, and marks that as a line: a logarithmic axis has no zero, and results can be
+/// exact.
+void raise_to_drawn(Plot& plot, double least = 1e-16);
 
 /// Draws lengths to scale, in ranges with a margin around all points; y points down.
 void fit_to_scale(Plot& plot);

@@ -1,7 +1,9 @@
 #include "runs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -37,19 +39,41 @@ Steps read_steps(const Options& options) {
     return {dq, static_cast<std::size_t>(count)};
 }
 
-std::string word(rollbem::Integrator integrator) {
-    switch (integrator) {
-        case rollbem::Integrator::implicit_euler: return "implicit-euler";
-        case rollbem::Integrator::sdirk2: return "sdirk2";
-        case rollbem::Integrator::matrix_exponential: break;
-    }
-    return "exponential";
+namespace {
+
+/// The first is the default.
+const std::array<NamedIntegrator, 3> integrators{{
+    {rollbem::Integrator::sdirk2, "sdirk2", "second order", 2, true},
+    {rollbem::Integrator::implicit_euler, "implicit-euler", "first order", 1, true},
+    {rollbem::Integrator::matrix_exponential, "exponential", "exact for creepage linear over a step", 2, false},
+}};
+
+std::vector<NamedIntegrator> integrators_for(bool friction) {
+    std::vector<NamedIntegrator> found;
+    std::copy_if(integrators.begin(), integrators.end(), std::back_inserter(found),
+                 [=](const NamedIntegrator& each) { return each.friction || !friction; });
+    return found;
 }
 
-rollbem::Integrator read_integrator(const Options& options, const std::vector<rollbem::Integrator>& allowed) {
+}  // namespace
+
+const NamedIntegrator& named(rollbem::Integrator integrator) {
+    return *std::find_if(integrators.begin(), integrators.end(),
+                         [=](const NamedIntegrator& each) { return each.integrator == integrator; });
+}
+
+Options::Added add_integrator(Options& options, bool friction) {
     std::vector<std::string> words;
-    for (const rollbem::Integrator integrator : allowed) words.push_back(word(integrator));
-    return allowed[index_of(words, options.choice("integrator", words))];
+    for (const NamedIntegrator& each : integrators_for(friction))
+        words.push_back(each.word + " (" + each.meaning + ")");
+    return options.add("integrator", "NAME", listed(words, "or"), integrators.front().word);
+}
+
+rollbem::Integrator read_integrator(const Options& options, bool friction) {
+    const std::vector<NamedIntegrator> known = integrators_for(friction);
+    std::vector<std::string> words;
+    for (const NamedIntegrator& each : known) words.push_back(each.word);
+    return known[index_of(words, options.choice("integrator", words))].integrator;
 }
 
 double interpolate(const Numbers& places, const Numbers& values, double q, bool behind) {
@@ -89,14 +113,13 @@ void add_run_options(Options& options, const std::string& load, const std::strin
     options.add_flag("breathing", breathing).only_with({"load-sine", "load"}, ": the contact does not change");
     options.add("from", "rest|steady", "the state that the run starts from", "rest").only_with({"transient"});
     add_steps(options, "transient");
-    options.add("integrator", "NAME", "sdirk2 (second order) or implicit-euler (first)", "sdirk2")
-        .only_with({"transient"});
+    add_integrator(options, true).only_with({"transient"});
 }
 
 RunSettings::RunSettings(const Options& options)
     : steps(read_steps(options)),
       from_steady(options.choice("from", {"rest", "steady"}) == "steady"),
-      integrator(read_integrator(options, {rollbem::Integrator::sdirk2, rollbem::Integrator::implicit_euler})) {}
+      integrator(read_integrator(options, true)) {}
 
 std::optional<LoadHistory> read_load_history(const Options& options, double until, const std::string& further) {
     const bool breathing = options.flag("breathing"), by_sine = options.given("load-sine");

@@ -38,11 +38,19 @@ struct Steps {
 void add_steps(Options& options, const std::string& mode = "");
 Steps read_steps(const Options& options);
 
-/// The name of an integrator in options and columns.
-std::string word(rollbem::Integrator integrator);
+/// An integrator as options and columns name it; all of them are in runs.cpp.
+struct NamedIntegrator {
+    rollbem::Integrator integrator;
+    std::string word, meaning;
+    int order;      ///< of works summed over steps
+    bool friction;  ///< models with friction take it
+};
+const NamedIntegrator& named(rollbem::Integrator integrator);
+inline std::string word(rollbem::Integrator integrator) { return named(integrator).word; }
 
-/// --integrator, one of those `allowed`. Throws BadInput.
-rollbem::Integrator read_integrator(const Options& options, const std::vector<rollbem::Integrator>& allowed);
+/// Declares --integrator, and reads it; with `friction`, one of those that models with friction take. Throws BadInput.
+Options::Added add_integrator(Options& options, bool friction);
+rollbem::Integrator read_integrator(const Options& options, bool friction);
 
 /// Further words of columns called status.
 inline constexpr const char* unresolved = "unresolved";        ///< a sine with fewer than six steps in a period

@@ -33,10 +33,9 @@ std::vector<std::vector<Scene>> discretised(const Options& options, const Scene&
     const std::string name = options.choice("mesh", mesh_names());
     const rollbem::Topology topology = *rollbem::topology_named(name);
     const rollbem::TopologyInfo& info = rollbem::topology_info(topology);
-    const bool by_ratio = info.grading == "size_ratio";
-    const bool by_epsilon = info.grading == "epsilon";
     std::vector<double> gradings{0};  // without effect if the mesh has none
-    if (by_ratio || by_epsilon) gradings = options.numbers(by_ratio ? "size-ratio" : "epsilon", between(1e-12, 1e12));
+    const bool graded = !info.grading.empty();
+    if (graded) gradings = options.numbers(option_of(std::string(info.grading)), between(1e-12, 1e12));
     for (const Eigen::Index n : options.integers("n", 1, largest_n)) {
         if (n < info.least_n) {
             throw BadInput("--n = " + std::to_string(n) + " must be at least " + std::to_string(info.least_n) +
@@ -46,8 +45,7 @@ std::vector<std::vector<Scene>> discretised(const Options& options, const Scene&
         for (const double grading : gradings) {
             Scene& scene = scenes.back().emplace_back(common);
             scene.mesh = std::make_shared<rollbem::Mesh<double>>(rollbem::make_mesh(topology, n, grading));
-            if (by_ratio) scene.size_ratio = grading;
-            if (by_epsilon) scene.epsilon = grading;
+            if (graded) scene.grading = grading;
         }
     }
     return scenes;
@@ -106,11 +104,12 @@ Cell scene_cell(const Scene& scene, const std::string& column) {
         {"kernel", [](const Scene& s) { return Cell(s.is_plane() ? "plane" : "strip"); }},
         {"aspect", [](const Scene& s) { return aspect_cell(s.contact); }},
         {"poisson", [](const Scene& s) { return Cell(s.contact.poisson_ratio()); }},
-        {"size_ratio", [](const Scene& s) { return Cell(s.size_ratio); }},
-        {"epsilon", [](const Scene& s) { return Cell(s.epsilon); }},
         {"quadrature", [](const Scene& s) { return Cell(s.quadrature); }},
         {"nodes", [](const Scene& s) { return Cell(s.nodes); }}};
-    return cells.at(column)(scene);
+    const auto found = cells.find(column);
+    if (found != cells.end()) return found->second(scene);
+    const std::optional<rollbem::Topology> topology = rollbem::topology_named(scene.mesh_name);
+    return topology && rollbem::topology_info(*topology).grading == column ? Cell(scene.grading) : Cell();
 }
 
 Cell aspect_cell(const rollbem::Contact<double>& contact) {

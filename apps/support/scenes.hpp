@@ -30,7 +30,7 @@ enum class Methods { elements, elements_and_states };
 struct Scene {
     std::string method, derivative{}, mesh_name{};         ///< the latter two empty where the method has none
     std::optional<double> alpha_L{}, alpha_T{}, lambda{};  ///< [-]; empty where the method has none
-    std::optional<double> size_ratio{}, epsilon{};         ///< [-]; empty where the mesh has none
+    std::optional<double> grading{};                       ///< [-]; empty where the mesh has none
     std::string quadrature{};                              ///< a number of points or exact; empty except for galerkin
     std::string nodes{};                                   ///< empty except for nodes
     rollbem::Contact<double> contact;                      ///< a = G = 1
@@ -53,8 +53,12 @@ Cell scene_cell(const Scene& scene, const std::string& column);
 /// The scheme of a scene with elements, by its names and alphas.
 rollbem::AnyScheme scheme_of(const Scene& scene);
 
-/// The columns that tell scenes apart behind the others, separated by commas.
-inline constexpr const char* settings = "kernel,aspect,poisson,size_ratio,epsilon,quadrature,nodes";
+/// The columns that tell scenes apart behind the others, separated by commas; among them those of the gradings.
+inline const std::string settings = [] {
+    std::string names = "kernel,aspect,poisson";
+    for (const rollbem::GradingInfo& grading : rollbem::gradings) names += std::string(",") + grading.name;
+    return names + ",quadrature,nodes";
+}();
 
 /// The names in such a text.
 std::vector<std::string> columns_of(const std::string& text);

@@ -79,9 +79,6 @@ Config read_config(const std::string& text, const std::string& said) {
         const toml::table* given = all["given"].as_table();
         config.is_sidecar = given != nullptr;
         config.program = all["program"].value_or(std::string());
-        if (const toml::table* inputs = config.is_sidecar ? all["inputs"].as_table() : nullptr) {
-            for (const auto& [name, checksum] : *inputs) config.inputs[std::string(name.str())] = text_of(checksum);
-        }
         for (const auto& [name, node] : config.is_sidecar ? *given : all) {
             config.settings.push_back(setting_of(std::string(name.str()), node, said));
         }
@@ -93,9 +90,8 @@ Config read_config(const std::string& text, const std::string& said) {
 }
 
 std::string sidecar_text(const Options& options) {
-    toml::table given, inputs;
+    toml::table given;
     for (const auto& [name, value] : options.given_values()) given.insert(name, value);
-    for (const auto& [name, checksum] : options.inputs()) inputs.insert(name, checksum);  // FNV-1a of the contents
     toml::table all{{"program", options.program()},
                     {"command_line", shell_quoted(options.words())},
                     {"version", build_info::version},
@@ -107,7 +103,6 @@ std::string sidecar_text(const Options& options) {
                                           {"eigen", build_info::eigen},
                                           {"gsl", gsl_version}}},
                     {"machine", toml::table{{"cpu", cpu_name()}}}};
-    if (!inputs.empty()) all.insert("inputs", inputs);
     std::ostringstream text;
     text << toml::toml_formatter(all, toml::format_flags::allow_unicode_strings) << "\n\n[conventions]\n"
          << (options.conventions().empty() ? conventions : options.conventions());

@@ -2,7 +2,6 @@
 // with its options in the table [given].
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -19,9 +18,8 @@ struct Setting {
 
 struct Config {
     std::vector<Setting> settings{};
-    bool is_sidecar = false;                      ///< it stands beside a table
-    std::string program{};                        ///< that wrote the sidecar
-    std::map<std::string, std::string> inputs{};  ///< checksums of the files that were read, by option
+    bool is_sidecar = false;  ///< it stands beside a table
+    std::string program{};    ///< that wrote the sidecar
 };
 
 /// Reads the contents of a file, which `said` names in messages. Throws BadInput if they are malformed.

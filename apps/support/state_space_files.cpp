@@ -1,17 +1,16 @@
 #include "state_space_files.hpp"
 
-#include <deque>
-#include <memory>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include <Eigen/Core>
 
 #include <rollbem/compiled/stability.hpp>
 
 #include "csv.hpp"
+#include "progress.hpp"
 #include "sidecar.hpp"
+#include "table.hpp"
 
 namespace study {
 
@@ -28,15 +27,9 @@ std::string reduce(const Options& options, Space& space, const std::string& boun
     space = reduced.space;
     const Eigen::Index kept = space.A.rows(), present = reduced.hankel_singular_values.size();
     const double left_out = kept < present ? reduced.hankel_singular_values[kept] : 0;
-    return "x = \"of a balanced reduction, whose steady state is exact\"\n"
-           "states = " +
-           std::to_string(kept) +
-           "\n"
-           "largest_hankel_singular_value_left_out = " +
-           Cell(left_out).text() +
-           "\n"
-           "error_bound = " +
-           Cell(reduced.error_bound).text() + "  # of " + bounded + ", at every frequency\n";
+    return "x = \"of a balanced reduction, whose steady state is exact\"\nstates = " + std::to_string(kept) +
+           "\nlargest_hankel_singular_value_left_out = " + Cell(left_out).text() +
+           "\nerror_bound = " + Cell(reduced.error_bound).text() + "  # of " + bounded + ", at every frequency\n";
 }
 
 /// Plain numbers, comma-separated, one row a line.
@@ -65,13 +58,14 @@ void add_state_space_options(Options& options, const std::string& what) {
     options.not_with({"shard"}, "state-space", ": every part would write it");
 }
 
-std::function<void()> state_space_writer(const Options& options, std::size_t count, const std::function<Space()>& make,
-                                         const StateSpaceWords& words) {
+void write_state_space(const Options& options, OutputFiles& files, std::size_t count,
+                       const std::function<Space()>& make, const StateSpaceWords& words) {
     const std::string said = options.said("state-space"), folder = options.text("state-space");
     if (count != 1) {
         throw BadInput(said + " must go with one " + words.one + "; the values of " + words.lists + " make " +
                        std::to_string(count));
     }
+    Progress progress(options.program(), 1, shows_progress(options), "state spaces");
     Space space;
     try {
         space = make();
@@ -82,22 +76,16 @@ std::function<void()> state_space_writer(const Options& options, std::size_t cou
     }
     const std::string meaning =
         options.given("states") ? reduce(options, space, words.bounded) : "x = \"" + words.states + "\"\n";
-    make_folder(folder, "--state-space");
-    const std::pair<const char*, std::string> texts[] = {
-        {"A.csv", text_of(space.A)},
-        {"B.csv", text_of(space.B)},
-        {"C.csv", text_of(space.C)},
-        {"D.csv", text_of(space.D)},
-        {"state_space.toml", sidecar_text(options) + "\n[state_space]\n" + words.conventions + meaning}};
-    const auto files = std::make_shared<std::deque<OutputFile>>();
-    for (const auto& [name, text] : texts) {
-        files->emplace_back(folder + "/" + name, "--state-space");
-        files->back().write(text);
-        files->back().flush();
-    }
-    return [files] {
-        for (OutputFile& file : *files) file.commit();
+    progress.clear();
+    files.make_folder(folder, "--state-space");
+    const auto add = [&](const char* file, const std::string& text) {
+        files.add(folder + "/" + file, "--state-space", text);
     };
+    add("A.csv", text_of(space.A));
+    add("B.csv", text_of(space.B));
+    add("C.csv", text_of(space.C));
+    add("D.csv", text_of(space.D));
+    add("state_space.toml", sidecar_text(options) + "\n[state_space]\n" + words.conventions + meaning);
 }
 
 }  // namespace study

@@ -8,6 +8,7 @@
 #include <rollbem/adhesion/state_space.hpp>
 
 #include "options.hpp"
+#include "output.hpp"
 
 namespace study {
 
@@ -23,12 +24,11 @@ struct StateSpaceWords {
     std::string bounded;      ///< what the bound of the reduction's error is of
 };
 
-/// Writes A.csv, B.csv, C.csv, D.csv and state_space.toml of the one of `count` cases, whose equations `make` returns.
-/// They are found, and the files opened and filled, before the function is returned, which gives them their names.
-/// Throws BadInput if there are several cases, no equations (`make` throws std::invalid_argument), a file that cannot be
-/// opened, or if a system to be reduced does not decay; WriteError where the disk is full.
-std::function<void()> state_space_writer(const Options& options, std::size_t count,
-                                         const std::function<rollbem::StateSpace<double>()>& make,
-                                         const StateSpaceWords& words);
+/// Adds A.csv, B.csv, C.csv, D.csv and state_space.toml of the one of `count` cases, whose equations `make` returns, to
+/// the files of the run. Throws BadInput if there are several cases, no equations (`make` throws
+/// std::invalid_argument), a file that cannot be opened, or if a system to be reduced does not decay; WriteError where
+/// the disk is full.
+void write_state_space(const Options& options, OutputFiles& files, std::size_t count,
+                       const std::function<rollbem::StateSpace<double>()>& make, const StateSpaceWords& words);
 
 }  // namespace study

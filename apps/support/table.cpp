@@ -6,8 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include <unistd.h>
-
 #include <rollbem/detail/parallel_for.hpp>
 
 #include "input.hpp"
@@ -77,14 +75,9 @@ std::size_t job_count(const Options& options) { return static_cast<std::size_t>(
 
 bool has_times(const Options& options) { return job_count(options) == 1 && !options.flag("no-timing"); }
 
-bool shows_progress(const Options& options) {
-    const bool to_file = options.given("output") && options.text("output") != "-";
-    return !options.flag("quiet") && (to_file || isatty(STDOUT_FILENO) == 0);
-}
-
 bool has_header(const Options& options) { return shard_of(options).first == 1; }
 
-void write_table(const Options& options, const Table& table) {
+void write_table(const Options& options, const Table& table, OutputFiles& files) {
     const std::size_t jobs = job_count(options);
     const auto [index, count] = shard_of(options);
     const bool plots = options.given("plot");
@@ -92,7 +85,7 @@ void write_table(const Options& options, const Table& table) {
 
     // 1. Every file is opened first, so that an output that cannot be written costs no computing time.
     const std::string header = index == 1 ? csv_line(Row(table.columns.begin(), table.columns.end())) : "";
-    TableFile file(options, "output", header, table.resumable);
+    OutputFile& file = files.open_table(options, "output", header);
     std::optional<OutputFile> drawing;
     if (plots) drawing.emplace(options.text("plot"), "--plot");
 
@@ -100,9 +93,7 @@ void write_table(const Options& options, const Table& table) {
     std::size_t total = 0;
     for (const std::size_t rows : table.rows_of_task) total += rows;
     const RowRange wanted{total * (index - 1) / count, total * index / count};
-    std::vector<std::string> lines = file.found();  // for table.accept
-    std::size_t written = std::min(lines.size(), wanted.last - wanted.first);
-    const std::vector<Task> tasks = tasks_of(table, {wanted.first + written, wanted.last});
+    const std::vector<Task> tasks = tasks_of(table, wanted);
     const bool shows = shows_progress(options);
     if (table.prepare) {
         std::vector<std::size_t> indices;
@@ -111,31 +102,27 @@ void write_table(const Options& options, const Table& table) {
         table.prepare(indices, [&](double part) { preparing.update(static_cast<std::size_t>(100 * part)); });
     }
     Progress progress(options.program(), wanted.last - wanted.first, shows);
+    std::size_t written = 0;
     std::vector<Row> kept;
     const auto compute = [&](const Task& task, const Emit& emit) {
         if (table.label) progress.doing(table.label(task.index));
         table.compute(task.index, task.range, emit);
     };
     const auto emit = [&](Row row) {
-        const std::string line = csv_line(row);
-        file.rows().write(line);
-        file.rows().flush();
-        if (table.accept) lines.push_back(line);
+        const auto write = [&] {
+            file.write(csv_line(row));
+            file.flush();
+        };
+        file.is_terminal() ? progress.beside(write) : write();
         progress.update(++written);
         if (plots) kept.push_back(std::move(row));
     };
-    try {
-        compute_in_order(tasks, jobs, compute, emit);
-    } catch (const WriteError&) {
-        if (table.resumable) file.keep_part();
-        throw;
-    }
+    compute_in_order(tasks, jobs, compute, emit);
     progress.clear();
 
     // 3. The files take their names.
-    if (table.accept) table.accept(lines);
-    file.commit();
-    if (table.written) table.written();
+    if (table.finish) table.finish();
+    files.commit();
     if (plots) {
         drawing->write(picture(table.plot(kept), png, drawing->path()));
         drawing->commit();

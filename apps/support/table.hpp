@@ -10,6 +10,7 @@
 
 #include "csv.hpp"
 #include "options.hpp"
+#include "output.hpp"
 #include "plot.hpp"
 
 namespace study {
@@ -29,15 +30,12 @@ struct Table {
     /// 0 ... 1.
     std::function<void(const std::vector<std::size_t>& tasks, const std::function<void(double part)>& done)> prepare{};
     std::function<void(std::size_t task, RowRange range, const Emit& emit)> compute;  ///< emits just these rows
-    /// If set, called when the file of the rows has its name, to write files that belong to it.
-    std::function<void()> written{};
+    /// If set, called when all rows are computed, to write what else belongs to the files of the run. If it throws, no
+    /// file takes its name.
+    std::function<void()> finish{};
     std::function<Plot(const std::vector<Row>& rows)> plot;  ///< for --plot
     /// If set, what a task computes, e.g. "n = 20", for the progress line.
     std::function<std::string(std::size_t task)> label{};
-    /// Whether the same run goes on after the rows that an interrupt left in FILE.part. Not with `plot`.
-    bool resumable = false;
-    /// If set, called with all rows, as lines of CSV, before the file of the rows takes its name: BadInput leaves none.
-    std::function<void(const std::vector<std::string>& lines)> accept{};
 };
 
 /// A table with a task of `rows` rows for each of `cases`, which have a label() and must outlive it.
@@ -56,14 +54,18 @@ std::size_t job_count(const Options& options);
 /// Whether rows have times: one job, which no other disturbs, and no --no-timing.
 bool has_times(const Options& options);
 
-/// Whether a progress line is wanted: not with --quiet, nor if the rows themselves show the progress.
-bool shows_progress(const Options& options);
+/// Whether a progress line is wanted: not with --quiet.
+inline bool shows_progress(const Options& options) { return !options.flag("quiet"); }
 
 /// Whether this run writes the header: of all shards, only the first does.
 bool has_header(const Options& options);
 
-/// Writes the table to --output, with its companion file, and draws it. Throws BadInput before it computes anything,
-/// WriteError, or PlotError when the rows are written.
-void write_table(const Options& options, const Table& table);
+/// Writes the table to --output, with its companion file, gives these and `files` their names, and draws it. Throws
+/// BadInput before it computes anything, WriteError, or PlotError when the rows are written.
+void write_table(const Options& options, const Table& table, OutputFiles& files);
+inline void write_table(const Options& options, const Table& table) {
+    OutputFiles files;
+    write_table(options, table, files);
+}
 
 }  // namespace study

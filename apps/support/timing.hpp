@@ -5,14 +5,19 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace study {
 
-/// Median over at least 5 runs of the time of one call [us]. Runs are repeated for 2 ms, at most 51 times, which
-/// steadies the median of short computations. `call` must return a double that depends on what it computed.
+/// What --help says of times.
+inline constexpr const char* median_of_runs = "median of at least 5 runs, one if it takes a second";
+
+/// Median over at least 5 runs of the time of one call [us], or that of the first if it takes `enough` [us]. Runs are
+/// repeated for 2 ms, at most 51 times, which steadies the median of short computations. `call` must return a double
+/// that depends on what it computed.
 template <class Call>
-double median_time_us(const Call& call) {
+double median_time_us(const Call& call, double enough = 1e6) {
     using Clock = std::chrono::steady_clock;
     using Microseconds = std::chrono::duration<double, std::micro>;
     [[maybe_unused]] volatile double kept = 0;  // keeps the optimiser from dropping the computation
@@ -22,7 +27,9 @@ double median_time_us(const Call& call) {
         return Microseconds(Clock::now() - start).count();
     };
     std::size_t calls = 1;
-    while (calls < 4096 && run(calls) < 20) calls *= 2;  // a run lasts some hundred times the clock's overhead
+    double time = run(calls);
+    if (time >= enough) return time;
+    while (calls < 4096 && time < 20) time = run(calls *= 2);  // a run lasts some hundred times the clock's overhead
     std::vector<double> runs;
     double total = 0;
     while (runs.size() < 5 || (total < 2000 && runs.size() < 51)) {
@@ -32,6 +39,14 @@ double median_time_us(const Call& call) {
     const auto middle = runs.begin() + std::ptrdiff_t(runs.size() / 2);
     std::nth_element(runs.begin(), middle, runs.end());
     return *middle / static_cast<double>(calls);
+}
+
+/// The median time [us] of call(), or nothing after one call unless it is `timed`. call() may keep what it computes.
+template <class Call>
+std::optional<double> time_us_if(bool timed, const Call& call) {
+    if (timed) return median_time_us(call);
+    call();
+    return std::nullopt;
 }
 
 }  // namespace study

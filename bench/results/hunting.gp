@@ -1,4 +1,4 @@
-set terminal svg size 860,400 enhanced font 'sans,14' background '#ffffff'
+set terminal svg size 860,400 enhanced font 'sans-serif,14' background '#ffffff'
 set multiplot layout 1,2
 set grid
 set xlabel 'amplitude, mm'

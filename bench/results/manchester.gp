@@ -1,10 +1,11 @@
 set datafile separator ','
-set terminal svg size 1100,430 enhanced font 'sans,14' background '#ffffff'
+set terminal svg size 1100,460 enhanced font 'sans-serif,14' background '#ffffff'
 set multiplot layout 1,2
-set key outside bottom center horizontal
+set key above Left reverse samplen 2
 set grid
 set xlabel 'lateral shift [mm], yaw 2.4 mrad a mm'
 set ylabel 'force on the wheel / (μ N), moment / (μ N c)'
+set xrange [-0.2:10.2]
 set yrange [-1.05:1.05]
 f(s, c) = sprintf('< awk -v rows=1 -F, -f ../manchester/compare.awk ../manchester/contact.csv manchester.csv | awk -F, -v OFS=, "\$1 == \"%s\" { print \$2, \$%d }"', s, c)
 do for [s in 'left right'] {

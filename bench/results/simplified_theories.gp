@@ -1,5 +1,5 @@
 set datafile separator ','
-set terminal svg size 1100,430 enhanced font 'sans,14' background '#ffffff'
+set terminal svg size 1100,430 enhanced font 'sans-serif,14' background '#ffffff'
 set multiplot layout 1,2
 set key bottom right
 set grid

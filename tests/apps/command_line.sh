@@ -8,6 +8,10 @@ traction=$programs/traction_study
 if [ "$(id -u)" -ne 0 ]; then
     mkdir locked && chmod 555 locked
     bad 'must be a file that can be written' "$steady" --output "$scratch/locked/x.csv"
+    mkdir hidden && chmod 000 hidden
+    bad 'must be a file that can be written' "$steady" --output "$scratch/hidden/x.csv"
+    bad 'must be a folder that can be written' "$programs/frequency_study" --n 8 --state-space "$scratch/hidden/x"
+    chmod 700 hidden
 fi
 
 # --help and --version
@@ -35,9 +39,62 @@ echo old >real.csv && ln -s real.csv link.csv
 grep -q '^command_line = ".*--n 10 --output link.csv"$' link.csv.toml || fail "companion file"
 [ -z "$(find . -name '*.part')" ] || fail "temporary files are left"
 
+# two runs on one file: the last to finish wins whole. The first has opened its files and waits for a reader of its
+# plot; as the shell starts it in the background, interrupts are ignored
+mkfifo held.svg
+opened() {
+    tries=0
+    until [ -n "$(find . -name "$1.*.part")" ]; do
+        [ $((tries += 1)) -lt 1000 ] || { fail "$1 is not opened" && return; }
+        sleep 0.01
+    done
+}
+PATH=/nonexistent "$steady" --n 10,20,30 --output both.csv --plot held.svg 2>err &
+first=$!
+opened both.csv
+"$steady" --n 40 --output both.csv --no-timing || fail "the second run on a file"
+[ "$(wc -l <both.csv)" -eq 2 ] && grep -q 'n = "40"' both.csv.toml || fail "the file of the second run"
+"$steady" --config both.csv.toml | cmp -s - both.csv || fail "the second run is not repeated"
+kill -INT $first
+cat held.svg >out
+wait $first
+[ $? -eq 3 ] && grep -q gnuplot err || fail "the first run on a file: $(cat err)"
+[ "$(cut -d, -f4 both.csv | tr '\n' ' ')" = "n 10 20 30 " ] && [ "$(tr -d '\000' <both.csv | wc -c)" -eq "$(wc -c <both.csv)" ] ||
+    fail "the file of the first run: $(cat both.csv)"
+grep -q 'n = "10,20,30"' both.csv.toml && [ "$(ls -d both* | tr '\n' ' ')" = 'both.csv both.csv.toml ' ] ||
+    fail "two runs leave $(ls -d both*)"
+
+# an interrupt leaves nothing, not even a folder
+for signal in INT:130 TERM:143 HUP:129; do
+    folder=${signal%:*}
+    mkdir $folder
+    (opened $folder.csv && kill -$folder "$(cat pid)") &
+    sh -c 'echo $$ >pid && exec "$@"' - "$programs/frequency_study" --n 8 --omega 1 --output $folder/$folder.csv \
+        --state-space $folder/new/space --plot held.svg >out 2>err
+    code=$?
+    wait
+    [ $code -eq ${signal#*:} ] || fail "exit $code after $signal"
+    [ -z "$(ls -A $folder)" ] && ! grep frequency_study err || fail "$signal leaves $(ls -AR $folder): $(cat err)"
+done
+rm held.svg
+
+# on a terminal a line shows how long a row takes; here one that is not taken out of a full pipe
+if command -v script >/dev/null; then
+    mkfifo full
+    for arguments in '' --quiet; do
+        sleep 0.8 <full &
+        script -qec "$traction --n 2000 --output full $arguments" /dev/null </dev/null >out
+        wait
+        grep -q 'traction_study: [0-9]* of 2000 rows, n = 2000, 1 s' out
+        [ $? -eq $([ -z "$arguments" ]; echo $?) ] || fail "the line of progress with '$arguments': $(cat out)"
+    done
+    rm full
+fi
+
 # errors while writing
-for sink in '> /dev/full' '--output /dev/full' '| true' '| true --jobs 2'; do
+for sink in '> /dev/full' '--output /dev/full' '| true' '| true --jobs 2' --recommend; do
     case $sink in
+    --recommend) "$programs/precision_study" --recommend 1e-4 >/dev/full 2>err; echo $? >code ;;
     '| true'*) { { "$steady" --n 200,201,202 ${sink#| true} 2>err; echo $? >code; } | true; } ;;
     '> /dev/full') "$steady" --n 10 >/dev/full 2>err; echo $? >code ;;
     *) "$steady" --n 10 --output /dev/full 2>err; echo $? >code ;;

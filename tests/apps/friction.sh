@@ -20,8 +20,9 @@ for elements in --fit-border --fit-border=false; do
 done | uniq | wc -l | grep -qx 1 || fail 'the elements of a triangle'
 good 3 $steady --n 10,20 --creepage-ratio 0.5 --jobs 2 --tractions t
 check 'no times with --jobs' '$time_us == "" && $assembly_us == ""'
-traction_columns=n,creepage_ratio,x_over_a,traction,bound,stick,slip,exact,mesh,method,derivative,alpha_L,alpha_T,status,lateral_ratio,lateral_traction,lateral_slip,layer,friction_ratio,kernel,aspect,poisson,size_ratio,epsilon,quadrature,nodes
-[ "$(head -n 1 t)" = $traction_columns ] || fail "columns of the tractions"
+cp t out
+header n,creepage_ratio,x_over_a,traction,bound,stick,slip,exact,mesh,method,derivative,alpha_L,alpha_T,status,lateral_ratio,lateral_traction,lateral_slip,layer,friction_ratio
+[ -n "$(column nodes)" ] || fail "settings of the tractions"
 grep -q '^command_line = ".* --creepage-ratio 0.5 --jobs 2 --tractions t"$' t.toml || fail "companion of the tractions"
 rows 'NR > 1 { rows += 1; if ($traction < 0 && -$traction <= $bound * (1 + 1e-12) && ($stick == 1) == ($slip == 0) && $slip >= 0) good += 1;
     if (($traction - $exact) ^ 2 < 0.2 ^ 2 && ($stick == 1 || -$traction == $bound)) near += 1 } END { exit !(rows == 30 && good == 30 && near == 30) }' t ||

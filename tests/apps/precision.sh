@@ -58,7 +58,7 @@ awk -F, -v error="$(awk -F, '$1 == "cosine" && $2 == 40 && $3 == "combined_force
 # --- creep coefficients of patches: the error added to the value gives Kalker's, 3.625, 3.011, 0.9278 at a/b = 0.5, nu = 0.25
 good 17 "$precision" --quantity patch_c11,patch_c22,patch_c23,patch_c33 --a-over-b 0.5 --poisson 0.25 --n 6,12 \
     --schemes nodes-chebyshev,richardson-nodes --cheapest cheapest.csv
-header scheme,n,quantity,relative_error,time_us,stable,on_front,model_error,status,kernel,aspect,poisson,size_ratio,epsilon,a_over_b,strips
+header scheme,n,quantity,relative_error,time_us,stable,on_front,model_error,status
 check 'coefficients of patches' '$status == "ok" && $kernel == "half-space" && $poisson == 0.25 && $a_over_b == 0.5 && $strips == $n && $time_us > 0 && $stable == 1 && $on_front != ""'
 $programs/patch_study --a-over-b 0.5 --poisson 0.25 --n 12 --quiet >both
 limit() {

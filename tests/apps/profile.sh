@@ -42,7 +42,7 @@ within spin_moment 2e-3 1e-2
     printf ' units.len.f = 1000\n point.begin\n ! y z\n!7.0E+01 9.5\n'
     awk -F, '/^[-0-9]/ { printf "%.17g\t%s\n", -$1, $2 }' "$benchmark/wheel.csv"
     printf 'point.end\nspline.end\n1 2 3\n'
-} >wheel.prw
+} >wheel.PRW
 {
     printf 'point.begin\n'
     awk -F, '/^[-0-9]/ { print $1, $2, 1 }' "$benchmark/rail.csv"
@@ -50,7 +50,7 @@ within spin_moment 2e-3 1e-2
 } >rail.prr
 at="--cant 0 --shift 0.002"
 $profile $at --length-unit mm --wheel "$benchmark/wheel.csv" --rail "$benchmark/rail.csv" >one
-$profile $at --wheel wheel.prw --rail rail.prr >other
+$profile $at --wheel wheel.PRW --rail rail.prr >other
 cmp one other || fail 'a profile as .prw'
 
 # --- rows that fail say why; both wheels carry the load; the row order does not depend on --jobs

@@ -25,6 +25,9 @@ claims=$results/claims.csv
 [ "$(head -n 1 "$claims")" = "claim,figure,paper,measured,holds,expected,reason,kind" ] || fail "columns of claims.csv"
 statements=$(grep -c ',statement$' "$claims") additions=$(grep -c ',addition$' "$claims")
 [ "$statements" -gt 25 ] || fail "fewer than 25 statements of the paper"
+for equation in 'Eq\. 8' 'Eq\. 12' 'Eq\. 15' 'Eq\. 16' 'Eqs\. 24-26' 'Eq\. 29' 'Eq\. 31'; do
+    grep -q ",$equation,.*,no,no,.*,statement$" "$claims" || fail "the claim on $equation"
+done
 [ $((statements + additions + 1)) -eq "$(wc -l <"$claims")" ] || fail "a claim is neither statement nor addition"
 page=$results/index.html
 grep -q "$statements statements of the paper: .* $additions additions: all hold" "$page" || fail "numbers of claims"
@@ -33,6 +36,7 @@ grep -q "$statements statements of the paper: .* $additions additions: all hold"
 grep -q approximation "$page" && ! grep -q 'ξm' "$page" || fail "a Greek letter within a word"
 failing=$(sed -n 's/.*hold, \([0-9]*\) do not hold as printed.*/\1/p' "$page")  # their rows appear twice
 [ "$(grep -c '<td>“..*”</td>' "$page")" -eq $((statements + failing)) ] || fail "statements without the paper's words"
+grep -q 'alt="[^"]*<' "$page" && fail "markup in the description of a picture"
 links=$(grep -o 'href="#[^"]*"' "$page" | sed 's/href="#\(.*\)"/\1/')
 [ "$(echo "$links" | wc -l)" -ge 20 ] || fail "contents of the page: $links"
 for link in $links; do grep -q "id=\"$link\"" "$page" || fail "the contents lead nowhere: $link"; done

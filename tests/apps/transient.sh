@@ -1,5 +1,5 @@
 #!/bin/sh
-# apps/transient_study.cpp, seen from outside: histories, orders in dq, and runs that go on.
+# apps/transient_study.cpp, seen from outside: histories, and orders in dq.
 # Usage: transient.sh FOLDER-OF-PROGRAMS
 . "$(dirname "$0")/functions.sh"
 study=$programs/transient_study
@@ -24,18 +24,6 @@ table 'q_over_a\tcreepage\n0\t0.5\n1\t1.5\n'
 table 'q_over_a,creepage\n0,0.5\n1,1.5\n\n \n\n'
 table '\n# comments\nq_over_a,creepage\n  # and\n0,+0.5\n\n+1,1.5\n'
 table 'q_over_a,creepage\n"0","0.5"\n 1 , 1.5'
-# the rows of an interrupted run are kept: here its files may not grow beyond some kB
-set -- $study --n 10 --sine 1,1 --until 50
-good 1001 "$@"
-mv out expected
-(
-    ulimit -f 20
-    exec "$@" --output long.csv
-) 2>err
-[ $? -eq 4 ] || fail "a file that may not grow: $(cat err)"
-[ "$(wc -l <long.csv.part)" -gt 20 ] && [ "$(wc -l <long.csv.part)" -lt 1000 ] || fail 'rows are not kept'
-good 0 "$@" --output long.csv
-cmp -s long.csv expected && [ ! -e long.csv.part ] || fail 'a run that goes on'
 good 0 $study --step 1 --output x.csv
 grep -q '^step = ' x.csv.toml || fail 'companion file'
 

@@ -153,12 +153,14 @@ kinds = {
         line=("lateral_shift", "yaw", "rolling_speed", "pitch_rate", "lateral_velocity", "vertical_velocity",
               "roll_rate", "yaw_rate", "left_load", "right_load"),
         refused=[(0, {"lateral_shift": 9.1e-3}, "wrong_table"), (0, {"yaw": 0.1}, "wrong_table"),
-                 (0, {"left_load": -1.0}, "invalid_load"), (0, {"rolling_speed": -1.0}, "invalid_step")],
+                 (0, {"left_load": -1.0}, "invalid_load"), (0, {"rolling_speed": -1.0}, "invalid_step"),
+                 (0, {"rolling_speed": 0.0, "pitch_rate": 0.0}, "invalid_step")],
         wrong=[friction[0],
                ({"contact_table_file": "/none"},
                 "contact_table_file = /none: ContactTable: /none must be a file that can be read"),
                ({"contact_table_file": sys.argv[2] + "/steel.creep"}, "contact_table_file = "),
-               ({"lateral_shift": 1.0}, "status of the tables at the first inputs = wrong_table")]),
+               ({"lateral_shift": 1.0}, "status of the tables at the first inputs = wrong_table"),
+               ({"rolling_speed": 0.0, "pitch_rate": 0.0}, "status of the tables at the first inputs = invalid_step")]),
 }
 
 

@@ -177,6 +177,38 @@ def test_poisson_ratio_beside_the_table():
         instance.close()
 
 
+def test_semi_axes_beyond_the_table():
+    # a step warns where a/b leaves the table, an output tells while it is beyond; forces are those of the border
+    def axes(a_over_b):
+        return {"given_half_length": 5e-3 * math.sqrt(a_over_b), "given_half_width": 5e-3 / math.sqrt(a_over_b)}
+
+    def step(instance, k):  # FMPy hides warnings
+        status = instance.calls.dll.fmi2DoStep(instance.calls.component, k * 1e-3, 1e-3, 0)
+        return status, instance.get("off_table"), len(instance.messages)
+
+    ok_status, warning = 0, 1
+    values = dict(zip(inputs, (0.02, -0.03, 1.0, V, N)))
+    border = Instance(fmu).start(**by_table, **values, **axes(10))
+    instance = Instance(fmu).start(**by_table, **values, **axes(2))
+    assert step(instance, 0) == (ok_status, 0, 0) and step(border, 0) == (ok_status, 0, 0)
+    instance.set(**axes(25))
+    assert step(instance, 1) == (warning, 1, 1)
+    assert instance.messages[0].startswith("a/b = 25 of the contact lies beyond the table, 0.1 to 10"), instance.messages
+    assert np.abs(force(instance) - force(border)).max() < 1e-9 * mu * N
+    assert step(instance, 2) == (ok_status, 1, 1)  # it has been said
+    instance.set(**axes(10))
+    assert step(instance, 3) == (ok_status, 0, 1)
+    instance.set(**axes(0.05))
+    assert step(instance, 4) == (warning, 1, 2)
+    instance.set(given_half_width=0.0)
+    assert instance.step(5e-3, 1e-3) == discard and instance.get("off_table") == 1
+    for one in (border, instance):
+        one.close()
+    begins = Instance(fmu).start(**by_table, **values, **axes(25))
+    assert begins.get("off_table") == 1 and len(begins.messages) == 1 and step(begins, 0) == (ok_status, 1, 1)
+    begins.close()
+
+
 def test_table_of_another_file():
     # a path with spaces; the packed table is found in one as well
     with tempfile.TemporaryDirectory(prefix="a table ") as folder:

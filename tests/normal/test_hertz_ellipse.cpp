@@ -280,6 +280,16 @@ TEST_CASE("Bodies that make no ellipse are refused by name", "[hertz]") {
     CHECK_THAT(told([](auto& p) { p.body_1.poisson_ratio = 0.6; }), ContainsSubstring("poisson_ratio = 0.6"));
     CHECK_THAT(told([](auto& p) { p.body_2.young_modulus = -1; }), ContainsSubstring("young_modulus = -1"));
     CHECK_THAT(refusal([] { HertzEllipse<double>(wheel_on_rail()).under(-1); }), ContainsSubstring("load = -1"));
+    // sizes and pressures beyond double precision
+    CHECK_THAT(told([](auto& p) { p.load = p.radii_1.rolling = 1e-300; }),
+               ContainsSubstring("peak pressure = inf must"));
+    CHECK_THAT(refusal([] { HertzEllipse<double>(wheel_on_rail()).under(5e-324); }),
+               ContainsSubstring("semi-axis = 0"));
+    CHECK_THAT(refusal([] {
+                   const PatchContact<double> contact({1e-3, 1e-3, 1, 0});
+                   hertz_pressures(contact, patch_mesh(contact, 4, 4), 1e305);
+               }),
+               ContainsSubstring("largest pressure = inf must be finite"));
 }
 
 }  // namespace

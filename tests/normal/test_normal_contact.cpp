@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include <rollbem/normal/detail/patch_shape.hpp>
@@ -34,6 +35,23 @@ struct Scene {
     Scene& carry(double load) {
         solution = normal.carry(grid, h, load);
         return *this;
+    }
+    /// Of a cell, by the sum over all cells.
+    double displacement(Eigen::Index i, Eigen::Index j) const {
+        const auto& p = normal.pressure();
+        double u = 0;
+        for (Eigen::Index l = 0; l < grid.ny; ++l) {
+            for (Eigen::Index k = 0; k < grid.nx; ++k) {
+                if (p(k, l) == 0) continue;
+                for (const int e : {-1, 1}) {
+                    for (const int f : {-1, 1}) {
+                        const double x = (double(i - k) + 0.5 * e) * grid.dx, y = (double(j - l) + 0.5 * f) * grid.dy;
+                        u += e * f * p(k, l) * (x * std::asinh(y / std::abs(x)) + y * std::asinh(x / std::abs(y)));
+                    }
+                }
+            }
+        }
+        return u / std::numbers::pi;
     }
     Outline<double> outline() const { return detail::contact_outline(grid, normal.pressure()).value(); }
     double peak() const { return detail::peak_pressure(normal.pressure()); }
@@ -124,24 +142,10 @@ TEST_CASE("normal_contact: pressures push, gaps are open, and both not in one ce
         const auto& p = scene.normal.pressure();
         const double deepest = scene.solution.approach - scene.h.minCoeff();
         CHECK((p >= 0).all());
-        // displacements by the sum over the cells
         for (Eigen::Index j = 0; j < scene.grid.ny; ++j) {
             for (Eigen::Index i = 0; i < scene.grid.nx; ++i) {
-                double u = 0;
-                for (Eigen::Index l = 0; l < scene.grid.ny; ++l) {
-                    for (Eigen::Index k = 0; k < scene.grid.nx; ++k) {
-                        if (p(k, l) == 0) continue;
-                        for (const int e : {-1, 1}) {
-                            for (const int f : {-1, 1}) {
-                                const double x = (double(i - k) + 0.5 * e) * scene.grid.dx,
-                                             y = (double(j - l) + 0.5 * f) * scene.grid.dy;
-                                u += e * f * p(k, l) *
-                                     (x * std::asinh(y / std::abs(x)) + y * std::asinh(x / std::abs(y)));
-                            }
-                        }
-                    }
-                }
-                const double w = scene.h(i, j) + u / std::numbers::pi - scene.solution.approach;
+                const double u = scene.displacement(i, j);
+                const double w = scene.h(i, j) + u - scene.solution.approach;
                 if (p(i, j) > 0) {
                     CHECK(std::abs(w) < 2e-9 * deepest);
                 } else {
@@ -168,6 +172,87 @@ TEST_CASE("normal_contact: two equal lobes share a load, and what does not touch
     CHECK(apart.normal.carry(apart.grid, apart.h, NAN).status == Status::not_finite);
     apart.h(3, 3) = INFINITY;
     CHECK(apart.normal.carry(apart.grid, apart.h, 1).status == Status::not_finite);
+}
+
+TEST_CASE("normal_contact: a plane gap is pressed as by a flat punch, also on a single cell", "[normal]") {
+    const double height = GENERATE(0.0, 1e-5, -3.0);
+    Scene square(24, 24, -1, 1, -1, 1, [&](double, double) { return height; });
+    square.carry(1);
+    REQUIRE(square.solution.status == Status::ok);
+    const auto& p = square.normal.pressure();
+    const double approach = square.solution.approach - height;
+    CHECK(p.sum() * square.grid.dx * square.grid.dy == Approx(1).epsilon(1e-12));
+    // side a: N = 1.012 * 2/sqrt(pi) E* a d (King 1987)
+    CHECK(1 / (2 * approach) == Approx(1.012 * 2 / std::sqrt(std::numbers::pi)).epsilon(1e-2));
+    for (const Eigen::Index i : {0, 5, 12}) CHECK(square.displacement(i, 3) == Approx(approach).epsilon(1e-5));
+    CHECK(p(0, 0) > 5 * p(12, 12));
+    for (const bool by_load : {true, false}) {
+        Scene cell(1, 1, -1, 1, -0.5, 0.5, [&](double, double) { return height; });
+        cell.solution =
+            by_load ? cell.normal.carry(cell.grid, cell.h, 3) : cell.normal.approach(cell.grid, cell.h, height + 0.5);
+        REQUIRE(cell.solution.status == Status::ok);
+        CHECK(cell.displacement(0, 0) == Approx(cell.solution.approach - height).epsilon(1e-11));
+        CHECK(cell.solution.load == Approx(2 * cell.normal.pressure()(0, 0)));
+    }
+}
+
+TEST_CASE("normal_contact: any load and any gap has numbers with status ok, or none and a status", "[normal]") {
+    struct Gap {
+        const char* name;
+        double (*of)(double, double);
+    };
+    constexpr Gap gaps[] = {{"plane", [](double, double) { return 1e-5; }},
+                            {"constant along x", [](double, double y) { return y * y; }},
+                            {"wedge", [](double x, double) { return x; }},
+                            {"hollow", [](double x, double y) { return -x * x - y * y; }},
+                            {"far away", [](double x, double y) { return 1e6 + x * x + y * y; }},
+                            {"flat", [](double x, double y) { return 1e-300 * (x * x + y * y); }},
+                            {"masked", [](double x, double y) { return x > 0.3 ? 1e300 * (1 + y) : x * x + y * y; }},
+                            {"steep", [](double x, double y) { return 1e300 * (x * x + y * y); }},
+                            {"deep", [](double x, double y) { return x > 0.9 ? -1e300 : y; }},
+                            {"not a number", [](double x, double y) { return x > 0.9 && y > 0.9 ? NAN : x * x; }},
+                            {"infinite", [](double x, double y) { return x > 0.9 && y > 0.9 ? INFINITY : x * x; }}};
+    const Gap& gap = gaps[GENERATE(range(0, 11))];
+    Scene scene(14, 11, -1, 1, -1, 1, gap.of);
+    const NormalContact::Grid round = Scene(14, 11, -1, 1, -1, 1, [](double x, double y) { return x * x + y * y; }).h;
+    for (const bool by_load : {true, false}) {
+        for (const double value :
+             {0.0, -1.0, 5e-324, 1e-300, 1e-20, 1e-3, 1.0, 1e12, 1e150, 1e300, double(NAN), double(INFINITY)}) {
+            const auto found = by_load ? scene.normal.carry(scene.grid, scene.h, value)
+                                       : scene.normal.approach(scene.grid, scene.h, value);
+            const auto& p = scene.normal.pressure();
+            CAPTURE(gap.name, by_load, value, name(found.status));
+            CHECK((detail::is_finite(found.load) && detail::is_finite(found.residual)));
+            CHECK((detail::all_finite(p) && (p >= 0).all()));
+            if (found.status == Status::ok) {
+                CHECK(found.residual <= 1e-6);
+                CHECK((by_load ? found.load == Approx(value).epsilon(1e-12) : found.approach == value));
+                CHECK(found.load > 0);
+            } else {
+                CHECK((found.status == Status::no_contact || found.status == Status::not_finite));
+                CHECK((p == 0).all());
+            }
+            // what it leaves is a first guess
+            CHECK(scene.normal.carry(scene.grid, round, 1, 1e-6, true).status == Status::ok);
+        }
+    }
+    const bool solvable = detail::all_finite(scene.h);
+    CHECK(scene.normal.carry(scene.grid, scene.h, 1).status == (solvable ? Status::ok : Status::not_finite));
+}
+
+TEST_CASE("normal_contact: grids without a size, compliances and numbers of gaps that cannot be meant", "[normal]") {
+    Scene scene(8, 8, -1, 1, -1, 1, [](double x, double y) { return x * x + y * y; });
+    for (const double size : {0.0, -1.0, double(NAN), double(INFINITY), 5e-324}) {
+        CellGrid grid = scene.grid;
+        grid.dx = size;
+        const auto found = scene.normal.carry(grid, scene.h, 1);
+        CHECK((found.status == Status::not_finite && found.load == 0 && (scene.normal.pressure() == 0).all()));
+        CHECK_THROWS_AS(NormalContact(size == 5e-324 ? 0 : size), std::invalid_argument);
+    }
+    scene.grid.nx = 9;
+    CHECK_THROWS_AS(scene.normal.carry(scene.grid, scene.h, 1), std::invalid_argument);
+    scene.grid.nx = scene.grid.ny = 0;
+    CHECK_THROWS_AS(scene.normal.carry(scene.grid, NormalContact::Grid(0, 0), 1), std::invalid_argument);
 }
 
 TEST_CASE("patch_shape: outlines interpolate lines exactly, and keep what grows growing", "[normal]") {

@@ -1,6 +1,8 @@
 // rollbem/normal/pressure_table.hpp, normal/pressure_grid.hpp
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
+#include <stdexcept>
 #include <vector>
 
 #include <rollbem/normal/pressure_grid.hpp>
@@ -59,6 +61,7 @@ TEST_CASE("A tabulated pressure is linear between its points and zero outside th
     CHECK(table(0.5) == 0.5);
     CHECK(table(0.501) == 0);
     CHECK(table(1.0) == 0);
+    CHECK(detail::is_nan(table(NAN)));
 }
 
 TEST_CASE("The means of a pressure on a grid are exact on any rectangle", "[pressure]") {
@@ -104,6 +107,10 @@ TEST_CASE("The means of a pressure on a grid are exact on any rectangle", "[pres
     CHECK_THROWS_WITH((PressureGrid<double>(x, y, -ones)),
                       "PressureGrid: pressure = -1 must be finite and not negative");
     CHECK_THROWS_WITH((PressureGrid<double>(x, y, 0 * ones)), "PressureGrid: load = 0 must be positive and finite");
+    for (const Rectangle<double>& none :
+         {Rectangle<double>{0, 0, 0, 1}, {1, 0, 1, 0}, {0, NAN, 0, 1}, {0, 1, 0, INFINITY}}) {
+        CHECK_THROWS_AS(grid({none}), std::invalid_argument);
+    }
 }
 
 }  // namespace

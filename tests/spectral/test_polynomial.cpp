@@ -63,9 +63,9 @@ TEST_CASE("The error estimate of the Chebyshev basis bounds the error at every o
     int count = 0;
     int violations = 0;
     double slackest = 0;
-    for (const double z : {0.0, 1e-3, 1.0, 3.0, 30.0, 100.0}) {
-        for (const double re : {0.0, -1.0, -10.0, -60.0, 5.0, 40.0}) {
-            for (const double aspect : {1.0, 100.0}) {
+    for (const double z : {0.0, 1e-3, 1.0, 3.02, 30.0, 100.0}) {
+        for (const double re : {0.0, -1.0, -1.38, -10.0, -60.0, 5.0, 40.0}) {
+            for (const double aspect : {0.5, 100.0}) {  // with 0.5 near a pole
                 const Complex s(re, z);
                 const Complex exact = reference::plane_c11(s, 0.25, aspect);
                 for (Eigen::Index order = 1; order < static_cast<Eigen::Index>(2 * z + 60); ++order) {
@@ -195,6 +195,21 @@ TEST_CASE("Monomials break down before their matrix looks singular, and report i
     CAPTURE(singular.condition);
     CHECK(singular.status == Status::ill_conditioned);
     CHECK_THAT(std::string(polynomial_advice(singular.status)), Catch::Matchers::ContainsSubstring("Chebyshev basis"));
+}
+
+TEST_CASE("The error estimate of monomials bounds the error at every order and frequency", "[polynomial]") {
+    for (const double z : {0.01, 0.3, 1.0, 4.0, 7.0, 10.0, 12.0, 20.0, 30.0, 50.0}) {
+        const Complex exact = reference::plane_c11({0, z}, 0.28, 1000.0);
+        for (const Eigen::Index order : {1, 2, 3, 4, 5, 8, 12, 15, 20, 30, 40, 50, 60, 80, 100}) {
+            const PolynomialSolution<double> monomial = solve_monomial<double>(Complex(0, z), 0.28, 1000.0, order);
+            const double error = relative_error(monomial.c11, exact);
+            CAPTURE(z, order, error, monomial.error_estimate);
+            CHECK(error <= monomial.error_estimate);
+            CHECK(monomial.error_estimate < error + 1e-13);
+            if (monomial.status == Status::ok) CHECK(error < 6.1e-8);
+        }
+    }
+    CHECK_THROWS_AS(solve_monomial<double>(Complex(0, 2e8), 0.28, 1000.0, 5), std::invalid_argument);
 }
 
 TEST_CASE("The Chebyshev basis gives the digits of long double in long double", "[polynomial]") {

@@ -58,7 +58,7 @@ Inputs rolling(double lateral) { return {lateral, 0, 30, -30 / radius, 0, 0, 0, 
 
 TEST_CASE("tangents of a wheel's forces are those of its forces", "[contact_table]") {
     std::mt19937_64 random(7);
-    double worst = 0;
+    int exact = 0, all = 0;
     for (int scene = 0; scene < 300; ++scene) {
         const Inputs x = random_inputs(random, 8e-3);
         const WheelsetSide side = scene % 2 == 0 ? WheelsetSide::right : WheelsetSide::left;
@@ -76,12 +76,14 @@ TEST_CASE("tangents of a wheel's forces are those of its forces", "[contact_tabl
             const Eigen::Matrix<double, 6, 1> difference =
                 (above.force - below.force) / (2 * h) - at.tangent.col(Eigen::Index(j));
             const double error = difference.norm() * scales[j];
+            const double size = at.tangent.col(Eigen::Index(j)).norm() * scales[j];
             INFO("scene " << scene << ", input " << j << ", error " << error);
-            REQUIRE(error < 0.5 * across + 1e-6 * x[8] + 1e-3 * at.tangent.col(Eigen::Index(j)).norm() * scales[j]);
-            worst = std::max(worst, error / x[8]);
+            REQUIRE(error < 0.5 * across + 1e-6 * x[8] + 1e-3 * size);
+            exact += error < 1e-5 * size ? 1 : 0;
+            ++all;
         }
     }
-    REQUIRE(worst > 0);
+    CHECK(exact > 0.75 * all);  // between nodes
 }
 
 TEST_CASE("the left wheel is the mirror image of the right one", "[contact_table]") {

@@ -338,6 +338,8 @@ TEST_CASE("creep_force_table: a file gives the same table, and nothing else is t
     CHECK_THAT(refusal([&] { CreepForceTable::read(missing); }), ContainsSubstring("must be readable"));
     CHECK_THAT(refusal([] { CreepForceTable::read("no such file"); }),
                ContainsSubstring("CreepForceTable: no such file must be a file that can be read"));
+    CHECK_THAT(refusal([] { CreepForceTable::read("."); }),  // a folder
+               ContainsSubstring("CreepForceTable: . must be a file that can be read"));
     CHECK_THAT(refused(""), ContainsSubstring("must not end"));
     CHECK_THAT(refused("rollbem"), ContainsSubstring("must not end"));
     CHECK_THAT(refused("a_over_b,poisson,n,strips,longitudinal"), ContainsSubstring("must begin with"));

@@ -90,8 +90,15 @@ Claims kernel_and_alpha(const Results& r) {
          best_alpha(r, "05b", {40}, 0.63, {}, Vary::alpha_T, {0.5, 0.7})},
         {"5B", "independently of the number of elements",
          "alpha_L = 0, alpha_T = 0.63 is optimal for n = 40, 60 and 80",
-         "optimal: no alpha_T of the grid (by 0.05, and 0.63) is better by more than 0.01 % of c11",
+         "optimal: the least error of the grid (by 0.05, and 0.63), or within 0.02 of the true optimum. The smallest "
+         "error that the paper speaks of, 0.01 %, cannot decide: at n = 80 the errors of both 0.6 and 0.63 are below "
+         "it",
          best_alpha(r, "05b", fine, 0.63, {}, Vary::alpha_T, {0.5, 0.7})},
+        {"5B", "alpha_L = alpha and alpha_T = 0", "The scheme of the caption is optimal at alpha = 0.63",
+         "the indices are swapped: the text says alpha_L = 0",
+         errs_least_at(0.63, paper_alphas(),
+                       [](Eigen::Index n, double x) { return c11_ratio({.n = n, .alpha_L = x, .alpha_T = 0}); }),
+         false},
         {"5B", "", "The alpha_T without error falls as n grows",
          "it is a zero crossing of the error; from n = 60 on it is nearer to 0.6 than to 0.63",
          falls_with_n({20, 40, 60, 80, 160, 320}, "", "{4}",
@@ -253,8 +260,8 @@ Claims tractions_of_collocation(const Results&) {
     const double knothe = knothe_boundary_difference(Derivative::finite_difference);
     const double knothe_closed = knothe_boundary_difference(analytic);
     const Tractions t = tractions({});
-    const auto from_carter = [&](Eigen::Index i) { return t.value[i] / t.carter[i] - 1; };
-    const double visible = visible_difference(t, -0.8, 1);
+    const auto excess = [&](Eigen::Index i) { return t.value[i] / t.carter[i] - 1; };
+    const double visible = from_carter(t, -0.8, 1).visible, local = from_carter(t, -0.8, 0.8).local;
     return {
         {"9", "oscillates when alpha_L = alpha_T = 1", "1/1 oscillates with either derivative, 0.5/0.5 and 0/0.63 not",
          "oscillation: total variation over range, less 1, which is 0 for a monotone traction such as Carter's; any "
@@ -280,11 +287,14 @@ Claims tractions_of_collocation(const Results&) {
                 "largest relative difference of tractions {1} (fd), {1} (analytic)", knothe, knothe_closed)},
         {"10", "practically indistinguishable",
          "Except near the trailing edge, Carter and collocation (fd, 0/0.63) coincide",
-         "near: the trailing tenth; indistinguishable: within 1 % of the largest traction, a line's width in the plot",
-         judged(visible < 0.01,
-                "{%} of the largest traction; of the local one {%} in the middle, {%} on the leading element, {%} on "
-                "the trailing one",
-                visible, from_carter(20), from_carter(39), from_carter(0))},
+         "near: the trailing tenth; indistinguishable: within 1 % of the largest traction, a line's width in the plot, "
+         "and within 5 % of the local one for |x| < 0.8 a. On the leading element a line's width is nearly the whole "
+         "traction and hides the difference",
+         judged(
+             visible < 0.01 && local < 0.05,
+             "{%} of the largest traction, {%} of the local one for |x| < 0.8 a; {%} in the middle, {%} on the leading "
+             "element, {%} on the trailing one",
+             visible, local, excess(20), excess(39), excess(0))},
     };
 }
 

@@ -73,38 +73,50 @@ struct Recommendation {
 
 namespace detail {
 
-/// A measured bound of relative errors of elements on cosine meshes: below factor n^-exponent for n >= least_n.
-struct MeasuredError {
-    AnyScheme scheme;
-    double order;  ///< of Richardson's extrapolation; 0: none
-    double factor, exponent;
-    Eigen::Index least_n;
-};
-
-/// Measured against the closed forms of the plane kernel for n up to 640, nu from 0 to 0.5 and (where it matters)
-/// b/a >= 10. In a time loop differences between centres, though better for b/a above 1000, are not cleanly of second
-/// order at b/a = 10, and Chebyshev nodes take a third more elements.
-inline MeasuredError measured_error(Purpose::Adhesion purpose) {
+/// The elements for a purpose, with the smallest number measured. In a time loop differences between centres err less
+/// where b/a is large, but their errors are not cleanly of second order at b/a = 10.
+inline Recommendation<AnyScheme> elements_for(Purpose::Adhesion purpose) {
     switch (purpose) {
-        case Purpose::steady: return {NodeDifference{}, 2, 0.8, 4, 6};    // 1e-4 -> 10, 1e-6 -> 30, 1e-8 -> 96
-        case Purpose::frequency: return {NodeDifference{}, 2, 33, 3, 4};  // 1e-2 -> 16, 1e-4 -> 70
+        case Purpose::steady: return {.scheme = NodeDifference{}, .n = 6, .order = 2};
+        case Purpose::frequency: return {.scheme = NodeDifference{}, .n = 4, .order = 2};
         case Purpose::time_loop: break;
     }
-    return {Collocation{}, 0, 0.18, 2, 4};  // 1e-2 -> 5, 1e-4 -> 43, 1e-6 -> 425
+    return {.scheme = Collocation{}, .n = 4};
 }
-inline MeasuredError measured_error(Purpose::Friction) {
-    return {NodeDifference{Nodes::chebyshev}, 0, 1.3, 2, 4};  // 1e-2 -> 12, 1e-3 -> 37, 1e-4 -> 115
+inline Recommendation<AnyScheme> elements_for(Purpose::Friction) {
+    return {.scheme = NodeDifference{Nodes::chebyshev}, .n = 4};
+}
+
+/// An upper bound of the relative errors of n of these elements, n up to 640, for the plane kernel and strips of b/a >=
+/// 10, nu from 0 to 0.5. In steady rolling the plane kernel gives the fourth order, the smooth part of a strip's kernel
+/// the third. In a time loop the second order holds away from q/a = 2: there the front of the step leaves the contact,
+/// which makes the second derivative of the exact force infinite; elements spread the front, and the error next to it
+/// decreases like 1/n. With friction the error jumps with the element that contains the border of slip.
+inline double elements_error(Purpose::Adhesion purpose, Eigen::Index elements) {
+    const double n = static_cast<double>(elements);
+    switch (purpose) {
+        case Purpose::steady: return (0.785 / n + 0.0075) / (n * n * n);  // 1e-4 -> 10, 1e-6 -> 32, 1e-8 -> 114
+        case Purpose::frequency: return 33.3 / (n * n * n);               // 1e-2 -> 16, 1e-4 -> 70
+        case Purpose::time_loop: break;
+    }
+    return (std::max)(0.18, 0.088 + 0.002 * n) / (n * n);  // 1e-2 -> 5, 1e-4 -> 43, 1e-5 -> 238
+}
+inline double elements_error(Purpose::Friction, Eigen::Index elements) {
+    const double n = static_cast<double>(elements);
+    return 1.32 / (n * n);  // 1e-2 -> 12, 1e-3 -> 37, 1e-4 -> 115
 }
 
 /// An upper bound of the relative errors of m Chebyshev states at b/a, the sum of two parts.
 ///
-/// The first is that of the plane kernel, which vanishes in steady rolling: 7 to 12 % more than the errors printed by
+/// The first is that of the plane kernel, which vanishes in steady rolling: at least 4 % more than the largest errors
+/// for b/a = 10 and nu = 0 at all omega a/V up to 5, or all q/a from 1 on, as printed by
 ///
-///     precision_study --schemes chebyshev-states --quantity c11_z5,step_force --aspect 10 --poisson 0
+///     frequency_study --kernel plane --aspect 10 --poisson 0 --method chebyshev --omega 5 --n 6
+///     transient_study --kernel plane --aspect 10 --poisson 0 --method chebyshev --step 1 --dq 0.01 --until 10
+///         --integrator exponential --n 6
 ///
-/// (they are smaller for larger b/a and nu); up to four states, the larger errors at omega a/V below 5 and between
-/// q/a = 1, 2, ... count. In narrower strips the errors are up to 3 times as large, measured against 300 or more
-/// states.
+/// They are smaller for larger b/a and nu. In narrower strips they are up to 3 times as large, measured against 300 or
+/// more states.
 ///
 /// The second is due to the smooth part of a strip's kernel, measured in steady rolling against 300 or more states for
 /// b/a from 0.01 to 1000 and nu from 0 to 0.5. It decreases like rho^-m with rho = b + sqrt(1 + b^2) because of the
@@ -112,7 +124,7 @@ inline MeasuredError measured_error(Purpose::Friction) {
 inline double states_error(Purpose::Adhesion purpose, Eigen::Index m, double aspect) {
     constexpr std::array frequency{0.14,    0.096,   0.068,  0.051,  0.0275,  0.0099,  2.4e-3, 3.6e-4,
                                    3.95e-5, 3.25e-6, 2.1e-7, 1.1e-8, 4.8e-10, 1.8e-11, 5.7e-13};
-    constexpr std::array step{0.096, 0.016, 4.4e-3, 1.8e-3, 1.18e-3};  // then second order
+    constexpr std::array step{0.096, 0.016, 4.4e-3, 1.8e-3, 1.18e-3, 6.9e-4};  // then second order
     const auto entry = [m](const auto& errors, double beyond) {
         const auto at = static_cast<std::size_t>(m - 1);
         return at < errors.size() ? errors[at] : beyond;
@@ -128,22 +140,19 @@ inline double states_error(Purpose::Adhesion purpose, Eigen::Index m, double asp
     return strip;
 }
 
+/// Throws std::invalid_argument unless smallest <= tolerance < 1.
+inline void require_measured(const char* who, double tolerance, double smallest) {
+    if (is_finite(tolerance) && tolerance >= smallest && tolerance < 1) return;
+    const std::string rule = "lie in [" + to_text(smallest) + ", 1): smaller ones were not measured";
+    require(false, who, "tolerance", tolerance, rule.c_str());
+}
+
 template <class AnyPurpose>
 Recommendation<AnyScheme> recommended_elements(double tolerance, AnyPurpose purpose) {
-    constexpr Eigen::Index largest = 640;
-    const MeasuredError measured = measured_error(purpose);
-    const double factor = measured.factor, exponent = measured.exponent;
-    Recommendation<AnyScheme> result{.scheme = measured.scheme, .order = measured.order};
-    const double smallest = factor * std::pow(static_cast<double>(largest), -exponent);
-    if (!is_finite(tolerance) || !(tolerance >= smallest && tolerance < 1)) {
-        const std::string rule = "lie in [" + to_text(smallest) + ", 1): smaller ones were not measured";
-        require(false, "recommended_elements", "tolerance", tolerance, rule.c_str());
-    }
-    result.n =
-        (std::max)(measured.least_n, static_cast<Eigen::Index>(std::ceil(std::pow(factor / tolerance, 1 / exponent))));
-    if (result.order > 0) result.n += result.n % 2;
-    result.n = (std::min)(result.n, largest);  // in case pow rounds up
-    result.error_bound = (std::min)(tolerance, factor * std::pow(static_cast<double>(result.n), -exponent));
+    require_measured("recommended_elements", tolerance, elements_error(purpose, 640));
+    Recommendation<AnyScheme> result = elements_for(purpose);
+    while (elements_error(purpose, result.n) > tolerance) result.n += result.order > 0 ? 2 : 1;
+    result.error_bound = elements_error(purpose, result.n);
     return result;
 }
 
@@ -152,9 +161,9 @@ Recommendation<AnyScheme> recommended_elements(double tolerance, AnyPurpose purp
 /// An element scheme that is stable and among the cheapest of elements, whose relative error stays below the tolerance
 /// by the measured bounds above; an error that happens to change sign does not count as accuracy. In full adhesion it
 /// is meant for what states do not offer: tractions of elements, and kernels without a logarithm; otherwise
-/// recommended_scheme() is cheaper. With the strip kernel the error against the strip's exact solution is the same for
-/// b/a >= 10; narrower strips need more elements (steady: up to 5 times the error at b/a = 1, 150 times at 0.1). With
-/// friction, errors jump with the element that contains the border of slip; extrapolation, which helps at some
+/// recommended_scheme() is cheaper. With the strip kernel, b/a >= 10, the bounds are of the error against the strip's
+/// exact solution; narrower strips need more elements (steady: up to 25 times the bound at b/a = 1, 200 times at 0.1).
+/// With friction, errors jump with the element that contains the border of slip; extrapolation, which helps at some
 /// creepages, is not used. Throws std::invalid_argument unless tolerance < 1 and large enough for n <= 640.
 inline Recommendation<AnyScheme> recommended_elements(double tolerance, Purpose::Adhesion purpose) {
     return detail::recommended_elements(tolerance, purpose);
@@ -178,11 +187,8 @@ inline Recommendation<Chebyshev> recommended_scheme(double tolerance, Purpose::A
     constexpr Eigen::Index largest = 400;
     detail::require(!detail::is_nan(aspect) && aspect >= 0.01, "recommended_scheme", "aspect", aspect,
                     "be at least 0.01: narrower strips were not measured");
-    const double smallest = (std::max)(1e-11, detail::states_error(purpose, largest, aspect));
-    if (!detail::is_finite(tolerance) || !(tolerance >= smallest && tolerance < 1)) {
-        const std::string rule = "lie in [" + detail::to_text(smallest) + ", 1): smaller ones were not measured";
-        detail::require(false, "recommended_scheme", "tolerance", tolerance, rule.c_str());
-    }
+    detail::require_measured("recommended_scheme", tolerance,
+                             (std::max)(1e-11, detail::states_error(purpose, largest, aspect)));
     Recommendation<Chebyshev> result{.scheme = {.states = 1}};
     Eigen::Index& m = result.scheme.states;
     while (detail::states_error(purpose, m, aspect) > tolerance) ++m;

@@ -13,6 +13,7 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 namespace rollbem::detail {
 
@@ -96,11 +97,14 @@ private:
     Fnv1a checksum_;
 };
 
-/// The table in a file. Throws std::invalid_argument, beginning with `who`, if the file cannot be opened.
+/// The table in a file. Throws std::invalid_argument, beginning with `who`, if the file cannot be opened, or is a folder,
+/// which some systems open.
 template <class Table>
 Table read_file(const std::filesystem::path& path, const std::string& who) {
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw std::invalid_argument(who + ": " + path.string() + " must be a file that can be read");
+    std::error_code unknown;
+    if (!file || std::filesystem::is_directory(path, unknown))
+        throw std::invalid_argument(who + ": " + path.string() + " must be a file that can be read");
     return Table::read(file);
 }
 

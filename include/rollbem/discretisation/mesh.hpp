@@ -1,6 +1,6 @@
 // Mesh: a division of the contact -1 <= x/a <= 1 into elements of constant traction, with one function for each
-// topology (Eq. (32) is one of them) and one that makes any of them. Elements are numbered from
-// the trailing edge (index 0) to the leading edge (index n-1).
+// topology (Eq. (32) is one of them) and one that makes any of them. Elements are numbered from the trailing edge
+// (index 0) to the leading edge (index n-1).
 #pragma once
 
 #include <array>
@@ -110,14 +110,25 @@ void Mesh<Scalar>::check_edges(const Array& trailing, const Array& leading) {
 /// How the elements of a mesh are laid out; each has a maker below.
 enum class Topology { uniform, geometric, knothe, modified_knothe, cosine };
 
+/// A number besides n that graded meshes take [-].
+struct GradingInfo {
+    const char* name;  ///< as in the programs' columns; in their options with a dash
+    const char* meaning;
+    double usual;  ///< of the programs
+};
+
+/// All such numbers.
+inline constexpr std::array<GradingInfo, 2> gradings{{
+    {"size_ratio", "dx_trailing / dx_leading", 2},
+    {"epsilon", "size of the end element over that of an inner one", 0.4},
+}};
+
 /// Facts about a topology.
 struct TopologyInfo {
     Topology topology;
-    const char* name;  ///< as in the programs' options
-    /// The parameter besides n: "size_ratio", dx_trailing / dx_leading [-], or "epsilon", the width of an end element
-    /// over that of an inner one [-]; empty if there is none.
-    std::string_view grading;
-    Eigen::Index least_n;  ///< fewest elements
+    const char* name;          ///< as in the programs' options
+    std::string_view grading;  ///< the name of one of the gradings; empty if it takes none
+    Eigen::Index least_n;      ///< fewest elements
 };
 
 /// All topologies, in the order of the enumeration.

@@ -16,9 +16,9 @@ struct SmoothSplit {
     Scalar strength;  ///< [1/G]
     Scalar distance;  ///< smooth_part is analytic except on the imaginary axis from +-i distance outwards; infinite if
                       ///< smooth_part vanishes
-    Scalar compliance =
-        0;  ///< [a/G]; where it is not 0 only elements take the kernel, which integrate the delta by the
-            ///< geometry of the mesh alone, so that rounding cannot move a point across an edge
+    /// [a/G]; where it is not 0 only elements take the kernel, which integrate the delta by the geometry of the mesh
+    /// alone, so that rounding cannot move a point across an edge.
+    Scalar compliance = 0;
 };
 
 /// What discretisations require of a kernel. They integrate the logarithm in closed form and the rest by quadrature. x

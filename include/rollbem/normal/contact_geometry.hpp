@@ -86,6 +86,7 @@ public:
         detail::require_positive(who, "radius", d.radius);
         detail::require_positive(who, "shear_modulus", d.shear_modulus);
         detail::require_poisson_ratio(who, d.poisson_ratio);
+        detail::require_positive(who, "compliance (1 - poisson_ratio) / shear_modulus", compliance());
         if (wheel_.is_round()) require_wheel(wheel_.profile(), d.tape_offset);
         if (!rail_.has_sections()) require_rail(rail_.profile());
         if (d.rail_origin) {

@@ -81,6 +81,7 @@ public:
         half_length_ = std::sqrt(4 / std::numbers::pi_v<Scalar> * parameters.load_per_width *
                                  parameters.combined_radius * bodies_.compliance);
         detail::require_positive("HertzLine", "half_length", half_length_);
+        detail::require_positive("HertzLine", "peak pressure", peak_pressure());
     }
 
     /// The line contact with a = 1 and p0 = `peak`, under P = pi/2 peak. Throws std::invalid_argument unless peak is

@@ -158,6 +158,8 @@ ElementPressures<Scalar> ellipse_pressures(Scalar a, Scalar b, Scalar load,
     const Scalar carried = set_ellipse_pressures(a, b, load, elements, result.mean, result.rate);
     require(carried >= least_share<Scalar>, "HertzEllipse", "share of the load on the elements", carried,
             "be at least 0.9: they must cover the contact");
+    require(all_finite(result.mean) && all_finite(result.rate), "HertzEllipse", "largest pressure",
+            result.mean.maxCoeff(), "be finite, as must be its derivative by the load");
     return result;
 }
 
@@ -221,7 +223,7 @@ public:
     }
 
     /// The same bodies under another load [N]: a, b and p0 vary as its cube root, the approach as its square. Throws
-    /// std::invalid_argument unless the load is positive and finite.
+    /// std::invalid_argument unless the load, sizes and peak pressure are positive and finite.
     HertzEllipse under(Scalar load) const {
         detail::require_positive("HertzEllipse", "load", load);
         HertzEllipse other = *this;
@@ -230,6 +232,7 @@ public:
         other.a_ *= scale;
         other.b_ *= scale;
         other.approach_ *= scale * scale;
+        other.check();
         return other;
     }
 
@@ -250,6 +253,15 @@ private:
         detail::require(!detail::is_nan(radius) && radius != 0, "HertzEllipse", name, radius,
                         "be a number other than 0 (infinite if flat, negative if concave)");
         return detail::is_finite(radius) ? 1 / radius : Scalar(0);
+    }
+
+    // Loads, radii and moduli may be so large or small that sizes or pressures overflow.
+    void check() const {
+        detail::require_positive("HertzEllipse", "shorter semi-axis", (std::min)(a_, b_));
+        detail::require_positive("HertzEllipse", "longer semi-axis", (std::max)(a_, b_));
+        detail::require_positive("HertzEllipse", "peak pressure", peak_pressure());
+        detail::require_positive("HertzEllipse", "growth of the axes with the load",
+                                 (std::max)(half_length_rate(), half_width_rate()));
     }
 
     Scalar load_, a_ = 0, b_ = 0, approach_ = 0, turn_ = 0;
@@ -285,8 +297,7 @@ HertzEllipse<Scalar_>::HertzEllipse(const Parameters& parameters)
     a_ = across ? longer : shorter;
     b_ = across ? shorter : longer;
     approach_ = 3 * load_ * bodies_.compliance * integrals.K / (2 * pi * longer);
-    detail::require_positive("HertzEllipse", "shorter semi-axis", shorter);
-    detail::require_positive("HertzEllipse", "longer semi-axis", longer);
+    check();
 }
 
 /// Mean pressures [Pa] of elements that cover an elliptic patch, whether they end on its edge or beyond, under the load

@@ -24,8 +24,8 @@ namespace rollbem {
 ///     NormalLoad<double> load = hertz.at(line.load_per_width());
 ///     hertz.set(load_per_width, load);                                   // no allocation
 ///     const auto step = model.advance(now, dq, motion, load, next, workspace);
-///     const double by_load = step.tangent_by_load_per_width +
-///                            step.tangent_by_half_length_per_width * hertz.half_length_rate(load_per_width);
+///     const auto by_load =
+///         step.tangent_by_load + hertz.half_length_rate(load_per_width) * step.tangent_by_half_length;
 template <class Scalar_ = double>
 class HertzLoad {
 public:

@@ -41,7 +41,7 @@ SemiAxes<Scalar> least_resolved(const PatchContact<Scalar>& contact, const Patch
 ///     const auto step = model.advance(now, dq, motion, load, next, workspace);
 ///     const auto by_load = step.tangent_by_load + hertz.half_length_rate(N) * step.tangent_by_half_length +
 ///                          hertz.half_width_rate(N) * step.tangent_by_half_width;
-///     hertz.set(HertzEllipse<double>(radii_of_the_moment), load);  // other radii
+///     hertz.set(HertzEllipse<double>(radii), load);  // other radii
 template <class Scalar_ = double>
 class HertzPatchLoad {
 public:

@@ -12,13 +12,14 @@
 #include <Eigen/Core>
 
 #include "../detail/finite.hpp"
+#include "../detail/require.hpp"
 #include "../status.hpp"
 #include "../types.hpp"
 #include "detail/grid_convolution.hpp"
 
 namespace rollbem {
 
-/// Cells of size dx x dy [m] around centres x_0 + i dx, y_0 + j dy.
+/// Cells of size dx x dy [m] around centres x_0 + i dx, y_0 + j dy. Invariant: nx, ny >= 1; 0 < dx, dy < inf.
 struct CellGrid {
     Eigen::Index nx, ny;
     double x_0, y_0, dx, dy;
@@ -41,12 +42,17 @@ public:
         Status status = Status::not_finite;
     };
 
-    /// 1/E* = (1-nu_1)/(2 G_1) + (1-nu_2)/(2 G_2) [1/Pa]; of equal bodies (1-nu)/G.
-    explicit NormalContact(double compliance) : compliance_(compliance) {}
+    /// 1/E* = (1-nu_1)/(2 G_1) + (1-nu_2)/(2 G_2) [1/Pa]; of equal bodies (1-nu)/G. Throws std::invalid_argument unless
+    /// it is positive and finite.
+    explicit NormalContact(double compliance) : compliance_(compliance) {
+        detail::require_positive("NormalContact", "compliance", compliance);
+    }
 
     /// Carrying `load` [N]. `h` [m] is the gap before deformation in each cell, nx x ny; steps end when no gap where
     /// there is pressure exceeds `tolerance` times the approach from the least h. If `warm` is set, the present pressures, of
-    /// whatever grid, are the first guess.
+    /// whatever grid, are the first guess. Otherwise the status is not_converged, or, with all pressures 0, no_contact (no
+    /// load, or one without a displacement in double precision) or not_finite (so are inputs, or results would be).
+    /// Throws std::invalid_argument unless h has the size of the grid, with at least one cell.
     Solution carry(const CellGrid& grid, const Grid& h, double load, double tolerance = 1e-6, bool warm = false) {
         return solve(grid, h, load, 0, tolerance, warm);
     }
@@ -62,19 +68,29 @@ public:
 private:
     Solution solve(const CellGrid& grid, const Grid& h, std::optional<double> load, double approach, double tolerance,
                    bool warm);
+    void begin(const CellGrid& grid, bool by_load, bool warm, double unit);
+    Solution iterate(bool by_load, double tolerance);
+
+    const Solution& without(const Solution& none, const CellGrid& grid) {
+        p_ = Grid::Zero(grid.nx, grid.ny);
+        grid_ = grid;
+        return none;
+    }
 
     // pressures of another grid, linear between the centres of its cells
     void move_to(const CellGrid& grid) {
         const CellGrid from = std::exchange(grid_, grid);
         if (from.nx == grid.nx && from.ny == grid.ny && from.dx == grid.dx && from.dy == grid.dy) return;
         const Grid old = std::exchange(p_, Grid::Zero(grid.nx, grid.ny));
+        const auto inside = [](double at, Eigen::Index count) { return at >= 0 && at < double(count - 1); };
         for (Eigen::Index j = 0; j < grid.ny; ++j) {
             const double y = (grid.y(j) - from.y_0) / from.dy, v = y - std::floor(y);
-            const auto l = static_cast<Eigen::Index>(std::floor(y));
+            if (!inside(y, from.ny)) continue;
+            const auto l = static_cast<Eigen::Index>(y);
             for (Eigen::Index i = 0; i < grid.nx; ++i) {
                 const double x = (grid.x(i) - from.x_0) / from.dx, u = x - std::floor(x);
-                const auto k = static_cast<Eigen::Index>(std::floor(x));
-                if (k < 0 || k + 1 >= from.nx || l < 0 || l + 1 >= from.ny) continue;
+                if (!inside(x, from.nx)) continue;
+                const auto k = static_cast<Eigen::Index>(x);
                 p_(i, j) = (1 - v) * ((1 - u) * old(k, l) + u * old(k + 1, l)) +
                            v * ((1 - u) * old(k, l + 1) + u * old(k + 1, l + 1));
             }
@@ -86,59 +102,108 @@ private:
         return (p_ > 0).select(of, 0).sum() / double(std::max<Eigen::Index>((p_ > 0).count(), 1));
     }
 
+    struct Step {
+        bool grown = false, shrunk = false;  // of the cells that touch
+    };
+    // Pressures change by -tau t; cells that no longer push open, and those that overlap touch.
+    Step project(double tau) {
+        Step step;
+        for (Eigen::Index k = 0; k < p_.size(); ++k) {
+            double& p = p_.data()[k];
+            if (p > 0) {
+                p -= tau * t_.data()[k];
+                if (p > 0) continue;
+                p = 0;
+                step.shrunk = true;
+            } else if (g_.data()[k] < 0) {
+                p = -tau * g_.data()[k];
+                step.grown = true;
+            }
+        }
+        return step;
+    }
+
     double compliance_;
     detail::GridConvolution convolution_;
     CellGrid grid_{};  // of p_
-    Grid p_, u_, g_, t_, q_;
+    Grid p_, h_, u_, g_, t_, q_;
 };
 
 inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const Grid& h, std::optional<double> load,
                                                     double approach, double tolerance, bool warm) {
-    Solution result;
-    if (!h.allFinite() || !detail::is_finite(approach) || (load && !detail::is_finite(*load))) return result;
+    detail::require(h.rows() == grid.nx && h.cols() == grid.ny && h.size() > 0, "NormalContact", "number of gaps",
+                    h.size(), "be that of the grid's cells, and positive");
+    const bool finite = detail::all_finite(h) && detail::is_finite(load.value_or(approach)) &&
+                        detail::is_finite(grid.x_0) && detail::is_finite(grid.y_0);
+    if (!finite || !(grid.dx > 0 && grid.dy > 0)) return without({}, grid);
     const double least = h.minCoeff(), cell = grid.dx * grid.dy;
-    result.status = Status::no_contact;
-    if (load ? !(*load > 0) : !(approach > least)) {
-        p_ = Grid::Zero(grid.nx, grid.ny);
-        grid_ = grid;
-        result.approach = approach;
-        return result;
+    const auto vanishes = [](double x) { return !(x >= std::numeric_limits<double>::min()); };
+    Solution none;
+    none.approach = approach;
+    none.status = Status::no_contact;
+    if (vanishes(load ? *load : approach - least)) return without(none, grid);
+    // Units in which one cell that carries the load, or reaches the approach, has a pressure and a displacement of 1:
+    // the contact has no larger approach, so that gaps above do not close.
+    convolution_.prepare(grid.nx, grid.ny, 1, grid.dy / grid.dx);
+    const double softness = compliance_ / std::numbers::pi * grid.dx * convolution_.own();
+    const double pressure = load ? *load / cell : (approach - least) / softness;
+    const double length = load ? softness * pressure : approach - least;
+    if (!detail::is_finite(pressure) || !detail::is_finite(length)) return without({}, grid);
+    if (vanishes(pressure) || vanishes(length)) return without(none, grid);
+    h_ = ((h - least) / length).cwiseMin(2);
+    begin(grid, load.has_value(), warm, pressure);
+    Solution result = iterate(load.has_value(), tolerance);
+    p_ *= pressure;
+    result.load = p_.sum() * cell;
+    result.approach = load ? least + result.approach * length : approach;
+    const bool numbers = detail::is_finite(result.load) && detail::is_finite(result.approach);
+    if (result.status == Status::not_finite || !numbers) return without({}, grid);
+    return vanishes(result.load) ? without(none, grid) : result;
+}
+
+// The first guess, over `unit`.
+inline void NormalContact::begin(const CellGrid& grid, bool by_load, bool warm, double unit) {
+    if (warm && p_.size() > 0) {
+        move_to(grid);
+        p_ /= by_load ? p_.maxCoeff() : unit;
     }
-    convolution_.prepare(grid.nx, grid.ny, grid.dx, grid.dy);
-    if (warm && p_.size() > 0) move_to(grid);
     grid_ = grid;
-    const double unit = compliance_ / std::numbers::pi;
-    const auto displace = [&](const Grid& p, Grid& u) {
-        convolution_.apply(p, u);
-        u *= unit;
-    };
-    if (!warm || !(p_ > 0).any()) {
-        // where surfaces overlap, like Hertz's pressure; with a load over all cells
-        const double level = load ? h.maxCoeff() : approach;
-        p_ = (level - h).cwiseMax(0).sqrt();
-        if (!load)
-            p_ *= std::sqrt(level - least) /
-                  (compliance_ * 2 * std::sqrt(double((p_ > 0).count()) * cell / std::numbers::pi));
+    if (!warm || p_.size() == 0 || !detail::all_finite(p_) || !(p_ > 0).any()) {
+        // where surfaces overlap, like Hertz's pressure; with a load over all cells, but on a plane gap uniform
+        const double most = h_.maxCoeff(), level = by_load && most > 0 ? (std::min)(most, 1.0) : 1;
+        p_ = (level - h_).cwiseMax(0).sqrt();
+        const double area = double((p_ > 0).count()) * grid.dy / grid.dx;
+        if (!by_load) p_ *= convolution_.own() / (2 * std::sqrt(std::numbers::pi * area));
     }
-    u_.resize(grid.nx, grid.ny);
-    q_.resize(grid.nx, grid.ny);
-    if (load) p_ *= *load / (p_.sum() * cell);
-    t_ = Grid::Zero(grid.nx, grid.ny);
+    if (by_load) p_ /= p_.sum();
+}
+
+// Conjugate gradients with projection from the first guess, in units of the load of a cell or of the approach, which is
+// 1; its approach is over the unit of length.
+inline NormalContact::Solution NormalContact::iterate(bool by_load, double tolerance) {
+    Solution result;
+    const auto displace = [&](const Grid& p, Grid& u) {
+        u.resize(p.rows(), p.cols());
+        convolution_.apply(p, u);
+        u *= 1 / convolution_.own();
+    };
+    t_ = Grid::Zero(p_.rows(), p_.cols());
     double last = 1;
     bool grown = true, known = false;  // whether u_ is that of p_
     constexpr int most = 300;
+    result.status = Status::not_converged;
     for (result.steps = 1; result.steps <= most; ++result.steps) {
         if (!known) displace(p_, u_);
         known = true;
-        g_ = u_ + h;
-        if (load) approach = mean(g_);
-        g_ -= approach;
+        g_ = u_ + h_;
+        result.approach = by_load ? mean(g_) : 1;
+        g_ -= result.approach;
         const double square = (p_ > 0).select(g_.square(), 0).sum();
-        const double worst = (p_ > 0).select(g_.abs(), 0).maxCoeff();
-        const bool outside = ((p_ <= 0) && (g_ < -tolerance * (approach - least))).any();
+        const double least = tolerance * result.approach;
+        const bool outside = ((p_ <= 0) && (g_ < -least)).any();
         if (!detail::is_finite(square)) return {.status = Status::not_finite};
-        result.residual = worst / (approach - least);
-        if (worst <= tolerance * (approach - least) && !outside) {
+        result.residual = (p_ > 0).select(g_.abs(), 0).maxCoeff() / result.approach;
+        if (result.residual <= tolerance && !outside) {
             result.status = Status::ok;
             break;
         }
@@ -146,42 +211,28 @@ inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const 
         last = square;
         t_ = (p_ > 0).select(g_ + beta * t_, 0);
         displace(t_, q_);
-        const double level = load ? mean(q_) : 0;
+        const double level = by_load ? mean(q_) : 0;
         const double bend = ((q_ - level) * t_).sum();
-        const double tau = bend > 0 ? (g_ * t_).sum() / bend : 0;
-        if (!(tau > 0)) {  // the direction is used up: from the gradient anew, unless it was that
-            if (std::exchange(grown, true)) {
-                result.status = Status::not_converged;
-                break;
-            }
-            continue;
+        double tau = bend > 0 ? (g_ * t_).sum() / bend : 0;
+        if (!(tau > 0)) {
+            // the direction is used up: from the gradient anew; then each cell that overlaps for itself
+            if (!std::exchange(grown, true)) continue;
+            if (!outside) break;
+            t_.setZero();
+            tau = 1;
         }
-        grown = false;
-        for (Eigen::Index k = 0; k < p_.size(); ++k) {
-            double& p = p_.data()[k];
-            if (p > 0) {
-                p -= tau * t_.data()[k];
-                if (p > 0) continue;
-                p = 0;
-                known = false;
-            } else if (g_.data()[k] < 0) {
-                p = -tau * g_.data()[k];
-                grown = true;
-            }
-        }
-        known = known && !grown;  // displacements are linear in pressures while the same cells touch
+        const Step step = project(tau);
+        grown = step.grown;
+        known = !step.grown && !step.shrunk;  // displacements are linear in pressures while the same cells touch
         if (known) u_ -= tau * q_;
-        if (load) {
-            const double sum = p_.sum() * cell;
+        if (by_load) {
+            const double sum = p_.sum();
             if (!(sum > 0)) return {.status = Status::not_finite};
-            p_ *= *load / sum;
-            u_ *= *load / sum;
+            p_ /= sum;
+            u_ /= sum;
         }
         if (!(p_ > 0).any()) break;
     }
-    if (result.status == Status::no_contact && result.steps > most) result.status = Status::not_converged;
-    result.load = p_.sum() * cell;
-    result.approach = approach;
     return result;
 }
 

@@ -40,12 +40,16 @@ public:
     /// Integral of the pressure over the grid.
     Scalar integral() const { return over({x_[0], x_[x_.size() - 1], y_[0], y_[y_.size() - 1]}); }
 
-    /// The mean over each rectangle, exactly, in the unit of the pressures.
+    /// The mean over each rectangle, exactly, in the unit of the pressures. Throws std::invalid_argument if one has no
+    /// area.
     ArrayX<Scalar> operator()(const std::vector<Rectangle<Scalar>>& elements) const {
         ArrayX<Scalar> mean(static_cast<Eigen::Index>(elements.size()));
         Eigen::Index i = 0;
         for (const Rectangle<Scalar>& element : elements) {
-            mean[i++] = over(element) / ((element.x_2 - element.x_1) * (element.y_2 - element.y_1));
+            const Scalar area = (element.x_2 - element.x_1) * (element.y_2 - element.y_1);
+            detail::require(detail::is_finite(area) && element.x_1 < element.x_2 && area > 0, "PressureGrid",
+                            "area of an element", area, "be positive and finite");
+            mean[i++] = over(element) / area;
         }
         return mean;
     }

@@ -46,6 +46,7 @@ public:
 
     /// The pressure at x/a [-], in the unit of the pressures; at a jump, that ahead of it.
     Scalar operator()(Scalar x_over_a) const {
+        if (detail::is_nan(x_over_a)) return x_over_a;
         const Scalar* const end = x_.data() + x_.size();
         const Eigen::Index j = std::upper_bound(x_.data(), end, x_over_a) - x_.data();
         if (j == 0) return 0;

@@ -22,8 +22,8 @@ namespace rollbem {
 /// inner side of the right one at negative y. It is a cubic spline in both, broken at corners: points where the polygon
 /// turns by more than 30 degrees, and by at most 6 at every other point within 2 mm.
 ///
-/// Invariant: at least 4 points, finite, no two in a row equal, and the polygon turns by at most 150 degrees at each; y
-/// grows from the first to the last (moved() keeps their order).
+/// Invariant: at least 4 points, finite, from 1e-100 to 1e100 from one to the next, and the polygon turns by at most
+/// 150 degrees at each; y grows from the first to the last (moved() keeps their order).
 class Profile {
 public:
     /// What the curve is: a whole wheel, a whole rail, or a piece that shows neither, as rollers and cut-outs do.
@@ -39,11 +39,14 @@ public:
     Profile(Eigen::ArrayXd y, Eigen::ArrayXd z, Use use = Use::rail)
         : values_{std::move(y), std::move(z)}, piece_(use == Use::piece) {
         const Eigen::Index n = values_[0].size();
+        constexpr double least = 1e-100;  // of distances: their squares and inverses are numbers
         detail::require(n >= 4, "Profile", "number of points", n, "be at least 4");
         detail::require(values_[1].size() == n, "Profile", "number of z", values_[1].size(), "equal that of y");
         for (Eigen::Index i = 0; i < n; ++i) {
             check(i, detail::is_finite(values_[0][i]) && detail::is_finite(values_[1][i]), "be finite");
-            check(i, i == 0 || length_of_step(i) > 0, "differ from the one before it");
+            if (i == 0) continue;
+            check(i, length_of_step(i) > least, "differ from the one before it");
+            check(i, length_of_step(i) < 1 / least, "lie within 1e100 of the one before it");
         }
         const Eigen::ArrayXd turns = detail::turns_at(values_[0], values_[1]);
         for (Eigen::Index i = 0; i < n; ++i) {

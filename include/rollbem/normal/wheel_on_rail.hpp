@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "../detail/finite.hpp"
+#include "../detail/require.hpp"
 #include "../scene/wheelset.hpp"
 #include "contact_geometry.hpp"
 #include "detail/contact_parts.hpp"
@@ -62,7 +63,8 @@ public:
     };
 
     /// The contact whose normal forces carry the vertical load [N], sum N cos delta, at this lateral position, roll and
-    /// yaw; the height of `position` is not used.
+    /// yaw; the height of `position` is not used. no_contact if the load is not positive. Throws std::invalid_argument if
+    /// an option is out of its range, as solve_at_height() does.
     template <std::same_as<double> Scalar = double>  // for rollbem::compiled
     Contact solve_for_load(const WheelsetPosition& position, double load, Workspace& workspace,
                            const Options& options) const;
@@ -98,6 +100,15 @@ public:
 private:
     using Parts = detail::ContactParts;
 
+    static void check(const Options& options) {
+        constexpr const char *who = "WheelOnRail", *few = "be at least 5";
+        detail::require(options.cells_x >= 5, who, "cells_x", options.cells_x, few);
+        detail::require(options.cells_s >= 5, who, "cells_s", options.cells_s, few);
+        detail::require(options.tolerance > 0 && options.tolerance < 1, who, "tolerance", options.tolerance,
+                        "be positive and below 1");
+        const double size = options.cell_size;
+        detail::require(size == 0 || (size >= 1e-5 && size <= 1), who, "cell_size", size, "be 0 or lie in [1e-5, 1]");
+    }
     static detail::ContactSettings settings(const Options& options) {
         return {options.cells_x, options.cells_s, options.tolerance, options.cell_size, options.interaction};
     }
@@ -157,8 +168,11 @@ inline void WheelOnRail::collect(const Parts& parts, double lower, Contact& cont
 template <std::same_as<double> Scalar>
 auto WheelOnRail::solve_for_load(const WheelsetPosition& position, double load, Workspace& workspace,
                                  const Options& options) const -> Contact {
+    check(options);
     Contact contact;
-    if (!detail::is_finite(position) || !(detail::is_finite(load) && load > 0)) return contact;
+    if (!detail::is_finite(position) || !detail::is_finite(load)) return contact;
+    contact.status = Status::no_contact;
+    if (!(load > 0)) return contact;
     Parts& parts = workspace.parts_;
     contact.status = parts.locate(geometry_, position, settings(options));
     if (contact.status != Status::ok) return contact;
@@ -181,6 +195,7 @@ auto WheelOnRail::solve_for_load(const WheelsetPosition& position, double load, 
 template <std::same_as<double> Scalar>
 auto WheelOnRail::solve_at_height(const WheelsetPosition& position, Workspace& workspace, const Options& options) const
     -> Contact {
+    check(options);
     Contact contact;
     if (!detail::is_finite(position)) return contact;
     Parts& parts = workspace.parts_;

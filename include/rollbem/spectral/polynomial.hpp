@@ -158,14 +158,17 @@ EstimatedC11<Scalar> polynomial_c11(std::type_identity_t<std::complex<Scalar>> s
     const Complex denominator = Scalar(1) + s * (lambda * sum + ratio / Scalar(4));
     EstimatedC11<Scalar> result{};
     result.c11 = steady_c11(poisson_ratio) * sum / denominator;
-    // errors of the sum (truncation, rounding), amplified near a pole, and the rounding of the denominator
+    // relative errors of the sum (truncation, rounding), amplified near a pole, and the rounding of the denominator;
+    // the last factor turns errors relative to the computed sum into errors relative to the exact one
     const Scalar modulus = std::abs(s);
     const Scalar rounding = 4 * std::numeric_limits<Scalar>::epsilon();
     const Scalar dropped = std::abs(tail) * modulus * (1 + modulus) / static_cast<Scalar>(2 * order);
-    const Scalar sum_error = dropped + rounding * (1 + modulus * (2 + std::abs(ratio)) / 4);
+    const Scalar sum_error =
+        (dropped + rounding * (1 + modulus * (2 + std::abs(ratio)) / 4)) / std::abs(sum) + rounding;
     const Scalar rest = 1 + modulus * std::abs(ratio) / 4;
-    result.error_estimate = (sum_error / std::abs(sum) + rounding) * (1 + rest / std::abs(denominator)) +
-                            rounding * modulus * lambda * std::abs(sum) / std::abs(denominator);
+    result.error_estimate = (sum_error * (1 + rest / std::abs(denominator)) +
+                             rounding * modulus * lambda * std::abs(sum) / std::abs(denominator)) /
+                            (std::max)(1 - sum_error, Scalar(0));
     result.status = detail::polynomial_status(result.c11, result.error_estimate, detail::chebyshev_tolerance<Scalar>());
     return result;
 }

@@ -30,7 +30,7 @@ inline const char* polynomial_advice(Status status) {
         case Status::ill_conditioned:
             return "the monomial basis has broken down at this order (ill-conditioned); use the Chebyshev basis";
         case Status::not_converged:
-            return "the result changes with the order; raise it, or use the Chebyshev basis at its default order";
+            return "its error is too large; raise the order, or use the Chebyshev basis at its default order";
         default: break;
     }
     return "the result is not finite; use the Chebyshev basis at its default order";
@@ -115,20 +115,20 @@ PolynomialSolution<Scalar> solve_monomial_once(std::complex<Scalar> s, const Eig
 namespace rollbem::studies {
 
 /// The polynomial approach in monomials: Eqs. (25)-(27) with the factors 1 and l+1 due to the derivative. The error
-/// estimate is the difference from order + 10, plus rounding. The status is ill_conditioned above a condition of 1e12,
-/// not_converged where the difference is more than a part of 16 million; monomials break down by cancellation before
-/// the matrix looks singular. Throws std::invalid_argument unless s, poisson_ratio, aspect and order are as in
-/// polynomial_c11.
+/// estimate is the difference from polynomial_c11 at its default order, plus the error estimate of that: orders of
+/// monomials cannot judge one another, as those that are too low err alike, and higher ones round alike. The status is
+/// ill_conditioned above a condition of 1e12, not_converged where the estimate is more than a part of 16 million;
+/// monomials break down by cancellation before the matrix looks singular. Throws std::invalid_argument unless s,
+/// poisson_ratio, aspect and order are as in polynomial_c11 and |s| <= 1e8.
 template <std::floating_point Scalar>
 PolynomialSolution<Scalar> solve_monomial(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
                                           std::type_identity_t<Scalar> aspect, Eigen::Index order) {
     detail::polynomial_lambda("solve_monomial", s, poisson_ratio, aspect, order);
-    const auto of_order = [&](Eigen::Index highest) {
-        return detail::solve_monomial_once<Scalar>(s, displacement_matrix(highest, poisson_ratio, aspect));
-    };
-    PolynomialSolution<Scalar> solution = of_order(order);
-    const Scalar rounding = 4 * std::numeric_limits<Scalar>::epsilon();  // both orders may round alike
-    solution.error_estimate = std::abs(solution.c11 - of_order(order + 10).c11) / std::abs(solution.c11) + rounding;
+    const EstimatedC11<Scalar> chebyshev = polynomial_c11(s, poisson_ratio, aspect);
+    PolynomialSolution<Scalar> solution =
+        detail::solve_monomial_once<Scalar>(s, displacement_matrix(order, poisson_ratio, aspect));
+    const Scalar difference = std::abs(solution.c11 / chebyshev.c11 - Scalar(1));
+    solution.error_estimate = difference + (1 + difference) * chebyshev.error_estimate;
     const Scalar tolerance = std::cbrt(std::numeric_limits<Scalar>::epsilon()) / 100;
     solution.status = detail::polynomial_status(solution.c11, solution.error_estimate, tolerance);
     if (solution.status != Status::not_finite &&

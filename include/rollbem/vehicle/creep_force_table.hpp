@@ -124,10 +124,9 @@ private:
     /// An ellipse between those of the table.
     struct Ellipse {
         bool on_table;
-        double shape;  ///< coordinate of the lattice
-        double
-            shape_per_log;  ///< its derivative by log(a/b); beyond the table the shape stays that of its last ellipse
-        Eigen::Index cell;  ///< of the shape
+        double shape;          ///< coordinate of the lattice; beyond the table that of its last ellipse
+        double shape_per_log;  ///< its derivative by log(a/b), 0 beyond the table
+        Eigen::Index cell;     ///< of the shape
         SplineWeights by_shape;
         Eigen::Array4d linear, linear_by_shape;  ///< the scales of the grid
     };

@@ -42,6 +42,7 @@ public:
                 corners(i, j) = corner((double(i) - 0.5) * dx, (double(j) - 0.5) * dy);
             }
         }
+        own_ = corners(1, 1) - corners(0, 1) - corners(1, 0) + corners(0, 0);
         // mirrored into all four quadrants
         spectrum_.setZero();
         for (Eigen::Index j = 0; j < height_; ++j) {
@@ -75,6 +76,8 @@ public:
             u.col(j).head(nx_) = row_.head(nx_);
         }
     }
+
+    double own() const { return own_; }  ///< the displacement of a cell by a unit pressure on itself
 
 private:
     // of cells of one quadrant, from corners at x, y that may be negative
@@ -115,7 +118,7 @@ private:
     }
 
     Eigen::Index nx_ = 0, ny_ = 0, width_ = 0, height_ = 0, half_ = 0;
-    double dx_ = 0, dy_ = 0;
+    double dx_ = 0, dy_ = 0, own_ = 0;
     Eigen::FFT<double> fft_;
     Eigen::ArrayXd row_, kernel_;
     Eigen::ArrayXcd column_, spectrum_, in_, out_;  // rows of the grid one after the other

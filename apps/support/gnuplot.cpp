@@ -1,0 +1,462 @@
+// Plots as scripts for gnuplot, and the pictures it draws.
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <iterator>
+#include <limits>
+#include <set>
+#include <string_view>
+
+#include <sys/wait.h>
+
+#include "plot.hpp"
+
+namespace study {
+
+namespace {
+
+std::string gnuplot_string(std::string text) {
+    for (std::size_t i = text.find('\''); i != std::string::npos; i = text.find('\'', i + 2)) text.insert(i, 1, '\'');
+    return "'" + text + "'";
+}
+
+// --- axes ----------------------------------------------------------------------------------------------------------
+
+using Point = std::pair<double, double>;
+
+/// One of the two axes of a plot: gets the coordinate of a point along it.
+struct PlotAxis {
+    char name;
+    bool logarithmic;
+    double linear_within;
+    std::optional<PlotRange> Plot::*range;
+    double Point::*coordinate;
+
+    /// Where a value lies on the paper, but for shift and scale, and the value there.
+    double place(double value) const {
+        return logarithmic ? std::log10(value) : linear_within > 0 ? std::asinh(value / linear_within) : value;
+    }
+    double value(double place) const {
+        return logarithmic ? std::pow(10, place) : linear_within > 0 ? linear_within * std::sinh(place) : place;
+    }
+    /// 0 ... 1 within a range.
+    double share(double at, const PlotRange& of) const {
+        return (place(at) - place(of.low)) / (place(of.high) - place(of.low));
+    }
+    double at_share(double share, const PlotRange& of) const {
+        return value(place(of.low) + share * (place(of.high) - place(of.low)));
+    }
+};
+
+std::array<PlotAxis, 2> axes_of(const Plot& plot) {
+    return {PlotAxis{'x', plot.log_x, plot.linear_within, &Plot::x_range, &Point::first},
+            PlotAxis{'y', plot.log_y, plot.linear_within, &Plot::y_range, &Point::second}};
+}
+
+bool has_place(const Plot& plot, const Point& point) {
+    return std::isfinite(point.first) && std::isfinite(point.second) && (!plot.log_x || point.first > 0) &&
+           (!plot.log_y || point.second > 0);
+}
+
+/// The least and the largest coordinate of all points that have a place.
+PlotRange extent(const Plot& plot, const PlotAxis& axis) {
+    PlotRange found{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (const Series& series : plot.series) {
+        for (const Point& point : series.points) {
+            if (!has_place(plot, point)) continue;
+            found = {std::min(found.low, point.*axis.coordinate), std::max(found.high, point.*axis.coordinate)};
+        }
+    }
+    return found;
+}
+
+std::string marks_command(const PlotAxis& axis, const std::vector<double>& marks) {
+    std::string line = csv_line(Row(marks.begin(), marks.end()));
+    line.pop_back();  // its end
+    return std::string("set ") + axis.name + "tics (" + line + ")\n";
+}
+
+/// 1, 2, 5, 10, ... around a range and some beyond.
+std::vector<double> marks_of_decades(const PlotRange& range) {
+    std::vector<double> marks;
+    for (int k = int(std::floor(std::log10(range.low))) - 1; k <= int(std::floor(std::log10(range.high))) + 1; ++k) {
+        for (const int digit : {1, 2, 5}) marks.push_back(digit * std::pow(10, k));
+    }
+    return marks;
+}
+
+/// A logarithmic x axis, with marks at the values if those are few. One shorter than a decade is linear: gnuplot sets
+/// too few marks.
+std::string logarithmic_x(const Plot& plot, const PlotAxis& axis) {
+    std::set<double> values;
+    for (const Series& series : plot.series) {
+        for (const Point& point : series.points) {
+            if (has_place(plot, point)) values.insert(point.first);
+        }
+    }
+    const PlotRange range = plot.x_range.value_or(PlotRange{*values.begin(), *values.rbegin()});
+    const auto is_short = [](double value) { return value == std::round(value) && value < 1e4; };
+    const bool few = values.size() <= 8 && std::all_of(values.begin(), values.end(), is_short);
+    if (!few && range.high < 10 * range.low && !plot.x_range) return "";
+    const std::string scale = "set logscale x " + std::to_string(plot.log_base) + "\n";
+    if (!few)
+        return scale + (plot.log_base == 10 && range.high < 100 * range.low
+                            ? marks_command(axis, marks_of_decades(range))
+                            : "");
+    std::vector<double> marks;  // none on top of another
+    for (const double value : values) {
+        const bool apart = marks.empty() || std::log(value / marks.back()) > 0.04 * std::log(range.high / range.low);
+        if (apart) marks.push_back(value);
+    }
+    return scale + marks_command(axis, marks);
+}
+
+/// A logarithmic y axis. A short one gets marks and a range between two of them: gnuplot's are powers of ten.
+std::string logarithmic_y(Plot& plot, const PlotAxis& axis) {
+    const PlotRange range = plot.y_range.value_or(extent(plot, axis));
+    if (range.high >= 100 * range.low) return "set logscale y 10\nset format y '10^{%T}'\n";
+    const std::vector<double> marks = marks_of_decades(range);
+    if (!plot.y_range) {
+        const auto above = std::upper_bound(marks.begin(), marks.end(), 1.02 * range.high);
+        const auto below = std::lower_bound(marks.begin(), marks.end(), range.low / 1.02);
+        plot.y_range = PlotRange{*std::prev(below), *above};
+    }
+    return "set logscale y 10\n" + marks_command(axis, marks);
+}
+
+/// Axes that are linear near 0 and logarithmic beyond, with marks at powers of ten of either sign.
+std::string both_logarithms(const Plot& plot, const PlotAxis& axis) {
+    const std::string within = Cell(axis.linear_within).text();
+    std::vector<double> marks{0};
+    const PlotRange range = (plot.*axis.range).value();
+    const double most = std::max(std::abs(range.low), std::abs(range.high));
+    const std::string name(1, axis.name), scale = "set nonlinear " + name + " via asinh(" + name + "/" + within +
+                                                  ") inverse " + within + "*sinh(" + name + ")\n";
+    if (most < 10 * axis.linear_within) return scale;  // nearly linear
+    for (double mark = std::pow(10, std::ceil(std::log10(axis.linear_within))); mark <= most; mark *= 10) {
+        if (-mark >= range.low) marks.insert(marks.begin(), -mark);
+        if (mark <= range.high) marks.push_back(mark);
+    }
+    return scale + marks_command(axis, marks);
+}
+
+/// Moves the ends of given ranges outwards from markers that lie on them.
+void clear_the_frame(Plot& plot) {
+    if (plot.true_scale) return;
+    for (const PlotAxis& axis : axes_of(plot)) {
+        std::optional<PlotRange>& range = plot.*axis.range;
+        if (!range) continue;
+        bool at_low = false, at_high = false;
+        for (const Series& series : plot.series) {
+            for (const Point& point : series.points) {
+                if (!series.markers || !has_place(plot, point)) continue;
+                const double share = axis.share(point.*axis.coordinate, *range);
+                at_low = at_low || std::abs(share) < 0.015;
+                at_high = at_high || std::abs(share - 1) < 0.015;
+            }
+        }
+        const PlotRange given = *range;
+        if (at_low) range->low = axis.at_share(-0.025, given);
+        if (at_high) range->high = axis.at_share(1.025, given);
+    }
+}
+
+/// Lengths to scale have marks as far apart along either axis.
+std::string to_scale(const Plot& plot) {
+    const auto length = [](const PlotRange& range) { return std::abs(range.high - range.low); };
+    const double apart = std::max(length(*plot.x_range), length(*plot.y_range)) / 10;
+    const std::vector<double> steps = marks_of_decades({apart, apart});
+    const std::string step = Cell(*std::lower_bound(steps.begin(), steps.end(), apart)).text(6);
+    return "set size ratio -1\nset xtics " + step + "\nset ytics " + step + "\n";
+}
+
+/// Scales, ranges and marks.
+std::string axis_commands(Plot& plot) {
+    const auto [x, y] = axes_of(plot);
+    std::string script = plot.true_scale ? to_scale(plot) : "";
+    if (plot.log_x) script += logarithmic_x(plot, x);
+    if (plot.log_y) script += logarithmic_y(plot, y);
+    clear_the_frame(plot);
+    for (const PlotAxis& axis : {x, y}) {
+        if (axis.linear_within > 0) script += both_logarithms(plot, axis);
+        if (const auto& range = plot.*axis.range) {
+            script += std::string("set ") + axis.name + "range [" + Cell(range->low).text() + ":" +
+                      Cell(range->high).text() + "]\n";
+        }
+    }
+    // no marker is cut by the frame; an end near 0 stays there
+    const PlotRange heights = extent(plot, y);
+    const double near = 0.05 * (heights.high - heights.low);
+    const bool above = !plot.y_range && (heights.high > 0 || heights.high < -near);
+    const bool below = !plot.y_range && (heights.low < 0 || heights.low > near);
+    const auto margin = [](bool wanted) { return std::string(wanted ? "graph 0.02" : "0"); };
+    return script + "set offsets " + margin(!plot.x_range) + ", " + margin(!plot.x_range) + ", " + margin(above) +
+           ", " + margin(below) + "\n";
+}
+
+// --- what the axes cannot show -------------------------------------------------------------------------------------
+
+/// Arrows at the frame to points beyond given ranges: of markers, and of lines without a point in view.
+Series arrows_to_hidden(const Plot& plot) {
+    Series arrows{.shape = Shape::arrows};
+    const auto axes = axes_of(plot);
+    const auto beyond = [&](const PlotAxis& axis, const Point& point) {
+        const auto& range = plot.*axis.range;
+        const double share = range ? axis.share(point.*axis.coordinate, *range) : 0;
+        return share < -1e-9 || share > 1 + 1e-9;
+    };
+    const auto is_hidden = [&](const Point& point) {
+        return beyond(axes[0], point) ? !plot.x_is_part : beyond(axes[1], point);
+    };
+    for (const Series& series : plot.series) {
+        if (series.reference || series.shape != Shape::curve) continue;
+        std::vector<Point> hidden, placed;
+        for (const Point& point : series.points) {
+            if (has_place(plot, point)) placed.push_back(point);
+        }
+        std::copy_if(placed.begin(), placed.end(), std::back_inserter(hidden), is_hidden);
+        if (!series.markers && placed.size() > 1 && hidden.size() < placed.size()) continue;  // the line shows where
+        for (Point head : hidden) {
+            Point tail = head;
+            for (const PlotAxis& axis : axes) {
+                const auto& range = plot.*axis.range;
+                if (!range) continue;
+                const double share = axis.share(head.*axis.coordinate, *range);
+                const double end = std::clamp(share, 0.0, 1.0);
+                head.*axis.coordinate = axis.at_share(end, *range);
+                tail.*axis.coordinate = axis.at_share(share < end ? 0.035 : share > end ? 0.965 : end, *range);
+            }
+            arrows.points.push_back(tail);
+            arrows.points.push_back(head);
+        }
+    }
+    arrows.label = std::to_string(arrows.points.size() / 2) + " beyond the frame";
+    arrows.reference = true;
+    return arrows;
+}
+
+/// What the title says of values that no point shows: undefined ones, and those that a logarithmic axis lacks.
+std::string missing_values(const Plot& plot) {
+    std::size_t missing = 0, all = 0;
+    for (const Series& series : plot.series) {
+        if (series.reference || series.shape != Shape::curve) continue;
+        for (const Point& point : series.points) {
+            if (!std::isfinite(point.first) && std::isfinite(point.second)) continue;  // between two lines
+            ++all;
+            if (!has_place(plot, point)) ++missing;
+        }
+    }
+    return missing == 0 ? "" : std::to_string(missing) + " of " + std::to_string(all) + " values cannot be drawn";
+}
+
+/// The points of a line without a neighbour to join them to.
+std::vector<Point> isolated_points(const Plot& plot, const Series& series) {
+    std::vector<Point> found;
+    const auto& points = series.points;
+    const auto is_placed = [&](std::size_t i) { return i < points.size() && has_place(plot, points[i]); };
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (is_placed(i) && !is_placed(i + 1) && (i == 0 || !is_placed(i - 1))) found.push_back(points[i]);
+    }
+    return found;
+}
+
+// --- gnuplot's commands --------------------------------------------------------------------------------------------
+
+/// "set title", in two lines if one would be longer than `widest` characters.
+std::string title_command(const std::string& title, std::ptrdiff_t widest) {
+    const auto is_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80 && c != '_'; };
+    const bool fits = std::count_if(title.begin(), title.end(), is_character) <= widest;
+    const std::size_t end = fits ? std::string::npos : title.rfind(", ", title.size() * 3 / 5);
+    if (end == std::string::npos) return "set title " + gnuplot_string(title) + "\n";
+    return "set title " + gnuplot_string(title.substr(0, end + 1)) + ".\"\\n\"." +
+           gnuplot_string(title.substr(end + 2)) + "\n";
+}
+
+/// Colour, dashes and markers of a series. References are black.
+std::string style_of(const Series& given, std::size_t style) {
+    Series series = given;
+    const bool single = given.points.size() == 1;
+    series.markers = given.markers || single;
+    series.open = given.open || (single && given.reference);  // it may lie on another
+    constexpr std::array colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9",
+                                 "#332288", "#882255", "#999933", "#777777", "#8B4513", "#AA4499"};
+    constexpr std::array dashes{"1", "(12,6)", "(3,4)", "(12,5,3,5)", "(20,6,6,6)"};
+    constexpr std::array filled{7, 5, 9, 13, 11, 15};
+    constexpr std::array open{6, 4, 8, 12, 10, 14};
+    const std::string colour =
+        std::string(" lc rgb '") + (series.reference ? "#000000" : colours[style % colours.size()]) + "'";
+    if (given.shape == Shape::rectangles) return "boxxyerror" + colour + " fs solid 0.5 border rgb '#ffffff'";
+    if (given.shape == Shape::arrows) return "vectors head filled size graph 0.012,20 lw 1.2" + colour;
+    if (given.alarm) return "points pt 2 ps 1.8 lw 3 lc rgb '#D55E00'";
+    std::string text = !series.markers ? "lines" : series.line ? "linespoints" : "points";
+    text += " lw 2" + colour;
+    if (series.line) text += " dt " + std::string(dashes[(style + (series.reference ? 1 : 0)) % dashes.size()]);
+    if (series.markers) text += " pt " + std::to_string((series.open ? open : filled)[style % open.size()]);
+    if (series.markers && series.open) text += " ps 1.2";
+    return text;
+}
+
+/// Lines for gnuplot: points, rectangles by middle and half sides, or arrows by tail and components.
+std::string data_of(const Plot& plot, const Series& series) {
+    std::string text;
+    const auto add = [&](const Row& numbers) {
+        for (const Cell& number : numbers) text += number.text() + " ";
+        text += "\n";
+    };
+    for (std::size_t i = 0; i < series.points.size(); ++i) {
+        const auto [x, y] = series.points[i];
+        if (series.shape == Shape::curve) {  // an empty line interrupts the curve, two would end it
+            if (has_place(plot, {x, y})) {
+                add({x, y});
+            } else if (text.rfind("\n\n") != text.size() - 2) {
+                text += "\n";
+            }
+            continue;
+        }
+        if (++i == series.points.size()) break;
+        const double dx = series.points[i].first - x, dy = series.points[i].second - y;
+        if (series.shape == Shape::arrows) add({x, y, dx, dy});
+        if (series.shape == Shape::rectangles) add({x + dx / 2, y + dy / 2, std::abs(dx) / 2, std::abs(dy) / 2});
+    }
+    return text;
+}
+
+/// What a title says besides: curves and values that are not drawn.
+std::string title_of(const Plot& plot, std::size_t labelled) {
+    std::string title = plot.title;
+    const auto add = [&](const std::string& between, const std::string& note) {
+        if (!note.empty()) title += (title.empty() ? "" : between) + note;
+    };
+    if (labelled > most_curves) {
+        add(": ", "the first " + std::to_string(most_curves) + " of " + std::to_string(labelled) + " curves");
+    }
+    add("; ", missing_values(plot));
+    return title;
+}
+
+std::string panel_script(Plot plot, bool alone) {
+    if (!can_be_drawn(plot)) throw PlotError("the plot has no point to draw");
+    const auto usable = [&](const Point& point) { return has_place(plot, point); };
+    const auto shows = [&](const Series& series) {
+        return std::any_of(series.points.begin(), series.points.end(), usable);
+    };
+    const auto is_counted = [&](const Series& series) {
+        return shows(series) && !series.label.empty() && !series.reference && !series.alarm;
+    };
+    const auto labelled = static_cast<std::size_t>(std::count_if(plot.series.begin(), plot.series.end(), is_counted));
+    std::string script = title_command(title_of(plot, labelled), alone ? 105 : 76) + "set xlabel " +
+                         gnuplot_string(plot.x_label) + "\nset ylabel " + gnuplot_string(plot.y_label) +
+                         "\nset grid lt 1 lc rgb '#dddddd' lw 1\n";
+    script += "set key above Left reverse samplen 3\nset autoscale xfix\nset format '%h'\n";
+    script += axis_commands(plot);
+    plot.series.push_back(arrows_to_hidden(plot));
+    std::vector<std::string> commands;
+    std::size_t curves = 0, drawn = 0, references = 0;  // drawn: of those with a label
+    for (std::size_t k = 0; k < plot.series.size(); ++k) {
+        const Series& series = plot.series[k];
+        const std::size_t style = series.style.value_or(series.reference ? references++ : curves++);
+        if (!shows(series)) continue;
+        if (is_counted(series) && ++drawn > most_curves) continue;
+        const auto add = [&](const Series& one, const std::string& label) {
+            const std::string data = "$data" + std::to_string(commands.size());
+            script += data + " << EOD\n" + data_of(plot, one) + "EOD\n";
+            commands.push_back(data + " with " + style_of(one, style) +
+                               (label.empty() ? " notitle" : " title " + gnuplot_string(label)));
+        };
+        add(series, series.label);
+        Series points = series;
+        points.points = isolated_points(plot, series);
+        const bool lost = !series.markers && series.shape == Shape::curve && !points.points.empty();
+        points.line = false, points.markers = true;
+        if (lost && series.points.size() > 1) add(points, "");
+    }
+    if (commands.size() == 1) script += "set key off\n";  // the title and the axes say it all
+    return script + "plot " + join(commands, ", ") + "\n";
+}
+
+/// The height of a panel of this width: as usual, or to scale what its ranges ask for.
+double height_of(const Plot& panel, double width, double usual) {
+    if (!panel.true_scale) return usual;
+    const double wide = std::abs(panel.x_range->high - panel.x_range->low);
+    const double high = std::abs(panel.y_range->high - panel.y_range->low);
+    constexpr double texts_above_and_below = 160, beside = 110;
+    return std::clamp(texts_above_and_below + (width - beside) * high / wide, 0.4 * width, 1.2 * width);
+}
+
+std::string gnuplot_script(const Plot& plot, bool png) {
+    const std::size_t panels = 1 + plot.beside.size();
+    const bool one = panels == 1;  // several are smaller, so that text remains legible when the picture is scaled down
+    const double width = one ? 900 : 675, usual = one ? 600 : 585;
+    double height = height_of(plot, width, usual);
+    for (const Plot& panel : plot.beside) height = std::max(height, height_of(panel, width, usual));
+    const double pixels = png ? 4.0 / 3 : 1;
+    const std::string size = "size " + std::to_string(std::lround(pixels * double(panels) * width)) + "," +
+                             std::to_string(std::lround(pixels * height)) + " ";
+    std::string script = "set encoding utf8\n";
+    if (png) {
+        script += "set terminal pngcairo " + size +
+                  "enhanced font 'sans,14' linewidth 1.3 dashlength 1.3 pointscale 1.4 background '#ffffff'\n";
+    } else {
+        script += "set terminal svg " + size + "dynamic enhanced font 'sans-serif,14' background '#ffffff'\n";
+    }
+    if (!one) script += "set multiplot layout 1," + std::to_string(panels) + "\n";
+    script += panel_script(plot, one);
+    for (const Plot& panel : plot.beside) script += "reset\n" + panel_script(panel, one);
+    if (!one) script += "unset multiplot\n";
+    return script;
+}
+
+/// The output of gnuplot for `script`. It goes through a pipe, not into the file: gnuplot does not report a failure to
+/// write.
+std::string run_gnuplot(const std::string& script, const std::string& path) {
+    const auto require = [&](bool done, const std::string& why) {
+        if (!done) throw PlotError("--plot = " + path + why + "; the rows are written");
+    };
+    std::FILE* const commands = std::tmpfile();
+    require(commands != nullptr, std::string(": no temporary file: ") + std::strerror(errno));
+    std::fwrite(script.data(), 1, script.size(), commands);
+    std::rewind(commands);
+    const std::string command = "exec gnuplot /dev/fd/" + std::to_string(::fileno(commands)) + " 2>/dev/null";
+    std::FILE* const pipe = ::popen(command.c_str(), "r");
+    std::string picture;
+    std::array<char, 65536> buffer;
+    while (pipe != nullptr) {
+        const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe);
+        picture.append(buffer.data(), count);
+        if (count == 0) break;
+    }
+    const int status = pipe != nullptr ? ::pclose(pipe) : -1;
+    std::fclose(commands);
+    require(!WIFEXITED(status) || WEXITSTATUS(status) != 127, " needs gnuplot, which cannot be started");
+    require(status == 0, ": gnuplot failed");
+    return picture;
+}
+
+}  // namespace
+
+bool can_be_drawn(const Plot& plot) {
+    return std::any_of(plot.series.begin(), plot.series.end(), [&](const Series& series) {
+        return std::any_of(series.points.begin(), series.points.end(),
+                           [&](const auto& point) { return has_place(plot, point); });
+    });
+}
+
+std::string picture(const Plot& plot, bool png, const std::string& path) {
+    using namespace std::string_view_literals;
+    std::string drawn = run_gnuplot(gnuplot_script(plot, png), path);
+    if (drawn.find(png ? "\0\0\0\0IEND"sv : "</svg>"sv) == std::string::npos) {
+        throw PlotError("--plot = " + path + ": gnuplot drew " + (drawn.empty() ? "nothing" : "only a part") +
+                        "; the rows are written");
+    }
+    // gnuplot puts what follows a subscript into a part of its own, whose leading space some viewers drop
+    constexpr std::string_view tag = "<text>", kept = "<text xml:space=\"preserve\">";
+    for (std::size_t i = 0; !png && (i = drawn.find(tag, i)) != std::string::npos; i += kept.size()) {
+        drawn.replace(i, tag.size(), kept);
+    }
+    return drawn;
+}
+
+}  // namespace study

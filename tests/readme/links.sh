@@ -1,0 +1,58 @@
+#!/bin/sh
+# Links between pages lead somewhere, CONTRIBUTING.md names every page, and names of the library that pages and comments
+# use are in the code. Usage: links.sh ROOT
+set -eu
+export LC_ALL=C
+cd "$1"
+awk '
+function complain(text) { print text; bad = 1 }
+# The anchor of a heading.
+function anchor(heading) {
+    gsub(/\]\([^)]*\)/, "", heading)
+    gsub(/[^A-Za-z0-9_ \200-\377-]/, "", heading)
+    gsub(/ /, "-", heading)
+    return tolower(heading)
+}
+FNR == 1 { code = 0; page[FILENAME] = 1 }
+/^```/ { code = !code }
+!code && /^#+ / { sub(/^#+ */, ""); anchors[FILENAME "#" anchor($0)] = 1 }
+!code {
+    text = $0
+    while (match(text, /\]\([^) ]+\)/)) {
+        link = substr(text, RSTART + 2, RLENGTH - 3)
+        text = substr(text, RSTART + RLENGTH)
+        if (link !~ /^[a-z]+:/) { from[++count] = FILENAME; to[count] = link }
+    }
+}
+END {
+    for (i = 1; i <= count; ++i) {
+        path = from[i]
+        if (to[i] ~ /^[^#]/) {
+            folder = from[i] ~ /\// ? "docs/" : ""
+            path = folder to[i]
+            sub(/#.*/, "", path)
+            sub(/^docs\/\.\.\//, "", path)
+        }
+        name = to[i]
+        if (from[i] == "CONTRIBUTING.md") named[path] = 1
+        if (system("test -e " path) != 0) complain(from[i] ": no file for " name)
+        else if (name ~ /#/ && path ~ /\.md$/) {
+            sub(/^[^#]*#/, "", name)
+            if (!((path "#" name) in anchors)) complain(from[i] ": no anchor for " to[i])
+        }
+    }
+    for (file in page) if (file ~ /^docs\// && !(file in named)) complain("CONTRIBUTING.md does not name " file)
+    if (!count) complain("no links")
+    exit bad
+}' README.md CONTRIBUTING.md docs/*.md
+
+# Names of several words, in examples within comments and in backquotes of pages; those of files are names too.
+names=$(mktemp)
+trap 'rm -f "$names"' EXIT
+sources=$(find include apps tests bench cmake CMakeLists.txt -type f -not -path '*/corpus/*' -not -path '*/results/*')
+{ echo "$sources"; echo "$sources" | xargs sed 's,//.*,,'; } | grep -aoE '[A-Za-z_][A-Za-z0-9_]*' | sort -u >"$names"
+unknown=$({
+    find include -name '*.hpp' -exec grep -hE '^ */// {4,}' {} + | sed 's,///,,; s,//.*,,'
+    find docs -name '*.md' -not -name fmu.md -exec grep -hoE '`[^`]*`' README.md CONTRIBUTING.md {} + # FMUs: by parts
+} | grep -oE '\b[a-z]{3,}(_[a-z]{2,})+\b' | sort -u | comm -23 - "$names")
+[ -z "$unknown" ] || { echo "names that no code has: $unknown"; exit 1; }
