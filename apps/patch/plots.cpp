@@ -195,6 +195,12 @@ study::Plot draw_coefficients(const Columns& columns, const Rows& rows) {
         add_table(panels[1], &rollbem::studies::KalkerRow::c22, ratios, poisson);
         add_table(panels[2], &rollbem::studies::KalkerRow::c23, ratios, poisson);
     }
+    if (const std::size_t at = study::index_of(columns, "unstable_count"); at < columns.size()) {
+        const auto unstable = std::count_if(rows.begin(), rows.end(),
+                                            [=](const study::Row& row) { return row[at].number().value_or(0) > 0; });
+        panels[0].title += "; modes grow in " + (unstable > 0 ? std::to_string(unstable) : "none") + " of " +
+                           std::to_string(rows.size());
+    }
     panels.erase(std::remove_if(panels.begin() + 1, panels.end(), [](const auto& one) { return !can_be_drawn(one); }),
                  panels.end());
     return study::side_by_side(std::move(panels));

@@ -140,6 +140,8 @@ draws "$@" --longitudinal 0.1 --spin 0.2
 title 'Patch from above, a/b = 1, ν = 0.28, 6 × 6 elements, ξ = 0.1, η = 0, φ c = 0.2 in μ N / (G a b)'
 says stick && says slip && says 'pole of spin' && grep -q '^traction, at most 0\.[0-9]* μ p0$' words || fail "$(cat words)"
 curves 5
+draws "$programs/patch_study" --n 3 --strips 16 --strip-grading uniform --a-over-b 1,10 --poisson 0.5 --stability
+title '; modes grow in 1 of 2'
 draws "$@" --longitudinal 2 --spin 0.2 --a-over-b 0.3,3
 says slip && says_not stick && says_not 'pole of spin'
 curves 6

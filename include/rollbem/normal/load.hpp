@@ -26,9 +26,9 @@ template <class Scalar_ = double>
 struct NormalLoad {
     using Scalar = Scalar_;
 
-    ArrayX<Scalar>
-        normal_pressure;     ///< p_n [Pa], the mean of each of the mesh's elements, trailing to leading; finite,
-                             ///< not negative, zero where there is no contact
+    /// p_n [Pa], the mean of each of the mesh's elements, trailing to leading; finite, not negative, zero where there
+    /// is no contact.
+    ArrayX<Scalar> normal_pressure;
     Scalar half_length = 0;  ///< a [m] of the contact that the mesh covers, positive and finite
     /// d p_n / d load of each element at constant half-length, for the tangent with respect to the load, in any unit of
     /// load. May be empty if that tangent is not needed.
