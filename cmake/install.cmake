@@ -4,9 +4,9 @@
 # not is left out.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
+include(cmake/pkg_config.cmake)
 
 set(package_dir "${CMAKE_INSTALL_DATADIR}/cmake/rollbem")
-set(pkgconfig_dir "${CMAKE_INSTALL_DATADIR}/pkgconfig")
 
 install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.h" PATTERN "*.hpp")
 # The tables of creep forces of steel, and of the contact geometry of S1002 on 60E1.
@@ -30,7 +30,4 @@ install(FILES
     "${PROJECT_BINARY_DIR}/rollbemConfigVersion.cmake"
     DESTINATION "${package_dir}")
 
-file(RELATIVE_PATH pc_to_prefix "/${pkgconfig_dir}" "/")
-string(REGEX REPLACE "/$" "" pc_to_prefix "${pc_to_prefix}")
-configure_file(cmake/rollbem.pc.in "${PROJECT_BINARY_DIR}/rollbem.pc" @ONLY)
-install(FILES "${PROJECT_BINARY_DIR}/rollbem.pc" DESTINATION "${pkgconfig_dir}")
+install_pkg_config(rollbem "${CMAKE_INSTALL_DATADIR}/pkgconfig")

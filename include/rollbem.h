@@ -24,8 +24,9 @@ extern "C" {
 
 enum {
     ROLLBEM_OK = 0,
-    ROLLBEM_INVALID = 1, /* an argument breaks its rule, or a file could not be read */
-    ROLLBEM_FAILED = 2   /* the computation has no result; results are NaN */
+    ROLLBEM_INVALID = 1,  /* an argument breaks its rule, or a file could not be read */
+    ROLLBEM_FAILED = 2,   /* the computation has no result; results are NaN */
+    ROLLBEM_OFF_TABLE = 3 /* forces are those of the table's border: their error is unknown */
 };
 
 /* What the last call that failed in this thread had to say; empty before the first one. */
@@ -46,7 +47,9 @@ ROLLBEM_API void rollbem_table_close(rollbem_table *table);
      forces    count x 3
      tangents  count x 21, or NULL: the derivatives of the 3 forces with respect to each of the 3 creepages, the load, the
                coefficient of friction, a and b, exact ones of the interpolation
-   All contacts are computed; ROLLBEM_FAILED if one of them has no forces (NaN), and the message names the first. */
+   All contacts are computed. ROLLBEM_FAILED or ROLLBEM_INVALID if one of them has no forces (NaN); else
+   ROLLBEM_OFF_TABLE if a/b of one lies beyond the table, where the nearest ellipse of the table with the same area
+   stands for it. The message names the first such contact. */
 ROLLBEM_API int rollbem_table_forces(const rollbem_table *table, size_t count, const double *contacts, double *forces,
                                      double *tangents);
 
@@ -100,7 +103,7 @@ typedef struct rollbem_wheel rollbem_wheel;
 
 /* The right wheel of a wheelset on the right rail; for a left one, y, roll, yaw and lateral quantities are reversed.
      wheel, rail  points of the profiles, y to the right and z down [m] in turn, the wheel's from the tape circle, the
-                  rail's from its top and canted; NULL: S1002, UIC 60 canted by 1:40
+                  rail's from its top and canted; NULL and 0 points: S1002, UIC 60 canted by 1:40
      dimensions   NULL, or 7: gauge, depth at which it is measured, distance of the flanges' backs, tape circle from the
                   flange's back, radius of the tape circle [m], shear modulus [Pa], Poisson's ratio */
 ROLLBEM_API rollbem_wheel *rollbem_wheel_new(const double *wheel, size_t wheel_points, const double *rail,
@@ -108,7 +111,7 @@ ROLLBEM_API rollbem_wheel *rollbem_wheel_new(const double *wheel, size_t wheel_p
 ROLLBEM_API void rollbem_wheel_free(rollbem_wheel *wheel);
 
 /* The patches that carry a vertical load [N] at a lateral position [m], roll and yaw [rad] of the wheelset.
-     patches  `most` x 12 by decreasing load: x, y, z of the reference point in track axes [m], angle of the plane [rad],
+     patches  `most` x 12, NULL if `most` is 0, by decreasing load: x, y, z of the reference point in track axes [m], angle of the plane [rad],
               rolling radius [m], normal force [N], approach [m], peak pressure [Pa], area [m2], half-length, half-width
               [m], height of the wheelset [m]
      count    the number of patches, which may be above `most` */

@@ -15,6 +15,7 @@
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/wheelset.hpp>
+#include <rollbem/detail/require.hpp>
 #include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/load.hpp>
@@ -41,6 +42,19 @@ int guarded(const Call& call) noexcept {
         return failed(error.what(), ROLLBEM_INVALID);
     } catch (const std::exception& error) {
         return failed(error.what());
+    }
+}
+
+/// An argument that may not be NULL.
+struct Given {
+    const char* name;
+    const void* pointer;
+};
+
+/// Throws std::invalid_argument, naming the first that is NULL.
+void require_given(const char* who, std::initializer_list<Given> arguments) {
+    for (const Given& argument : arguments) {
+        detail::require(argument.pointer != nullptr, who, argument.name, "NULL", "not be NULL");
     }
 }
 
@@ -137,6 +151,7 @@ const char* rollbem_version(void) { return ROLLBEM_VERSION; }
 
 rollbem_table* rollbem_table_open(const char* path) {
     return made([&] {
+        require_given("rollbem_table_open", {{"path", path}});
         const std::u8string text(path, path + std::char_traits<char>::length(path));
         return std::make_unique<rollbem_table>(rollbem_table{CreepForceTable::read(std::filesystem::path(text))});
     });
@@ -146,45 +161,48 @@ void rollbem_table_close(rollbem_table* table) { delete table; }
 
 int rollbem_table_forces(const rollbem_table* table, size_t count, const double* contacts, double* forces,
                          double* tangents) {
-    int code = ROLLBEM_OK;
-    std::string first;  // of the messages
+    const char* const who = "rollbem_table_forces";
+    int code = guarded([&] {
+        require_given(who, {{"table", table}});
+        if (count > 0) require_given(who, {{"contacts", contacts}, {"forces", forces}});
+        return ROLLBEM_OK;
+    });
+    if (code != ROLLBEM_OK) return code;
+    const auto severity = [](int of) { return of == ROLLBEM_OK ? 0 : of == ROLLBEM_OFF_TABLE ? 1 : 2; };
+    std::string message;  // of the first contact that is worst
     for (size_t i = 0; i < count; ++i, contacts += 9) {
+        TabulatedForce found;
         const int own = guarded([&] {
-            TabulatedForce found;
-            const auto write = [&] {
-                forces = put(forces, found.force);
-                if (tangents == nullptr) return;
-                tangents = put(tangents, found.tangent);
-                for (const auto& by : {found.tangent_by_load, found.tangent_by_friction_coefficient,
-                                       found.tangent_by_half_length, found.tangent_by_half_width}) {
-                    tangents = put(tangents, by);
-                }
-            };
-            try {
-                found = table->table.look_up(PatchContact<double>({contacts[0], contacts[1], contacts[2], contacts[3]}),
-                                             contacts[4], contacts[5], creepage_from(contacts + 6));
-            } catch (...) {
-                write();
-                throw;
-            }
-            write();
-            return found.status == StepStatus::ok
-                       ? ROLLBEM_OK
-                       : failed("rollbem_table_forces: status is " + std::string(name(found.status)));
+            found = table->table.look_up(PatchContact<double>({contacts[0], contacts[1], contacts[2], contacts[3]}),
+                                         contacts[4], contacts[5], creepage_from(contacts + 6));
+            if (found.status != StepStatus::ok) return failed(std::string(who) + ": status is " + name(found.status));
+            if (found.a_over_b_on_table || code != ROLLBEM_OK) return static_cast<int>(ROLLBEM_OK);
+            const CreepForceGrid& grid = table->table.grid();
+            return failed(std::string(who) + ": a/b = " + detail::to_text(contacts[0] / contacts[1]) +
+                              " lies beyond the table, " + detail::to_text(grid.smallest_a_over_b()) + " to " +
+                              detail::to_text(grid.largest_a_over_b()) + ": forces are those of its border",
+                          ROLLBEM_OFF_TABLE);
         });
-        if (own != ROLLBEM_OK && code == ROLLBEM_OK) {
-            code = own;
-            first = last_error + " (contact " + std::to_string(i) + ")";
+        forces = put(forces, found.force);
+        if (tangents != nullptr) {
+            tangents = put(tangents, found.tangent);
+            for (const auto& by : {found.tangent_by_load, found.tangent_by_friction_coefficient,
+                                   found.tangent_by_half_length, found.tangent_by_half_width}) {
+                tangents = put(tangents, by);
+            }
         }
+        if (severity(own) <= severity(code)) continue;
+        code = own;
+        message = last_error + " (contact " + std::to_string(i) + ")";
     }
-    if (code != ROLLBEM_OK) last_error = first;
-    return code;
+    return code == ROLLBEM_OK ? code : failed(message, code);
 }
 
 // --- Hertz and Kalker ------------------------------------------------------------------------------------------------
 
 int rollbem_hertz(double load, const double radii[4], double angle, const double bodies[4], double result[5]) {
     return guarded([&] {
+        require_given("rollbem_hertz", {{"radii", radii}, {"bodies", bodies}, {"result", result}});
         const HertzEllipse<double> ellipse({.load = load,
                                             .radii_1 = {radii[0], radii[1]},
                                             .radii_2 = {radii[2], radii[3]},
@@ -199,6 +217,7 @@ int rollbem_hertz(double load, const double radii[4], double angle, const double
 
 int rollbem_kalker(double a_over_b, double poisson_ratio, int n, double coefficients[5]) {
     return guarded([&] {
+        require_given("rollbem_kalker", {{"coefficients", coefficients}});
         const PatchContact<double> contact({a_over_b, 1, 1, poisson_ratio});
         const auto steady = solve_steady(contact, patch_mesh(contact, n, n), rollbem_patch::scheme);
         const CreepCoefficients<double> c = creep_coefficients(contact, steady);
@@ -224,6 +243,7 @@ void rollbem_patch_free(rollbem_patch* patch) { delete patch; }
 int rollbem_patch_step(rollbem_patch* patch, double distance, const double creepage[3], double load, double force[3],
                        double tangent[12], double* slip_work) {
     return guarded([&] {
+        require_given("rollbem_patch_step", {{"patch", patch}, {"creepage", creepage}, {"force", force}});
         const auto solve = [&](const auto& under) {
             return patch->run_.try_advance(distance, creepage_from(creepage), under);
         };
@@ -234,27 +254,53 @@ int rollbem_patch_step(rollbem_patch* patch, double distance, const double creep
 int rollbem_patch_steady(rollbem_patch* patch, const double creepage[3], double load, double force[3],
                          double tangent[12], double* slip_work) {
     return guarded([&] {
-        const auto solve = [&](const auto& under) { return patch->run_.try_steady(creepage_from(creepage), under); };
+        require_given("rollbem_patch_steady", {{"patch", patch}, {"creepage", creepage}, {"force", force}});
+        // lengths and pressures grow like N^(1/3): F = N f(xi/N^(1/3), eta/N^(1/3), phi), and M_z has another N^(1/3)
+        const auto solve = [&](const auto& under) {
+            FrictionStep<2> step = patch->run_.try_steady(creepage_from(creepage), under);
+            const TangentialForce<double>& f = step.force;
+            step.tangent_by_load = 1 / load * TangentialForce<double>{f.longitudinal, f.lateral, 4 * f.moment / 3} +
+                                   -creepage[0] / (3 * load) * step.tangent.by_longitudinal +
+                                   -creepage[1] / (3 * load) * step.tangent.by_lateral;
+            step.tangent_by_half_length = {0, 0, 0};
+            return step;
+        };
         return patch->solve("rollbem_patch_steady", load, solve, force, tangent, slip_work);
     });
 }
 
-void rollbem_patch_accept(rollbem_patch* patch) { patch->run_.accept(); }
+void rollbem_patch_accept(rollbem_patch* patch) {
+    guarded([&] {
+        require_given("rollbem_patch_accept", {{"patch", patch}});
+        patch->run_.accept();
+        return ROLLBEM_OK;
+    });
+}
 
 size_t rollbem_patch_state_size(const rollbem_patch* patch) {
-    size_t size = patch->run_.now().zones.size();
-    rollbem_patch::for_state(patch->run_.now(), [&](double) { ++size; });
+    size_t size = 0;
+    guarded([&] {
+        require_given("rollbem_patch_state_size", {{"patch", patch}});
+        size = patch->run_.now().zones.size();
+        rollbem_patch::for_state(patch->run_.now(), [&](double) { ++size; });
+        return ROLLBEM_OK;
+    });
     return size;
 }
 
 void rollbem_patch_get_state(const rollbem_patch* patch, double* state) {
-    const auto& now = patch->run_.now();
-    rollbem_patch::for_state(now, [&](double value) { *state++ = value; });
-    for (const Zone zone : now.zones) *state++ = static_cast<double>(zone);
+    guarded([&] {
+        require_given("rollbem_patch_get_state", {{"patch", patch}, {"state", state}});
+        const auto& now = patch->run_.now();
+        rollbem_patch::for_state(now, [&](double value) { *state++ = value; });
+        for (const Zone zone : now.zones) *state++ = static_cast<double>(zone);
+        return ROLLBEM_OK;
+    });
 }
 
 int rollbem_patch_set_state(rollbem_patch* patch, const double* state) {
     return guarded([&] {
+        require_given("rollbem_patch_set_state", {{"patch", patch}, {"state", state}});
         auto& now = patch->run_.now();
         rollbem_patch::for_state(now, [&](double& value) { value = *state++; });
         for (Zone& zone : now.zones) zone = *state++ != 0 ? Zone::slip : Zone::stick;
@@ -267,7 +313,11 @@ int rollbem_patch_set_state(rollbem_patch* patch, const double* state) {
 rollbem_wheel* rollbem_wheel_new(const double* wheel, size_t wheel_points, const double* rail, size_t rail_points,
                                  const double dimensions[7]) {
     return made([&] {
-        const auto profile = [](const double* points, size_t count) {
+        const auto profile = [](const char* quantity, const double* points, size_t count, const auto& standard) {
+            if (points == nullptr) {
+                detail::require(count == 0, "rollbem_wheel_new", quantity, count, "be 0 where its points are NULL");
+                return standard();
+            }
             const Eigen::Map<const Eigen::Array2Xd> of(points, 2, static_cast<Eigen::Index>(count));
             return Profile(of.row(0), of.row(1));
         };
@@ -277,8 +327,8 @@ rollbem_wheel* rollbem_wheel_new(const double* wheel, size_t wheel_points, const
             track = {d[0], d[1], d[2], d[3], d[4], d[5], d[6]};
         }
         return std::make_unique<rollbem_wheel>(
-            rollbem_wheel{WheelOnRail(wheel != nullptr ? profile(wheel, wheel_points) : s1002(),
-                                      rail != nullptr ? profile(rail, rail_points) : rail_60e1(), track)});
+            rollbem_wheel{WheelOnRail(profile("wheel_points", wheel, wheel_points, [] { return s1002(); }),
+                                      profile("rail_points", rail, rail_points, [] { return rail_60e1(); }), track)});
     });
 }
 
@@ -287,6 +337,8 @@ void rollbem_wheel_free(rollbem_wheel* wheel) { delete wheel; }
 int rollbem_wheel_carry(rollbem_wheel* wheel, double lateral, double roll, double yaw, double load, size_t most,
                         double* patches, size_t* count) {
     return guarded([&]() -> int {
+        require_given("rollbem_wheel_carry", {{"wheel", wheel}, {"count", count}});
+        if (most > 0) require_given("rollbem_wheel_carry", {{"patches", patches}});
         *count = 0;
         const auto found = wheel->wheel.solve_for_load({.lateral = lateral, .roll = roll, .yaw = yaw}, load, wheel->workspace);
         if (!has_numbers(found.status)) {

@@ -1,7 +1,10 @@
-! Creep forces from Fortran: forces.f90 TABLE prints the forces of a contact, and the derivative of F_x by the creepage.
+! Creep forces from Fortran: forces TABLE [A] prints the forces of a contact of half-length A, and the derivative of F_x
+! by the creepage.
 program forces
     use, intrinsic :: iso_c_binding
+    use, intrinsic :: iso_fortran_env, only: error_unit
     implicit none
+    integer(c_int), parameter :: rollbem_ok = 0, rollbem_off_table = 3
     interface
         function table_open(path) bind(c, name="rollbem_table_open") result(table)
             import :: c_ptr, c_char
@@ -21,7 +24,8 @@ program forces
             type(c_ptr), value :: table
         end subroutine
     end interface
-    character(len=1024) :: path
+    character(len=1024) :: path, a
+    integer(c_int) :: code
     type(c_ptr) :: table
     real(c_double) :: contact(9), force(3), tangent(3, 7)
 
@@ -30,7 +34,11 @@ program forces
     if (.not. c_associated(table)) stop 1
     ! a, b, G, nu, mu, N, creepages
     contact = [6d-3, 4d-3, 8.2d10, 0.28d0, 0.3d0, 8d4, 1d-3, 5d-4, 0.1d0]
-    if (table_forces(table, 1_c_size_t, contact, force, tangent) /= 0) stop 2
+    call get_command_argument(2, a)
+    if (a /= '') read (a, *) contact(1)
+    code = table_forces(table, 1_c_size_t, contact, force, tangent)
+    if (code == rollbem_off_table) write (error_unit, '(a)') 'a/b lies beyond the table'
+    if (code /= rollbem_ok .and. code /= rollbem_off_table) stop 2
     print '(3es25.16)', force
     print '(es25.16)', tangent(1, 1)
     call table_close(table)

@@ -21,6 +21,7 @@ static double tangent_error(void (*solve)(double x, double *force), double x, do
     solve(x + h, up);
     solve(x - h, down);
     for (int i = 0; i < 3; ++i) {
+        if (is_nan(tangent[i])) return NAN;
         error = fmax(error, fabs((up[i] - down[i]) / (2 * h) - tangent[i]));
         size = fmax(size, fabs(tangent[i]));
     }
@@ -60,16 +61,35 @@ static void test_table(const char *path) {
         const double x = contact[varied];
         expect(tangent_error(look_up, x, 1e-5 * x, tangents + 3 * k) < 1e-6, "a tangent of the table");
     }
+    /* beyond a/b = 10 forces are those of a/b = 10 and the same area */
+    double alike[2 * 9], border[2 * 3];
+    for (int i = 0; i < 2; ++i) {
+        memcpy(alike + 9 * i, contact, sizeof contact);
+        const double a_over_b = i == 0 ? 20 : 10;
+        alike[9 * i] = 5e-3 * sqrt(a_over_b);
+        alike[9 * i + 1] = 5e-3 / sqrt(a_over_b);
+    }
+    memcpy(contacts + 9 * 2, alike, sizeof contact);
+    memcpy(contacts + 9 * 6, alike, sizeof contact);
+    expect(rollbem_table_forces(table, 2, alike, border, NULL) == ROLLBEM_OFF_TABLE, "a contact off the table");
+    expect(rollbem_table_forces(table, 1, alike + 9, border, NULL) == ROLLBEM_OK, "one on its border");
+    expect(rollbem_table_forces(table, 8, contacts, forces, tangents) == ROLLBEM_OFF_TABLE, "two contacts off the table");
+    expect(strstr(rollbem_last_error(), "a/b = 20 ") && strstr(rollbem_last_error(), "(contact 2)"), "the first of them");
+    for (int i = 0; i < 3; ++i) {
+        expect(fabs(forces[6 + i] - border[i]) < 1e-9 * fabs(border[0]), "the forces of the border");
+    }
     contacts[9 * 3 + 5] = NAN;
     contacts[9 * 5] = -1;
     expect(rollbem_table_forces(table, 8, contacts, forces, tangents) == ROLLBEM_FAILED, "a load that is no number");
-    expect(strstr(rollbem_last_error(), "(contact 3)") != NULL, "the first that failed");
+    expect(strstr(rollbem_last_error(), "(contact 3)") != NULL, "the first that failed, not the first off the table");
     expect(is_nan(forces[9]) && is_nan(forces[15]) && is_nan(tangents[21 * 5]) && !is_nan(forces[12]),
            "results beside those that failed");
     const clock_t start = clock();
-    enum { batches = 50000 };
+    enum { batches = 20000 };
     contacts[9 * 3 + 5] = contact[5];
     contacts[9 * 5] = contact[0];
+    memcpy(contacts + 9 * 2, contact, sizeof contact);
+    memcpy(contacts + 9 * 6, contact, sizeof contact);
     for (int i = 0; i < batches; ++i) rollbem_table_forces(table, 8, contacts, forces, NULL);
     fprintf(stderr, "%.3f us for a contact of 8\n", 1e6 * (double)(clock() - start) / CLOCKS_PER_SEC / batches / 8);
     rollbem_table_close(table);
@@ -99,6 +119,12 @@ static void step(double x, double *force) {
     expect(rollbem_patch_step(patch, 1e-3, creepage, varied == 3 ? x : 8.2e4, force, NULL, NULL) == ROLLBEM_OK, "step");
 }
 
+static void roll(double x, double *force) {
+    double creepage[3] = {1e-3, 5e-4, 0.1};
+    if (varied < 3) creepage[varied] = x;
+    expect(rollbem_patch_steady(patch, creepage, varied == 3 ? x : 8.2e4, force, NULL, NULL) == ROLLBEM_OK, "rolling");
+}
+
 static void test_patch(void) {
     expect(rollbem_patch_new(6e-3, 4e-3, 8.2e10, 0.7, 0.3, 8e4, 6, 6) == NULL, "a wrong Poisson's ratio");
     patch = rollbem_patch_new(6e-3, 4e-3, 8.2e10, 0.28, 0.3, 8e4, 6, 6);
@@ -116,6 +142,10 @@ static void test_patch(void) {
     const double at[4] = {creepage[0], creepage[1], creepage[2], 8.2e4};
     for (varied = 0; varied < 4; ++varied) {
         expect(tangent_error(step, at[varied], 1e-5 * at[varied], tangent + 3 * varied) < 1e-5, "a tangent of a step");
+    }
+    expect(rollbem_patch_steady(patch, creepage, 8.2e4, again, tangent, NULL) == ROLLBEM_OK, "steady rolling");
+    for (varied = 0; varied < 4; ++varied) {
+        expect(tangent_error(roll, at[varied], 1e-5 * at[varied], tangent + 3 * varied) < 1e-5, "a tangent of rolling");
     }
     rollbem_patch *const copy = rollbem_patch_new(6e-3, 4e-3, 8.2e10, 0.28, 0.3, 8e4, 6, 6);
     expect(copy != NULL && rollbem_patch_set_state(copy, state) == ROLLBEM_OK, "a copy");
@@ -154,12 +184,66 @@ static void test_wheel(void) {
     expect(rollbem_wheel_new(points, 4, NULL, 0, NULL) == NULL, "a profile that turns back");
 }
 
+/* NULL, where none is allowed, is refused by name; every pointer in turn. */
+static void refused(int code, const char *function, const char *argument) {
+    char what[80];
+    snprintf(what, sizeof what, "%s: %s = NULL must not be NULL", function, argument);
+    expect(code == ROLLBEM_INVALID && strcmp(rollbem_last_error(), what) == 0, what);
+}
+
+static void test_null(const char *path) {
+    rollbem_table *const open = rollbem_table_open(path);
+    rollbem_patch *const whole = rollbem_patch_new(6e-3, 4e-3, 8.2e10, 0.28, 0.3, 8e4, 4, 4);
+    rollbem_wheel *const wheel = rollbem_wheel_new(NULL, 0, NULL, 0, NULL);
+    double n[12] = {1, 1, 1, 1, 2e11, 0.3, 2e11, 0.3, 0, 0, 0, 0};
+    size_t count;
+    refused(rollbem_table_open(NULL) == NULL, "rollbem_table_open", "path");
+    refused(rollbem_table_forces(NULL, 0, n, n, n), "rollbem_table_forces", "table");
+    refused(rollbem_table_forces(open, 1, NULL, n, n), "rollbem_table_forces", "contacts");
+    refused(rollbem_table_forces(open, 1, n, NULL, n), "rollbem_table_forces", "forces");
+    expect(rollbem_table_forces(open, 0, NULL, NULL, NULL) == ROLLBEM_OK, "no contact needs no numbers");
+    refused(rollbem_hertz(1, NULL, 0, n + 4, n), "rollbem_hertz", "radii");
+    refused(rollbem_hertz(1, n, 0, NULL, n), "rollbem_hertz", "bodies");
+    refused(rollbem_hertz(1, n, 0, n + 4, NULL), "rollbem_hertz", "result");
+    refused(rollbem_kalker(1, 0.25, 4, NULL), "rollbem_kalker", "coefficients");
+    refused(rollbem_patch_step(NULL, 1e-3, n, 8e4, n, n, n), "rollbem_patch_step", "patch");
+    refused(rollbem_patch_step(whole, 1e-3, NULL, 8e4, n, n, n), "rollbem_patch_step", "creepage");
+    refused(rollbem_patch_step(whole, 1e-3, n, 8e4, NULL, n, n), "rollbem_patch_step", "force");
+    refused(rollbem_patch_steady(NULL, n, 8e4, n, n, n), "rollbem_patch_steady", "patch");
+    refused(rollbem_patch_steady(whole, NULL, 8e4, n, n, n), "rollbem_patch_steady", "creepage");
+    refused(rollbem_patch_steady(whole, n, 8e4, NULL, n, n), "rollbem_patch_steady", "force");
+    rollbem_patch_accept(NULL);
+    refused(ROLLBEM_INVALID, "rollbem_patch_accept", "patch");
+    refused(rollbem_patch_state_size(NULL) == 0, "rollbem_patch_state_size", "patch");
+    rollbem_patch_get_state(NULL, n);
+    refused(ROLLBEM_INVALID, "rollbem_patch_get_state", "patch");
+    rollbem_patch_get_state(whole, NULL);
+    refused(ROLLBEM_INVALID, "rollbem_patch_get_state", "state");
+    refused(rollbem_patch_set_state(NULL, n), "rollbem_patch_set_state", "patch");
+    refused(rollbem_patch_set_state(whole, NULL), "rollbem_patch_set_state", "state");
+    refused(rollbem_wheel_carry(NULL, 0, 0, 0, 1e5, 1, n, &count), "rollbem_wheel_carry", "wheel");
+    refused(rollbem_wheel_carry(wheel, 0, 0, 0, 1e5, 1, NULL, &count), "rollbem_wheel_carry", "patches");
+    refused(rollbem_wheel_carry(wheel, 0, 0, 0, 1e5, 1, n, NULL), "rollbem_wheel_carry", "count");
+    expect(rollbem_wheel_carry(wheel, 0, 0, 0, 1e5, 0, NULL, &count) == ROLLBEM_OK && count == 1, "patches to count");
+    expect(rollbem_wheel_new(NULL, 5, NULL, 0, NULL) == NULL && strstr(rollbem_last_error(), "wheel_points = 5 must be 0"),
+           "points of a wheel that are missing");
+    expect(rollbem_wheel_new(NULL, 0, NULL, 5, NULL) == NULL && strstr(rollbem_last_error(), "rail_points = 5 must be 0"),
+           "points of a rail that are missing");
+    rollbem_table_close(NULL);
+    rollbem_patch_free(NULL);
+    rollbem_wheel_free(NULL);
+    rollbem_table_close(open);
+    rollbem_patch_free(whole);
+    rollbem_wheel_free(wheel);
+}
+
 int main(int count, char **arguments) {
     if (count != 2) return 2;
     test_table(arguments[1]);
     test_hertz();
     test_patch();
     test_wheel();
+    test_null(arguments[1]);
     printf("rollbem %s\n", rollbem_version());
     return 0;
 }
