@@ -36,6 +36,8 @@
 #include "friction/friction.hpp"
 #include "normal/hertz_ellipse.hpp"
 #include "normal/hertz_patch_load.hpp"
+#include "normal/profile_file.hpp"
+#include "normal/standard_profiles.hpp"
 #include "rolling/run.hpp"
 #include "scene/contact.hpp"
 #include "scene/creepage.hpp"

@@ -181,7 +181,7 @@ TEST_CASE("forces have no steps where the load goes over to another point of con
 }
 
 TEST_CASE("a table agrees with the patches at its nodes, and has their forces between them", "[contact_table]") {
-    const WheelsetOnTrack track(WheelOnRail(rollbem::s1002(), rail_60e1()));
+    const WheelsetOnTrack track(WheelOnRail(rollbem::s1002(), rail_uic60()));
     const ContactTable::Grid grid{.largest_shift = 1e-3, .shifts = 5, .largest_yaw = 2e-3, .yaws = 3};
     const WheelOnRail::Options coarse{.cells_x = 20, .cells_s = 12};
     double missing = -1;
@@ -240,7 +240,7 @@ TEST_CASE("a table agrees with the patches at its nodes, and has their forces be
 TEST_CASE("a shifted wheelset is turned back as by its patches, less than by ellipses", "[contact_table]") {
     // Both patches cross the joint of two arcs of the rail. Where their longitudinal forces vanish moves less with the
     // shift than where their pressures act, which lengthens Klingel's wave.
-    const WheelsetOnTrack track(WheelOnRail(rollbem::s1002(), rail_60e1()));
+    const WheelsetOnTrack track(WheelOnRail(rollbem::s1002(), rail_uic60()));
     WheelsetOnTrack::Workspace workspace;
     WheelsetRolling shifted;
     shifted.position.lateral = 1e-4;

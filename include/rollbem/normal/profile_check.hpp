@@ -28,8 +28,10 @@ inline std::string fault_of_wheel(const Eigen::ArrayXd& y, const Eigen::ArrayXd&
     if (flange_points_up(y, z)) return text("z of the flange", z.minCoeff(), "be positive");
     Eigen::Index crown = 0;
     z.maxCoeff(&crown);
-    if (y[crown] >= tape) {
-        return text("y of the flange's crown (largest z)", y[crown], "be less than that of the tape circle");
+    if (z[crown] < 10e-3) return text("z of the flange's crown (largest z)", z[crown], "be at least 0.01 m");
+    if (y[crown] < tape - 65e-3 || y[crown] > tape - 25e-3) {
+        return text("y of the flange's crown (largest z)", y[crown],
+                    ("lie in " + to_text(tape - 65e-3) + " to " + to_text(tape - 25e-3) + " m").c_str());
     }
     // where the curve passes the tape circle, nearest to z = 0
     std::optional<double> height;
@@ -60,45 +62,56 @@ inline std::string fault_of_rail(const Eigen::ArrayXd& y, const Eigen::ArrayXd& 
     return "";
 }
 
-/// A unit in which the width would be right: " (these look like inches ...)".
+/// The remedy where another unit of length would make a width right, or "".
 inline std::string look_of_unit(double width, double least, double most) {
     const auto fits = [&](double factor) { return width * factor >= least && width * factor <= most; };
-    if (fits(1000)) return ": these look like metres read as millimetres: --length-unit m";
-    if (fits(1e-3)) return ": these look like millimetres read as metres: --length-unit mm";
-    if (fits(25.4)) return ": these look like inches read as millimetres: convert the file";
+    if (fits(1000)) return "these look like metres read as millimetres: --length-unit m";
+    if (fits(1e-3)) return "these look like millimetres read as metres: --length-unit mm";
+    if (fits(25.4)) return "these look like inches read as millimetres: convert the file";
     return "";
+}
+
+/// What seems to be wrong, and the options that mend it.
+inline std::string wheel_remedy(bool mirror_y, bool mirror_z, std::optional<double> offset) {
+    std::string seems, options;
+    const auto add = [&](const char* what, const std::string& option) {
+        seems += (seems.empty() ? "" : ", and ") + std::string(what);
+        options += ' ' + option;
+    };
+    if (offset) {
+        add(*offset == 0 ? "y seems to begin at the flange's back" : "y seems to begin at the tape circle",
+            "--tape-offset " + to_text(*offset));
+    }
+    if (mirror_z) add("z seems to point up", mirror_y ? "--wheel-mirror yz" : "--wheel-mirror z");
+    if (mirror_y) add("this seems to be a left wheel", mirror_z ? "" : "--wheel-mirror y");
+    while (options.back() == ' ') options.pop_back();
+    return seems + ":" + options;
 }
 
 }  // namespace detail
 
 /// Throws std::invalid_argument, with what was found and the remedy, unless the profile can be a whole right wheel: 90
-/// to 180 mm wide, its flange (largest z) at smaller y than the tape circle, and |z| < 2 mm there. The tape circle is
-/// 70 mm from the flange's back and the profile's origin `tape_offset` [m]. Pieces pass.
+/// to 180 mm wide, the crown of its flange (largest z) 25 to 65 mm inside the tape circle and at z >= 10 mm, |z| < 2 mm
+/// on the tape circle. This is 70 mm from the flange's back, and the profile's origin `tape_offset` [m]. Pieces pass.
 inline void require_wheel(const Profile& wheel, double tape_offset) {
     if (wheel.is_piece()) return;
     const Eigen::ArrayXd &y = wheel.y(), &z = wheel.z();
-    std::string fault = detail::fault_of_wheel(y, z, 0.07 - tape_offset);
+    const std::string fault = detail::fault_of_wheel(y, z, 0.07 - tape_offset);
     if (fault.empty()) return;
-    const auto right = [&](double sign_y, double sign_z, double offset) {
-        return detail::fault_of_wheel(sign_y * y, sign_z * z, 0.07 - offset).empty();
-    };
-    const std::string otherwise = ", or --any-shape (Profile::Use::piece) for a piece of a wheel";
     std::string remedy = detail::look_of_unit(y.maxCoeff() - y.minCoeff(), 0.09, 0.18);
     for (const double offset : {tape_offset, 0.0, 0.07}) {
-        const std::string moved = offset == tape_offset ? ""
-                                  : offset == 0         ? "y seems to begin at the flange's back: --tape-offset 0"
-                                                        : "y seems to begin at the tape circle: --tape-offset 0.07";
-        for (const char* mirror : {"", "y", "z", "yz"}) {
-            const std::string axes = mirror;
-            const bool by_y = axes.find('y') != axes.npos, by_z = axes.find('z') != axes.npos;
-            if (!remedy.empty() || !right(by_y ? -1 : 1, by_z ? -1 : 1, offset)) continue;
-            remedy = ": " + moved + (moved.empty() || axes.empty() ? "" : ", and ");
-            if (axes == "y") remedy += "this seems to be a left wheel: --wheel-mirror y";
-            if (axes == "z") remedy += "z seems to point up: --wheel-mirror z";
-            if (axes == "yz") remedy += "this seems to be a left wheel, its z pointing up: --wheel-mirror yz";
+        for (const bool mirror_z : {false, true}) {
+            for (const bool mirror_y : {false, true}) {
+                const double sign_y = mirror_y ? -1 : 1, sign_z = mirror_z ? -1 : 1;
+                if (!remedy.empty() || !detail::fault_of_wheel(sign_y * y, sign_z * z, 0.07 - offset).empty()) continue;
+                remedy = detail::wheel_remedy(mirror_y, mirror_z,
+                                              offset == tape_offset ? std::nullopt : std::optional(offset));
+            }
         }
     }
-    throw std::invalid_argument("wheel: " + fault + (remedy.empty() ? ": move or cut its points" + otherwise : remedy));
+    if (remedy.empty()) remedy = "move or cut its points";
+    throw std::invalid_argument("wheel: " + fault + ": " + remedy +
+                                ", or --any-shape (Profile::Use::piece) for a piece");
 }
 
 /// Throws std::invalid_argument, with what was found and the remedy, unless the profile can be a whole rail: 30 to 200
@@ -109,10 +122,11 @@ inline void require_rail(const Profile& rail) {
     if (fault.empty()) return;
     std::string remedy = detail::look_of_unit(rail.y().maxCoeff() - rail.y().minCoeff(), 0.03, 0.2);
     if (remedy.empty() && detail::fault_of_rail(rail.y(), -rail.z()).empty()) {
-        remedy = ": z seems to point up: --rail-mirror z";
+        remedy = "z seems to point up: --rail-mirror z";
     }
-    if (remedy.empty()) remedy = ": move or cut its points, or --any-shape (Profile::Use::piece) for a piece of a rail";
-    throw std::invalid_argument("rail: " + fault + remedy);
+    if (remedy.empty()) remedy = "move or cut its points";
+    throw std::invalid_argument("rail: " + fault + ": " + remedy +
+                                ", or --any-shape (Profile::Use::piece) for a piece");
 }
 
 }  // namespace rollbem

@@ -1,6 +1,8 @@
 // Polylines of a section: how sharply they turn, where they have corners, and curves through noisy points.
 #pragma once
 
+#include "../../detail/language.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -130,10 +132,11 @@ inline std::array<Eigen::ArrayXd, 2> smooth_curve(const Eigen::ArrayXd& s, const
     Sparse Q(n, column), R(column, column);
     Q.setFromTriplets(q.begin(), q.end());
     R.setFromTriplets(r.begin(), r.end());
-    Eigen::ArrayXd weights(n);
-    for (Eigen::Index i = 0; i < n; ++i)
-        weights[i] = (s[(std::min)(i + 1, n - 1)] - s[(std::max<Eigen::Index>)(i - 1, 0)]) / 2;
-    const Sparse spread = (lambda / weights).matrix().asDiagonal() * Q;
+    Eigen::VectorXd over_weights(n);  // lambda W^-1
+    for (Eigen::Index i = 0; i < n; ++i) {
+        over_weights[i] = 2 * lambda / (s[(std::min)(i + 1, n - 1)] - s[(std::max<Eigen::Index>)(i - 1, 0)]);
+    }
+    const Sparse spread = over_weights.asDiagonal() * Q;
     const Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> solver(R + Sparse(Q.transpose()) *
                                                                                                   spread);
     std::array<Eigen::ArrayXd, 2> smooth;

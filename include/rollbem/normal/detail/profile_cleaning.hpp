@@ -44,8 +44,8 @@ public:
         }
         for (std::size_t i = 1; i + 1 < p.size(); ++i) {
             if (!folds(p, i)) continue;
-            const double back = length_back(p, i, 1);
-            if (back < tolerated) continue;
+            if (length_back(p, i, 1, tolerated) < tolerated || length_back(p, i, -1, tolerated) < tolerated) continue;
+            const double back = (std::min)(length_back(p, i, 1), length_back(p, i, -1));
             file_.refuse(p.line[i], "the curve folds back" + place(p, i) + ", over " + in_mm(back) +
                                         ": a curve that goes on is expected (remove the points of this artefact" +
                                         (tolerated > 0 ? ")" : ", or smooth over a wave length well above it)"));
@@ -75,14 +75,15 @@ private:
         return " at y = " + in_mm(p.y[i], "") + ", z = " + in_mm(p.z[i]);
     }
 
-    // How far the curve goes back beyond point i, seen in the order of the points (way 1) or against it (-1).
-    static double length_back(const CurvePoints& p, std::size_t i, int way) {
+    // How far the curve goes back beyond point i, seen in the order of the points (way 1) or against it (-1); at least
+    // `enough` if it is more.
+    static double length_back(const CurvePoints& p, std::size_t i, int way, double enough = 1e300) {
         const auto at = [&](std::size_t k) { return way > 0 ? k : k - 1; };
         const auto [y, z] = direction(p, way > 0 ? i - 1 : i);
         double length = 0;
         for (std::size_t k = i; way > 0 ? k + 1 < p.size() : k > 0; k += way > 0 ? 1 : std::size_t(-1)) {
             const auto [dy, dz] = direction(p, at(k));
-            if (dy * y + dz * z >= 0) break;
+            if (dy * y + dz * z >= 0 || length >= enough) break;
             length += step(p, at(k));
         }
         return length;
@@ -147,7 +148,7 @@ private:
         double s = 0;
         for (std::size_t i = 1; i + 1 < p.size() && (s += step(p, i - 1)) < 3e-3; ++i) {
             if (!folds(p, i)) continue;
-            const double beyond = length_back(p, i, -1), back = length_back(p, i, 1);
+            const double beyond = length_back(p, i, -1, 0.5e-3), back = length_back(p, i, 1, 0.5e-3);
             if (beyond < 0.5e-3 && s - beyond < 1e-12) {
                 cut = i;  // the end itself is folded
             } else if (back < 0.5e-3) {
