@@ -222,6 +222,12 @@ public:
     /// and the contents were different.
     void note_input(const std::string& name, std::string_view contents) const;
 
+    /// A line for the sidecar on what was done with the input, once.
+    void note(const std::string& line) const {
+        if (!contains(notes_, line)) notes_.push_back(line);
+    }
+    const std::vector<std::string>& notes() const { return notes_; }
+
 private:
     enum class Kind { value, flag, input, output, table, folder };
 
@@ -273,6 +279,7 @@ private:
     bool replays_ = false;                         ///< --config is the file beside a CSV file
     std::map<std::string, std::string> expected_;  ///< checksums of the run to repeat, by option
     mutable std::map<std::string, std::string> inputs_;
+    mutable std::vector<std::string> notes_;
 };
 
 /// body(), which returns the exit code of a program; exceptions become exit codes and one line on standard error.
