@@ -49,7 +49,7 @@ tape circle and a width of 90 to 180 mm, a rail its top within 10 mm of z = 0 an
 names the remedy. --any-shape is for pieces, planes and rollers. The rail is placed by --gauge, its narrowest place down
 to --gauge-depth below the top, or by --rail-origin, about which it is canted. --smooth is for measured profiles; corners
 stay, and with less than the noise has, patches break up (few_cells).
-  profile_study --wheel worn.whl --tape-offset 0 --rail worn.ban --rail-mirror y --cant 0 --smooth 0.003 --load 8e4
+  profile_study --wheel worn.whl --tape-offset 0 --rail worn.ban --rail-mirror y --cant 0 --smooth 0.007 --load 8e4
   profile_study --rail nose.slcs --length-unit mm --any-shape --rail-origin 0.75,0 --cant 0 --x 0,0.05,0.1 --roll 0
 
 --friction: longitudinal_creepage, lateral_creepage and spin [1/m] are numbers as CONTACT's CKSI, CETA and CPHI, those
@@ -65,7 +65,6 @@ profile, the mean over all positions. The loads are vertical: the normal forces 
 friction.
 --outline writes files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P and patch K, e.g. for
   patch_study --n 12 --outline DIR/1_right_1.outline.csv --pressure DIR/1_right_1.pressure.csv --longitudinal 0.1
---positions: a row for each position.
 )";
 
 const study::Rule turn = study::between(-0.3, 0.3), sideways = study::between(-0.1, 0.1);
@@ -85,7 +84,8 @@ void add_options(study::Options& options) {
     options.group("Track and wheelset");
     options.add("radius", "R", "of the wheel's tape circle [m]", "0.46");
     options.add("gauge", "X", "between the rails [m]", "1.435");
-    options.add("gauge-depth", "X", "below their tops, where the gauge is measured [m]", "0.014");
+    options.add("gauge-depth", "X", "below their tops, down to which the rails are narrowest at the gauge [m]",
+                "0.014");
     options.add("flange-back", "X", "between the backs of the flanges [m]", "1.36");
     options.add("tape-offset", "X",
                 "of the wheel profile's origin from the flange's back [m]: 0.07 on the tape circle, 0 for wheels "
@@ -93,7 +93,7 @@ void add_options(study::Options& options) {
                 "0.07");
     options.add("rail-origin", "Y,Z", "instead of the gauge: of the right rail's profile in track axes [m]");
     options.not_with({"gauge", "gauge-depth"}, "rail-origin");
-    options.add("roller-radius", "R", "with --rail-origin: the rail is a roller, its axle this far below z = 0 [m]")
+    options.add("roller-radius", "R", "the rail is a roller, its axle this far below z = 0 of its profile [m]")
         .only_with({"rail-origin"});
     options.add("side", "NAME", "left, right or both", "right");
     options.add("shift", "LIST", "lateral shifts of the wheelset to the right, -0.1 to 0.1 [m]", "0");
