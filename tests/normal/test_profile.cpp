@@ -75,6 +75,43 @@ TEST_CASE("profile: a corner parts two curves, each with its own slope", "[profi
     CHECK(profile.mirrored().corners() == std::vector<Eigen::Index>{40});
 }
 
+TEST_CASE("profile: splines end at corners without a second derivative", "[profiles]") {
+    // a groove of radius 10 mm, 16 mm wide, in a plane
+    std::vector<double> y, z;
+    const auto plane = [&](double from, double to) {
+        for (int i = 0; i <= 20; ++i) {
+            y.push_back(1e-3 * (from + (to - from) * i / 20));
+            z.push_back(0);
+        }
+    };
+    plane(-20, -8);
+    const double edge = std::asin(0.8);
+    for (int i = -39; i < 40; ++i) {
+        y.push_back(10e-3 * std::sin(edge * i / 40));
+        z.push_back(10e-3 * (std::cos(edge * i / 40) - 0.6));
+    }
+    plane(8, 20);
+    const Profile groove = through(y, z);
+    REQUIRE(groove.corners() == std::vector<Eigen::Index>{20, 100});
+    for (const Eigen::Index corner : groove.corners()) {
+        const double s = groove.s()[corner];
+        for (const double beside : {s - 1e-12, s + 1e-12}) CHECK(std::abs(groove.at(beside).bend[1]) < 1e-3);
+    }
+    for (Eigen::Index i = 1; i + 1 < groove.size(); ++i) {
+        if (i == 20 || i == 100) continue;
+        CAPTURE(i);
+        const double s = groove.s()[i];
+        CHECK(groove.at(s + 1e-12).slope[1] == Approx(groove.at(s - 1e-12).slope[1]).margin(1e-8));
+    }
+    // the arc: exact to the error of natural ends, h^2/(12 R), which fades within a few points
+    const double start = groove.s()[20], length = groove.s()[100] - start;
+    for (const double share : {0.004, 0.03, 0.5, 0.97}) {
+        const Profile::Point at = groove.at(start + share * length);
+        CAPTURE(share);
+        CHECK(std::hypot(at.y, at.z + 6e-3) == Approx(10e-3).margin(share == 0.5 ? 1e-10 : 5e-7));
+    }
+}
+
 TEST_CASE("profile: a corner turns by more than 30 degrees and is alone within 2 mm", "[profiles]") {
     struct Scene {
         const char* what;
