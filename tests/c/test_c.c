@@ -184,23 +184,24 @@ static void test_wheel(void) {
     expect(rollbem_wheel_new(points, 4, NULL, 0, NULL) == NULL, "a profile that turns back");
 }
 
-/* Points of a circle below z = 0 or, without a radius, of a plane [mm]; a minus sign in front of the radius turns z up. */
-static void write_profile(const char *path, double radius) {
+/* Points of profiles [mm], z down but of the sphere's. */
+static double sphere_z(double y) { return 100 - sqrt(1e4 - y * y); }
+static double plane_z(double y) { return 0 * y; }
+static double crowns_z(double y) { return (fabs(y) - 10) * (fabs(y) - 10) / 600; }
+
+static void write_profile(const char *path, double (*z)(double)) {
     FILE *const file = fopen(path, "w");
     if (file == NULL) abort();
     fprintf(file, "# y z\n");
-    for (double y = -20; y <= 20; y += 0.5) {
-        const double size = fabs(radius), z = radius == 0 ? 0 : sqrt(size * size - y * y) - size;
-        fprintf(file, "%.17g %.17g\n", y, radius < 0 ? -z : z);
-    }
+    for (double y = -20; y <= 20; y += 0.5) fprintf(file, "%.17g %.17g\n", y, z(y));
     fclose(file);
 }
 
 /* A sphere and a plane or a roller from files against Hertz. */
 static void test_files(void) {
-    const char *const sphere = "test_c sphere.txt", *const plane = "test_c plane.txt";
-    write_profile(sphere, -100);
-    write_profile(plane, 0);
+    const char *const sphere = "test_c sphere.txt", *const plane = "test_c plane.txt", *const crowns = "test_c crowns.txt";
+    write_profile(sphere, sphere_z);
+    write_profile(plane, plane_z);
     rollbem_wheel_options options;
     expect(rollbem_wheel_defaults(&options, sizeof options) == ROLLBEM_OK, "defaults");
     options.per_metre = 1000;
@@ -232,6 +233,21 @@ static void test_files(void) {
         expect(strstr(rollbem_last_error(), "no_contact") != NULL, "its status");
         rollbem_wheel_free(wheel);
     }
+    /* two crowns displace each other, so that the wheel goes down further */
+    double height[2];
+    write_profile(crowns, crowns_z);
+    for (int on = 0; on < 2; ++on) {
+        double both[2 * 12];
+        const double position[6] = {0};
+        size_t n;
+        options.interaction = on;
+        rollbem_wheel *const wheel = rollbem_wheel_open(plane, crowns, &options);
+        expect(wheel != NULL, "two crowns");
+        expect(rollbem_wheel_solve_for_load(wheel, position, load, 2, both, &n) == ROLLBEM_OK && n == 2, "two patches");
+        height[on] = both[11];
+        rollbem_wheel_free(wheel);
+    }
+    expect(height[1] > height[0] + 5e-7, "their interaction");
     options.any_shape = 0;
     options.roller_radius = 0;
     expect(rollbem_wheel_open(sphere, plane, &options) == NULL && strstr(rollbem_last_error(), "width of the wheel"),
@@ -246,6 +262,7 @@ static void test_files(void) {
            "a profile that does not exist");
     remove(sphere);
     remove(plane);
+    remove(crowns);
 }
 
 /* NULL, where none is allowed, is refused by name; every pointer in turn. */
