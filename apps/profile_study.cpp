@@ -3,7 +3,7 @@
 //
 //     ./profile_study --shift 0,0.001,0.002,0.003,0.004,0.005 --plot contacts.svg
 //     ./profile_study --shift 0.005 --yaw 0.012 --side both --friction 0.3 --plot patches.svg
-//     ./profile_study --wheel worn.csv --length-unit mm --rail head.prr --cant 0 --load 8e4
+//     ./profile_study --wheel worn.whl --tape-offset 0 --rail head.prr --cant 0 --load 8e4
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -39,10 +39,13 @@ struct Contacts {
 Contacts find_contacts(const Settings& settings, const Case& at) {
     const auto start = std::chrono::steady_clock::now();
     rollbem::WheelsetOnTrack::Workspace workspace;
+    using Free = rollbem::WheelsetOnTrack::Free;
     const rollbem::WheelsetRolling rolling{
-        .position = {at.shift, 0, at.roll.value_or(0), at.yaw},
+        .position = {at.shift, at.height.value_or(0), at.roll.value_or(0), at.yaw, at.along, at.pitch},
         .loads = {settings.load, settings.load},
-        .free = at.roll ? rollbem::WheelsetOnTrack::Free::height : rollbem::WheelsetOnTrack::Free::height_and_roll,
+        .free = at.height ? Free::nothing
+                : at.roll ? Free::height
+                          : Free::height_and_roll,
         .speeds = {.forward = settings.speed, .pitch_rate = at.pitch_rate.value_or(0)},
         .free_pitch = !at.pitch_rate};
     Contacts contacts;
@@ -89,7 +92,7 @@ struct Found {
 };
 
 /// In track axes: of a left wheel, y, angles and what lies across the track are those of its mirror image reversed.
-study::Sheet<Found, Case> sheet_of(bool friction) {
+study::Sheet<Found, Case> sheet_of(const std::string& positions, bool friction) {
     const auto found = [](const auto& value) { return study::where(&Found::patch, value); };
     const auto of_patch = [=](double RailPatch::*member, bool mirrored = false) {
         return found([=](const Found& f) { return f.sign(mirrored) * f.patch()->*member; });
@@ -102,7 +105,12 @@ study::Sheet<Found, Case> sheet_of(bool friction) {
          }},
         {"side", "", [](const Found& f) { return f.side == Side::right ? "right" : "left"; }},
         {"patch", "", study::where(&Found::number, [](const Found& f) { return *f.number + 1; })},
-        {"height", "", found([](const Found& f) { return f.wheel().height; })},
+        {"height", "",
+         [=](const Found& f) {
+             if (f.at.height) return study::Cell(*f.at.height);
+             if (f.patch() == nullptr) return study::Cell();
+             return study::Cell(f.wheel().height - f.settings.wheelset.height_above(f.side));
+         }},
         {"x", "", of_patch(&RailPatch::x)},
         {"y", "", of_patch(&RailPatch::y, true)},
         {"z", "", of_patch(&RailPatch::z)},
@@ -119,7 +127,7 @@ study::Sheet<Found, Case> sheet_of(bool friction) {
         {"iterations", "", found([](const Found& f) { return f.patch()->steps; })},
         {"time_us", "", study::where(&Found::has_time, [](const Found& f) { return f.contacts.time_us; })},
         {"status", "", &Found::status}};
-    if (!friction) return {"shift, yaw", list, ""};
+    if (!friction) return {positions, list, ""};
     const auto add = [&](const char* name, auto which, bool mirrored, auto value) {
         list.push_back(
             {name, "", study::where(which, [=](const Found& f) { return f.sign(mirrored) * value(*(f.*which)()); })});
@@ -142,7 +150,7 @@ study::Sheet<Found, Case> sheet_of(bool friction) {
                     })});
     list.push_back({"elements", "", study::where(&Found::force, [](const Found& f) { return f.force()->elements; })});
     list.push_back({"pitch_rate", "", [](const Found& f) { return f.contacts.of.pitch_rate; }});
-    return {"shift, yaw", list, ""};
+    return {positions, list, ""};
 }
 
 // --- files -----------------------------------------------------------------------------------------------------------
@@ -203,7 +211,7 @@ void write_wear(study::OutputFile& file, const Settings& settings, const Positio
     file.write("side,profile,s,y,z,work\n");
     for (const Side side : settings.sides) {
         for (const bool rail : {true, false}) {
-            const rollbem::WheelOnRail& wheel = settings.wheelset.wheel();
+            const rollbem::WheelOnRail& wheel = settings.wheelset.wheel(side);
             const rollbem::Profile& profile = rail ? wheel.rail() : wheel.wheel();
             constexpr double cell = 2e-4;  // [m]
             rollbem::ProfileWear wear(profile, Eigen::Index(profile.length() / cell) + 1);
@@ -231,14 +239,14 @@ int main(int argc, char** argv) {
     study::Options options("profile_study", "Patches of a wheel on a rail, from their profiles.");
     profile::add_options(options);
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        const Settings settings = profile::read_settings(given);
         const std::vector<Case> cases = profile::read_cases(given);
+        const Settings settings = profile::read_settings(given, cases.size() > 1);
         const std::string folder = given.text("outline");
         study::OutputFiles files;
         if (!folder.empty()) files.make_folder(folder, "--outline");
         study::OutputFile* wear = given.given("wear") ? &files.open(given.text("wear"), "--wear") : nullptr;
         Positions positions(cases.size());  // for files, and the picture of a single one
-        const study::Sheet<Found, Case> sheet = sheet_of(settings.friction.has_value());
+        const study::Sheet<Found, Case> sheet = sheet_of(profile::case_columns(given), settings.friction.has_value());
 
         // 2. A row for each patch; for each wheel that has none, one that says why.
         const auto compute = [&](const Case& at, study::RowRange range, const study::Results<Found>& emit) {
@@ -264,7 +272,7 @@ int main(int argc, char** argv) {
         };
         // 3. The patches of one position, or the contact points of several.
         table.plot = [&](const std::vector<study::Row>& rows) {
-            if (cases.size() > 1) return profile::draw_contact_points(settings.wheelset.wheel(), sheet.names(), rows);
+            if (cases.size() > 1) return profile::draw_contact_points(settings.wheelset, sheet.names(), rows);
             std::vector<profile::Drawn> drawn;
             for_patches(settings, positions, [&](std::size_t, bool left, std::size_t, const RailPatch& patch) {
                 drawn.push_back({left, patch});

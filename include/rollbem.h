@@ -103,20 +103,69 @@ typedef struct rollbem_wheel rollbem_wheel;
 
 /* The right wheel of a wheelset on the right rail; for a left one, y, roll, yaw and lateral quantities are reversed.
      wheel, rail  points of the profiles, y to the right and z down [m] in turn, the wheel's from the tape circle, the
-                  rail's from its top and canted; NULL and 0 points: S1002, UIC 60 canted by 1:40
+                  rail's from its top and canted; NULL and 0 points: S1002, 60E1 canted by 1:40
      dimensions   NULL, or 7: gauge, depth at which it is measured, distance of the flanges' backs, tape circle from the
                   flange's back, radius of the tape circle [m], shear modulus [Pa], Poisson's ratio */
 ROLLBEM_API rollbem_wheel *rollbem_wheel_new(const double *wheel, size_t wheel_points, const double *rail,
                                              size_t rail_points, const double dimensions[7]);
 ROLLBEM_API void rollbem_wheel_free(rollbem_wheel *wheel);
 
+enum { ROLLBEM_MIRROR_Y = 1, ROLLBEM_MIRROR_Z = 2 };
+
+/* How profiles are read and placed; rollbem_wheel_defaults() sets all of it. */
+typedef struct rollbem_wheel_options {
+    size_t size;              /* of this structure, as the program knows it [bytes]: later versions append to it */
+    int wheel_mirror;         /* 0, or a sum of ROLLBEM_MIRROR_Y and _Z: whose sign changes in the wheel's file */
+    int rail_mirror;          /* in the rail's file */
+    int any_shape;            /* 1: pieces, planes and rollers, not checked to look like wheel and rail; else 0 */
+    int by_origin;            /* 1: the rail is placed by rail_origin; 0: by gauge and gauge_depth */
+    int interaction;          /* 1: patches of the wheel displace each other; else 0 */
+    double per_metre;         /* units of length in a metre, of files with two columns: 1 (default) or 1000 */
+    double smooth;            /* wave length [m] that is halved, shorter ones vanish; 0 (default): none */
+    double cant;              /* by which the rail is turned inwards [rad]; default atan(1/40), 0 for canted profiles */
+    double gauge;             /* between the rails, 1.435 [m] */
+    double gauge_depth;       /* below their tops, down to which it is the narrowest place, 0.014 [m] */
+    double flange_back;       /* between the backs of the flanges, 1.36 [m] */
+    double tape_offset;       /* of the wheel profile's origin from the flange's back, 0.07 [m] */
+    double radius;            /* of the tape circle, 0.46 [m] */
+    double rail_origin[2];    /* y, z of the rail's profile in track axes [m], about which it is canted */
+    double roller_radius;     /* of a rail that is a roller, from its axle to z = 0 [m], with by_origin; 0: a rail */
+    double shear_modulus;     /* of wheel and rail, 8.2e10 [Pa] */
+    double poisson_ratio;     /* 0.28 [-] */
+} rollbem_wheel_options;
+
+/* Sets `size` bytes, sizeof(rollbem_wheel_options), to the defaults; the other members' default is 0, interaction's 1. */
+ROLLBEM_API int rollbem_wheel_defaults(rollbem_wheel_options *options, size_t size);
+
+/* The right wheel on the right rail, by the names of standard profiles or from files.
+     wheel_path  "s1002" (NULL), or a file: two columns y, z, SIMPACK's .prw, MiniProf's .whl, or .slcw, sections round
+                 the wheel; the path in UTF-8
+     rail_path   "60e1" (NULL), "uic60", "54e1", or a file: two columns, .prr, .ban, or .slcs, sections along the track
+     options     NULL: the defaults
+   Profiles are checked to look like wheel and rail; messages say what to change by the options of profile_study, whose
+   names are those of rollbem_wheel_options: --wheel-mirror, --length-unit mm (per_metre), --any-shape. */
+ROLLBEM_API rollbem_wheel *rollbem_wheel_open(const char *wheel_path, const char *rail_path,
+                                              const rollbem_wheel_options *options);
+
+/* What was cleaned, turned and mirrored in the files, a line each; it lives as long as the wheel. */
+ROLLBEM_API const char *rollbem_wheel_notes(const rollbem_wheel *wheel);
+
 /* The patches that carry a vertical load [N] at a lateral position [m], roll and yaw [rad] of the wheelset.
-     patches  `most` x 12, NULL if `most` is 0, by decreasing load: x, y, z of the reference point in track axes [m], angle of the plane [rad],
-              rolling radius [m], normal force [N], approach [m], peak pressure [Pa], area [m2], half-length, half-width
-              [m], height of the wheelset [m]
+     patches  `most` x 12, NULL if `most` is 0, by decreasing load: x, y, z of the reference point in track axes, x from
+              the wheelset [m], angle of the plane [rad], rolling radius [m], normal force [N], approach [m], peak
+              pressure [Pa], area [m2], half-length, half-width [m], height of the wheelset [m]
      count    the number of patches, which may be above `most` */
 ROLLBEM_API int rollbem_wheel_carry(rollbem_wheel *wheel, double lateral, double roll, double yaw, double load,
                                     size_t most, double *patches, size_t *count);
+
+/* The same at a position on a track and of a wheel that change along the way, and at a given height in place of the
+   load.
+     position  6: lateral, height [m] (positive down; not used under a load), roll, yaw [rad], x along the track [m],
+               pitch about the axle [rad] */
+ROLLBEM_API int rollbem_wheel_solve_for_load(rollbem_wheel *wheel, const double position[6], double load, size_t most,
+                                             double *patches, size_t *count);
+ROLLBEM_API int rollbem_wheel_solve_at_height(rollbem_wheel *wheel, const double position[6], size_t most,
+                                              double *patches, size_t *count);
 
 #ifdef __cplusplus
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <Eigen/Core>
 #include <rollbem.h>
@@ -20,6 +21,7 @@
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/load.hpp>
 #include <rollbem/normal/profile.hpp>
+#include <rollbem/normal/surface_file.hpp>
 #include <rollbem/rolling/run.hpp>
 
 using namespace rollbem;
@@ -74,6 +76,10 @@ double* put(double* to, std::initializer_list<double> values) { return std::copy
 double* put(double* to, const TangentialForce<double>& of) { return put(to, {of.longitudinal, of.lateral, of.moment}); }
 double* put(double* to, const CreepageTangent<double>& of) {
     return put(put(put(to, of.by_longitudinal), of.by_lateral), of.by_spin);
+}
+
+std::filesystem::path path_of(const char* utf8) {
+    return std::u8string(utf8, utf8 + std::char_traits<char>::length(utf8));
 }
 
 Creepage<double> creepage_from(const double* numbers) { return {numbers[0], numbers[1], numbers[2]}; }
@@ -141,7 +147,26 @@ struct rollbem_patch {
 
 struct rollbem_wheel {
     WheelOnRail wheel;
+    WheelOnRail::Options options{};
+    std::string notes{};
     WheelOnRail::Workspace workspace{};
+
+    /// Writes the patches of solve(), and says why there are none.
+    template <class Solve>
+    static int write(const char* who, size_t most, double* patches, size_t* count, const Solve& solve) {
+        require_given(who, {{"count", count}});
+        if (most > 0) require_given(who, {{"patches", patches}});
+        *count = 0;
+        const WheelOnRail::Contact found = solve();
+        if (!has_numbers(found.status)) return failed(std::string(who) + ": status is " + name(found.status));
+        for (const RailPatch& patch : found.patches) {
+            if ((*count)++ >= most) continue;
+            patches =
+                put(patches, {patch.x, patch.y, patch.z, patch.angle, patch.rolling_radius, patch.load, patch.approach,
+                              patch.peak_pressure, patch.area, patch.half_length, patch.half_width, found.height});
+        }
+        return ROLLBEM_OK;
+    }
 };
 
 const char* rollbem_last_error(void) { return last_error.c_str(); }
@@ -152,8 +177,7 @@ const char* rollbem_version(void) { return ROLLBEM_VERSION; }
 rollbem_table* rollbem_table_open(const char* path) {
     return made([&] {
         require_given("rollbem_table_open", {{"path", path}});
-        const std::u8string text(path, path + std::char_traits<char>::length(path));
-        return std::make_unique<rollbem_table>(rollbem_table{CreepForceTable::read(std::filesystem::path(text))});
+        return std::make_unique<rollbem_table>(rollbem_table{CreepForceTable::read(path_of(path))});
     });
 }
 
@@ -334,27 +358,136 @@ rollbem_wheel* rollbem_wheel_new(const double* wheel, size_t wheel_points, const
 
 void rollbem_wheel_free(rollbem_wheel* wheel) { delete wheel; }
 
+namespace {
+
+rollbem_wheel_options default_options() {
+    const TrackDimensions d;
+    return {.size = sizeof(rollbem_wheel_options),
+            .wheel_mirror = 0,
+            .rail_mirror = 0,
+            .any_shape = 0,
+            .by_origin = 0,
+            .interaction = 1,
+            .per_metre = 1,
+            .smooth = 0,
+            .cant = RailPlacing{}.cant,
+            .gauge = d.gauge,
+            .gauge_depth = d.gauge_depth,
+            .flange_back = d.flange_back,
+            .tape_offset = d.tape_offset,
+            .radius = d.radius,
+            .rail_origin = {0, 0},
+            .roller_radius = 0,
+            .shear_modulus = d.shear_modulus,
+            .poisson_ratio = d.poisson_ratio};
+}
+
+/// Those of a program, checked, or the defaults.
+rollbem_wheel_options options_from(const rollbem_wheel_options* given) {
+    constexpr const char* who = "rollbem_wheel_open";
+    rollbem_wheel_options options = default_options();
+    if (given == nullptr) return options;
+    detail::require(given->size == sizeof options, who, "options.size", given->size,
+                    "be what rollbem_wheel_defaults() sets");
+    options = *given;
+    const auto flag = [&](const char* quantity, int value) {
+        detail::require(value == 0 || value == 1, who, quantity, value, "be 0 or 1");
+    };
+    flag("options.any_shape", options.any_shape);
+    flag("options.by_origin", options.by_origin);
+    flag("options.interaction", options.interaction);
+    for (const int mirror : {options.wheel_mirror, options.rail_mirror}) {
+        detail::require(mirror >= 0 && mirror <= (ROLLBEM_MIRROR_Y | ROLLBEM_MIRROR_Z), who, "mirror in options",
+                        mirror, "be a sum of ROLLBEM_MIRROR_Y and ROLLBEM_MIRROR_Z");
+    }
+    return options;
+}
+
+ProfileFileOptions file_options(const rollbem_wheel_options& o, int mirror) {
+    return {.per_metre = o.per_metre,
+            .mirror_y = (mirror & ROLLBEM_MIRROR_Y) != 0,
+            .mirror_z = (mirror & ROLLBEM_MIRROR_Z) != 0,
+            .smooth = o.smooth,
+            .tape_offset = o.tape_offset};
+}
+
+WheelsetPosition position_from(const double* p) { return {p[0], p[1], p[2], p[3], p[4], p[5]}; }
+
+}  // namespace
+
+int rollbem_wheel_defaults(rollbem_wheel_options* options, size_t size) {
+    return guarded([&] {
+        constexpr const char* who = "rollbem_wheel_defaults";
+        require_given(who, {{"options", options}});
+        detail::require(size == sizeof *options, who, "size", size, "be that of rollbem_wheel_options of this version");
+        *options = default_options();
+        return ROLLBEM_OK;
+    });
+}
+
+rollbem_wheel* rollbem_wheel_open(const char* wheel_path, const char* rail_path, const rollbem_wheel_options* options) {
+    return made([&] {
+        const rollbem_wheel_options o = options_from(options);
+        const bool any_shape = o.any_shape != 0, by_origin = o.by_origin != 0;
+        TrackDimensions track{o.gauge,  o.gauge_depth,   o.flange_back,  o.tape_offset,
+                              o.radius, o.shear_modulus, o.poisson_ratio};
+        if (by_origin) track.rail_origin = TrackDimensions::Origin{o.rail_origin[0], o.rail_origin[1]};
+        const auto changes = [&](const std::filesystem::path& name, Profile::Use use, int mirror) {
+            ProfileFileOptions how = file_options(o, mirror);
+            if (is_standard_profile(name, use)) how.smooth = 0;  // that of the other one, which is from a file
+            return how;
+        };
+        const auto wheel_name = path_of(wheel_path != nullptr ? wheel_path : "s1002"),
+                   rail_name = path_of(rail_path != nullptr ? rail_path : "60e1");
+        const WheelFile wheel =
+            open_wheel(wheel_name, changes(wheel_name, Profile::Use::wheel, o.wheel_mirror), any_shape);
+        const RailFile rail = open_rail(rail_name, changes(rail_name, Profile::Use::rail, o.rail_mirror),
+                                        {o.cant, o.roller_radius, by_origin}, any_shape);
+        std::string notes;
+        for (const std::string& note : wheel.notes) notes += "wheel: " + note + "\n";
+        for (const std::string& note : rail.notes) notes += "rail: " + note + "\n";
+        return std::make_unique<rollbem_wheel>(rollbem_wheel{
+            WheelOnRail(wheel.surface, rail.surface, track), {.interaction = o.interaction != 0}, std::move(notes)});
+    });
+}
+
+const char* rollbem_wheel_notes(const rollbem_wheel* wheel) { return wheel != nullptr ? wheel->notes.c_str() : ""; }
+
 int rollbem_wheel_carry(rollbem_wheel* wheel, double lateral, double roll, double yaw, double load, size_t most,
                         double* patches, size_t* count) {
-    return guarded([&]() -> int {
+    return guarded([&] {
         constexpr const char* who = "rollbem_wheel_carry";
-        require_given(who, {{"wheel", wheel}, {"count", count}});
-        if (most > 0) require_given(who, {{"patches", patches}});
-        *count = 0;
-        detail::require_finite(who, "lateral", lateral);
-        detail::require_finite(who, "roll", roll);
-        detail::require_finite(who, "yaw", yaw);
-        detail::require_positive(who, "load", load);
-        const auto found = wheel->wheel.solve_for_load({.lateral = lateral, .roll = roll, .yaw = yaw}, load, wheel->workspace);
-        if (!has_numbers(found.status)) {
-            return failed(std::string(who) + ": status is " + name(found.status));
-        }
-        for (const RailPatch& patch : found.patches) {
-            if ((*count)++ >= most) continue;
-            patches =
-                put(patches, {patch.x, patch.y, patch.z, patch.angle, patch.rolling_radius, patch.load, patch.approach,
-                              patch.peak_pressure, patch.area, patch.half_length, patch.half_width, found.height});
-        }
-        return ROLLBEM_OK;
+        require_given(who, {{"wheel", wheel}});
+        return rollbem_wheel::write(who, most, patches, count, [&] {
+            detail::require_finite(who, "lateral", lateral);
+            detail::require_finite(who, "roll", roll);
+            detail::require_finite(who, "yaw", yaw);
+            detail::require_positive(who, "load", load);
+            return wheel->wheel.solve_for_load({.lateral = lateral, .roll = roll, .yaw = yaw}, load, wheel->workspace,
+                                               wheel->options);
+        });
+    });
+}
+
+int rollbem_wheel_solve_for_load(rollbem_wheel* wheel, const double position[6], double load, size_t most,
+                                 double* patches, size_t* count) {
+    return guarded([&] {
+        constexpr const char* who = "rollbem_wheel_solve_for_load";
+        require_given(who, {{"wheel", wheel}, {"position", position}});
+        return rollbem_wheel::write(who, most, patches, count, [&] {
+            detail::require_positive(who, "load", load);
+            return wheel->wheel.solve_for_load(position_from(position), load, wheel->workspace, wheel->options);
+        });
+    });
+}
+
+int rollbem_wheel_solve_at_height(rollbem_wheel* wheel, const double position[6], size_t most, double* patches,
+                                  size_t* count) {
+    return guarded([&] {
+        constexpr const char* who = "rollbem_wheel_solve_at_height";
+        require_given(who, {{"wheel", wheel}, {"position", position}});
+        return rollbem_wheel::write(who, most, patches, count, [&] {
+            return wheel->wheel.solve_at_height(position_from(position), wheel->workspace, wheel->options);
+        });
     });
 }

@@ -58,17 +58,19 @@ study::Plot draw_patches(const std::vector<Drawn>& patches, std::size_t without)
     return study::side_by_side(std::move(panels));
 }
 
-study::Plot draw_contact_points(const rollbem::WheelOnRail& wheel, const std::vector<std::string>& columns,
+study::Plot draw_contact_points(const rollbem::WheelsetOnTrack& wheelset, const std::vector<std::string>& columns,
                                 const std::vector<study::Row>& rows) {
     constexpr double apart = 25;  // of the profiles [mm]
-    const double offset = 1e3 * (wheel.wheel_origin() - wheel.rail_origin());
     const auto number = [&](const study::Row& row, const char* name) {
         return row[study::index_of(columns, name)].number();
     };
     std::vector<study::Plot> panels;
     for (const std::string side : {"left", "right"}) {
+        const rollbem::WheelOnRail& wheel = wheelset.wheel(side == "left" ? Side::left : Side::right);
+        const double offset = 1e3 * (wheel.wheel_origin() - wheel.rail_origin()),
+                     rail_z = 1e3 * wheel.geometry().rail_origin().z;
         study::Plot plot{.title = "Where the " + side + " wheel touches the rail, over the lateral shift",
-                         .x_label = "y from the rail's top, field side to the right [mm]",
+                         .x_label = "y from the rail's origin, field side to the right [mm]",
                          .y_label = "z [mm]"};
         study::Series joined{.label = "contact points", .style = 1};
         std::size_t all = 0, without = 0;
@@ -79,7 +81,7 @@ study::Plot draw_contact_points(const rollbem::WheelOnRail& wheel, const std::ve
                 ++without;
                 continue;
             }
-            joined.points.emplace_back(1e3 * *number(row, "rail_y"), 1e3 * *number(row, "z"));
+            joined.points.emplace_back(1e3 * *number(row, "rail_y"), 1e3 * *number(row, "z") - rail_z);
             joined.points.emplace_back(offset + 1e3 * *number(row, "wheel_y"),
                                        1e3 * (*number(row, "rolling_radius") - wheel.dimensions().radius) - apart);
             joined.points.emplace_back(std::nan(""), 0);

@@ -18,14 +18,18 @@ using Side = rollbem::WheelsetOnTrack::Side;
 struct Case {
     double shift, yaw;
     std::optional<double> roll, pitch_rate;
+    double along = 0, pitch = 0;
+    std::optional<double> height{};  ///< z_ws [m]; none: that which carries the load
     std::string label() const { return "shift = " + study::Cell(shift).text(4) + " m"; }
 };
-inline study::Cell scene_cell(const Case& at, const std::string& name) { return name == "shift" ? at.shift : at.yaw; }
+inline study::Cell scene_cell(const Case& at, const std::string& name) {
+    return name == "shift" ? at.shift : name == "yaw" ? at.yaw : name == "pitch" ? at.pitch : at.along;
+}
 
 struct Settings {
     rollbem::WheelsetOnTrack wheelset;
     std::vector<Side> sides;
-    double load;
+    double load;  ///< on each wheel [N], unless its height is given
     rollbem::WheelOnRail::Options grid;
     std::optional<rollbem::RollingFriction> friction;
     double speed;        ///< V [m/s]
@@ -35,22 +39,22 @@ struct Settings {
 /// Declares the options of profile_study.
 void add_options(study::Options& options);
 
-/// Throws BadInput, as read_cases does.
-Settings read_settings(const study::Options& options);
+/// Of a run with one position or several. Throws BadInput, as read_cases does.
+Settings read_settings(const study::Options& options, bool several);
 
 /// All positions, the shift outermost and the pitch rate innermost.
 std::vector<Case> read_cases(const study::Options& options);
 
-// --- profiles by name or from files: CSV of y and z, and the .prw and .prr text of multibody programs
+/// The columns of a case: those of what is swept.
+std::string case_columns(const study::Options& options);
 
-/// Declares --wheel, --rail, --length-unit, --cant and --smooth.
+// --- profiles by name or from files
+
+/// Declares --wheel, --rail and what they need.
 void add_profile_options(study::Options& options);
 
-/// --wheel: z = 0 on the tape circle, as the file says.
-rollbem::Profile read_wheel(const study::Options& options);
-
-/// --rail, canted and moved down or up so that its highest point has z = 0. Throws BadInput, as read_wheel does.
-rollbem::Profile read_rail(const study::Options& options);
+/// Both wheels on their rails; what was cleaned or turned is noted in the sidecar. Throws BadInput.
+rollbem::WheelsetOnTrack read_wheelset(const study::Options& options, const rollbem::TrackDimensions& dimensions);
 
 // --- pictures
 
@@ -63,8 +67,8 @@ struct Drawn {
 /// `without` a patch.
 study::Plot draw_patches(const std::vector<Drawn>& patches, std::size_t without);
 
-/// Wheel above rail, and lines that join where they touch, one for each row.
-study::Plot draw_contact_points(const rollbem::WheelOnRail& wheel, const std::vector<std::string>& columns,
+/// Wheel above rail, round and straight ones, and lines that join where they touch, one for each row.
+study::Plot draw_contact_points(const rollbem::WheelsetOnTrack& wheelset, const std::vector<std::string>& columns,
                                 const std::vector<study::Row>& rows);
 
 }  // namespace profile

@@ -1,73 +1,146 @@
 #include <stdexcept>
 #include <string>
-#include <variant>
+#include <utility>
 
-#include <rollbem/normal/profile_file.hpp>
-#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/surface_file.hpp>
 
 #include "profile.hpp"
+#include "support/input.hpp"
 
 namespace profile {
 
 namespace {
 
-bool is_built_in(const std::string& name) {
-    return name == "s1002" || name == "60e1" || name == "uic60" || name == "54e1";
+using Use = rollbem::Profile::Use;
+
+/// The options of one side: those of the right one, or with "left-" before them.
+struct SideOptions {
+    const study::Options& options;
+    std::string left;
+
+    std::string own(const char* name) const { return left + name; }
+    /// The option that the profile comes from: that of the right side where the left one has none.
+    std::string source(const char* name) const { return options.given(own(name)) ? own(name) : name; }
+};
+
+rollbem::ProfileFileOptions file_options(const study::Options& options, const std::string& source) {
+    std::string mirror;
+    if (options.given(source + "-mirror")) mirror = options.choice(source + "-mirror", {"y", "z", "yz"});
+    rollbem::ProfileFileOptions how{.per_metre = options.choice("length-unit", {"m", "mm"}) == "mm" ? 1000.0 : 1.0,
+                                    .mirror_y = mirror.find('y') != std::string::npos,
+                                    .mirror_z = mirror.find('z') != std::string::npos,
+                                    .tape_offset = options.number("tape-offset", study::finite())};
+    if (options.given("smooth")) how.smooth = options.number("smooth", study::between(1e-4, 0.1));
+    return how;
 }
 
-rollbem::Profile read(const study::Options& options, const std::string& name, rollbem::Profile::Use use) {
-    rollbem::ProfileFileOptions how;
-    how.per_metre = options.choice("length-unit", {"m", "mm"}) == "mm" ? 1000 : 1;
-    if (options.given("smooth")) how.smooth = options.number("smooth", study::between(1e-4, 0.1));
-    if (options.given("tape-offset")) how.tape_offset = options.number("tape-offset", study::finite());
+bool is_standard(const study::Options& options, const std::string& source, Use use) {
+    return rollbem::is_standard_profile(options.text(source), use);
+}
+
+/// The surface that open() makes, its notes in the sidecar. Throws BadInput.
+template <class Open>
+auto opened(const study::Options& options, const std::string& source, Use use, const Open& open) {
+    const bool standard = is_standard(options, source, use);
+    if (standard) options.ignored(source + "-mirror", "with a standard profile");
+    rollbem::ProfileFileOptions how = file_options(options, source);
+    if (standard) how.smooth = 0;  // that of the other one, which is from a file
     try {
-        rollbem::ProfileFile file = rollbem::read_profile(options.text(name), use, how);
-        if (auto* profile = std::get_if<rollbem::Profile>(&file.curve)) return std::move(*profile);
+        auto file = open(options.text(source), how);
+        for (const std::string& note : file.notes) options.note("--" + source + ": " + note);
+        return std::move(file.surface);
+    } catch (const study::BadInput&) {
+        throw;
     } catch (const std::invalid_argument& error) {
-        throw study::BadInput("--" + name + ": " + error.what());
+        throw study::BadInput("--" + source + ": " + error.what());
     }
-    throw study::BadInput(options.said(name) + ": one profile is expected, no sections");
+}
+
+/// A message of the library that names options of the right side, for the left one.
+std::string of_side(std::string text, const std::string& left) {
+    for (const char* name : {"--wheel-mirror", "--rail-mirror"}) {
+        const std::size_t at = text.find(name);
+        if (!left.empty() && at != std::string::npos) text.insert(at + 2, left);
+    }
+    return text;
+}
+
+rollbem::WheelOnRail read_side(const study::Options& options, const std::string& left,
+                               rollbem::TrackDimensions dimensions) {
+    const SideOptions side{options, left};
+    const bool any_shape = options.flag("any-shape");
+    if (options.given(side.own("radius"))) dimensions.radius = options.number(side.own("radius"), study::positive());
+    rollbem::RailPlacing placing{.cant = options.number("cant", study::between(-0.5, 0.5)),
+                                 .by_origin = dimensions.rail_origin.has_value()};
+    if (options.given("roller-radius")) placing.roller_radius = options.number("roller-radius", study::positive());
+    try {
+        const auto wheel = opened(options, side.source("wheel"), Use::wheel, [&](const auto& name, const auto& how) {
+            return rollbem::open_wheel(name, how, any_shape);
+        });
+        const auto rail = opened(options, side.source("rail"), Use::rail, [&](const auto& name, const auto& how) {
+            return rollbem::open_rail(name, how, placing, any_shape);
+        });
+        const std::string place = options.said(side.source("rail"));
+        if (rail.has_sections() && !dimensions.rail_origin) {
+            throw study::BadInput(place + " must be placed by --rail-origin, as it changes along the track");
+        }
+        try {
+            return {wheel, rail, dimensions};
+        } catch (const std::invalid_argument& error) {
+            const std::string text = error.what(), of_wheel = "wheel: ";
+            if (text.rfind(of_wheel, 0) != 0) throw study::BadInput(place + ": " + text);
+            throw study::BadInput(options.said(side.source("wheel")) + ": " + text.substr(of_wheel.size()));
+        }
+    } catch (const std::invalid_argument& error) {
+        throw study::BadInput(of_side(error.what(), left));
+    }
 }
 
 }  // namespace
 
 void add_profile_options(study::Options& options) {
     options.group("Profiles");
-    options.add_input(
-        "wheel",
-        "s1002 (default), or a file .csv (columns y,z, y to the right, z down, flange of the right wheel at "
-        "negative y, z = 0 on the tape circle at y = 0) or .prw");
+    options.add_input("wheel",
+                      "s1002 (default), or a file: two columns y, z (y to the right, z down, flange of the right wheel "
+                      "at negative y, z = 0 on the tape circle), .prw, .whl, or .slcw, sections round the wheel");
     options.set_default("wheel", "s1002");
-    options.add_input(
-        "rail", "60e1 (default), uic60, 54e1, or a file .csv (inner side of the right rail at negative y) or .prr");
+    options.add_input("rail",
+                      "60e1 (default), uic60, 54e1, or a file: two columns (inner side of the right rail at negative "
+                      "y), .prr, .ban, or .slcs, sections along the track");
     options.set_default("rail", "60e1");
-    options.add("length-unit", "NAME", "of CSV profiles: m or mm", "m");
+    options.add("length-unit", "NAME", "of files with two columns: m or mm", "m");
+    options.add("wheel-mirror", "NAME", "of the wheel's file y, z or yz change sign; y of one measured on the left");
+    options.add("rail-mirror", "NAME", "the same of the rail's file");
+    options.add_flag("any-shape",
+                     "wheel and rail are pieces, rollers or planes: that they look like wheel and rail is "
+                     "not checked");
     options.add("cant", "X", "by which the rail is turned inwards [rad]; 0 for a profile that is canted already",
                 "0.02499479361892016");
-    options.add(
-        "smooth", "X",
-        "wave length, 1e-4 to 0.1 [m]: of profiles from files, waves of this length are halved, shorter ones vanish");
+    options.add("smooth", "X",
+                "of profiles from files: waves of this length, 1e-4 to 0.1 [m], are halved, shorter ones vanish");
+    options.group("Profiles of the left side, as a right wheel on a right rail; default: those of the right side");
+    options.add_input("left-wheel", "as --wheel");
+    options.add_input("left-rail", "as --rail");
+    options.add("left-wheel-mirror", "NAME", "as --wheel-mirror, of --left-wheel").only_with({"left-wheel"});
+    options.add("left-rail-mirror", "NAME", "as --rail-mirror, of --left-rail").only_with({"left-rail"});
+    options.add("left-radius", "R", "of the left wheel's tape circle [m]; default: --radius");
 }
 
-rollbem::Profile read_wheel(const study::Options& options) {
-    const std::string wheel = options.text("wheel"), rail = options.text("rail");
-    options.choice("length-unit", {"m", "mm"});
-    if (is_built_in(wheel) && is_built_in(rail)) {
-        options.ignored("length-unit", "without a profile from a file");
-        options.ignored("smooth", "without a profile from a file");
+rollbem::WheelsetOnTrack read_wheelset(const study::Options& options, const rollbem::TrackDimensions& dimensions) {
+    bool all_standard = true;
+    for (const auto& [name, use] :
+         {std::pair{"wheel", Use::wheel}, {"rail", Use::rail}, {"left-wheel", Use::wheel}, {"left-rail", Use::rail}}) {
+        all_standard = all_standard && (options.text(name).empty() || is_standard(options, name, use));
     }
-    return wheel == "s1002" ? rollbem::s1002() : read(options, "wheel", rollbem::Profile::Use::wheel);
-}
-
-rollbem::Profile read_rail(const study::Options& options) {
-    const double cant = options.number("cant", study::between(-0.5, 0.5));
-    const std::string rail = options.text("rail");
-    if (rail == "60e1") return rollbem::rail_60e1(cant);
-    if (rail == "uic60") return rollbem::rail_uic60(cant);
-    if (rail == "54e1") return rollbem::rail_54e1(cant);
-    const rollbem::Profile of_file = read(options, "rail", rollbem::Profile::Use::rail);
-    const rollbem::Profile canted = cant == 0 ? of_file : of_file.moved(-cant, 0, 0);
-    return canted.moved(0, 0, -canted.z().minCoeff());
+    options.choice("length-unit", {"m", "mm"});
+    for (const char* name : {"length-unit", "smooth", "any-shape"}) {
+        if (all_standard) options.ignored(name, "without a profile from a file");
+    }
+    rollbem::WheelOnRail right = read_side(options, "", dimensions);
+    for (const char* name : {"left-wheel", "left-rail", "left-radius"}) {
+        if (options.given(name)) return {read_side(options, "left-", dimensions), std::move(right)};
+    }
+    return rollbem::WheelsetOnTrack(right);
 }
 
 }  // namespace profile

@@ -14,32 +14,60 @@ constexpr const char* help =
   profile_study --shift -0.004,-0.002,0,0.002,0.004,0.006 --side both --output contacts.csv --plot contacts.svg
 
 Track axes: x forward, y to the right, z down, the origin between the rails at the height of their tops. Positions are
---shift, --yaw and a roll; height, the wheelset's, and without --roll the roll follow from the loads. A row for each
-position, wheel and patch, patches by decreasing load: x, y, z of the reference point, on the rail; rail_y and wheel_y
-of it in the profiles of right wheel and right rail (of a left wheel in their mirror images); angle of the patch's
-plane, in which s lies along y turned by it, and n points into the rail; normal force load; approach, from where the
-undeformed surfaces would touch; half_length along x and half_width along s, half the extents; iterations of the last
-solution for pressures; time_us of the whole position [microseconds], once. Lengths in m, angles in rad, forces in N,
-pressures in Pa, all of them SI. status: ok; doubtful_plane, surfaces turn by more than 0.2 rad over the patch;
-unbalanced, normal forces and friction did not come to carry the loads to 1e-6; and without numbers: no_contact, end_of_profile, undefined_section, load_not_reached, not_converged, few_cells, not_finite.
+--shift, --yaw, a roll, and where surfaces change along the way --x and --pitch; the wheelset's height, and without
+--roll the roll, follow from the loads, or --height is given. A row for each position, wheel and patch, patches by
+decreasing load: x, y, z of the reference point, on the rail, seen from the wheelset; rail_y and wheel_y of it in the
+profiles of right wheel and canted right rail (of a left wheel in their mirror images); angle of the patch's
+plane, in which s lies along y turned by it, and n points into the rail; normal force load; approach, the largest depth
+of the undeformed surfaces in one another along n; half_length along x and half_width along s, half the extents;
+iterations of the last solution for pressures; time_us of the whole position [microseconds], once; track_x and pitch are
+the position's. Lengths in m, angles in rad, forces in N, pressures in Pa, all of them SI.
+
+status, and what to do:
+  ok
+  doubtful_plane      surfaces turn by more than 0.2 rad over the patch: a plane errs by 1 to 2 % in pressures
+  unbalanced          normal forces and friction did not come to carry the loads to 1e-6, or the wheel does not roll:
+                      take another --pitch-rate, --speed or --shift
+and without numbers:
+  no_contact          wheel and rail do not touch: look at --shift, --roll, --height, --gauge or --rail-origin
+  end_of_profile      contact reaches the end of a profile, which is not known beyond: take a longer one
+  undefined_section   the wheel has no section there: take a smaller --yaw
+  too_deep            the wheel lies more than 1 mm within the rail: a smaller --height or --load, or another place or
+                      unit of a profile is meant
+  load_not_reached    no height carries the load: another --load; with friction, which may hold the wheel up, --roll
+  not_converged       pressures did not settle: other --cells, or --smooth for measured profiles
+  few_cells           fewer than 7 cells touch: finer --cells, or --smooth for measured profiles
+  not_finite          a number overflowed: look at the units
+With --friction further ones, with the forces empty:
+  invalid_step        the wheel does not roll, as V and -pitch_rate rolling_radius add up to 0: another --pitch-rate
+  assists_creepage    rolling gains energy on these elements: other --strips or --n
+  no_solution         tractions were not found to rounding: other --strips or --n
+
+Profiles: files are cleaned of repeated points, zig-zags and folds at their ends; MiniProf's z is turned where the shape
+says that it points up; what was done stands in the sidecar. A wheel must have its flange at y < 0, |z| < 2 mm on the
+tape circle and a width of 90 to 180 mm, a rail its top within 10 mm of z = 0 and a width of 30 to 200 mm: else a line
+names the remedy. --any-shape is for pieces, planes and rollers. The rail is placed by --gauge, its narrowest place down
+to --gauge-depth below the top, or by --rail-origin, about which it is canted. --smooth is for measured profiles; corners
+stay, and with less than the noise has, patches break up (few_cells).
+  profile_study --wheel worn.whl --tape-offset 0 --rail worn.ban --rail-mirror y --cant 0 --smooth 0.007 --load 8e4
+  profile_study --rail nose.slcs --length-unit mm --any-shape --rail-origin 0.75,0 --cant 0 --x 0,0.05,0.1 --roll 0
+
 --friction: longitudinal_creepage, lateral_creepage and spin [1/m] are numbers as CONTACT's CKSI, CETA and CPHI, those
 of the rail on the wheel, over the size of the mean of V and the circumferential speed -pitch_rate rolling_radius: a
 wheel driven forward has a positive longitudinal creepage. longitudinal_force, lateral_force (along s) and spin_moment,
-about n at the reference point, act on the wheel (CONTACT's FX, FS, MN on the rail are minus these). Slip is that of the three creepages, or of the curved surfaces with
---slip curved. slip_power [W] is what friction turns into heat, minus the power of
-forces and moment on the creepages; t_gamma [N] that power per metre rolled, for wear; fatigue_index the force of
-friction over the normal force, less --shear-yield over the peak pressure (surface fatigue where positive); elements
-those of each patch. --wear FILE has, for right rail and right wheel (of left ones in their mirror images) of each side,
-s, the length along the profile, y, z, and work [J/m^2]: frictional work per metre rolled and metre of profile, the mean
-over all positions. The loads are vertical: the normal forces are found
-together with those of friction. Status may then be that of friction, with the forces empty; invalid_step: the wheel
-does not roll, as that mean is 0.
+about n at the reference point, act on the wheel (CONTACT's FX, FS, MN on the rail are minus these). Slip is that of the
+three creepages, or of the curved surfaces with --slip curved. slip_power [W] is what friction turns into heat, minus
+the power of forces and moment on the creepages; t_gamma [N] that power per metre rolled, for wear; fatigue_index the
+force of friction over the normal force, less --shear-yield over the peak pressure (surface fatigue where positive);
+elements those of each patch. --wear FILE has, for right rail and right wheel (of left ones in their mirror images) of
+each side, s, the length along the profile, y, z, and work [J/m^2]: frictional work per metre rolled and metre of
+profile, the mean over all positions. The loads are vertical: the normal forces are found together with those of
+friction.
 --outline writes files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P and patch K, e.g. for
   patch_study --n 12 --outline DIR/1_right_1.outline.csv --pressure DIR/1_right_1.pressure.csv --longitudinal 0.1
---positions: a row for each position. --smooth is for worn or measured profiles: the smoothest curve that leaves the
-points by that root mean square, in y and z together, which should be the noise of the device: with less, patches break
-up (few_cells).
 )";
+
+const study::Rule turn = study::between(-0.3, 0.3), sideways = study::between(-0.1, 0.1);
 
 }  // namespace
 
@@ -56,16 +84,31 @@ void add_options(study::Options& options) {
     options.group("Track and wheelset");
     options.add("radius", "R", "of the wheel's tape circle [m]", "0.46");
     options.add("gauge", "X", "between the rails [m]", "1.435");
-    options.add("gauge-depth", "X", "below their tops, where the gauge is measured [m]", "0.014");
+    options.add("gauge-depth", "X", "below their tops, down to which the rails are narrowest at the gauge [m]",
+                "0.014");
     options.add("flange-back", "X", "between the backs of the flanges [m]", "1.36");
-    options.add("tape-offset", "X", "of the tape circle from the flange's back [m]", "0.07");
+    options.add("tape-offset", "X",
+                "of the wheel profile's origin from the flange's back [m]: 0.07 on the tape circle, 0 for wheels "
+                "measured from the back",
+                "0.07");
+    options.add("rail-origin", "Y,Z", "instead of the gauge: of the right rail's profile in track axes [m]");
+    options.not_with({"gauge", "gauge-depth"}, "rail-origin");
+    options.add("roller-radius", "R", "the rail is a roller, its axle this far below z = 0 of its profile [m]")
+        .only_with({"rail-origin"});
     options.add("side", "NAME", "left, right or both", "right");
     options.add("shift", "LIST", "lateral shifts of the wheelset to the right, -0.1 to 0.1 [m]", "0");
     options.add("yaw", "LIST", "yaw angles, clockwise from above, -0.3 to 0.3 [rad]", "0");
     options.add_input("positions", "instead: CSV with the columns shift,yaw and, if given, roll and pitch_rate");
     options.not_with({"shift", "yaw"}, "positions");
     options.add("roll", "X", "roll angle, -0.3 to 0.3 [rad]; default: that in which both wheels carry the load");
+    options.add("x", "LIST", "of the wheelset along the track, for rails with sections [m]");
+    options.add("pitch", "LIST", "angles by which wheels with sections are turned, -pi to pi [rad]");
     options.add("load", "N", "vertical load on each wheel [N]", "1e5");
+    options.add("height", "LIST",
+                "instead of the load: z_ws of the wheelset, down [m]; 0 where the tape circle touches z = 0 of the "
+                "track; without --roll the roll is 0");
+    options.not_with({"load"}, "height");
+    options.add("interaction", "NAME", "on: patches of a wheel displace each other; off: as in CONTACT", "on");
     options.add("cells", "NX,NS", "across what touches, 10 to 1000 each, more where it has lobes (dimensionless)",
                 "40,20");
     options.group("Friction");
@@ -95,54 +138,111 @@ void add_options(study::Options& options) {
         "cells = \"the shortest text that is read back exactly; an undefined value is an empty cell\"\n");
 }
 
-std::vector<Case> read_cases(const study::Options& options) {
-    const study::Rule turn = study::between(-0.3, 0.3), sideways = study::between(-0.1, 0.1);
-    std::optional<double> roll;
-    if (options.given("roll")) roll = options.number("roll", turn);
-    std::vector<std::optional<double>> rates{std::nullopt};
-    if (options.given("pitch-rate")) {
-        rates.clear();
-        for (const double rate : options.numbers("pitch-rate", study::finite())) rates.emplace_back(rate);
-    }
+namespace {
+
+/// Shift, yaw and, by the file, roll and pitch rate.
+std::vector<Case> read_positions(const study::Options& options) {
+    const auto check = [&](const std::vector<study::Numbers>& columns, const std::string& where) {
+        for (const auto& [k, name] : {std::pair<std::size_t, const char*>{0, "shift"}, {1, "yaw"}, {2, "roll"}}) {
+            const study::Rule& rule = k == 0 ? sideways : turn;
+            if (columns[k].empty() || rule.holds(columns[k].back())) continue;
+            throw study::BadInput(where + ": " + name + " must " + rule.text);
+        }
+    };
+    const std::vector<study::Numbers> columns =
+        study::read_columns(options, "positions", "shift,yaw", "roll;pitch_rate", check);
+    options.require(!columns[0].empty(), "positions", "have a row below its header");
+    if (!columns[2].empty()) options.ignored("roll", "with a column roll in --positions");
+    if (!columns[3].empty()) options.ignored("pitch-rate", "with a column pitch_rate in --positions");
+    const auto cell = [](const study::Numbers& column, std::size_t i) {
+        return column.empty() ? std::nullopt : std::optional(column[i]);
+    };
     std::vector<Case> cases;
-    if (options.given("positions")) {
-        const auto check = [&](const std::vector<study::Numbers>& columns, const std::string& where) {
-            for (const auto& [k, name] : {std::pair<std::size_t, const char*>{0, "shift"}, {1, "yaw"}, {2, "roll"}}) {
-                const study::Rule& rule = k == 0 ? sideways : turn;
-                if (columns[k].empty() || rule.holds(columns[k].back())) continue;
-                throw study::BadInput(where + ": " + name + " must " + rule.text);
-            }
-        };
-        const std::vector<study::Numbers> columns =
-            study::read_columns(options, "positions", "shift,yaw", "roll;pitch_rate", check);
-        options.require(!columns[0].empty(), "positions", "have a row below its header");
-        if (!columns[2].empty()) options.ignored("roll", "with a column roll in --positions");
-        if (!columns[3].empty()) options.ignored("pitch-rate", "with a column pitch_rate in --positions");
-        for (std::size_t i = 0; i < columns[0].size(); ++i) {
-            for (const std::optional<double>& rate : rates) {
-                cases.push_back({columns[0][i], columns[1][i], columns[2].empty() ? roll : columns[2][i],
-                                 columns[3].empty() ? rate : columns[3][i]});
-            }
-        }
-        return cases;
-    }
-    for (const double shift : options.numbers("shift", sideways)) {
-        for (const double yaw : options.numbers("yaw", turn)) {
-            for (const std::optional<double>& rate : rates) cases.push_back({shift, yaw, roll, rate});
-        }
+    for (std::size_t i = 0; i < columns[0].size(); ++i) {
+        cases.push_back({columns[0][i], columns[1][i], cell(columns[2], i), cell(columns[3], i)});
     }
     return cases;
 }
 
-Settings read_settings(const study::Options& options) {
+}  // namespace
+
+std::vector<Case> read_cases(const study::Options& options) {
+    std::vector<Case> cases;
+    if (options.given("positions")) {
+        cases = read_positions(options);
+    } else {
+        for (const double shift : options.numbers("shift", sideways)) {
+            for (const double yaw : options.numbers("yaw", turn)) cases.push_back({shift, yaw, {}, {}});
+        }
+    }
+    // each case with each value of an option
+    const auto sweep = [&](const char* name, const study::Rule& rule, const auto& set) {
+        if (!options.given(name)) return;
+        std::vector<Case> product;
+        for (const Case& at : cases) {
+            for (const double value : options.numbers(name, rule)) set(product.emplace_back(at), value);
+        }
+        cases = std::move(product);
+    };
+    if (options.given("roll")) {
+        const double roll = options.number("roll", turn);
+        for (Case& at : cases) at.roll = roll;
+    }
+    sweep("x", study::finite(), [](Case& at, double x) { at.along = x; });
+    sweep("pitch", study::between(-std::numbers::pi, std::numbers::pi), [](Case& at, double p) { at.pitch = p; });
+    sweep("height", study::finite(), [](Case& at, double height) {
+        at.height = height;
+        at.roll = at.roll.value_or(0);
+    });
+    sweep("pitch-rate", study::finite(), [](Case& at, double rate) { at.pitch_rate = rate; });
+    return cases;
+}
+
+std::string case_columns(const study::Options& options) {
+    return std::string("shift, yaw") + (options.given("x") ? ", track_x" : "") +
+           (options.given("pitch") ? ", pitch" : "");
+}
+
+namespace {
+
+rollbem::TrackDimensions read_dimensions(const study::Options& options) {
     const auto positive = [&](const char* name) { return options.number(name, study::positive()); };
-    const rollbem::TrackDimensions track{.gauge = positive("gauge"),
-                                         .gauge_depth = positive("gauge-depth"),
-                                         .flange_back = positive("flange-back"),
-                                         .tape_offset = options.number("tape-offset", study::finite()),
-                                         .radius = positive("radius"),
-                                         .shear_modulus = positive("shear-modulus"),
-                                         .poisson_ratio = options.number("poisson", study::between(0, 0.5))};
+    const auto finite = [&](const char* name) { return options.number(name, study::finite()); };
+    rollbem::TrackDimensions track{.gauge = positive("gauge"),
+                                   .gauge_depth = positive("gauge-depth"),
+                                   .flange_back = finite("flange-back"),
+                                   .tape_offset = finite("tape-offset"),
+                                   .radius = positive("radius"),
+                                   .shear_modulus = positive("shear-modulus"),
+                                   .poisson_ratio = options.number("poisson", study::between(0, 0.5))};
+    if (options.given("rail-origin")) {
+        const auto origin = options.pair("rail-origin");
+        options.require(origin.has_value(), "rail-origin", "be two numbers with a comma between them");
+        track.rail_origin = rollbem::TrackDimensions::Origin{origin->first, origin->second};
+    }
+    return track;
+}
+
+/// Refuses what needs sections, and what needs that there are none.
+void check_surfaces(const study::Options& options, const rollbem::WheelsetOnTrack& wheelset, bool several) {
+    bool round = true, straight = true;
+    for (const Side side : rollbem::WheelsetOnTrack::sides) {
+        round = round && wheelset.wheel(side).geometry().wheel().is_round();
+        straight = straight && !wheelset.wheel(side).geometry().rail().has_sections();
+    }
+    if (straight) options.ignored("x", "without sections along the track (--rail FILE.slcs)");
+    if (round) options.ignored("pitch", "with round wheels (--wheel FILE.slcw has sections)");
+    if (round && straight) return;
+    const std::string reason = "with sections: it needs a round wheel on a rail of one profile";
+    options.ignored("wear", reason);
+    if (several) options.ignored("plot", reason + ", or a single position");
+}
+
+}  // namespace
+
+Settings read_settings(const study::Options& options, bool several) {
+    const auto positive = [&](const char* name) { return options.number(name, study::positive()); };
+    const rollbem::TrackDimensions track = read_dimensions(options);
     const auto cells = options.pair("cells");
     const auto fits = [](double count) { return count >= 10 && count <= 1000 && count == std::floor(count); };
     options.require(cells && fits(cells->first) && fits(cells->second), "cells",
@@ -162,18 +262,17 @@ Settings read_settings(const study::Options& options) {
     }
     const double load = positive("load"), speed = options.number("speed", study::finite());
     options.require(speed != 0, "speed", "differ from 0: creepage is slip over the velocity of rolling");
-    const rollbem::Profile wheel = read_wheel(options), rail = read_rail(options);
-    try {
-        return {rollbem::WheelsetOnTrack(rollbem::WheelOnRail(wheel, rail, track)),
-                sides,
-                load,
-                {.cells_x = Eigen::Index(cells->first), .cells_s = Eigen::Index(cells->second)},
-                friction,
-                speed,
-                positive("shear-yield")};
-    } catch (const std::invalid_argument& error) {
-        throw study::BadInput(options.said("rail") + ": " + error.what());
-    }
+    rollbem::WheelsetOnTrack wheelset = read_wheelset(options, track);
+    check_surfaces(options, wheelset, several);
+    return {std::move(wheelset),
+            sides,
+            load,
+            {.cells_x = Eigen::Index(cells->first),
+             .cells_s = Eigen::Index(cells->second),
+             .interaction = options.choice("interaction", {"on", "off"}) == "on"},
+            friction,
+            speed,
+            positive("shear-yield")};
 }
 
 }  // namespace profile

@@ -218,6 +218,12 @@ public:
     /// the run.
     std::vector<std::pair<std::string, std::string>> given_values() const;
 
+    /// A line for the sidecar on what was done with the input, once.
+    void note(const std::string& line) const {
+        if (!contains(notes_, line)) notes_.push_back(line);
+    }
+    const std::vector<std::string>& notes() const { return notes_; }
+
 private:
     enum class Kind { value, flag, input, output, table, folder };
 
@@ -267,6 +273,7 @@ private:
     std::vector<Limit> limits_;
     std::vector<std::string> words_;
     bool replays_ = false;  ///< --config is the file beside a CSV file
+    mutable std::vector<std::string> notes_;
 };
 
 /// body(), which returns the exit code of a program; exceptions become exit codes and one line on standard error.

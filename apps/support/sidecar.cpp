@@ -103,6 +103,9 @@ std::string sidecar_text(const Options& options) {
                                           {"eigen", build_info::eigen},
                                           {"gsl", gsl_version}}},
                     {"machine", toml::table{{"cpu", cpu_name()}}}};
+    toml::array notes;
+    for (const std::string& note : options.notes()) notes.push_back(note);
+    if (!notes.empty()) all.insert("notes", notes);
     std::ostringstream text;
     text << toml::toml_formatter(all, toml::format_flags::allow_unicode_strings) << "\n\n[conventions]\n"
          << (options.conventions().empty() ? conventions : options.conventions());

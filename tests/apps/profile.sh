@@ -53,6 +53,69 @@ $profile $at --length-unit mm --wheel "$benchmark/wheel.csv" --rail "$benchmark/
 $profile $at --wheel wheel.PRW --rail rail.prr >other
 cmp one other || fail 'a profile as .prw'
 
+for f in wheel rail; do awk -F, '/^[-0-9]/ { printf "%.17g,%.17g\n", -$1, -$2 }' "$benchmark/$f.csv" >$f.txt; done
+$profile $at --length-unit mm --wheel wheel.txt --wheel-mirror yz --rail rail.txt --rail-mirror yz >other
+cmp one other || fail '--wheel-mirror, --rail-mirror'
+
+# --- the left side: other profiles as a right wheel on a right rail, mirrored or not
+here="$profile --length-unit mm --cant 0 --shift 0.002 --side both --wheel $benchmark/wheel.csv --rail $benchmark/rail.csv"
+$here >one
+$here --left-wheel wheel.txt --left-wheel-mirror yz --left-rail rail.txt --left-rail-mirror yz >other
+cmp one other || fail '--left-wheel, --left-rail'
+
+# --- a place given by --rail-origin is that of the gauge; a height given carries the load that it was found with
+at='--rail uic60 --cant 0 --shift 0.002 --cells 60,40'
+$profile $at --roll 0 >one
+eval "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i }
+    NR == 2 { printf "origin=%.12f height=%s load=%s", $at["y"] - $at["rail_y"], $at["height"], $at["load"] }' one)"
+$profile $at --rail-origin "$origin,0" --height "$height" >other
+rows "END { exit !((\$load / $load - 1) ^ 2 < 1e-6 && \$height == $height && \$roll == 0) }" other ||
+    fail "--rail-origin, --height: $(cat one other)"
+
+# --- spheres of 100 mm, planes, rollers: what --interaction, --roller-radius, --x and --pitch do
+circle='BEGIN { for (y = -20; y <= 20; y += 0.5) print y, sqrt(1e4 - y * y) - 100 + lift }'
+awk "$circle" >sphere.txt
+awk -v lift=1 "$circle" >larger.txt
+awk 'BEGIN { for (y = -20; y <= 20; y += 0.5) print y, 100 - sqrt(1e4 - y * y) }' >crown.txt
+awk 'BEGIN { for (y = -60; y <= 60; y += 2) print y, 0 }' >plane.txt
+awk 'BEGIN { for (y = -60; y <= 60; y += 2) print y, -5 }' >higher.txt
+awk 'BEGIN { for (y = -40; y <= 40; y += 0.5) { d = (y < 0 ? -y : y) - 20; print y, d * d / 600 } }' >crowns.txt
+shape="$profile --length-unit mm --any-shape --cant 0 --roll 0 --load 1e4"
+approach() { # approach FILE: and height
+    awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i } NR > 1 { print $at["approach"], $at["height"] }' $1
+}
+$shape --wheel sphere.txt --radius 0.1 --rail plane.txt --rail-origin 0.75,0 >one
+$shape --wheel plane.txt --radius 0.13333333333333333 --rail crown.txt --rail-origin 0.75,0 --roller-radius 0.4 >other
+{ approach one && approach other; } | awk '{ a[NR] = $1 } END { exit !((a[1] / a[2] - 1) ^ 2 < 1e-6) }' ||
+    fail '--roller-radius: 1/R_w + 1/R_r'
+$shape --wheel plane.txt --rail crowns.txt --rail-origin 0.75,0 >one
+$shape --wheel plane.txt --rail crowns.txt --rail-origin 0.75,0 --interaction off >other
+{ approach one && approach other; } | awk '{ h[NR] = $2 } END { exit !(NR == 4 && h[1] > 1.01 * h[3]) }' ||
+    fail '--interaction: two crowns'
+# a left wheel whose radius is smaller by a millimetre lies lower by that, 1.5 m away
+$profile --length-unit mm --any-shape --cant 0 --load 1e4 --wheel sphere.txt --radius 0.1 --left-radius 0.099 \
+    --rail plane.txt --rail-origin 0.75,0 --side both --friction 0.3 >one
+rows 'function near(a, b, by) { return (a - b) ^ 2 < by ^ 2 }
+    NR > 1 { ++count; given = $side == "left" ? 0.099 : 0.1
+        if (!near($roll, -1e-3 / 1.5, 1e-6) || !near($rolling_radius, given, 1e-5)) bad = 1
+        if (!near($load * cos($angle), 1e4, 20) || !near($z, 0, 1e-9)) bad = 1 }
+    END { exit bad || count != 2 }' one || fail "--left-radius: $(cat one)"
+printf '0 1\n3\n0\n1\n0 "plane.txt"\n500 "higher.txt"\n1000 "plane.txt"\n' >ramp.slcs
+$shape --wheel sphere.txt --radius 0.1 --rail ramp.slcs --rail-origin 0.75,0 --x 0.1,0.5 --shift 0,0.01 >one
+rows 'NR == 2 || NR == 4 { low = $height } NR == 3 || NR == 5 { if (low - $height < 3e-3) exit 1 }
+    NR == 3 && ($track_x != 0.5 || $x ^ 2 > 1e-10 || ($height - $approach + 5e-3) ^ 2 > 1e-12) { exit 1 }
+    END { exit !(NR == 5 && $track_x == 0.5 && $shift == 0.01) }' one || fail '--x: a rail that rises'
+printf '0 1\n2\n0\n1\n-0.1 "sphere.txt"\n0.1 "larger.txt"\n' >oval.slcw
+$shape --wheel oval.slcw --radius 0.1 --rail plane.txt --rail-origin 0.75,0 --pitch 0.3,-0.3 >one
+approach one | awk '{ h[NR] = $2; a[NR] = $1 } END { exit !(NR == 2 && (h[1] - h[2] - 1e-3) ^ 2 < 1e-12 && a[1] > 0) }' ||
+    fail '--pitch: a wheel of two radii'
+
+# --- what was done with files stands in the sidecar
+awk '{ print } NR == 40' sphere.txt >twice.txt
+$shape --wheel twice.txt --radius 0.1 --rail plane.txt --rail-mirror z --rail-origin 0.75,0 --output noted.csv
+grep -q '^"--wheel: repeated points' noted.csv.toml && grep -q '^"--rail: z mirrored' noted.csv.toml ||
+    fail 'notes in the sidecar'
+
 # --- rows that fail say why; both wheels carry the load; the row order does not depend on --jobs
 $profile --shift 0,0.003,0.006 --side both >one
 $profile --shift 0,0.003,0.006 --side both --jobs 2 >other

@@ -1,11 +1,44 @@
 ! Creep forces from Fortran: forces TABLE [A] prints the forces of a contact of half-length A, and the derivative of F_x
-! by the creepage.
+! by the creepage, and a patch of a wheel.
 program forces
     use, intrinsic :: iso_c_binding
     use, intrinsic :: iso_fortran_env, only: error_unit
     implicit none
     integer(c_int), parameter :: rollbem_ok = 0, rollbem_off_table = 3
+    type, bind(c) :: wheel_options  ! rollbem_wheel_options
+        integer(c_size_t) :: size
+        integer(c_int) :: wheel_mirror, rail_mirror, any_shape, by_origin, interaction
+        real(c_double) :: per_metre, smooth, cant, gauge, gauge_depth, flange_back, tape_offset, radius
+        real(c_double) :: rail_origin(2), roller_radius, shear_modulus, poisson_ratio
+    end type
     interface
+        function wheel_defaults(options, size) bind(c, name="rollbem_wheel_defaults") result(code)
+            import :: wheel_options, c_size_t, c_int
+            type(wheel_options), intent(out) :: options
+            integer(c_size_t), value :: size
+            integer(c_int) :: code
+        end function
+        function wheel_open(wheel_path, rail_path, options) bind(c, name="rollbem_wheel_open") result(wheel)
+            import :: c_ptr, c_char, wheel_options
+            character(kind=c_char), intent(in) :: wheel_path(*), rail_path(*)
+            type(wheel_options), intent(in) :: options
+            type(c_ptr) :: wheel
+        end function
+        function wheel_for_load(wheel, position, load, most, patches, count) &
+            bind(c, name="rollbem_wheel_solve_for_load") result(code)
+            import :: c_ptr, c_size_t, c_double, c_int
+            type(c_ptr), value :: wheel
+            real(c_double), intent(in) :: position(6)
+            real(c_double), value :: load
+            integer(c_size_t), value :: most
+            real(c_double), intent(out) :: patches(*)
+            integer(c_size_t), intent(out) :: count
+            integer(c_int) :: code
+        end function
+        subroutine wheel_free(wheel) bind(c, name="rollbem_wheel_free")
+            import :: c_ptr
+            type(c_ptr), value :: wheel
+        end subroutine
         function table_open(path) bind(c, name="rollbem_table_open") result(table)
             import :: c_ptr, c_char
             character(kind=c_char), intent(in) :: path(*)
@@ -26,8 +59,10 @@ program forces
     end interface
     character(len=1024) :: path, a
     integer(c_int) :: code
-    type(c_ptr) :: table
-    real(c_double) :: contact(9), force(3), tangent(3, 7)
+    type(c_ptr) :: table, wheel
+    type(wheel_options) :: options
+    integer(c_size_t) :: count
+    real(c_double) :: contact(9), force(3), tangent(3, 7), position(6), patch(12, 1)
 
     call get_command_argument(1, path)
     table = table_open(trim(path)//c_null_char)
@@ -42,4 +77,13 @@ program forces
     print '(3es25.16)', force
     print '(es25.16)', tangent(1, 1)
     call table_close(table)
+
+    if (wheel_defaults(options, c_sizeof(options)) /= rollbem_ok) stop 3
+    wheel = wheel_open('s1002'//c_null_char, '60e1'//c_null_char, options)
+    if (.not. c_associated(wheel)) stop 4
+    ! lateral, height, roll, yaw, x along the track, pitch
+    position = [1d-3, 0d0, 0d0, 0d0, 0d0, 0d0]
+    if (wheel_for_load(wheel, position, 1d5, 1_c_size_t, patch, count) /= rollbem_ok) stop 5
+    print '(a, 12es25.16)', 'wheel ', patch
+    call wheel_free(wheel)
 end program

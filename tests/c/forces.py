@@ -1,4 +1,4 @@
-"""forces.py LIBRARY TABLE [A]: creep forces by ctypes; prints the forces of a contact of half-length A."""
+"""forces.py LIBRARY TABLE [A]: creep forces by ctypes; prints the forces of a contact of half-length A, and a patch."""
 import ctypes
 import sys
 
@@ -20,3 +20,30 @@ if code not in (ok, off_table):
     sys.exit(1)
 print(*forces)
 rollbem.rollbem_table_close(table)
+
+
+class WheelOptions(ctypes.Structure):
+    """rollbem_wheel_options"""
+    _fields_ = ([("size", ctypes.c_size_t)]
+                + [(name, ctypes.c_int) for name in "wheel_mirror rail_mirror any_shape by_origin interaction".split()]
+                + [(name, ctypes.c_double) for name in
+                   "per_metre smooth cant gauge gauge_depth flange_back tape_offset radius".split()]
+                + [("rail_origin", ctypes.c_double * 2)]
+                + [(name, ctypes.c_double) for name in "roller_radius shear_modulus poisson_ratio".split()])
+
+
+options = WheelOptions()
+if rollbem.rollbem_wheel_defaults(ctypes.byref(options), ctypes.c_size_t(ctypes.sizeof(options))) != ok:
+    sys.exit(rollbem.rollbem_last_error().decode())
+rollbem.rollbem_wheel_open.restype = ctypes.c_void_p
+wheel = ctypes.c_void_p(rollbem.rollbem_wheel_open(b"s1002", b"60e1", ctypes.byref(options)))
+if not wheel:
+    sys.exit(rollbem.rollbem_last_error().decode())
+position = (ctypes.c_double * 6)(1e-3, 0, 0, 0, 0, 0)  # lateral, height, roll, yaw, x along the track, pitch
+patch = (ctypes.c_double * 12)()
+count = ctypes.c_size_t()
+if rollbem.rollbem_wheel_solve_for_load(wheel, position, ctypes.c_double(1e5), ctypes.c_size_t(1), patch,
+                                        ctypes.byref(count)) != ok:
+    sys.exit(rollbem.rollbem_last_error().decode())
+print("wheel", *patch)
+rollbem.rollbem_wheel_free(wheel)

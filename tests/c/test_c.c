@@ -177,16 +177,97 @@ static void test_wheel(void) {
     for (int i = 0; i < 12; ++i) printf(" %.10g", patches[i]);
     printf("\n");
     expect(fabs(patches[5] * cos(patches[3]) / 1e5 - 1) < 1e-5 || count > 1, "the vertical load is carried");
-    expect(rollbem_wheel_carry(wheel, 1, 0, 0, 1e5, 2, patches, &count) == ROLLBEM_FAILED && count == 0,
-           "a wheel beside the rail");
     for (int i = 0; i < 2; ++i) {
         expect(rollbem_wheel_carry(wheel, 0, 0, 0, -i, 2, patches, &count) == ROLLBEM_INVALID && count == 0 &&
                    strstr(rollbem_last_error(), "load") != NULL,
                "a load that is not positive");
     }
+    expect(rollbem_wheel_carry(wheel, 1, 0, 0, 1e5, 2, patches, &count) == ROLLBEM_FAILED && count == 0,
+           "a wheel beside the rail");
     rollbem_wheel_free(wheel);
     const double points[8] = {0, 0, 1, 0, 0, 0, 1, 1};
     expect(rollbem_wheel_new(points, 4, NULL, 0, NULL) == NULL, "a profile that turns back");
+}
+
+/* Points of profiles [mm], z down but of the sphere's. */
+static double sphere_z(double y) { return 100 - sqrt(1e4 - y * y); }
+static double plane_z(double y) { return 0 * y; }
+static double crowns_z(double y) { return (fabs(y) - 10) * (fabs(y) - 10) / 600; }
+
+static void write_profile(const char *path, double (*z)(double)) {
+    FILE *const file = fopen(path, "w");
+    if (file == NULL) abort();
+    fprintf(file, "# y z\n");
+    for (double y = -20; y <= 20; y += 0.5) fprintf(file, "%.17g %.17g\n", y, z(y));
+    fclose(file);
+}
+
+/* A sphere and a plane or a roller from files against Hertz. */
+static void test_files(void) {
+    const char *const sphere = "test_c sphere.txt", *const plane = "test_c plane.txt", *const crowns = "test_c crowns.txt";
+    write_profile(sphere, sphere_z);
+    write_profile(plane, plane_z);
+    rollbem_wheel_options options;
+    expect(rollbem_wheel_defaults(&options, sizeof options) == ROLLBEM_OK, "defaults");
+    options.per_metre = 1000;
+    options.wheel_mirror = ROLLBEM_MIRROR_Z;
+    options.any_shape = options.by_origin = 1;
+    options.rail_origin[0] = 0.75;
+    options.rail_origin[1] = 0.002;
+    options.radius = 0.1;
+    options.cant = 0;
+    const double bodies[4] = {2.0992e11, 0.28, 2.0992e11, 0.28}, load = 1e4;
+    for (int roller = 0; roller < 2; ++roller) {
+        if (roller) options.roller_radius = 0.3;
+        const double radii[4] = {0.1, 0.1, roller ? 0.3 : INFINITY, INFINITY};
+        double hertz[5], found[12], again[12], position[6] = {0};
+        size_t n;
+        rollbem_wheel *const wheel = rollbem_wheel_open(sphere, plane, &options);
+        expect(wheel != NULL, "a sphere on a plane from files");
+        expect(strcmp(rollbem_wheel_notes(wheel), "wheel: z mirrored\n") == 0, "what was done with the files");
+        expect(rollbem_hertz(load, radii, 0, bodies, hertz) == ROLLBEM_OK, "Hertz");
+        expect(rollbem_wheel_solve_for_load(wheel, position, load, 1, found, &n) == ROLLBEM_OK && n == 1, "its patch");
+        expect(fabs(found[1] - 0.75) < 1e-6 && fabs(found[5] / load - 1) < 1e-5, "its place and load");
+        expect(fabs(found[6] / hertz[2] - 1) < 2e-3 && fabs(found[7] / hertz[3] - 1) < 2e-3, "as by Hertz");
+        expect(fabs(found[11] - 0.002 - found[6]) < 1e-7, "the height, from the rail's origin down");
+        position[1] = found[11];
+        expect(rollbem_wheel_solve_at_height(wheel, position, 1, again, &n) == ROLLBEM_OK, "the same height");
+        expect(n == 1 && fabs(again[5] / load - 1) < 1e-3, "has the same load");
+        position[1] = -1e-3;
+        expect(rollbem_wheel_solve_at_height(wheel, position, 1, again, &n) == ROLLBEM_FAILED && n == 0, "a lifted wheel");
+        expect(strstr(rollbem_last_error(), "no_contact") != NULL, "its status");
+        rollbem_wheel_free(wheel);
+    }
+    /* two crowns displace each other, so that the wheel goes down further */
+    double height[2];
+    write_profile(crowns, crowns_z);
+    for (int on = 0; on < 2; ++on) {
+        double both[2 * 12];
+        const double position[6] = {0};
+        size_t n;
+        options.interaction = on;
+        rollbem_wheel *const wheel = rollbem_wheel_open(plane, crowns, &options);
+        expect(wheel != NULL, "two crowns");
+        expect(rollbem_wheel_solve_for_load(wheel, position, load, 2, both, &n) == ROLLBEM_OK && n == 2, "two patches");
+        height[on] = both[11];
+        rollbem_wheel_free(wheel);
+    }
+    expect(height[1] > height[0] + 5e-7, "their interaction");
+    options.any_shape = 0;
+    options.roller_radius = 0;
+    expect(rollbem_wheel_open(sphere, plane, &options) == NULL && strstr(rollbem_last_error(), "width of the wheel"),
+           "a sphere is no wheel");
+    options.wheel_mirror = 4;
+    expect(rollbem_wheel_open(sphere, plane, &options) == NULL, "a mirror that there is not");
+    expect(rollbem_wheel_defaults(&options, 8) == ROLLBEM_INVALID, "a structure of another size");
+    options.size = 8;
+    expect(rollbem_wheel_open(NULL, NULL, &options) == NULL && strstr(rollbem_last_error(), "options.size = 8"),
+           "options of another size");
+    expect(rollbem_wheel_open("no such file", NULL, NULL) == NULL && strstr(rollbem_last_error(), "no such file"),
+           "a profile that does not exist");
+    remove(sphere);
+    remove(plane);
+    remove(crowns);
 }
 
 /* NULL, where none is allowed, is refused by name; every pointer in turn. */
@@ -234,6 +315,20 @@ static void test_null(const char *path) {
            "points of a wheel that are missing");
     expect(rollbem_wheel_new(NULL, 0, NULL, 5, NULL) == NULL && strstr(rollbem_last_error(), "rail_points = 5 must be 0"),
            "points of a rail that are missing");
+    rollbem_wheel *const standard = rollbem_wheel_open(NULL, NULL, NULL);
+    refused(rollbem_wheel_solve_for_load(NULL, n, 1e5, 1, n, &count), "rollbem_wheel_solve_for_load", "wheel");
+    refused(rollbem_wheel_solve_for_load(wheel, NULL, 1e5, 1, n, &count), "rollbem_wheel_solve_for_load", "position");
+    refused(rollbem_wheel_solve_at_height(NULL, n, 1, n, &count), "rollbem_wheel_solve_at_height", "wheel");
+    refused(rollbem_wheel_solve_at_height(wheel, NULL, 1, n, &count), "rollbem_wheel_solve_at_height", "position");
+    refused(rollbem_wheel_solve_at_height(wheel, n, 1, n, NULL), "rollbem_wheel_solve_at_height", "count");
+    refused(rollbem_wheel_defaults(NULL, sizeof(rollbem_wheel_options)), "rollbem_wheel_defaults", "options");
+    double same[2][12];
+    rollbem_wheel *const fresh = rollbem_wheel_new(NULL, 0, NULL, 0, NULL);
+    expect(rollbem_wheel_carry(fresh, 1e-3, 0, 0, 1e5, 1, same[0], &count) == ROLLBEM_OK, "profiles by NULL");
+    expect(rollbem_wheel_carry(standard, 1e-3, 0, 0, 1e5, 1, same[1], &count) == ROLLBEM_OK, "profiles by name");
+    expect(memcmp(same[0], same[1], sizeof same[0]) == 0, "are the same");
+    rollbem_wheel_free(fresh);
+    rollbem_wheel_free(standard);
     rollbem_table_close(NULL);
     rollbem_patch_free(NULL);
     rollbem_wheel_free(NULL);
@@ -248,6 +343,7 @@ int main(int count, char **arguments) {
     test_hertz();
     test_patch();
     test_wheel();
+    test_files();
     test_null(arguments[1]);
     printf("rollbem %s\n", rollbem_version());
     return 0;

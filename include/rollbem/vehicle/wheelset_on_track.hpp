@@ -114,10 +114,13 @@ public:
 
     /// Mirror images of each other.
     explicit WheelsetOnTrack(const WheelOnRail& both) : WheelsetOnTrack(both, both) {}
-    /// The left one as its mirror image, a right wheel on a right rail.
+    /// The left one as its mirror image, a right wheel on a right rail. Where radii of tape circles differ, heights of
+    /// the wheelset are for that of the right wheel, those of a wheel for its own.
     WheelsetOnTrack(WheelOnRail left, WheelOnRail right) : wheels_{std::move(left), std::move(right)} {}
 
     const WheelOnRail& wheel(Side side = Side::right) const { return wheels_[std::size_t(side)]; }
+    /// By how much a wheel's height exceeds that of the wheelset [m].
+    double height_above(Side side) const { return wheel(side).dimensions().radius - wheel().dimensions().radius; }
 
     struct Workspace {
         std::array<WheelOnRail::Workspace, 2> wheels;
@@ -177,13 +180,14 @@ inline auto WheelsetOnTrack::solve(WheelsetPosition position, const std::array<d
         position.roll = roll;
         for (const Side side : sides) {
             const auto k = static_cast<std::size_t>(side);
-            const WheelsetPosition at = seen_from(side, position);
+            WheelsetPosition at = seen_from(side, position);
+            at.height += height_above(side);
             contacts.wheels[k] = free == Free::nothing
                                      ? wheels_[k].solve_at_height(at, workspace.wheels[k], options)
                                      : wheels_[k].solve_for_load(at, loads[k], workspace.wheels[k], options);
         }
         contacts.status = (std::max)(contacts.wheels[0].status, contacts.wheels[1].status);
-        return contacts.wheels[1].height - contacts.wheels[0].height;
+        return contacts.wheels[1].height - (contacts.wheels[0].height - height_above(Side::left));
     };
     double roll = position.roll, excess = gap(roll);
     contacts.position = position;
@@ -200,7 +204,7 @@ inline auto WheelsetOnTrack::solve(WheelsetPosition position, const std::array<d
     if (!has_numbers(contacts.status)) {
         for (WheelOnRail::Contact& wheel : contacts.wheels) wheel.status = contacts.status;
     }
-    position.height = (contacts.wheels[0].height + contacts.wheels[1].height) / 2;
+    position.height = (contacts.wheels[0].height - height_above(Side::left) + contacts.wheels[1].height) / 2;
     contacts.position = position;
     return contacts;
 }
