@@ -254,7 +254,9 @@ TEST_CASE("contact_search: a wheel stands on the chord of its flat", "[profiles]
     REQUIRE(has_numbers(on_chord.status));
     CHECK(on_chord.patches[0].half_length == Approx(r * std::sin(half)).epsilon(0.05));
     CHECK(on_chord.height - on_chord.patches[0].approach == Approx(r * (1 - std::cos(half))).margin(3e-6));
-    // half a turn of pitch away it is round
+    // the same after a turn, and half a turn of pitch away it is round
+    const auto turned = wheel.solve_for_load({.pitch = 2 * pi}, 1e4, workspace);
+    CHECK(turned.height == Approx(on_chord.height).epsilon(1e-6));
     const auto beside = wheel.solve_for_load({.pitch = 3}, 1e4, workspace),
                same = round.solve_for_load({}, 1e4, workspace);
     REQUIRE(beside.status == Status::ok);

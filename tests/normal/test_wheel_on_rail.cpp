@@ -312,13 +312,15 @@ TEST_CASE("wheel_on_rail: small and large loads, needles, ends of profiles, two 
     one(30, 1e3);    // a/b = 0.06
 
     // pressures at the end of the wheel, which is not known beyond
-    CHECK(cylinder_on_parabola(0.3).solve_for_load({.lateral = 0.0295}, 1e5, workspace).status == Status::end_of_profile);
+    CHECK(cylinder_on_parabola(0.3).solve_for_load({.lateral = 0.0295}, 1e5, workspace).status ==
+          Status::end_of_profile);
     CHECK(standard().solve_for_load({.lateral = 1}, 1e5, workspace).status == Status::no_contact);
     CHECK(standard().solve_for_load({.yaw = 0.8}, 1e5, workspace).status == Status::undefined_section);
     CHECK(standard().solve_for_load({.roll = 3}, 1e5, workspace).status == Status::no_contact);
     CHECK(standard().solve_for_load({.lateral = NAN}, 1e5, workspace).status == Status::not_finite);
     CHECK(standard().solve_for_load({}, NAN, workspace).status == Status::not_finite);
-    for (const double load : {0.0, -1.0}) CHECK(standard().solve_for_load({}, load, workspace).status == Status::no_contact);
+    for (const double load : {0.0, -1.0})
+        CHECK(standard().solve_for_load({}, load, workspace).status == Status::no_contact);
     for (const double load : {5e-324, 1e-300, 1e300})
         CHECK_FALSE(has_numbers(standard().solve_for_load({}, load, workspace).status));
     using Options = WheelOnRail::Options;
@@ -329,7 +331,8 @@ TEST_CASE("wheel_on_rail: small and large loads, needles, ends of profiles, two 
                                    {.cell_size = -1},
                                    {.cell_size = NAN},
                                    {.cell_size = 1e-300}}) {
-        CHECK_THAT(refusal([&] { standard().solve_for_load({}, 1e5, workspace, options); }), ContainsSubstring("WheelOnRail: "));
+        CHECK_THAT(refusal([&] { standard().solve_for_load({}, 1e5, workspace, options); }),
+                   ContainsSubstring("WheelOnRail: "));
         CHECK_THAT(refusal([&] { standard().solve_at_height({}, workspace, options); }), ContainsSubstring(" must "));
     }
     CHECK_THAT(refusal([] { WheelOnRail(s1002(), rail_uic60(), {.shear_modulus = 1e-310}); }),

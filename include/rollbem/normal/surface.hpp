@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 #include <variant>
 
@@ -76,7 +77,7 @@ private:
 };
 
 /// A wheel: a curve turned about the axle, (r0 + z(s)) from it at y(s), or curves that change with the angle from the
-/// lowest point towards +x, less the pitch.
+/// lowest point towards +x, less the pitch; the same after a turn.
 class WheelSurface {
 public:
     struct Point {
@@ -101,7 +102,9 @@ public:
             const Profile::Point p = profile->at(s);
             return {p.y, p.z, p.slope, {0, 0}};
         }
-        const Sections::Point p = std::get_if<Sections>(&curve_)->at(part, s, angle);
+        const Sections& sections = *std::get_if<Sections>(&curve_);
+        const double middle = (sections.first() + sections.last()) / 2;
+        const Sections::Point p = sections.at(part, s, middle + std::remainder(angle - middle, 2 * std::numbers::pi));
         return {p.y, p.z, p.by_s, p.by_u};
     }
 

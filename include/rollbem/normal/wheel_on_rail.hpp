@@ -16,6 +16,7 @@
 #include "contact_geometry.hpp"
 #include "detail/contact_parts.hpp"
 #include "rail_patch.hpp"
+#include "standard_profiles.hpp"
 
 namespace rollbem {
 

@@ -45,7 +45,7 @@ inline Foot foot_on_rail(const ContactGeometry& geometry, std::size_t part, doub
 }
 
 /// A point of the wheel and its foot on the rail.
-struct Cut {
+struct SurfaceCut {
     double wheel_s, x, y, z;
     Foot foot;
     double width;  ///< the part of the track's y that it stands for [m], times that of x between slices
@@ -54,7 +54,7 @@ struct Cut {
 /// Cuts of one region, those beside the rail's surface with a depth of 0.
 struct Region {
     std::size_t wheel_part = 0, rail_part = 0;
-    std::vector<Cut> cuts;
+    std::vector<SurfaceCut> cuts;
     double x_low = 0, x_high = 0;  ///< of what lies below the rail, where that changes along x [m]
     double power = 2.5;            ///< of the depth in the weights of cuts
 };
@@ -78,7 +78,7 @@ struct ContactPlane {
 struct Below {
     double depth, angle, s;
 };
-inline Below below(const ContactGeometry& geometry, const Region& region, const Cut& cut, double track_x) {
+inline Below below(const ContactGeometry& geometry, const Region& region, const SurfaceCut& cut, double track_x) {
     constexpr double wall = 0.03;  // dy/ds
     const Below at_foot{cut.foot.depth, cut.foot.angle, cut.foot.s};
     double s = cut.foot.s;
@@ -98,7 +98,7 @@ inline ContactPlane plane_of(const ContactGeometry& geometry, const Region& regi
     ContactPlane plane;
     double sum = 0, rail_s = 0;
     const auto add = [&](bool by_width) {
-        for (const Cut& cut : region.cuts) {
+        for (const SurfaceCut& cut : region.cuts) {
             if (!(cut.foot.depth > 0)) continue;
             const Below rail = below(geometry, region, cut, track_x);
             const double weight = (by_width ? cut.width : 1) * std::pow(rail.depth, region.power);
@@ -130,7 +130,7 @@ inline ContactPlane plane_of(const ContactGeometry& geometry, const Region& regi
     plane.y = on_rail.y;
     plane.z = on_rail.z;
     bool first = true;
-    for (const Cut& cut : region.cuts) {
+    for (const SurfaceCut& cut : region.cuts) {
         if (!(cut.foot.depth > 0)) continue;
         const double s = plane.s(cut.foot.y, cut.foot.z);
         plane.low = first ? s : (std::min)(plane.low, s);
@@ -151,7 +151,7 @@ constexpr double joined_distance = 4e-3, joined_angle = 20 * std::numbers::pi / 
 /// The mean angle of a region's surface.
 inline double mean_angle(const Region& region) {
     double sum = 0, angle = 0;
-    for (const Cut& cut : region.cuts) {
+    for (const SurfaceCut& cut : region.cuts) {
         const double weight = std::pow((std::max)(cut.foot.depth, 0.0), region.power);
         sum += weight;
         angle += weight * cut.foot.angle;

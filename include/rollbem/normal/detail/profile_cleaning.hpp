@@ -218,7 +218,7 @@ private:
                 return std::pair{i, j};
             }
             const bool halve_a = a < n && (b >= n || a < b);
-            for (const std::size_t child : {0, 1}) {
+            for (const std::size_t child : {std::size_t{0}, std::size_t{1}}) {
                 const Segments met = halve_a ? between(2 * a + child, b) : between(a, 2 * b + child);
                 if (met) return met;
             }

@@ -77,7 +77,7 @@ public:
         for (const Run& run : runs) found.push_back(region(run, height));
         std::erase_if(found, [](const Region& region) {
             return std::none_of(region.cuts.begin(), region.cuts.end(),
-                                [](const Cut& cut) { return cut.foot.depth > 0; });
+                                [](const SurfaceCut& cut) { return cut.foot.depth > 0; });
         });
         return found;
     }
@@ -177,8 +177,8 @@ private:
             if (!foot.inside) region.cuts.back().foot.depth = 0;
         }
         for (std::size_t k = 0; k < region.cuts.size(); ++k) {
-            const Cut &before = region.cuts[k > 0 ? k - 1 : 0],
-                      &after = region.cuts[(std::min)(k + 1, region.cuts.size() - 1)];
+            const SurfaceCut &before = region.cuts[k > 0 ? k - 1 : 0],
+                             &after = region.cuts[(std::min)(k + 1, region.cuts.size() - 1)];
             region.cuts[k].width = (std::max)(after.y - before.y, 0.0);
         }
         return region;

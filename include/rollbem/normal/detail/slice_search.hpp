@@ -220,7 +220,7 @@ private:
 
     static bool lies_in(const std::vector<Region>& found, const Point& p) {
         for (const Region& region : found) {
-            for (const Cut& cut : region.cuts) {
+            for (const SurfaceCut& cut : region.cuts) {
                 if (cut.foot.depth > 0 && std::hypot(cut.x - p.x, cut.y - p.y, cut.z - p.z) < 1.5e-3) return true;
             }
         }
@@ -230,9 +230,9 @@ private:
     // The cuts at x about a point of the region, outwards along the wheel until nothing lies below the rail for a while;
     // how far it does, from and to on the wheel's curve, nothing if nowhere. `step` [m] is that between cuts.
     std::optional<std::array<double, 2>> cut_slice(const Point& about, double step, double height,
-                                                   std::vector<Cut>& cuts) const {
+                                                   std::vector<SurfaceCut>& cuts) const {
         const double length = placed_->surface().length(about.part);
-        std::vector<Cut> slice;
+        std::vector<SurfaceCut> slice;
         for (const int direction : {-1, 1}) {
             Point p = about;
             double last = p.s, stride = step;
@@ -249,7 +249,7 @@ private:
         }
         std::optional<std::array<double, 2>> range;
         for (std::size_t k = 0; k < slice.size(); ++k) {
-            const Cut &before = slice[k > 0 ? k - 1 : 0], &after = slice[(std::min)(k + 1, slice.size() - 1)];
+            const SurfaceCut &before = slice[k > 0 ? k - 1 : 0], &after = slice[(std::min)(k + 1, slice.size() - 1)];
             if (!(slice[k].foot.depth > 0)) continue;
             slice[k].width = (std::max)(after.y - before.y, 0.0);
             if (!range) range = {slice[k].wheel_s, slice[k].wheel_s};
@@ -285,7 +285,7 @@ private:
         }
         region.x_low -= step_x;
         region.x_high += step_x;
-        for (Cut& cut : region.cuts) cut.width *= step_x;
+        for (SurfaceCut& cut : region.cuts) cut.width *= step_x;
         return region;
     }
 
@@ -294,8 +294,8 @@ private:
         for (Region& other : found) {
             if (other.wheel_part != region.wheel_part || other.rail_part != region.rail_part) continue;
             double least = std::numeric_limits<double>::infinity();
-            for (const Cut& one : other.cuts) {
-                for (const Cut& two : region.cuts) {
+            for (const SurfaceCut& one : other.cuts) {
+                for (const SurfaceCut& two : region.cuts) {
                     if (std::abs(one.wheel_s - two.wheel_s) > joined_distance) continue;
                     least = (std::min)(least, std::hypot(one.x - two.x, one.y - two.y, one.z - two.z));
                 }
