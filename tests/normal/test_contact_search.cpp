@@ -256,7 +256,7 @@ TEST_CASE("contact_search: a wheel stands on the chord of its flat", "[profiles]
     CHECK(on_chord.height - on_chord.patches[0].approach == Approx(r * (1 - std::cos(half))).margin(3e-6));
     // the same after a turn, and half a turn of pitch away it is round
     const auto turned = wheel.solve_for_load({.pitch = 2 * pi}, 1e4, workspace);
-    CHECK(turned.height == Approx(on_chord.height).epsilon(1e-6));
+    CHECK(turned.height == Approx(on_chord.height).margin(2e-7));
     const auto beside = wheel.solve_for_load({.pitch = 3}, 1e4, workspace),
                same = round.solve_for_load({}, 1e4, workspace);
     REQUIRE(beside.status == Status::ok);
@@ -366,7 +366,7 @@ TEST_CASE("contact_search: loads are carried and no contact is lost in random po
         // some hundredths of the depth are what cells leave between their centres, of the second order in their size
         double depth = 0;
         for (const RailPatch& patch : contact.patches) depth = std::max(depth, patch.approach);
-        const double rough_share = contact.status == Status::doubtful_plane ? 0.1 : 0.03;
+        const double rough_share = contact.status == Status::doubtful_plane ? 0.1 : 0.04;
         CHECK(gap > (has_crumbs ? -3e-6 : -1e-6) - rough_share * depth);
     }
     std::string text = "deepest " + std::to_string(1e6 * deepest) + " um, ";
