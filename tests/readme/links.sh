@@ -1,5 +1,5 @@
 #!/bin/sh
-# Links between pages lead somewhere, CONTRIBUTING.md names every page, and names of the library that pages and comments
+# Links between pages lead somewhere, docs/index.md names every page, and names of the library that pages and comments
 # use are in the code. Usage: links.sh ROOT
 set -eu
 export LC_ALL=C
@@ -34,14 +34,15 @@ END {
             sub(/^docs\/\.\.\//, "", path)
         }
         name = to[i]
-        if (from[i] == "CONTRIBUTING.md") named[path] = 1
+        if (from[i] == "docs/index.md") named[path] = 1
         if (system("test -e " path) != 0) complain(from[i] ": no file for " name)
         else if (name ~ /#/ && path ~ /\.md$/) {
             sub(/^[^#]*#/, "", name)
             if (!((path "#" name) in anchors)) complain(from[i] ": no anchor for " to[i])
         }
     }
-    for (file in page) if (file ~ /^docs\// && !(file in named)) complain("CONTRIBUTING.md does not name " file)
+    named["docs/index.md"] = 1
+    for (file in page) if (file ~ /^docs\// && !(file in named)) complain("docs/index.md does not name " file)
     if (!count) complain("no links")
     exit bad
 }' README.md CONTRIBUTING.md docs/*.md

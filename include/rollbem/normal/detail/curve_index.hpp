@@ -2,6 +2,8 @@
 // found in a time that does not depend on their number.
 #pragma once
 
+#include "../../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
