@@ -61,14 +61,23 @@ public:
     }
 
 private:
-    static constexpr int most = 12;                    // steps of Newton's method
-    static constexpr double tiny = 1e-13, far = 1e-2;  // [m]
+    static constexpr int most = 12;                   // steps of Newton's method
+    static constexpr double tiny = 1e-8, far = 1e-2;  // [m]
 
     // Surfaces may be steeper than 84 degrees in the plane for a while, not where they are found.
     static double step(const ContactPlane& plane, const CurvePoint& p, double off) {
         constexpr double largest = 2e-3;
         const double rate = (std::max)(p.slope[0] * plane.cosine + p.slope[1] * plane.sine, 0.1);
         return std::clamp(off / rate, -largest, largest);
+    }
+
+    // One step to s at the point p of a curve: n there by the curve's tangent, so that its error is of the second order in
+    // what the place was off, which is returned.
+    double approach(const CurvePoint& p, double z, double s, double& place, double& n) const {
+        const double off = plane_->s(p.y, z) - s, by = step(*plane_, p, off);
+        n = plane_->n(p.y, z) - by * (p.slope[1] * plane_->cosine - p.slope[0] * plane_->sine);
+        place -= by;
+        return off;
     }
 
     void find_row(const CellGrid& grid, Eigen::Index j, Gaps& gaps, bool first) {
@@ -104,10 +113,8 @@ private:
         double off = 0;
         for (int k = 0; k < most; ++k) {
             const CurvePoint p = geometry_->rail_at(plane_->rail_part, place, track_x_ + x);
-            off = plane_->s(p.y, p.z) - s;
-            n = plane_->n(p.y, p.z);
+            off = approach(p, p.z, s, place, n);
             if (std::abs(off) < tiny) break;
-            place -= step(*plane_, p, off);
         }
         return outcome(place, length, off);
     }
@@ -117,10 +124,8 @@ private:
         for (int k = 0; k < most; ++k) {
             const CurvePoint p = wheel_->section(plane_->wheel_part, place, x);
             if (!p.defined) return Status::undefined_section;
-            off = plane_->s(p.y, p.z + height_) - s;
-            n = plane_->n(p.y, p.z + height_);
+            off = approach(p, p.z + height_, s, place, n);
             if (std::abs(off) < tiny) break;
-            place -= step(*plane_, p, off);
         }
         return outcome(place, wheel_->surface().length(plane_->wheel_part), off);
     }
@@ -130,7 +135,7 @@ private:
             place = std::clamp(place, -length, 2 * length);
             return Status::end_of_profile;
         }
-        return std::abs(off) < 1e-9 ? Status::ok : Status::undefined_section;
+        return std::abs(off) < tiny ? Status::ok : Status::undefined_section;
     }
 
     const ContactGeometry* geometry_ = nullptr;

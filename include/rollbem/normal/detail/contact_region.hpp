@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -14,26 +15,25 @@ namespace rollbem::detail {
 /// The point of the rail nearest to a point of the wheel.
 struct Foot {
     double s, y, z;
-    double depth;  ///< of the wheel's point below the rail's surface, along its normal [m]
-    double angle;  ///< of the surface there [rad]
-    bool inside;   ///< not beyond an end of the curve
+    double depth;                 ///< of the wheel's point below the rail's surface, along its normal [m]
+    std::array<double, 2> slope;  ///< of the curve there
+    bool inside;                  ///< not beyond an end of the curve
+
+    double angle() const { return std::atan2(slope[1], slope[0]); }  ///< of the surface [rad]
 };
 
 /// From a first guess of its place; `x` along the track.
 inline Foot foot_on_rail(const ContactGeometry& geometry, std::size_t part, double s, double x, double y, double z) {
     const double length = geometry.rail().length(part);
-    Foot foot{.s = s, .y = 0, .z = 0, .depth = 0, .angle = 0, .inside = true};
+    constexpr double enough = 1e-7;  // the depth is of the second order in it
+    Foot foot{.s = s, .y = 0, .z = 0, .depth = 0, .slope = {1, 0}, .inside = true};
     for (int k = 0; k < 10; ++k) {
         const CurvePoint p = geometry.rail_at(part, foot.s, x);
         const double square = p.slope[0] * p.slope[0] + p.slope[1] * p.slope[1],
                      step = ((y - p.y) * p.slope[0] + (z - p.z) * p.slope[1]) / square;
-        foot = {foot.s,
-                p.y,
-                p.z,
-                ((z - p.z) * p.slope[0] - (y - p.y) * p.slope[1]) / std::sqrt(square),
-                std::atan2(p.slope[1], p.slope[0]),
-                p.defined};
-        if (std::abs(step) < 1e-9) break;
+        foot = {foot.s,  p.y,      p.z, ((z - p.z) * p.slope[0] - (y - p.y) * p.slope[1]) / std::sqrt(square),
+                p.slope, p.defined};
+        if (std::abs(step) < enough) break;
         const double next = std::clamp(foot.s + step, 0.0, length);
         if (next == foot.s) {  // the curve ends before the normal through the point
             foot.inside = false;
@@ -80,13 +80,13 @@ struct Below {
 };
 inline Below below(const ContactGeometry& geometry, const Region& region, const SurfaceCut& cut, double track_x) {
     constexpr double wall = 0.03;  // dy/ds
-    const Below at_foot{cut.foot.depth, cut.foot.angle, cut.foot.s};
+    const Below at_foot{cut.foot.depth, cut.foot.angle(), cut.foot.s};
     double s = cut.foot.s;
     for (int k = 0; k < 12; ++k) {
         const CurvePoint p = geometry.rail_at(region.rail_part, s, track_x + cut.x);
         if (!(p.slope[0] > wall)) return at_foot;
         const double step = std::clamp((cut.y - p.y) / p.slope[0], -1e-3, 1e-3);
-        if (std::abs(step) < 1e-8) return {(std::max)(cut.z - p.z, 0.0), std::atan2(p.slope[1], p.slope[0]), s};
+        if (std::abs(step) < 1e-7) return {(std::max)(cut.z - p.z, 0.0), std::atan2(p.slope[1], p.slope[0]), s};
         s += step;
     }
     return at_foot;
@@ -154,7 +154,7 @@ inline double mean_angle(const Region& region) {
     for (const SurfaceCut& cut : region.cuts) {
         const double weight = std::pow((std::max)(cut.foot.depth, 0.0), region.power);
         sum += weight;
-        angle += weight * cut.foot.angle;
+        angle += weight * cut.foot.angle();
     }
     return sum > 0 ? angle / sum : 0;
 }

@@ -39,7 +39,7 @@ public:
                 if (sample.near && (deepest == nullptr || sample.foot.depth > deepest->foot.depth)) deepest = &sample;
             }
             if (deepest == nullptr) break;
-            const double change = deepest->foot.depth / (std::max)(std::cos(deepest->foot.angle), 0.05);
+            const double change = deepest->foot.depth / (std::max)(std::cos(deepest->foot.angle()), 0.05);
             touch_ -= change;
             if (std::abs(change) < 1e-8) break;
         }
@@ -122,9 +122,9 @@ private:
 
     void find_feet(double height) {
         height_ = height;
-        // Samples that were far from the rail stay so while the height changes by little.
-        constexpr double far = CurveIndex::reach / 2;
-        const bool anew = !(std::abs(height - searched_at_) < CurveIndex::reach - far);
+        // Samples that were far above the rail stay so while the height changes by less.
+        constexpr double far = 4e-4;
+        const bool anew = !(std::abs(height - searched_at_) < far);
         if (anew) searched_at_ = height;
         for (Sample& sample : samples_) {
             const double z = sample.z + height;
@@ -134,6 +134,7 @@ private:
                 if (sample.near) sample.foot.s = rail->s;
             }
             if (sample.near) sample.foot = foot_on_rail(*geometry_, 0, sample.foot.s, 0, sample.y, z);
+            if (anew) sample.near = sample.near && sample.foot.depth > -far;
         }
     }
 
@@ -142,7 +143,7 @@ private:
         for (std::size_t i = run.first; i <= run.last; ++i) {
             const double weight = std::pow(samples_[i].foot.depth, 2.5);
             sum += weight;
-            angle += weight * samples_[i].foot.angle;
+            angle += weight * samples_[i].foot.angle();
         }
         return angle / sum;
     }

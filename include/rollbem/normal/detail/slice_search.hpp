@@ -38,7 +38,7 @@ public:
                 if (deepest == nullptr || valley.foot.depth > deepest->foot.depth) deepest = &valley;
             }
             if (deepest == nullptr) return Status::undefined_section;
-            const double change = deepest->foot.depth / (std::max)(std::cos(deepest->foot.angle), 0.05);
+            const double change = deepest->foot.depth / (std::max)(std::cos(deepest->foot.angle()), 0.05);
             touch_ -= change;
             if (std::abs(change) < 1e-8) break;
         }
