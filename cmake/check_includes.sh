@@ -2,7 +2,8 @@
 # check_includes.sh INCLUDE_DIR: checks the #include lines of the headers in INCLUDE_DIR/rollbem.
 # Folders are stages: a header includes only its own stage and earlier ones, and there is no cycle. The kernels do not
 # depend on meshes, systems on neither, nor the reference on the assembly; only reference/ needs GSL, the time stepper includes no eigenvalue
-# headers, only compiled/ needs a compiled library, nothing prints, and all reach the check of the language.
+# headers, only compiled/ needs a compiled library, and refers to its alignment, nothing prints, and all reach the check
+# of the language.
 set -eu
 cd "$1"
 
@@ -43,6 +44,13 @@ function reach(file, trail,  list, count, i) {
         reached[list[i]] = trail " -> " list[i]
         reach(list[i], reached[list[i]])
     }
+}
+
+# Complains unless `file` is `needed` or includes it.
+function require(file, needed, reason) {
+    split("", reached)
+    reach(file, file)
+    if (file != needed && !(needed in reached)) complain(file " " reason)
 }
 
 # Complains if something that `file` includes matches `pattern`.
@@ -95,6 +103,7 @@ END {
         if (from == "elasticity") forbid(file, "^rollbem/(discretisation|assembly)/", "a kernel knows a mesh")
         if (from == "reference") forbid(file, "^rollbem/(discretisation|assembly)/", "the reference is not independent")
         if (from == "umbrella") forbid(file, "^(gsl|rollbem/reference|rollbem/studies)/", "the umbrella needs GSL, or studies")
+        if (from == "compiled") require(file, "rollbem/compiled/detail/alignment.hpp", "does not refer to the alignment of rollbem::compiled")
         if (from != "compiled") forbid(file, "^rollbem/compiled/", "needs the library rollbem::compiled")
         if (file ~ /\/(transient|friction\/model)\.hpp$/) forbid(file, "^Eigen/(Eigenvalues|Dense|Eigen)$", "the time stepper includes eigenvalues")
     }

@@ -20,8 +20,21 @@ foreach(name IN ITEMS steady adhesion stability friction patch creep_force_table
     compile_header(${name})
 endforeach()
 
+# The function by which the linker refuses units with another alignment, see the header.
+set(alignment_source "${PROJECT_BINARY_DIR}/compiled/alignment.cpp")
+set(same_alignment rollbem_compiled_has_another_eigen_alignment_compile_both_with_the_same_m_flags)
+file(CONFIGURE OUTPUT "${alignment_source}" @ONLY CONTENT
+"#include <rollbem/compiled/detail/alignment.hpp>
+
+template <int largest, int largest_static>
+int rollbem::@same_alignment@() {
+    return largest;
+}
+template int rollbem::@same_alignment@<EIGEN_MAX_ALIGN_BYTES, EIGEN_MAX_STATIC_ALIGN_BYTES>();
+")
+
 # Objects of their own: what steady rolling needs, and the rest. steady_study links only the former.
-add_library(rollbem_compiled_steady OBJECT "${steady_source}")
+add_library(rollbem_compiled_steady OBJECT "${steady_source}" "${alignment_source}")
 add_library(rollbem_compiled STATIC
     "${adhesion_source}" "${stability_source}" "${friction_source}" "${patch_source}" "${creep_force_table_source}"
     "${wheelset_source}" "${studies_source}"

@@ -71,7 +71,8 @@ std::vector<std::string> cells_of(std::string_view line, char separator) {
 
 std::optional<double> number_of(std::string cell, char separator) {
     if (separator != ',') std::replace(cell.begin(), cell.end(), ',', '.');
-    return detail::parse_number<double>(cell);
+    const std::optional<double> value = detail::parse_number<double>(cell);
+    return value && std::abs(*value) < detail::least_number ? 0 : value;
 }
 
 bool Lines::next() {

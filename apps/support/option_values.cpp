@@ -12,11 +12,18 @@ namespace study {
 
 namespace {
 
+void require_digits(const std::string& name, const std::string& text, double value) {
+    if (value == 0 || !(std::abs(value) < detail::least_number)) return;
+    throw BadInput("--" + name + " = " + text +
+                   " must be 0 or at least 1e-100 in size: products of smaller numbers lose digits");
+}
+
 // `what` is expected: "a number" of a list, or "one number".
 double to_number(const std::string& name, const std::string& text, const std::string& what, const Rule& rule) {
     const std::optional<double> value = detail::parse_number<double>(text);
     if (!value) throw BadInput("--" + name + " = " + text + " must be " + what + ", and it must " + rule.text);
     if (!rule.holds(*value)) throw BadInput("--" + name + " = " + text + " must " + rule.text);
+    require_digits(name, text, *value);
     return *value;
 }
 
@@ -141,6 +148,8 @@ std::optional<std::pair<double, double>> Options::pair(const std::string& name) 
     if (parts.size() != 2) return std::nullopt;
     const auto first = detail::parse_number<double>(parts[0]), second = detail::parse_number<double>(parts[1]);
     if (!first || !second || !std::isfinite(*first) || !std::isfinite(*second)) return std::nullopt;
+    require_digits(name, text(name), *first);
+    require_digits(name, text(name), *second);
     return std::pair(*first, *second);
 }
 

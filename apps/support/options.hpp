@@ -66,6 +66,9 @@ namespace detail {
 
 std::string_view trim(std::string_view text);
 
+/// Numbers below it in size are none: products of three of them lose digits.
+inline constexpr double least_number = 1e-100;
+
 /// The whole text as a number, which may have a plus sign, or nothing.
 template <class Number>
 std::optional<Number> parse_number(std::string_view text) {

@@ -446,7 +446,7 @@ TEST_CASE("Laws, matrices and verdicts out of range are refused by name", "[fric
             refused("normal_pressure = " + std::string(text) + " must be finite and not negative");
         }
         setup.integrator = Integrator::matrix_exponential;
-        refused("integrator = matrix_exponential must be implicit_euler or sdirk2");
+        refused("integrator = matrix_exponential must solve stages, as implicit_euler and sdirk2 do");
     }
 }
 

@@ -14,7 +14,9 @@
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
+#include <rollbem/friction/friction_contact.hpp>
 #include <rollbem/normal/hertz_patch_load.hpp>
+#include <rollbem/rolling/run.hpp>
 
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
@@ -124,6 +126,34 @@ HertzEllipse<double> ellipse(double load) {
 }
 
 }  // namespace
+
+TEST_CASE("Creepages stand in braces in every step, with a load and without", "[friction][load]") {
+    const Scene scene(1, 3);
+    const auto [xi, eta, phi] = scene.creepage;
+    const Model model = scene.model(rolling_system(scene.mesh, chebyshev, kernel), Integrator::sdirk2);
+    const NormalLoad<double> load{model.at_rest().normal_pressure, scene.contact.half_length(), {}, 0};
+    const double dq = 0.1 * a_0;
+    Run named(model), braced(model), tried(model);
+    const Model::Step step = named.advance(dq, scene.creepage, load);
+    REQUIRE(step.status == StepStatus::ok);
+    const auto same = [&](const TangentialForce<double>& force) { CHECK(force.lateral == step.force.lateral); };
+    same(braced.advance(dq, {xi, eta, phi}, load).force);
+    same(tried.try_advance(dq, {.longitudinal = xi, .lateral = eta, .spin = phi}, load).force);
+    same(Run(model, model.at_rest()).advance(dq, {xi, eta, phi}).force);
+    auto workspace = model.workspace();
+    auto to = model.at_rest();
+    same(model.advance(model.at_rest(), dq, {xi, eta, phi}, to, workspace).force);
+    same(model.advance(model.at_rest(), dq, {xi, eta, phi}, load, to, workspace).force);
+    const FrictionContact any(model);
+    same(Run(any).advance({dq, 1}, {xi, eta, phi}, load).force);
+    CHECK(Run(any).steady({xi, eta, phi}, 1.0).force.lateral == Run(model).steady({xi, eta, phi}).force.lateral);
+    auto own = any.workspace();
+    auto state = any.at_rest();
+    CHECK(any.steady(any.at_rest(), {xi, eta, phi}, 1.0, state, own).status == StepStatus::ok);
+    const AdhesionModel<3> adhesion(scene.contact, rolling_system(scene.mesh, chebyshev, kernel), unchecked);
+    CHECK(Run(adhesion).advance(dq, {xi, eta, phi}).force.lateral ==
+          Run(adhesion).advance(dq, scene.creepage).force.lateral);
+}
 
 TEST_CASE("patch_load: forces of an ellipse that breathes") {
     // of another program, at q = 2, 4, 6, 8, by implicit Euler with dq = 0.05

@@ -60,7 +60,7 @@ TEMPLATE_TEST_CASE("Slip by rows is that of creepages", "[friction]", ConstantFr
     const auto elements = patch_mesh(contact, 6, 5);
     const Elements<double> places = rolling_system(elements, chebyshev, HalfSpace<double>(0.28)).elements();
     const Vectors first = rows_of(places, some), last = rows_of(places, other);
-    const Vectors shift = first * travel.dq;
+    const Vectors shift = first * travel.dq, half_last = last / 2;
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
         const auto model = patch(law, integrator);
         auto workspace = model.workspace(), by_rows = model.workspace();
@@ -86,7 +86,7 @@ TEMPLATE_TEST_CASE("Slip by rows is that of creepages", "[friction]", ConstantFr
         // half by creepages, half by rows
         const Creepage<double> half{other.longitudinal / 2, other.lateral / 2, other.spin / 2};
         same(model.advance(now, travel, other, next, workspace),
-             model.advance(now, travel, Motion(half).with_rows(last / 2), following, by_rows));
+             model.advance(now, travel, Motion(half).with_rows(half_last), following, by_rows));
         now = next;
         const Creepage<double> moved{some.longitudinal * travel.dq, some.lateral * travel.dq, some.spin * travel.dq};
         same(model.shift(now, moved, travel.duration, next, workspace),
@@ -134,10 +134,11 @@ TEST_CASE("Any contact with friction takes slip by rows", "[friction]") {
         return model.advance(next, Travel<double>{0.1, 1}, motion, now, workspace);
     };
     const Vectors crossed = rows.rowwise().reverse();
+    const RigidMotion<double>::Rows along = rows.col(0);
     for (const Eigen::Index direction : {0, 1}) {
         const FrictionContact contact(line.model<1>(), direction);
         const auto motion = direction == 0 ? Motion({0.2, 0}).with_rows(rows) : Motion({0, 0.2}).with_rows(crossed);
-        const auto expected = own(line.model<1>(), RigidMotion<double>(0.2).with_rows(rows.col(0)));
+        const auto expected = own(line.model<1>(), RigidMotion<double>(0.2).with_rows(along));
         const auto found = own(contact, motion);
         CHECK((direction == 0 ? found.force.longitudinal : found.force.lateral) == expected.force);
     }
@@ -157,8 +158,9 @@ TEST_CASE("Slip by rows of another number, or not finite, is refused", "[frictio
         CHECK(next.traction == now.traction);
     };
     Vectors rows = line.rows;
-    refused(Motion({}).with_rows(rows.topRows(23)), StepStatus::invalid_step);
-    refused(Motion({}).with_rows(rows, rows.topRows(23)), StepStatus::invalid_step);
+    const Vectors fewer = rows.topRows(23);
+    refused(Motion({}).with_rows(fewer), StepStatus::invalid_step);
+    refused(Motion({}).with_rows(rows, fewer), StepStatus::invalid_step);
     CHECK(model.steady(now, Motion::shift({}), 1, next, workspace).status == StepStatus::invalid_step);
     rows(3, 1) = std::numeric_limits<double>::quiet_NaN();
     refused(Motion({}).with_rows(rows), StepStatus::not_finite);
@@ -168,6 +170,24 @@ TEST_CASE("Slip by rows of another number, or not finite, is refused", "[frictio
     const Eigen::VectorXd slip = line.rows.col(0);
     CHECK(adhesion.advance(traction, 0.1, RigidMotion<double>(1e-3).with_rows(slip), to, factors).status ==
           StepStatus::invalid_step);
+}
+
+template <class First, class... Last>
+constexpr bool are_rows = requires(const Motion& motion, First&& first, Last&&... last) {
+    motion.with_rows(std::forward<First>(first), std::forward<Last>(last)...);
+};
+
+TEST_CASE("A motion cannot refer to rows that are gone, nor weights to a system", "[friction]") {
+    STATIC_REQUIRE(are_rows<const Vectors&>);
+    STATIC_REQUIRE(are_rows<Vectors&, const Vectors&>);
+    STATIC_REQUIRE(are_rows<Motion::RowsView, Motion::RowsView>);  // whose owner the caller keeps
+    STATIC_REQUIRE_FALSE(are_rows<Vectors>);
+    STATIC_REQUIRE_FALSE(are_rows<const Vectors>);
+    STATIC_REQUIRE_FALSE(are_rows<Vectors, const Vectors&>);
+    STATIC_REQUIRE_FALSE(are_rows<const Vectors&, Vectors>);
+    STATIC_REQUIRE_FALSE(are_rows<Vectors, Vectors>);
+    STATIC_REQUIRE_FALSE(are_rows<decltype(Vectors() / 2)>);
+    STATIC_REQUIRE(std::is_same_v<decltype(std::declval<ElementSystem<double>>().weights()), ArrayX<double>>);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #!/bin/sh
-# concepts.sh COMPILER INCLUDE_DIR...: right schemes and kernels compile; wrong ones are diagnosed, two calls of
-# each, in at most 420 lines for all.
+# concepts.sh COMPILER INCLUDE_DIR...: right schemes, kernels and rows of the table of stages compile; wrong ones are
+# diagnosed, two calls of each scheme or kernel, in at most 420 lines for all.
 set -eu
 compiler=$1
 shift
@@ -16,6 +16,7 @@ plain=-fdiagnostics-plain-output
 if "$compiler" $plain -E - < /dev/null > /dev/null 2>&1; then options="$options $plain"; fi
 
 cat > "$folder/unit.cpp" <<END
+#include <rollbem/adhesion/integrator.hpp>
 #include <rollbem/adhesion/steady.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
@@ -64,6 +65,20 @@ wrong() {
     echo "$1 $2 $first $second" >> "$folder/wrong"
 }
 
+# row COUNT,PART...: declares rows of the table of stages, the first of them in line $first.
+row() {
+    first=$(($(wc -l < "$folder/unit.cpp") + 1))
+    for values in "$@"; do
+        printf '    { constexpr detail::StageTable<double> row(%s); (void)row; }\n' "$values" >> "$folder/unit.cpp"
+    done
+}
+row 1,1 2,0.5 2,0.29289321881345254
+echo "$first $((first + 1))" >> "$folder/right"
+echo "$((first + 2)) $((first + 2))" >> "$folder/right"
+# the trapezoidal rule, one that is not A-stable, one that extrapolates, three stages
+row 1,0.5 2,0.29 2,1.7071067811865475 3,0.435866521508459
+wrong_row=$first
+
 right "mesh, RightScheme{}, RightKernel{}"
 right "Chebyshev{}, RightKernel{}"
 wrong NoRows RollingScheme "mesh, NoRows{}, RightKernel{}"
@@ -90,8 +105,14 @@ while read -r type concept first second; do
     echo "$type is not refused for want of $concept, in line $first or $second:"
     failures=1
 done < "$folder/wrong"
+for line in 0 1 2 3; do
+    said_of $((wrong_row + line)) && continue
+    echo "wrong row $line of the table of stages compiles:"
+    failures=1
+done
+grep -q 'a_scheme_has_one_stage_of_the_whole_step_or_two_with_a_part_from' "$folder/said" || failures=1
 lines=$(wc -l < "$folder/said")
-echo "5 wrong ones: $lines lines"
+echo "5 wrong ones and 4 rows: $lines lines"
 [ "$(grep -c 'error: .*solve_steady' "$folder/said")" -eq 5 ] || failures=1
 [ "$(grep -c 'error: .*rolling_system' "$folder/said")" -eq 5 ] || failures=1
 if [ $failures -ne 0 ] || [ "$lines" -gt 420 ]; then

@@ -4,12 +4,14 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "../detail/finite.hpp"
 #include "../detail/in_place_lu.hpp"
 #include "../detail/require.hpp"
+#include "../rolling/stage.hpp"
 #include "../system/element_blocks.hpp"
 #include "../system/rolling_system.hpp"
 #include "../types.hpp"
@@ -39,25 +41,46 @@ constexpr const char* name(Integrator integrator) {
 
 namespace detail {
 
-/// The stages of a step, each of which takes `part` of it. The last one ends with the step; the one before it, if there
-/// are two, leads to U_1, and the last one starts from U + ratio (U_1 - U). A step's slip is `ratio` times that of the
-/// first plus that of the second. implicit_euler and sdirk2 solve the stages one by one; of matrix_exponential this is
-/// the pole of its rational function and its degree (see RationalExponential).
-template <class Scalar>
-struct StageTable {
-    int count;
-    Scalar part;
+/// What a row that does not compile calls: not constexpr.
+void a_scheme_has_one_stage_of_the_whole_step_or_two_with_a_part_from_1_minus_1_over_sqrt_2_to_1();
 
-    Scalar ratio() const { return (1 - part) / part; }
-};
+/// The stages of a step, solved one by one, each of which takes `part` of it, gamma of Hairer & Wanner (II, IV.6). The
+/// last one ends with the step; the one before it, if there are two, ends after its own part, and the last one starts
+/// from U + (1 - part)/part (U_1 - U). A step's slip is that ratio times the slip of the first plus that of the second.
+///
+/// Invariant: one stage has part = 1, and two have 1 - 1/sqrt(2) <= part < 1. So tractions at the end of a step are
+/// those of a stage, which friction bounds, every slip counts with a positive weight, loads and lengths are never
+/// extrapolated, and e^w becomes 1/(1 - w) or (1 + (1 - 2 part) w)/(1 - part w)^2, which are L-stable.
 template <class Scalar>
-StageTable<Scalar> stage_table(Integrator integrator) {
+class StageTable {
+public:
+    consteval StageTable(int count, Scalar part) : count_(count), part_(part) {
+        const bool possible =
+            count == 1 ? part == 1 : count == 2 && part >= 1 - std::numbers::sqrt2_v<Scalar> / 2 && part < 1;
+        if (!possible) {
+            a_scheme_has_one_stage_of_the_whole_step_or_two_with_a_part_from_1_minus_1_over_sqrt_2_to_1();
+        }
+    }
+
+    int count() const { return count_; }
+    Scalar part() const { return part_; }
+    /// Of a stage, counted from 1.
+    StagePlace<Scalar> place(int stage) const { return {part_, stage == count_ ? Scalar(1) : part_, stage == 2}; }
+
+private:
+    int count_;
+    Scalar part_;
+};
+
+/// Of an integrator that solves stages; empty of matrix_exponential.
+template <class Scalar>
+std::optional<StageTable<Scalar>> stage_table(Integrator integrator) {
     switch (integrator) {
-        case Integrator::implicit_euler: return {1, 1};
-        case Integrator::sdirk2: return {2, 1 - std::numbers::sqrt2_v<Scalar> / 2};
+        case Integrator::implicit_euler: return StageTable<Scalar>(1, 1);
+        case Integrator::sdirk2: return StageTable<Scalar>(2, 1 - std::numbers::sqrt2_v<Scalar> / 2);
         case Integrator::matrix_exponential: break;
     }
-    return {8, 1 / static_cast<Scalar>(4.266700170287658793649421826900639634482L)};
+    return std::nullopt;
 }
 
 /// The tractions of steady rolling at unit creepage, G' p = 1, by an LU that needs no Eigen header; with several

@@ -175,7 +175,10 @@ bool all_decay(const RollingSystem<Scalar>& system, Scalar middle, Scalar norm_G
     const Matrix inverse = Eigen::PartialPivLU<Matrix>(system.G() - tau * system.G_prime()).inverse();
     const Matrix A = 2 * (inverse * system.G()) - identity;
     Matrix Y = identity, power = A, product;
+    int doublings = 0;
     for (Scalar size = power.norm(); !(size < Scalar(0.5)); size = power.norm()) {
+        // a mode within rounding of the unit circle never decays; any other, (1 - eps)^(2^k), does before the last k
+        if (++doublings > std::numeric_limits<Scalar>::digits + 10) return false;
         if (!(size < 1 / std::sqrt(std::numeric_limits<Scalar>::epsilon()))) return false;
         product.noalias() = Y * power;
         Y.noalias() += power.transpose() * product;
@@ -197,6 +200,11 @@ StabilityResult<Scalar> find_eigenvalues(const RollingSystem<Scalar>& system, bo
     StabilityResult<Scalar> result;
     result.n = result.uncertain_count = n;
     QuasiTriangularPair<Scalar> pair;
+    if (!(system.G_prime().cwiseAbs().maxCoeff() >=
+          negligible<Scalar>)) {  // QZ, whose tolerances vanish, would not end
+        result.status = Status::ill_conditioned;
+        return result;
+    }
     {
         const Eigen::RealQZ<MatrixX<Scalar>> qz(system.G_prime(), system.G(), false);
         result.status = qz.info() == Eigen::Success ? Status::ok : Status::ill_conditioned;

@@ -176,6 +176,12 @@ public:
         return roll(from, travel.dq, motion, semi_axes, can_breathe(), to, workspace);
     }
 
+    /// Any of these at a constant creepage, which may stand in braces.
+    template <class... Rest>
+    Step advance(const State& from, const Travel& travel, const Value& creepage, Rest&&... rest) const noexcept {
+        return advance(from, travel, Motion(creepage), std::forward<Rest>(rest)...);
+    }
+
 private:
     using Values = typename Step::Values;
     using Inputs = detail::InputVector<inputs, Scalar>;
@@ -192,7 +198,7 @@ private:
 
     AdhesionModel(const Units& units, RollingSystem<Scalar> system, Integrator integrator);
 
-    bool is_exponential() const { return integrator_ == Integrator::matrix_exponential; }
+    bool is_exponential() const { return !detail::stage_table<Scalar>(integrator_); }
 
     // The number of times to halve the step until the norm of w is at most 1/16, where r(w) of eighth order gives e^w
     // to rounding. The upper limit matters only if G is singular to rounding: the modes it affects decay at once.
@@ -370,28 +376,28 @@ auto AdhesionModel<inputs_, Scalar_>::roll(const State& from, Scalar dq, const M
         return finish(from, semi_axes, dq, map.tangent(imposed), to);
     }
     detail::AdhesionStages<inputs, Scalar>& stages = workspace.stages();
-    const auto stage = [&](Scalar part, Scalar progress) {
-        return detail::RollingStage<Scalar>::of(part, progress, dq / units_.length, start, end);
+    const auto table = *detail::stage_table<Scalar>(integrator_);
+    const auto stage = [&](const detail::StagePlace<Scalar>& place) {
+        return detail::RollingStage<Scalar>::of(place, dq / units_.length, start, end);
     };
     const bool single = reshapes && shapes_->is_single();
     if (reshapes) {
         if constexpr (inputs == 3) {
-            const auto equations = [&](Scalar part, Scalar progress) {
-                return detail::ShapeEquations<Scalar>(*shapes_, a_over_b_, stage(part, progress));
+            const auto equations = [&](const detail::StagePlace<Scalar>& place) {
+                return detail::ShapeEquations<Scalar>(*shapes_, a_over_b_, stage(place));
             };
             // its matrices differ by rounding from those of a fixed mesh
-            stages.solve(~preparation_, equations, inputs_in_si_, rational_, start, start != end, from.traction,
-                         imposed,
+            stages.solve(~preparation_, equations, inputs_in_si_, table, start, start != end, from.traction, imposed,
                          !by_length ? 0
                          : single   ? 1
                                     : 2,
                          workspace.factors());
         }
     } else {
-        const auto equations = [&](Scalar part, Scalar progress) {
-            return detail::LineEquations<RollingSystem<Scalar>>(system_, stage(part, progress));
+        const auto equations = [&](const detail::StagePlace<Scalar>& place) {
+            return detail::LineEquations<RollingSystem<Scalar>>(system_, stage(place));
         };
-        stages.solve(preparation_, equations, inputs_in_si_, rational_, start, start != end, from.traction, imposed,
+        stages.solve(preparation_, equations, inputs_in_si_, table, start, start != end, from.traction, imposed,
                      by_length ? 1 : 0, workspace.factors());
     }
     to.traction = from.traction + stages.change();

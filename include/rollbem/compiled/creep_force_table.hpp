@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../vehicle/creep_force_table.hpp"
+#include "detail/alignment.hpp"
 
 namespace rollbem {
 

@@ -15,6 +15,7 @@
 #include "../discretisation/any_scheme.hpp"
 #include "../elasticity/any_kernel.hpp"
 #include "../spectral/chebyshev.hpp"
+#include "detail/alignment.hpp"
 
 namespace Eigen {
 

@@ -10,8 +10,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 namespace rollbem::detail {
+
+/// Numbers below it, 1e-292 for double, lose digits when they are multiplied by a rounding error: they count as none.
+template <class Scalar>
+inline constexpr Scalar negligible = (std::numeric_limits<Scalar>::min)() / std::numeric_limits<Scalar>::epsilon();
 
 inline constexpr std::uint32_t float_exponent = 0x7f80'0000U;
 inline constexpr std::uint64_t double_exponent = 0x7ff0'0000'0000'0000U;

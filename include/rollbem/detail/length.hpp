@@ -6,14 +6,16 @@
 #include <cmath>
 #include <limits>
 
+#include "finite.hpp"
+
 namespace rollbem::detail {
 
 /// Like std::hypot, but several times faster where squares neither overflow nor lose digits; to 2 roundings.
 template <class Scalar>
 Scalar length(Scalar x, Scalar y) {
     const Scalar square = x * x + y * y;
-    constexpr Scalar least = (std::numeric_limits<Scalar>::min)() / std::numeric_limits<Scalar>::epsilon();
-    return square >= least && square <= (std::numeric_limits<Scalar>::max)() ? std::sqrt(square) : std::hypot(x, y);
+    return square >= negligible<Scalar> && square <= (std::numeric_limits<Scalar>::max)() ? std::sqrt(square)
+                                                                                          : std::hypot(x, y);
 }
 
 }  // namespace rollbem::detail

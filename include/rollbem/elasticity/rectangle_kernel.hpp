@@ -95,7 +95,7 @@ private:
     }
 
     // far below any distance, and the ratio of a distance to it does not overflow
-    static constexpr Scalar least = (std::numeric_limits<Scalar>::min)() / std::numeric_limits<Scalar>::epsilon();
+    static constexpr Scalar least = detail::negligible<Scalar>;
 
     Scalar nu_;
 };

@@ -107,6 +107,15 @@ public:
                  Workspace& workspace) const noexcept {
         return model_->advance(from, travel, motion, &load, to, workspace);
     }
+    /// The same at a constant creepage, which may stand in braces.
+    template <class... Rest>
+    Step steady(const State& from, const Value& creepage, Rest&&... rest) const noexcept {
+        return steady(from, Motion(creepage), std::forward<Rest>(rest)...);
+    }
+    template <class... Rest>
+    Step advance(const State& from, const Travel& travel, const Value& creepage, Rest&&... rest) const noexcept {
+        return advance(from, travel, Motion(creepage), std::forward<Rest>(rest)...);
+    }
     Step shift(const State& from, const Value& shift, double duration, State& to, Workspace& workspace) const noexcept {
         return advance(from, Travel{0, duration}, Motion::shift(shift), to, workspace);
     }

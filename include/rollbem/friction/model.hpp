@@ -138,8 +138,8 @@ public:
                             "be theirs: a patch has the system of a PatchMesh");
             detail::require_same_shape(name, contact, system_);
         }
-        detail::require(integrator != Integrator::matrix_exponential, name, "integrator", rollbem::name(integrator),
-                        "be implicit_euler or sdirk2");
+        detail::require(detail::stage_table<Scalar>(integrator).has_value(), name, "integrator",
+                        rollbem::name(integrator), "solve stages, as implicit_euler and sdirk2 do");
         if (!system_.has_G()) {
             converges_ = !verdict.checked || detail::converges(detail::gradient(system_), system_.elements().areas);
             return;
@@ -237,6 +237,12 @@ public:
         return roll(from, travel, motion, core_.load_after(from, load), to, workspace);
     }
 
+    /// Either of these at a constant creepage, which may stand in braces.
+    template <class... Rest>
+    Step advance(const State& from, const Travel& travel, const Value& creepage, Rest&&... rest) const noexcept {
+        return advance(from, travel, Motion(creepage), std::forward<Rest>(rest)...);
+    }
+
     /// A rigid shift [m] of body 1 on body 2, positive like creepage, without rolling, in `duration` [s], which a
     /// constant coefficient does not need.
     Step shift(const State& from, const Value& shift, Scalar duration, State& to, Workspace& workspace) const noexcept {
@@ -281,7 +287,8 @@ private:
             possible = detail::check_growth(system_, travel.dq / unit, core_.axes(from), core_.axes(load));
         }
         if (possible != StepStatus::ok) return Core::failed(possible);
-        return core_.roll(system_, integrator_, from, travel, motion, load, to, workspace);
+        const auto table = *detail::stage_table<Scalar>(integrator_);
+        return core_.roll(system_, table, from, travel, motion, load, to, workspace);
     }
 
     System system_;

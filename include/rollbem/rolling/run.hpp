@@ -37,14 +37,22 @@ public:
     const State& next() const { return next_; }
     const Workspace& workspace() const { return workspace_; }
 
-    /// The model's advance: of travel and motion, and of the load if it varies.
+    /// The model's advance: of travel, of motion or of a constant creepage, and of the load if it varies.
     template <class M = Model, class... Load>
     Step advance(const typename M::Travel& travel, const typename M::Motion& motion, const Load&... load) noexcept {
         return commit(try_advance<M>(travel, motion, load...));
     }
     template <class M = Model, class... Load>
+    Step advance(const typename M::Travel& travel, const Value& creepage, const Load&... load) noexcept {
+        return advance<M>(travel, typename M::Motion(creepage), load...);
+    }
+    template <class M = Model, class... Load>
     Step try_advance(const typename M::Travel& travel, const typename M::Motion& motion, const Load&... load) noexcept {
         return model_->advance(now_, travel, motion, load..., next_, workspace_);
+    }
+    template <class M = Model, class... Load>
+    Step try_advance(const typename M::Travel& travel, const Value& creepage, const Load&... load) noexcept {
+        return try_advance<M>(travel, typename M::Motion(creepage), load...);
     }
 
     /// The model's steady rolling at a creepage: then a speed if friction depends on slip, and a load if it varies.

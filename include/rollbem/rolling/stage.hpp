@@ -15,11 +15,15 @@ namespace rollbem::detail {
 /// A semi-axis at the end of a step, by which derivatives are taken.
 enum class Axis { half_length, half_width };
 
-/// Position of a stage in its step, for quantities that vary linearly during the step.
+/// A stage in its step. What varies linearly during the step has gone `progress` of its way.
 template <class Scalar>
 struct StagePlace {
-    Scalar part;      ///< share of the step that the stage takes
-    Scalar progress;  ///< share of the step that is done at the end of the stage
+    Scalar part;             ///< share of the step that the stage takes
+    Scalar progress;         ///< share of the step that is done at the end of the stage
+    bool is_second = false;  ///< it starts from U + ratio() (U_1 - U), the first one from U and leads to U_1
+
+    Scalar ratio() const { return (1 - part) / part; }
+    bool is_last() const { return progress == 1; }
 };
 
 /// Motion and growth of the contact in a stage. Lengths in a_0, the half-length for which the system was assembled.
@@ -30,12 +34,12 @@ struct RollingStage {
     Scalar growth = 0;                    ///< change of the half-length that belongs to the stage, |growth| < distance
     Scalar half_width = 1, widening = 0;  ///< the same of the half-width of a patch, in that of the contact
 
-    /// A stage that takes `part` of a step and ends when `progress` of it is done; the step rolls by `dq` while the
-    /// semi-axes vary linearly.
-    static RollingStage of(Scalar part, Scalar progress, Scalar dq, const SemiAxes<Scalar>& from,
+    /// A stage of a step that rolls by `dq` while the semi-axes vary linearly.
+    static RollingStage of(const StagePlace<Scalar>& place, Scalar dq, const SemiAxes<Scalar>& from,
                            const SemiAxes<Scalar>& to) {
+        const Scalar part = place.part;
         const auto at = [&](Scalar start, Scalar end) {
-            return progress == 1 ? end : start + progress * (end - start);
+            return place.is_last() ? end : start + place.progress * (end - start);
         };
         return {part * dq, at(from.half_length, to.half_length), part * (to.half_length - from.half_length),
                 at(from.half_width, to.half_width), part * (to.half_width - from.half_width)};

@@ -96,12 +96,13 @@ public:
         sum += factor * scratch;
     }
     template <class Tractions, class Scratch, class Result>
-    void add_rates(Axis axis, Scalar part, Scalar progress, const Tractions& p, Scratch&& scratch, Result&& sum) const {
-        add_displacement_rates(axis, progress, p, scratch, sum);
+    void add_rates(Axis axis, const StagePlace<Scalar>& place, const Tractions& p, Scratch&& scratch,
+                   Result&& sum) const {
+        add_displacement_rates(axis, place.progress, p, scratch, sum);
         for (Eigen::Index d = 0; d < p.cols(); ++d) {
             const Influence<Scalar> own = along(static_cast<std::size_t>(d), static_cast<std::size_t>(d));
             scratch.col(d).noalias() = own.G_prime * p.col(d);
-            sum.col(d).array() -= part * own.points * scratch.col(d).array();
+            sum.col(d).array() -= place.part * own.points * scratch.col(d).array();
         }
     }
 
@@ -206,17 +207,18 @@ public:
         add(&ShapeNode<Scalar>::G, coefficients, factor, p, sum);
     }
 
-    /// Adds the derivative with respect to a semi-axis at the end of a step of the matrix of a stage times p. The stage
-    /// takes `part` of the step, `progress` of which is done at its end.
+    /// Adds the derivative with respect to a semi-axis at the end of a step of the matrix of a stage times p.
     template <class Tractions, class Scratch, class Result>
-    void add_rates(Axis axis, Scalar part, Scalar progress, const Tractions& p, Scratch&& scratch, Result&& sum) const {
-        add_displacement_rates(axis, progress, p, scratch, sum);
+    void add_rates(Axis axis, const StagePlace<Scalar>& place, const Tractions& p, Scratch&& scratch,
+                   Result&& sum) const {
+        add_displacement_rates(axis, place.progress, p, scratch, sum);
         const bool by_length = axis == Axis::half_length;
-        const Scalar ratio = stage.half_width / stage.half_length;
-        add_travel(0, by_length ? -part : Scalar(0), by_length ? (set_.is_single() ? -part * ratio : Scalar(0)) : -part,
-                   weights_.values, p, scratch, sum);
+        const Scalar part = place.part, b_over_a = stage.half_width / stage.half_length;
+        add_travel(0, by_length ? -part : Scalar(0),
+                   by_length ? (set_.is_single() ? -part * b_over_a : Scalar(0)) : -part, weights_.values, p, scratch,
+                   sum);
         if (set_.is_single()) return;
-        const Scalar factor = -progress * rate_of_log(axis);
+        const Scalar factor = -place.progress * rate_of_log(axis);
         add_travel(factor * stage.distance, factor * stage.growth, factor * stage.widening, weights_.rates, p, scratch,
                    sum);
     }

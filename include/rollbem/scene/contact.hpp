@@ -9,7 +9,8 @@
 
 namespace rollbem {
 
-/// Sizes and material of a contact area 2a x 2b. Invariant: 0 < a < inf, 0 < b <= inf, 0 < G < inf, 0 <= nu <= 0.5.
+/// Sizes and material of a contact area 2a x 2b. Invariant: 1e-60 <= a <= 1e60 (float: 1e-12 to 1e12), 0 < b <= inf,
+/// 0 < G < inf, 0 <= nu <= 0.5.
 ///
 /// The contact is -a <= x <= a with the leading edge at x = +a and the trailing edge at x = -a. Any consistent set of
 /// units may be used; SI units are given here. The shape of every solution depends on nu and b/a alone: a and G only
@@ -29,7 +30,7 @@ public:
     /// Throws std::invalid_argument naming the parameter that breaks the invariant.
     explicit Contact(const Parameters& parameters) : parameters_(parameters) {
         const Parameters& p = parameters_;
-        detail::require_positive("Contact", "half_length", p.half_length);
+        detail::require_half_length("Contact", p.half_length);
         detail::require(!detail::is_nan(p.half_width) && p.half_width > 0, "Contact", "half_width", p.half_width,
                         "be positive");
         detail::require_positive("Contact", "shear_modulus", p.shear_modulus);

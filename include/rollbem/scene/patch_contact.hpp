@@ -15,7 +15,8 @@ namespace rollbem {
 /// Shape and material of a contact patch between two equal half-spaces. x is the rolling direction, y lies across it
 /// and z points into body 2, so that x, y, z are right-handed.
 ///
-/// Invariant: 0 < a, b, G < inf, 0 <= nu <= 0.5, and a/b and its inverse are finite.
+/// Invariant: 1e-60 <= a <= 1e60 (float: 1e-12 to 1e12), 0 < b, G < inf, 0 <= nu <= 0.5, and a/b and its inverse are
+/// finite.
 template <class Scalar_ = double>
 class PatchContact {
 public:
@@ -31,7 +32,7 @@ public:
     /// An ellipse. Throws std::invalid_argument naming the parameter that breaks the invariant.
     explicit PatchContact(const Parameters& parameters) : parameters_(parameters) {
         const Parameters& p = parameters_;
-        detail::require_positive("PatchContact", "half_length", p.half_length);
+        detail::require_half_length("PatchContact", p.half_length);
         detail::require_positive("PatchContact", "half_width", p.half_width);
         detail::require_positive("PatchContact", "shear_modulus", p.shear_modulus);
         detail::require_poisson_ratio("PatchContact", p.poisson_ratio);

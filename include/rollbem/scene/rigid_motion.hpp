@@ -28,7 +28,7 @@ struct NumberOf<Creepage<Scalar>> {
 /// else takes a plain dq.
 template <class Scalar = double>
 struct Travel {
-    Scalar dq;        ///< distance rolled [m], positive; 0 for a rigid shift without rolling
+    Scalar dq;        ///< distance rolled [m], positive, at least 1e-292; 0 for a rigid shift without rolling
     Scalar duration;  ///< [s], positive
 };
 
@@ -67,13 +67,17 @@ public:
 
     /// The same motion with a rigid slip [-], of a shift [m], of each element added to that of the creepage, at the
     /// point of the element's equation (Elements::x, y): constant over the step, or linear from `start` to `end`.
-    /// Refers to the rows. Steps that have no rows, or have another number of elements, refuse it
-    /// (StepStatus::invalid_step).
+    /// Refers to the rows, which a temporary cannot be. Steps that have no rows, or have another number of elements,
+    /// refuse it (StepStatus::invalid_step).
     RigidMotion with_rows(const Rows& rows) const { return with_rows(rows, rows); }
     RigidMotion with_rows(const Rows& start, const Rows& end) const {
         return with_rows(RowsView(start.data(), start.rows(), start.cols()),
                          RowsView(end.data(), end.rows(), end.cols()));
     }
+    RigidMotion with_rows(const Rows&&) const = delete;
+    RigidMotion with_rows(const Rows&&, const Rows&) const = delete;
+    RigidMotion with_rows(const Rows&, const Rows&&) const = delete;
+    RigidMotion with_rows(const Rows&&, const Rows&&) const = delete;
     RigidMotion with_rows(const RowsView& start, const RowsView& end) const {
         RigidMotion motion = *this;
         motion.row_count_ = start.rows() == end.rows() ? start.rows() : invalid;
@@ -94,7 +98,8 @@ public:
     /// Whether it can be used with a distance rolled dq, in any unit, and, if it has rows, with this number of
     /// elements: ok, invalid_step or not_finite.
     StepStatus check(Scalar dq, Eigen::Index row_count = 0) const noexcept {
-        if (!detail::is_finite(dq) || !(is_shift() ? dq >= 0 : dq > 0)) return StepStatus::invalid_step;
+        const bool possible = dq >= detail::negligible<Scalar> || (is_shift() && dq == 0);
+        if (!detail::is_finite(dq) || !possible) return StepStatus::invalid_step;
         return check_rows(row_count);
     }
     /// The same of steady rolling.

@@ -73,7 +73,8 @@ public:
     const MatrixX<Scalar>& inputs() const { return inputs_; }    ///< rigid slip in each equation per creepage
     const MatrixX<Scalar>& outputs() const { return outputs_; }  ///< forces per unknown
     /// The first output: widths in units of a where p are tractions of a line contact.
-    Eigen::Map<const ArrayX<Scalar>> weights() const { return {outputs_.data(), outputs_.rows()}; }
+    Eigen::Map<const ArrayX<Scalar>> weights() const& { return {outputs_.data(), outputs_.rows()}; }
+    ArrayX<Scalar> weights() const&& { return outputs_.col(0).array(); }
 
     const Origin& origin() const { return origin_; }
     bool unknowns_are_tractions() const { return origin_.unknowns_are_tractions; }

@@ -48,6 +48,14 @@ struct TabulatedForce {
 
 namespace detail {
 
+/// Whether all numbers of a look-up are finite; false also if their sum overflows.
+inline bool is_finite(const TabulatedForce& of) {
+    const TangentialForce<double> sum = of.force + of.tangent.by_longitudinal + of.tangent.by_lateral +
+                                        of.tangent.by_spin + of.tangent_by_load + of.tangent_by_friction_coefficient +
+                                        of.tangent_by_half_length + of.tangent_by_half_width;
+    return is_finite(sum.longitudinal + sum.lateral + sum.moment);
+}
+
 /// CreepForceTable: a template only so that programs that do not use it need not compile it.
 template <std::same_as<double> Real = double>
 class BasicCreepForceTable {
@@ -83,7 +91,7 @@ public:
 
     /// The forces of an ellipse under the load N [N] with the coefficient of friction mu, in SI units. status is
     /// wrong_table if Poisson's ratio differs from the table's by more than 0.01, or for an outline. Without friction
-    /// or load there is no force. Does not allocate.
+    /// or load, or if mu N is below 1e-308 G a b, there is no force at rest and no tangent. Does not allocate.
     TabulatedForce look_up(const PatchContact<double>& contact, double friction_coefficient, double load,
                            const Creepage<double>& creepage) const noexcept;
 
@@ -550,8 +558,7 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     result.tangent_by_friction_coefficient = in_si(load * by_bound);
     result.tangent_by_half_length = in_si((by_size / 2 + by_a_over_b) / a);
     result.tangent_by_half_width = in_si((by_size / 2 - by_a_over_b) / b);
-    const double sum = force.sum() + slope.sum() + by_size.sum() + by_a_over_b.sum() + c + bound;
-    return is_finite(sum) ? ended(StepStatus::ok) : TabulatedForce{};
+    return is_finite(result) ? ended(StepStatus::ok) : TabulatedForce{};
 }
 
 template <std::same_as<double> Real>

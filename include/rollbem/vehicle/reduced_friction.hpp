@@ -63,7 +63,7 @@ public:
     }
 
     /// As of the table; tangents by creepage, load, a and b are at constant speed and mu_0, that by the friction
-    /// coefficient is by mu_0. Status not_finite also if the speed is, invalid_step if it is negative.
+    /// coefficient is by mu_0. Status not_finite also if the speed is not finite, invalid_step if it is negative.
     struct Force : TabulatedForce {
         TangentialForce<double> tangent_by_speed;                                ///< [N s/m], [N s]
         double friction_coefficient = std::numeric_limits<double>::quiet_NaN();  ///< mu(w) [-]
@@ -76,8 +76,9 @@ public:
     Force look_up(const CreepForceTable& table, const PatchContact<double>& contact, double mu_0, double load,
                   double speed, const Creepage<double>& creepage) const noexcept {
         Force result;
-        if (speed < 0) result.status = StepStatus::invalid_step;
-        if (!detail::is_finite(speed) || speed < 0) return result;
+        if (!detail::is_finite(speed) || !detail::is_finite(creepage)) return result;
+        result.status = StepStatus::invalid_step;
+        if (speed < 0) return result;
         const auto& [xi, eta, phi] = creepage;
         const double a = contact.half_length(), b = contact.half_width();
         const double arm = std::hypot(a, b) / std::sqrt(5.0), slip = std::hypot(xi, eta, arm * phi);
@@ -89,33 +90,38 @@ public:
         result.friction_coefficient = mu;
 
         const CreepForceTable::LinearForce linear = table.linear_force_size(contact, creepage);
-        // where there is no friction, the contact slides; 1e100 is far in full sliding
+        // where there is no friction, the contact slides; 1e100 is far in full sliding, and 1e-100 is rest
         const double eps = (std::min)(std::numbers::pi / 4 * linear.value / (mu * load), 1e100);
         const bool slides = !(mu * load > 0);
         const Law reduced = law(eps, p_.adhesion_factor, p_.slip_factor), full = law(eps, 1, 1);
-        const bool rests = !(eps > 0) && !slides;
+        const bool rests = !(eps > 1e-100) && !slides;
         const double r = slides ? 1 : rests ? (p_.adhesion_factor + p_.slip_factor) / 2 : reduced.value / full.value;
         // of r by log(eps); even in eps, so that at rest there is none
         const double bend = slides || rests ? 0 : eps * (reduced.slope - r * full.slope) / full.value;
         const TangentialForce<double> bent = bend * clean.force;
-        const TangentialForce<double> by_mu =
-            r * clean.tangent_by_friction_coefficient + (bend != 0 ? -1 / mu : 0) * bent;
+        const auto bent_over = [&](double by) {
+            return bend != 0 ? TangentialForce<double>{bent.longitudinal / by, bent.lateral / by, bent.moment / by}
+                             : TangentialForce<double>{0, 0, 0};
+        };
+        const TangentialForce<double> by_mu = r * clean.tangent_by_friction_coefficient + bent_over(-mu);
         const double by_slip = -p_.fall * speed * mu_0 * left;  // of mu
         const auto tangent = [&](const TangentialForce<double>& by, double of_linear, double of_slip) {
             return r * by + (bend != 0 ? of_linear / linear.value : 0) * bent + (by_slip * of_slip) * by_mu;
         };
-        const double per = slip > 0 ? 1 / slip : 0, per_size = per * phi * phi / 5;
+        const auto per_slip = [&](double of) { return slip > 0 ? of / slip : 0; };
+        const double turn = per_slip(arm * phi), per_size = phi * turn / (5 * arm);
         const auto& [by_xi, by_eta, by_phi] = linear.by_creepage;
         result.force = r * clean.force;
-        result.tangent = {tangent(clean.tangent.by_longitudinal, by_xi, per * xi),
-                          tangent(clean.tangent.by_lateral, by_eta, per * eta),
-                          tangent(clean.tangent.by_spin, by_phi, per * arm * arm * phi)};
-        result.tangent_by_load = r * clean.tangent_by_load + (bend != 0 ? -1 / load : 0) * bent;
+        result.tangent = {tangent(clean.tangent.by_longitudinal, by_xi, per_slip(xi)),
+                          tangent(clean.tangent.by_lateral, by_eta, per_slip(eta)),
+                          tangent(clean.tangent.by_spin, by_phi, arm * turn)};
+        result.tangent_by_load = r * clean.tangent_by_load + bent_over(-load);
         result.tangent_by_friction_coefficient = part * by_mu;
         result.tangent_by_half_length = tangent(clean.tangent_by_half_length, linear.by_half_length, per_size * a);
         result.tangent_by_half_width = tangent(clean.tangent_by_half_width, linear.by_half_width, per_size * b);
         result.tangent_by_speed = (-p_.fall * slip * mu_0 * left) * by_mu;
-        return result;
+        const auto& [x, y, moment] = result.tangent_by_speed;
+        return detail::is_finite(result) && detail::is_finite(x + y + moment) ? result : Force{};
     }
 
 private:

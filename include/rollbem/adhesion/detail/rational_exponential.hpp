@@ -11,32 +11,40 @@
 
 namespace rollbem::detail {
 
-/// r(w) = sum_j b_j y^j, y = gamma w / (1 - gamma w): the Taylor series of e^w in y, whose coefficients are Laguerre
-/// polynomials of 1/gamma. It is truncated after `stages` terms, where 1/gamma is a zero of the Laguerre polynomial of
-/// that degree, which makes r(-inf) = 0 (Noersett 1974; Hairer & Wanner II, IV.6).
+/// r(w) = 1 + sum_j b_j y^j, y = part w / (1 - part w): what the integrator makes of e^w. With stages it is
+/// 1/(1 - w) or (1 + (1 - 2 part) w)/(1 - part w)^2. The matrix exponential has the Taylor series of e^w in y, whose
+/// coefficients are Laguerre polynomials of 1/part. It is truncated after the eighth term, where 1/part is a zero of the
+/// Laguerre polynomial of that degree, which makes r(-inf) = 0 (Noersett 1974; Hairer & Wanner II, IV.6).
 template <class Scalar>
 struct RationalExponential {
     explicit RationalExponential(Integrator integrator) {
-        const StageTable<Scalar> table = stage_table<Scalar>(integrator);
-        stages = table.count;
-        gamma = table.part;
-        const Scalar inverse_gamma = 1 / gamma;
+        if (const auto stages = stage_table<Scalar>(integrator)) {
+            *this = RationalExponential(*stages);
+            return;
+        }
+        degree = 8;
+        const auto inverse_part = static_cast<Scalar>(4.266700170287658793649421826900639634482L);
+        part = 1 / inverse_part;
         Scalar before = 1;
-        b_[1] = inverse_gamma;
-        for (int j = 1; j < stages; ++j) {
-            const Scalar next = ((inverse_gamma - Scalar(2 * j)) * b(j) - Scalar(j - 1) * before) / Scalar(j + 1);
+        b_[1] = inverse_part;
+        for (int j = 1; j < degree; ++j) {
+            const Scalar next = ((inverse_part - Scalar(2 * j)) * b(j) - Scalar(j - 1) * before) / Scalar(j + 1);
             before = b(j);
             b_[static_cast<std::size_t>(j + 1)] = next;
         }
     }
+    explicit RationalExponential(const StageTable<Scalar>& stages) : degree(stages.count()), part(stages.part()) {
+        b_[1] = 1 / part;
+        if (degree == 2) b_[2] = stages.place(2).ratio();
+    }
 
-    Scalar b(int j) const { return b_[static_cast<std::size_t>(j)]; }  ///< 1 <= j <= stages; 0 beyond
+    Scalar b(int j) const { return b_[static_cast<std::size_t>(j)]; }  ///< 1 <= j <= degree; 0 beyond
 
     /// Coefficients of (r(w) - 1)/w - 1 in y^j: the response to linear creepage.
-    Scalar ramp_weight(int j) const { return gamma * (b(j) + b(j + 1)); }
+    Scalar ramp_weight(int j) const { return part * (b(j) + b(j + 1)); }
 
-    int stages = 1;
-    Scalar gamma = 1;
+    int degree = 1;
+    Scalar part = 1;
 
 private:
     std::array<Scalar, 10> b_{};

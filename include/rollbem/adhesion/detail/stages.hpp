@@ -11,6 +11,7 @@
 #include "../../rolling/stage_equations.hpp"
 #include "../../scene/semi_axes.hpp"
 #include "../../types.hpp"
+#include "../integrator.hpp"
 #include "rational_exponential.hpp"
 #include "stage_factors.hpp"
 
@@ -28,14 +29,14 @@ auto in_columns(Unknowns&& unknowns) requires(!std::is_const_v<std::remove_refer
     return Eigen::Map<Columns>(unknowns.data(), unknowns.rows() / columns, columns);
 }
 
-/// Solves a step of implicit_euler or sdirk2 for k creepages. Lengths are in units of a_0, the half-length for which
+/// Solves a step by the stages of a StageTable for k creepages. Lengths are in units of a_0, the half-length for which
 /// the system was made; everything else is in the unit of the unknowns y.
 ///
-/// With dU/dq = (1 + a' zeta) du/dx - inputs v on a line, and U = M(a) y, each stage, of the fraction g of the step, is
+/// With dU/dq = (1 + a' zeta) du/dx - inputs v on a line, and U = M(a) y, each stage, of the part g of the step, is
 ///
-///     M(a_k) y_k - g (dq + da zeta) G' y_k = U_old + carried - g inputs v dq,    carried = ((1-g)/g) (U_1 - U_old)
+///     M(a_k) y_k - g (dq + da zeta) G' y_k = U_old + carried - g inputs v dq,    carried = ratio (U_1 - U_old)
 ///
-/// where `carried` occurs in the last of two stages. It is solved for y_k - y_old, so that short steps keep their
+/// with ratio = (1-g)/g, where `carried` occurs in the last of two stages. It is solved for y_k - y_old, so that short steps keep their
 /// digits.
 template <int k, class Scalar>
 class AdhesionStages {
@@ -55,25 +56,22 @@ public:
         carried_per_axis_.fill(change_);
     }
 
-    /// From the unknowns `old` at the semi-axes `from`. at(part, progress) are the equations of the stage that takes
-    /// `part` of the step and ends when `progress` of it is done; `varies`: the semi-axes change. `inputs` times the
-    /// travel is in the unit of y. Of the derivatives with respect to the semi-axes at the end `axes` are computed: 0,
+    /// From the unknowns `old` at the semi-axes `from`. at(place) are the equations of the stage at that StagePlace;
+    /// `varies`: the semi-axes change. `inputs` times the travel is in the unit of y. Of the derivatives with respect to the semi-axes at the end `axes` are computed: 0,
     /// 1 (by the half-length) or 2.
     template <class EquationsAt>
     void solve(std::uint64_t model, const EquationsAt& at, const MatrixX<Scalar>& inputs,
-               const RationalExponential<Scalar>& integrator, const SemiAxes<Scalar>& from, bool varies,
-               const Vector& old, const ImposedMotion<k, Scalar>& motion, std::size_t axes,
-               StageFactors<Scalar>& factors) {
-        constexpr int columns = decltype(at(Scalar(1), Scalar(1)))::columns;
+               const StageTable<Scalar>& table, const SemiAxes<Scalar>& from, bool varies, const Vector& old,
+               const ImposedMotion<k, Scalar>& motion, std::size_t axes, StageFactors<Scalar>& factors) {
+        constexpr int columns = decltype(at(table.place(1)))::columns;
         const auto in = [](auto&& unknowns) { return in_columns<columns>(unknowns); };
-        const Scalar part = integrator.gamma;
         carried_.setZero();
         carried_per_end_.setZero();
         for (std::size_t axis = 0; axis < axes; ++axis) carried_per_axis_[axis].setZero();
-        for (int index = 1; index <= integrator.stages; ++index) {
-            const bool last = index == integrator.stages;
-            const Scalar along = last ? Scalar(1) : part;  // position of the stage in the step
-            const auto equations = at(part, along);
+        for (int index = 1; index <= table.count(); ++index) {
+            const StagePlace<Scalar> place = table.place(index);
+            const auto [part, progress, is_second] = place;
+            const auto equations = at(place);
             factors.prepare(model, equations.stage, [&](MatrixX<Scalar>& M) {
                 fill<columns>(M, equations, [&](auto d, auto e, auto&& block) { equations.fill(d, e, block); });
             });
@@ -81,26 +79,26 @@ public:
             change_ = carried_;
             equations.add_travel(in(old), in(scratch_), in(change_));
             if (varies) {
-                if (index == 1) equations.find_start(from, in(old), in(start_));
+                if (!is_second) equations.find_start(from, in(old), in(start_));
                 equations.find_growth(from, in(old), in(start_), in(growth_));
                 change_ -= growth_;
             }
-            const Scalar per_end = part * (motion.shift_per_end + along * motion.ramp_per_end);
+            const Scalar per_end = part * (motion.shift_per_end + progress * motion.ramp_per_end);
             for (Eigen::Index j = 0; j < k; ++j) {
                 const Eigen::Ref<const Vector> input = rigid<columns>(inputs, j, equations.stage, scratch_);
-                change_ -= part * (motion.shift[j] + along * motion.ramp[j]) * input;
+                change_ -= part * (motion.shift[j] + progress * motion.ramp[j]) * input;
                 per_end_.col(j) = carried_per_end_.col(j) - per_end * input;
                 factors.solve(per_end_.col(j));
             }
             factors.solve(change_);
             if (axes > 0) now_ = old + change_;
-            const Scalar spin = motion.shift[k - 1] + along * motion.ramp[k - 1];
+            const Scalar spin = motion.shift[k - 1] + progress * motion.ramp[k - 1];
             for (std::size_t axis = 0; axis < axes; ++axis) {
                 Vector& response = per_axis_[axis];
                 response.setZero();
-                equations.add_rates(of[axis], part, along, in(now_), in(scratch_), in(response));
+                equations.add_rates(of[axis], place, in(now_), in(scratch_), in(response));
                 if constexpr (columns == 2) {  // the rigid slip of spin follows the points
-                    const Scalar turned = part * along * spin;
+                    const Scalar turned = part * progress * spin;
                     const bool by_length = axis == 0;
                     turn(inputs, by_length && !equations.is_single() ? Scalar(0) : turned,
                          by_length ? turned : Scalar(0), scratch_);
@@ -109,21 +107,21 @@ public:
                 response = carried_per_axis_[axis] - response;
                 factors.solve(response);
             }
-            if (last) return;
+            if (place.is_last()) return;
 
-            const Scalar share = (1 - part) / part;
+            const Scalar ratio = place.ratio();
             equations.find_displacements(in(change_), in(carried_));
             if (varies) carried_ += growth_;
-            carried_ *= share;
+            carried_ *= ratio;
             for (Eigen::Index j = 0; j < k; ++j) {
                 equations.find_displacements(in(per_end_.col(j)), in(carried_per_end_.col(j)));
             }
-            carried_per_end_ *= share;
+            carried_per_end_ *= ratio;
             for (std::size_t axis = 0; axis < axes; ++axis) {
                 Vector& carried = carried_per_axis_[axis];
                 equations.find_displacements(in(per_axis_[axis]), in(carried));
-                equations.add_displacement_rates(of[axis], along, in(now_), in(scratch_), in(carried));
-                carried *= share;
+                equations.add_displacement_rates(of[axis], progress, in(now_), in(scratch_), in(carried));
+                carried *= ratio;
             }
         }
     }

@@ -42,25 +42,25 @@ public:
     /// Whether the map is that of a model's steps of dq [m].
     bool is_of(std::uint64_t model, Scalar dq) const { return model == model_ && dq == dq_; }
 
-    /// Computes the map of steps of dq [m], a_0 = `unit` [m]. O(n^3). Powers of Y = gamma h (G - gamma h G')^-1 G' give
+    /// Computes the map of steps of dq [m], a_0 = `unit` [m]. O(n^3). Powers of Y = part h (G - part h G')^-1 G' give
     /// the change of y for h, dq/a_0 divided `doublings` times by two; applied to the adjacent columns, that due to the
     /// creepages. `outputs` turn y into forces.
-    void prepare(std::uint64_t model, const Influence<Scalar>& influence, const RationalExponential<Scalar>& integrator,
+    void prepare(std::uint64_t model, const Influence<Scalar>& influence, const RationalExponential<Scalar>& rational,
                  const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs, Scalar dq, Scalar unit, int doublings,
                  StageFactors<Scalar>& factors) {
         model_ = model;
         dq_ = dq;
         const Eigen::Index n = Y_.rows();
-        const Scalar part = integrator.gamma * std::ldexp(dq / unit, -doublings);
-        Y_.leftCols(n) = part * influence.G_prime;
-        Y_.rightCols(k) = integrator.gamma * inputs;
-        factors.prepare(model, influence, {.distance = part});
+        const Scalar distance = rational.part * std::ldexp(dq / unit, -doublings);
+        Y_.leftCols(n) = distance * influence.G_prime;
+        Y_.rightCols(k) = rational.part * inputs;
+        factors.prepare(model, influence, {.distance = distance});
         for (Eigen::Index j = 0; j < n + k; ++j) factors.solve(Y_.col(j));
-        add_power(integrator, integrator.stages);
-        for (int j = integrator.stages - 1; j >= 1; --j) {
+        add_power(rational, rational.degree);
+        for (int j = rational.degree - 1; j >= 1; --j) {
             multiply(Y_.leftCols(n), map_, product_);
             map_.swap(product_);
-            add_power(integrator, j);
+            add_power(rational, j);
         }
         // Two steps in one, for e^w - 1 rather than e^w, so that short steps keep their digits.
         for (int doubling = 0; doubling < doublings; ++doubling) {
@@ -93,11 +93,11 @@ public:
     }
 
 private:
-    void add_power(const RationalExponential<Scalar>& integrator, int j) {
+    void add_power(const RationalExponential<Scalar>& rational, int j) {
         const Eigen::Index n = Y_.rows();
-        if (j == integrator.stages) map_.setZero();
-        map_.leftCols(n + k) += integrator.b(j) * Y_;
-        map_.rightCols(k) += integrator.ramp_weight(j) * Y_.rightCols(k);
+        if (j == rational.degree) map_.setZero();
+        map_.leftCols(n + k) += rational.b(j) * Y_;
+        map_.rightCols(k) += rational.ramp_weight(j) * Y_.rightCols(k);
     }
 
     MatrixX<Scalar> Y_;

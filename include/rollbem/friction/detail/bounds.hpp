@@ -72,10 +72,10 @@ public:
             return solver.solve(bound, start);
         }
     }
-    /// dp in the stage solved last caused by a change dc and by a change of the bounds, `share` times bound_change.
+    /// dp in the stage solved last caused by a change dc and by a change of the bounds, `progress` times bound_change.
     void respond(Solver& solver, const Vectors& change, Vectors& traction_change, std::size_t,
-                 const VectorX<Scalar>* bound_change = nullptr, Scalar share = 1) noexcept {
-        solver.respond(change, traction_change, bound_change, share);
+                 const VectorX<Scalar>* bound_change = nullptr, Scalar progress = 1) noexcept {
+        solver.respond(change, traction_change, bound_change, progress);
     }
     /// dp caused by the half-length at the end of the step, which changes the constants by `change`.
     void respond_to_half_length(Solver& solver, const Vectors& change, Vectors& traction_change,
@@ -139,21 +139,19 @@ public:
     /// of the first stage of this step, unless mu has jumped.
     void finish(State& to) const noexcept {
         to.friction_coefficient = scratch_.friction.array();
-        to.solver.stage_coefficient = (second_ && is_easy_ ? scratch_.first_friction : scratch_.friction).array();
+        to.solver.stage_coefficient = (is_second() && is_easy_ ? scratch_.first_friction : scratch_.friction).array();
     }
 
     void enter(const StagePlace<Scalar>& place, const RollingStage<Scalar>& stage) noexcept {
         const Scalar duration = place.part * duration_;
         velocity_per_slip_ = unit_ / duration;
         scratch_.duration.setConstant(duration);
-        second_ = place.progress > place.part;
         place_ = place;
         stage_half_length_ = stage.half_length;
-        const bool first_of_two = !second_ && place.part < 1;
-        if (first_of_two && first_start_ != nullptr) scratch_.friction = first_start_->matrix();
+        if (!place.is_last() && first_start_ != nullptr) scratch_.friction = first_start_->matrix();
         if (points_ == nullptr) return;
         AlongContact<Scalar> start = at_start();
-        if (!second_) {
+        if (!is_second()) {
             for (Index i = 0; i < size(); ++i) scratch_.before[i] = start(origin(i));
             first_half_length_ = stage.half_length;
             return;
@@ -163,7 +161,7 @@ public:
         AlongContact<Scalar> rise(*points_, scratch_.rise.data(), Scalar(0));
         for (Index i = 0; i < size(); ++i) {
             // extrapolation may overshoot if much is forgotten in a step
-            const Scalar before = start(origin(i)) + ratio() * rise(between(i));
+            const Scalar before = start(origin(i)) + place_.ratio() * rise(between(i));
             scratch_.before[i] = (std::max)(before, Scalar(0));
         }
     }
@@ -173,24 +171,24 @@ public:
             scratch_.set.solve(law_, memory_, passage(pressure), from, solver, scratch_.friction);
         outcome.solution.residual = (std::max)(outcome.solution.residual, outcome.change);
         if (!is_finite(outcome.change)) outcome.solution.residual = outcome.change;
-        is_easy_ = outcome.solutions <= 4 && (is_easy_ || !second_);
-        if (!second_) scratch_.first_friction = scratch_.friction;
+        is_easy_ = outcome.solutions <= 4 && (is_easy_ || !is_second());
+        if (!is_second()) scratch_.first_friction = scratch_.friction;
         pressure_ = &pressure;
         return outcome.solution;
     }
 
-    /// dp in the stage solved last caused by a change dc, by a change of the pressures, `share` times pressure_change,
+    /// dp in the stage solved last caused by a change dc, by a change of the pressures, `progress` times pressure_change,
     /// and in the second stage by the response of the first, kept by carry_response().
     void respond(Solver& solver, const Vectors& change, Vectors& traction_change, std::size_t parameter,
-                 const Vector* pressure_change = nullptr, Scalar share = 1) noexcept {
+                 const Vector* pressure_change = nullptr, Scalar progress = 1) noexcept {
         SlipDependentChange<Slip> changes{change};
-        if (second_ && points_ != nullptr) {
+        if (is_second() && points_ != nullptr) {
             scratch_.before_change.setZero();
             add_carried(parameter);
             changes.before = &scratch_.before_change;
         }
         if (pressure_change != nullptr) {
-            scratch_.bound = share * scratch_.friction.cwiseProduct(*pressure_change);
+            scratch_.bound = progress * scratch_.friction.cwiseProduct(*pressure_change);
             changes.bound = &scratch_.bound;
         }
         respond(solver, changes, traction_change);
@@ -206,7 +204,7 @@ public:
         if (moves_paths_) {
             find_path_change();
             scratch_.before_change = scratch_.path_change;
-            if (second_) add_carried(parameter);
+            if (is_second()) add_carried(parameter);
             changes.before = &scratch_.before_change;
         }
         respond(solver, changes, traction_change);
@@ -222,8 +220,7 @@ private:
     using Index = Eigen::Index;
 
     Index size() const { return start_.size(); }
-    // of StageTable
-    Scalar ratio() const { return (1 - place_.part) / place_.part; }
+    bool is_second() const { return place_.is_second; }
 
     AlongContact<Scalar> at_start() const { return {*points_, start_.data(), law_(0)}; }
     // Position x/a of the particle that arrives at point i, at the start of the step.
@@ -239,7 +236,7 @@ private:
     void add_carried(std::size_t parameter) {
         AlongContact<Scalar> change(*points_, scratch_.carried_change[parameter].data(), Scalar(0));
         for (Index i = 0; i < size(); ++i) {
-            const Scalar added = ratio() * change(between(i));
+            const Scalar added = place_.ratio() * change(between(i));
             if (scratch_.before[i] > 0) scratch_.before_change[i] += added;
         }
     }
@@ -251,12 +248,12 @@ private:
         for (Index i = 0; i < size(); ++i) {
             scratch_.path_change[i] = start.slope(origin(i)) * place_.progress * (*points_)[i] / half_length_;
         }
-        if (!second_) return;
+        if (!is_second()) return;
         AlongContact<Scalar> rise(*points_, scratch_.rise.data(), Scalar(0));
         for (Index i = 0; i < size(); ++i) {
             const Scalar x = between(i),
                          moved = (place_.progress * (*points_)[i] - place_.part * x) / first_half_length_;
-            scratch_.path_change[i] += ratio() * rise.slope(x) * moved;
+            scratch_.path_change[i] += place_.ratio() * rise.slope(x) * moved;
             if (!(scratch_.before[i] > 0)) scratch_.path_change[i] = 0;
         }
     }
@@ -275,7 +272,7 @@ private:
     const ArrayX<Scalar>* points_ = nullptr;
     const ArrayX<Scalar>& start_;  // mu when the step begins
     const ArrayX<Scalar>* first_start_ = nullptr;
-    bool steady_ = false, second_ = false;
+    bool steady_ = false;
     // Newton's method has converged at once. A second stage then starts from mu at the start of the step, which is
     // nearer than that of the first stage if little changes; after a jump it is the other way round.
     bool is_easy_ = false;

@@ -164,10 +164,11 @@ public:
     Step solve_steady(const Gradient& G_prime, const System* shapes, const State& from, const Motion& creepage,
                       Scalar speed, const Load& load, State& to, Workspace& workspace) const noexcept;
 
-    /// A step under a load that varies linearly from that of `from` to `load`. Its arguments have been checked, except
-    /// for the duration.
-    Step roll(const System& system, Integrator integrator, const State& from, const rollbem::Travel<Scalar>& travel,
-              const Motion& motion, const Load& load, State& to, Workspace& workspace) const noexcept;
+    /// A step by the stages of a table, of a rigid shift by one, under a load that varies linearly from that of `from`
+    /// to `load`. Its arguments have been checked, except for the duration.
+    Step roll(const System& system, const StageTable<Scalar>& table, const State& from,
+              const rollbem::Travel<Scalar>& travel, const Motion& motion, const Load& load, State& to,
+              Workspace& workspace) const noexcept;
 
 private:
     using Scratch = FrictionScratch<directions, Scalar>;
@@ -185,7 +186,7 @@ private:
     static constexpr bool keeps_tangents = directions == 1 && !slip_dependent;
 
     /// Summary of the stages of a step.
-    struct Progress {
+    struct Summary {
         Scalar residual = 0;
         int rounds = 0, pivots = 0;
         bool tangent_exists = true, solved = true, finite = true;
@@ -196,7 +197,7 @@ private:
     };
 
     static bool turns(const Elements<Scalar>& elements) { return directions == 2 && elements.half_element_ahead; }
-    bool wants_tangents(const Progress& progress) const { return progress.tangent_exists && friction_.with_tangents; }
+    bool wants_tangents(const Summary& summary) const { return summary.tangent_exists && friction_.with_tangents; }
     static bool is_positive(Scalar value) { return is_finite(value) && value > 0; }
 
     static bool are_coefficients(const ArrayX<Scalar>& values) {
@@ -212,11 +213,22 @@ private:
     }
     void set_bounds(const ArrayX<Scalar>& pressure, Scratch& scratch) const {
         scratch.bound = bound_per_pressure() * pressure.head(size()).matrix();
+        drop_negligible(scratch.bound);
     }
-    // after the share `progress` of the way from one load to the other
+    // With two directions, whose slip is judged by squares, bounds whose squares lose digits are none.
+    static void drop_negligible(VectorX<Scalar>& bound) {
+        const auto values = bound.array();
+        if constexpr (directions == 1) {
+            bound = (values < negligible<Scalar>).select(Scalar(0), bound);
+        } else {
+            bound = (values.square() < negligible<Scalar>).select(Scalar(0), bound);
+        }
+    }
+    // after `progress` of the way from one load to the other
     void set_bounds(const ArrayX<Scalar>& from, const ArrayX<Scalar>& to, Scalar progress, Scratch& scratch) const {
         if (progress == 1) return set_bounds(to, scratch);
         scratch.bound = bound_per_pressure() * (from + progress * (to.head(size()) - from)).matrix();
+        drop_negligible(scratch.bound);
     }
 
     // No slip yet; the first solution is sought from the tractions of `from`.
@@ -292,10 +304,10 @@ private:
         }
     }
 
-    // c = factor motion - displacement, with the motion after `share` of the step
-    void impose(const Motion& motion, Scalar share, Scalar factor, [[maybe_unused]] const Axes& axes,
+    // c = factor motion - displacement, with the motion after `progress` of the step
+    void impose(const Motion& motion, Scalar progress, Scalar factor, [[maybe_unused]] const Axes& axes,
                 const Vectors& displacement, Vectors& constant) const {
-        const Value value = between(motion, share);
+        const Value value = between(motion, progress);
         if constexpr (directions == 1) {
             constant.array() = factor * value - displacement.array();
         } else {
@@ -308,29 +320,34 @@ private:
                 constant.col(1) += angle * axes.half_length * spin_.col(1);
             }
         }
-        if (!motion.has_rows()) return;
-        constant += factor * (1 - share) * motion.start_rows() + factor * share * motion.end_rows();
+        if (motion.has_rows()) {
+            constant += factor * (1 - progress) * motion.start_rows() + factor * progress * motion.end_rows();
+        }
+        // without creepage tractions decay for ever; their rounding, by which solutions are judged, ends at 0
+        const bool has_decayed = constant.cwiseAbs().maxCoeff() < negligible<Scalar> && all_finite(constant);
+        if (has_decayed) constant.setZero();
     }
 
-    // One stage, c = factor motion - displacement, at these semi-axes, with the motion after `share` of the step; its
+    // One stage, c = factor motion - displacement, at these semi-axes, with the motion after `progress` of the step; its
     // slip is weighted by `weight`. The next stage is sought from its tractions.
-    void solve_stage(Bounds& bounds, const Motion& motion, Scalar share, Scalar factor, const std::vector<Zone>& zones,
-                     Scalar weight, const Axes& axes, Scratch& scratch, Progress& progress) const {
+    void solve_stage(Bounds& bounds, const Motion& motion, Scalar progress, Scalar factor,
+                     const std::vector<Zone>& zones, Scalar weight, const Axes& axes, Scratch& scratch,
+                     Summary& summary) const {
         auto& solver = scratch.solver;
-        impose(motion, share, factor, axes, scratch.displacement, solver.constant());
+        impose(motion, progress, factor, axes, scratch.displacement, solver.constant());
         const bool has_plain = behind_.size() > 0 && scratch.stage.distance != steadily;
         if constexpr (directions == 2) {
-            if (has_plain) impose(motion, share, factor, axes, scratch.plain_displacement, solver.plain_constant());
+            if (has_plain) impose(motion, progress, factor, axes, scratch.plain_displacement, solver.plain_constant());
         }
         const auto outcome =
             bounds.solve(solver, scratch.bound, {scratch.start, zones, has_plain ? &scratch.plain_start : nullptr});
-        progress.residual = (std::max)(progress.residual, outcome.residual);
-        progress.rounds += outcome.rounds;
-        if constexpr (directions == 1) progress.pivots += outcome.pivots;
-        progress.tangent_exists = progress.tangent_exists && outcome.tangent_exists;
-        progress.solved = progress.solved && outcome.status == StepStatus::ok;
-        progress.finite = progress.finite && outcome.status != StepStatus::not_finite && is_finite(outcome.residual) &&
-                          all_finite(solver.slip());  // std::max may drop a NaN
+        summary.residual = (std::max)(summary.residual, outcome.residual);
+        summary.rounds += outcome.rounds;
+        if constexpr (directions == 1) summary.pivots += outcome.pivots;
+        summary.tangent_exists = summary.tangent_exists && outcome.tangent_exists;
+        summary.solved = summary.solved && outcome.status == StepStatus::ok;
+        summary.finite = summary.finite && outcome.status != StepStatus::not_finite && is_finite(outcome.residual) &&
+                         all_finite(solver.slip());  // std::max may drop a NaN
         if constexpr (directions == 1) {  // without the round-off of sticking elements and at the border of slip
             const auto& signs = solver.signs();
             scratch.stage_slip = weight * signs.cwiseProduct(signs.cwiseProduct(solver.slip()).cwiseMax(Scalar(0)));
@@ -347,8 +364,8 @@ private:
     }
 
     // Fills `to`, the slip, in multiples of `slip_unit`, the slip work, and the result except for its tangents. Clears
-    // progress.tangent_exists if the result is not finite.
-    Step finish(const Bounds& bounds, const State& from, Progress& progress, const Load& load, Scalar slip_unit,
+    // summary.tangent_exists if the result is not finite.
+    Step finish(const Bounds& bounds, const State& from, Summary& summary, const Load& load, Scalar slip_unit,
                 State& to, Scratch& scratch) const {
         slip_work_.end(scratch.work, units_.width * units_.length * units_.shear_modulus * slip_unit);
         scratch.slip *= slip_unit;
@@ -358,9 +375,9 @@ private:
             total(scratch.start, units_.width * load.half_length * present.half_width * units_.shear_modulus,
                   arms(load.half_length, present));
         const Scalar work = scratch.work.sum();
-        progress.finite = progress.finite && is_finite(force) && is_finite(work);
-        if (!progress.finite) {
-            progress.tangent_exists = false;
+        summary.finite = summary.finite && is_finite(force) && is_finite(work);
+        if (!summary.finite) {
+            summary.tangent_exists = false;
             scratch.slip.setZero();
             scratch.work.setZero();
             to = from;  // of equal sizes
@@ -382,11 +399,11 @@ private:
         step.force = force;
         step.slip_work = work;
         step.jump_work = 0;
-        step.complementarity_residual = progress.residual;
+        step.complementarity_residual = summary.residual;
         step.stick_count = scratch.solver.stick_count();
-        step.rounds = progress.rounds;
-        step.pivots = progress.pivots;
-        step.status = progress.solved ? StepStatus::ok : StepStatus::no_solution;
+        step.rounds = summary.rounds;
+        step.pivots = summary.pivots;
+        step.status = summary.solved ? StepStatus::ok : StepStatus::no_solution;
         return step;
     }
 
@@ -583,10 +600,11 @@ auto FrictionCore<Law, directions, Scalar>::elastic_energy(const State& state, c
     const Axes present = axes(state);
     if (!system.has_G()) return unknown<Scalar>;
     if (check_growth(system, Scalar(0), present, present) != StepStatus::ok) return unknown<Scalar>;
-    ElementVectors<Scalar, directions> displacement = state.traction;
-    find_displacements(system, present, state.traction, displacement);
-    return units_.width * units_.length * state.half_length * present.half_width *
-           slip_work_.product(state.traction, displacement) / (2 * units_.shear_modulus);
+    const ElementVectors<Scalar, directions> traction = state.traction / units_.shear_modulus;
+    ElementVectors<Scalar, directions> displacement = traction;
+    find_displacements(system, present, traction, displacement);
+    return units_.width * units_.length * state.half_length * present.half_width * units_.shear_modulus *
+           slip_work_.product(traction, displacement) / 2;
 }
 
 template <class Law, int directions, class Scalar>
@@ -639,27 +657,26 @@ auto FrictionCore<Law, directions, Scalar>::solve_steady(const Gradient& G_prime
     scratch.displacement.setZero();
     if constexpr (directions == 1) scratch.solver.begin(Effort::equations);
     set_bounds(load.pressure, scratch);
-    Progress progress;
-    solve_stage(bounds, creepage, 1, 1, from.zones, 1, present, scratch, progress);
-    Step step = finish(bounds, from, progress, load, 1, to, scratch);
-    if (wants_tangents(progress)) add_tangents(bounds, shapes, {1, 1}, 1, 0, 0, {}, load, scratch, step);
+    Summary summary;
+    solve_stage(bounds, creepage, 1, 1, from.zones, 1, present, scratch, summary);
+    Step step = finish(bounds, from, summary, load, 1, to, scratch);
+    if (wants_tangents(summary)) add_tangents(bounds, shapes, {1, 1}, 1, 0, 0, {}, load, scratch, step);
     return step;
 }
 
 template <class Law, int directions, class Scalar>
-auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrator integrator, const State& from,
-                                                 const rollbem::Travel<Scalar>& travel, const Motion& motion,
-                                                 const Load& load, State& to, Workspace& workspace) const noexcept
-    -> Step {
+auto FrictionCore<Law, directions, Scalar>::roll(const System& system, const StageTable<Scalar>& rolling,
+                                                 const State& from, const rollbem::Travel<Scalar>& travel,
+                                                 const Motion& motion, const Load& load, State& to,
+                                                 Workspace& workspace) const noexcept -> Step {
     if (slip_dependent && !is_positive(travel.duration)) return failed(StepStatus::invalid_step);
     if (!can_impose(motion.start()) || !can_impose(motion.end())) return failed(StepStatus::needs_places);
     Scratch& scratch = workspace.scratch();
     const Scalar dq = travel.dq / units_.length;
     const Axes start = axes(from), end = axes(load);
     // A stage takes `part` of the step: (s/V) part dq = xi part dq + M p - U.
-    const StageTable<Scalar> table = stage_table<Scalar>(dq > 0 ? integrator : Integrator::implicit_euler);
-    const Scalar ratio = table.ratio();
-    const Scalar part = table.part;
+    const StageTable<Scalar> table = dq > 0 ? rolling : StageTable<Scalar>(1, 1);
+    const Scalar part = table.part(), ratio = table.place(1).ratio();
     const Scalar imposed = motion.is_shift() ? part / units_.length : part * dq;  // by creepage or shift
     const Asked asked{.by_load = load.pressure_rate != nullptr && load.pressure_rate->size() > 0,
                       .by_half_length = load.pressure_rate != nullptr && dq > 0 && can_breathe(system),
@@ -680,21 +697,21 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
     }
     find_displacements(system, start, scratch.start, scratch.displacement);
     if (behind_.size() > 0) find_displacements(system, start, scratch.plain_start, scratch.plain_displacement);
-    Progress progress;
+    Summary summary;
     Scalar carried = 0;                  // d(imposed motion of an earlier stage)/d creepage
     set_bounds(load.pressure, scratch);  // for all stages, unless the load varies
-    for (int index = 1; index <= table.count; ++index) {
-        const bool first = index == 1, last = index == table.count;
-        const Place place{part, last ? Scalar(1) : part};
-        enter(system, place, Stage::of(part, place.progress, dq, start, end), bounds, scratch);
+    for (int index = 1; index <= table.count(); ++index) {
+        const Place place = table.place(index);
+        enter(system, place, Stage::of(place, dq, start, end), bounds, scratch);
         if (load.pressure_rate != nullptr) set_bounds(from.normal_pressure, load.pressure, place.progress, scratch);
-        solve_stage(bounds, motion, place.progress, imposed, first ? from.zones : scratch.solver.zones(),
-                    last ? 1 : ratio, scratch.stage.axes(), scratch, progress);
-        if (last) break;
+        solve_stage(bounds, motion, place.progress, imposed, place.is_second ? scratch.solver.zones() : from.zones,
+                    place.is_last() ? 1 : ratio, scratch.stage.axes(), scratch, summary);
+        if (place.is_last()) break;
         carried = motion.is_linear() ? part * imposed : imposed;
         if constexpr (slip_dependent) scratch.jump_work.keep_first(scratch.start);
-        if (wants_tangents(progress)) {
-            carry_tangents(bounds, system, place, carried, imposed * spin_of(between(motion, part)), asked, scratch);
+        if (wants_tangents(summary)) {
+            const Scalar spin = imposed * spin_of(between(motion, place.progress));
+            carry_tangents(bounds, system, place, carried, spin, asked, scratch);
         }
         const auto carry = [&](const Vectors& traction, Vectors& displacement) {
             find_displacements(system, scratch.stage.axes(), traction, scratch.change);
@@ -703,11 +720,11 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, Integrato
         carry(scratch.start, scratch.displacement);
         if (behind_.size() > 0) carry(scratch.plain_start, scratch.plain_displacement);
     }
-    Step step = finish(bounds, from, progress, load, units_.length, to, scratch);
-    if (progress.finite) add_jump_work(system, from, ratio, dq > 0, load, scratch, step);
-    if (wants_tangents(progress)) {
-        add_tangents(bounds, &system, {part, 1}, imposed, carried, imposed * spin_of(motion.end()), asked, load,
-                     scratch, step);
+    Step step = finish(bounds, from, summary, load, units_.length, to, scratch);
+    if (summary.finite) add_jump_work(system, from, ratio, dq > 0, load, scratch, step);
+    if (wants_tangents(summary)) {
+        add_tangents(bounds, &system, table.place(table.count()), imposed, carried, imposed * spin_of(motion.end()),
+                     asked, load, scratch, step);
     }
     return step;
 }

@@ -172,7 +172,7 @@ private:
 ///
 ///     work of the rigid bodies = slip work + E(p_2) - E(p_0) + J
 ///     J = (b, b)/2,                       b = p_2 - p_0, for one stage (implicit Euler)
-///     J = (b, b)/2 - r (a, b - a),        a = p_1 - p_0, r = StageTable::ratio(), for two stages (sdirk2)
+///     J = (b, b)/2 - r (a, b - a),        a = p_1 - p_0, r = StagePlace::ratio(), for two stages (sdirk2)
 ///
 /// because the kernel is even: the integral of p u' vanishes. While the tractions vary smoothly J is of second order in
 /// dq for one stage, of third for two, where b = a/part. If they jump within a step, b stays finite however short the
@@ -188,28 +188,28 @@ public:
     using Vectors = ElementVectors<Scalar, directions>;
 
     explicit JumpWork(Eigen::Index n)
-        : first_(Vectors::Zero(n, directions)), change_(first_), part_(first_), displacement_(first_) {}
+        : first_(Vectors::Zero(n, directions)), change_(first_), first_change_(first_), displacement_(first_) {}
 
     /// The tractions after the first of two stages.
     void keep_first(const Vectors& traction) { first_ = traction; }
 
     /// J of a step that rolls, per unit of G a_0^2, with the semi-axes `axes` at its end; `ratio`: see
-    /// StageTable; 0 for one stage, else after keep_first().
+    /// StagePlace; 0 for one stage, else after keep_first().
     template <class System, class Start>
     Scalar rolled(const System& system, const SlipWork<Scalar>& work, const SemiAxes<Scalar>& axes, Scalar ratio,
                   const Eigen::MatrixBase<Start>& start, const Vectors& end) {
         change_ = end - start;
         const bool two_stages = ratio != 0;
-        if (two_stages) part_ = first_ - start;
+        if (two_stages) first_change_ = first_ - start;
         // settled: J is below the rounding of the energies
         const Scalar least = std::numeric_limits<Scalar>::epsilon() * end.squaredNorm();
-        if (change_.squaredNorm() <= least && (!two_stages || part_.squaredNorm() <= least)) return 0;
+        if (change_.squaredNorm() <= least && (!two_stages || first_change_.squaredNorm() <= least)) return 0;
         find_displacements(system, axes, change_, displacement_);
         Scalar sum = work.product(change_, displacement_) / 2;
         if (two_stages) {
             change_ = end - first_;
             find_displacements(system, axes, change_, displacement_);
-            sum -= ratio * work.product(part_, displacement_);
+            sum -= ratio * work.product(first_change_, displacement_);
         }
         return axes.half_length * axes.half_width * sum;
     }
@@ -223,7 +223,7 @@ public:
     }
 
 private:
-    Vectors first_, change_, part_, displacement_;
+    Vectors first_, change_, first_change_, displacement_;
 };
 
 }  // namespace rollbem::detail

@@ -67,15 +67,14 @@ public:
     /// By a semi-axis at the end of the step, in that of the contact. The rigid slip of spin follows the points: it
     /// changes by `rate` times `columns` in the directions that the axis stretches.
     template <class Columns>
-    void by_axis(const System& system, Axis axis, const StagePlace<Scalar>& stage, Scalar rate,
+    void by_axis(const System& system, Axis axis, const StagePlace<Scalar>& place, Scalar rate,
                  const Columns& columns) {
         const bool by_length = axis == Axis::half_length;
         const Scalar across = by_length && changes_shape(system) ? Scalar(0) : rate;
         add([&](const Vectors& p, Vectors& right) {
             if constexpr (directions == 2) add_turned(across, by_length ? rate : Scalar(0), columns, right);
-            with_equations(system, scratch_.stage, [&](const auto& equations) {
-                equations.add_rates(axis, stage.part, stage.progress, p, scratch_.change, right);
-            });
+            with_equations(system, scratch_.stage,
+                           [&](const auto& equations) { equations.add_rates(axis, place, p, scratch_.change, right); });
         });
         if (by_length) {
             bounds_.respond_to_half_length(scratch_.solver, scratch_.right, scratch_.response, parameter_);
@@ -86,11 +85,11 @@ public:
 
     /// For the next stage, which starts from U + ratio (U_1 - U): what dp of this one adds to its constants, with the
     /// direct effect of a semi-axis if that is the parameter.
-    void carry(const System& system, const StagePlace<Scalar>& stage) {
-        carry(system, stage, scratch_.solver.traction(), scratch_.response, scratch_.carried[parameter_]);
+    void carry(const System& system, const StagePlace<Scalar>& place) {
+        carry(system, place, scratch_.solver.traction(), scratch_.response, scratch_.carried[parameter_]);
         if constexpr (directions == 2) {
             if (scratch_.solver.keeps_plain()) {
-                carry(system, stage, scratch_.solver.plain_traction(), scratch_.solver.plain_response(),
+                carry(system, place, scratch_.solver.plain_traction(), scratch_.solver.plain_response(),
                       scratch_.plain_carried[parameter_]);
             }
         }
@@ -100,15 +99,15 @@ public:
 private:
     using By = TangentBy<directions>;
 
-    void carry(const System& system, const StagePlace<Scalar>& stage, const Vectors& traction, const Vectors& response,
+    void carry(const System& system, const StagePlace<Scalar>& place, const Vectors& traction, const Vectors& response,
                Vectors& carried) {
         with_equations(system, scratch_.stage, [&](const auto& equations) {
             equations.find_displacements(response, carried);
             if (parameter_ != By::half_length && parameter_ != By::half_width) return;
             const Axis axis = parameter_ == By::half_length ? Axis::half_length : Axis::half_width;
-            equations.add_displacement_rates(axis, stage.progress, traction, scratch_.change, carried);
+            equations.add_displacement_rates(axis, place.progress, traction, scratch_.change, carried);
         });
-        carried *= -(1 - stage.part) / stage.part;
+        carried *= -place.ratio();
     }
 
     // Calls with the stage's tractions and dc; also with those for slip that is not turned, if angles follow them.

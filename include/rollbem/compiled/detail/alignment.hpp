@@ -1,0 +1,25 @@
+// A unit is linked with a rollbem::compiled of the same Eigen alignment, or not at all.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <Eigen/Core>
+
+namespace rollbem {
+
+/// Defined in rollbem::compiled for the alignment with which that was compiled, EIGEN_MAX_ALIGN_BYTES and
+/// EIGEN_MAX_STATIC_ALIGN_BYTES, which follow flags such as -mavx and -march=native. A unit that lays out or frees
+/// matrices in another way than those of the library would crash; the linker names this function instead.
+template <int largest, int largest_static>
+int rollbem_compiled_has_another_eigen_alignment_compile_both_with_the_same_m_flags();
+
+namespace detail {
+
+/// Refers to the function in every unit, whatever the optimiser drops.
+inline const int alignment_is_that_of_compiled =
+    rollbem_compiled_has_another_eigen_alignment_compile_both_with_the_same_m_flags<EIGEN_MAX_ALIGN_BYTES,
+                                                                                    EIGEN_MAX_STATIC_ALIGN_BYTES>();
+
+}  // namespace detail
+
+}  // namespace rollbem

@@ -1,0 +1,133 @@
+// rollbem/adhesion/integrator.hpp: a row of the table of stages is all of a scheme, in full adhesion and with friction.
+// The row {2, 1/2} is two steps of implicit Euler, each of half the distance.
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <rollbem/compiled/adhesion.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/stability.hpp>
+
+#include "support/catch.hpp"
+
+namespace stage_table_tests {
+namespace {
+
+using namespace rollbem;
+using Eigen::VectorXd;
+using Motion = RigidMotion<double>;
+
+constexpr detail::StageTable<double> halves(2, 0.5);
+constexpr double a = 5e-3, G = 8e10, dq = 0.3 * a, p_0 = 5e8;
+
+const Contact<double> contact({.half_length = a, .half_width = 5e-2, .shear_modulus = G, .poisson_ratio = 0.28});
+const Mesh<double> mesh = cosine_mesh(8);
+ElementSystem<double> line(const PlaneKernel<double>& kernel) {
+    return rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel);
+}
+const ElementSystem<double> along = line(PlaneKernel<double>::longitudinal(contact)),
+                            across = line(PlaneKernel<double>::lateral(contact));
+
+/// A step of the row from a_1 to a_3 in full adhesion: tractions, and their derivative by the creepage at the end.
+std::pair<VectorXd, VectorXd> stage_by_stage(const VectorXd& from, const Motion& motion, double a_1, double a_3) {
+    detail::AdhesionStages<1, double> stages(from.size());
+    detail::StageFactors<double> factors(from.size());
+    const SemiAxes<double> start{a_1 / a, 1}, end{a_3 / a, 1};
+    const auto equations = [&](const detail::StagePlace<double>& place) {
+        const auto stage = detail::RollingStage<double>::of(place, dq / a, start, end);
+        return detail::LineEquations<RollingSystem<double>>(along, stage);
+    };
+    stages.solve(1, equations, along.inputs() * (G / a), halves, start, start != end, from, {motion, dq}, 0, factors);
+    return {from + stages.change(), stages.per_end()};
+}
+
+}  // namespace
+
+TEST_CASE("In full adhesion a row of the table is all of a scheme", "[stages]") {
+    const AdhesionModel<> euler(contact, along, judge_stability(along), Integrator::implicit_euler);
+    auto workspace = euler.workspace();
+    AdhesionState<> from = euler.steady(3e-4), half = from, to = from;
+    const double xi = GENERATE(1e-3, -2e-3);
+    for (const double a_3 : {a, 1.05 * a}) {
+        const double a_2 = (a + a_3) / 2;
+        for (const double start : {xi, xi / 3}) {
+            const auto step = [&](double end) {
+                const double middle = (start + end) / 2;
+                euler.advance(from, dq / 2, Motion::linear(start, middle), a_2, half, workspace);
+                REQUIRE(euler.advance(half, dq / 2, Motion::linear(middle, end), a_3, to, workspace).status ==
+                        StepStatus::ok);
+                return to.traction;
+            };
+            const auto [tractions, per_end] = stage_by_stage(from.traction, Motion::linear(start, xi), a, a_3);
+            const double unit = tractions.cwiseAbs().maxCoeff();
+            const VectorXd expected = step(xi), risen = step(xi + 1e-3);
+            CHECK((tractions - expected).cwiseAbs().maxCoeff() < 1e-12 * unit);
+            CHECK((1e-3 * per_end - (risen - expected)).cwiseAbs().maxCoeff() < 1e-10 * unit);
+            if (a_3 != a) continue;
+            // the map of a repeated step is that of the stages
+            detail::StepMap<1, double> map(mesh.size());
+            detail::StageFactors<double> factors(mesh.size());
+            map.prepare(1, detail::influence(along), detail::RationalExponential<double>(halves),
+                        along.inputs() * (G / a), along.outputs(), dq, a, 0, factors);
+            VectorXd mapped(mesh.size());
+            map.apply(from.traction, {Motion::linear(start, xi), dq}, mapped);
+            CHECK((mapped - expected).cwiseAbs().maxCoeff() < 1e-12 * unit);
+        }
+    }
+}
+
+namespace {
+
+/// A step of the row against two of implicit Euler, from steady rolling, while the load grows: all that it returns.
+template <int directions, class Law>
+void compare(const ElementSystem<double, directions>& system, const Law& law,
+             const typename FrictionModel<Law, directions>::Value& start,
+             const typename FrictionModel<Law, directions>::Value& middle,
+             const typename FrictionModel<Law, directions>::Value& end, double growth) {
+    using Core = detail::FrictionCore<detail::UniformLaw<Law, double>, directions, double>;
+    using Moved = RigidMotion<typename Core::Value>;
+    const Friction friction{law, ArrayX<double>(p_0 * mean_hertz_pressure(mesh))};
+    const FrictionModel model(contact, system, unchecked, friction, Integrator::implicit_euler);
+    const Core core("test", contact, system.elements(), system.element_count(), detail::with_uniform_law(friction),
+                    detail::gradient(system), system.fingerprint());
+    auto workspace = model.workspace(), own = core.workspace();
+    auto from = model.at_rest(), half = from, to = from, found = from;
+    REQUIRE(model.steady(model.at_rest(), start, 20, from, workspace).status == StepStatus::ok);
+    const auto load = [&](double way) {
+        const ArrayX<double> rate = mean_hertz_pressure(mesh);
+        return NormalLoad<double>{(1 + growth * way) * friction.normal_pressure, (1 + growth / 2 * way) * a, rate, 0};
+    };
+    const Travel<double> whole{dq, dq / 20}, part{dq / 2, dq / 40};
+    const NormalLoad<double> two = load(0.5), three = load(1);
+    const auto first = model.advance(from, part, Moved::linear(start, middle), two, half, workspace);
+    const auto second = model.advance(half, part, Moved::linear(middle, end), three, to, workspace);
+    const auto step =
+        core.roll(system, halves, from, whole, Moved::linear(start, end), core.load_after(from, three), found, own);
+    REQUIRE(second.status == StepStatus::ok);
+    REQUIRE(step.status == StepStatus::ok);
+    CHECK(found.zones == to.zones);
+    CHECK((found.traction - to.traction).cwiseAbs().maxCoeff() < 1e-10 * p_0);
+    const double work = first.slip_work + second.slip_work;
+    CHECK(work > 0);
+    CHECK(std::abs(step.slip_work - work) < 1e-9 * work);
+    // the energy of elements is symmetric up to their error only
+    const double jumps = first.jump_work + second.jump_work;
+    CHECK(std::abs(step.jump_work - jumps) <= 1e-2 * jumps);
+}
+
+}  // namespace
+
+TEST_CASE("With friction a row of the table is all of a scheme", "[stages][friction]") {
+    const ExponentialFall<> falling{0.3, 0.18, 0.1};
+    const ElementSystem<double, 2> both(along, across);
+    for (const double growth : {0.0, 0.05}) {
+        compare<1>(along, ConstantFriction<>{0.3}, 1e-3, 2e-3, 3e-3, growth);
+        compare<1>(along, falling, 1e-3, 2e-3, 3e-3, growth);
+        compare<2>(both, ConstantFriction<>{0.3}, {1e-3, 5e-4, 0}, {2e-3, -5e-4, 0}, {3e-3, -1.5e-3, 0}, growth);
+        compare<2>(both, falling, {1e-3, 5e-4, 0}, {2e-3, -5e-4, 0}, {3e-3, -1.5e-3, 0}, growth);
+    }
+}
+
+}  // namespace stage_table_tests
