@@ -24,7 +24,7 @@ namespace {
 
 using namespace rollbem;
 
-WheelsetOnTrack wheelset() { return WheelsetOnTrack(WheelOnRail(s1002(), rail_60e1())); }
+WheelsetOnTrack wheelset() { return WheelsetOnTrack(WheelOnRail(s1002(), rail_uic60())); }
 
 void print(const char* what, std::vector<double>& differences) {
     std::sort(differences.begin(), differences.end());
