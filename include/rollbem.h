@@ -66,7 +66,8 @@ ROLLBEM_API int rollbem_hertz(double load, const double radii[4], double angle, 
                               double result[5]);
 
 /* Kalker's coefficients c11, c22, c23, c32, c33 of an ellipse in full adhesion, by n x n elements; with c = sqrt(a b):
-   F_x = -G a b c11 xi, F_y = -G a b (c22 eta + c c23 phi), M_z = -G a b c (c32 eta + c c33 phi). */
+   F_x = -G a b c11 xi, F_y = -G a b (c22 eta + c c23 phi), M_z = -G a b c (c32 eta + c c33 phi). Coefficients that
+   n x n elements do not give are NaN, and the result is not ROLLBEM_OK. */
 ROLLBEM_API int rollbem_kalker(double a_over_b, double poisson_ratio, int n, double coefficients[5]);
 
 /* --- a patch in the time domain ----------------------------------------------------------------------------------- */

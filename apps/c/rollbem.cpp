@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <initializer_list>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -245,7 +246,11 @@ int rollbem_kalker(double a_over_b, double poisson_ratio, int n, double coeffici
         const PatchContact<double> contact({a_over_b, 1, 1, poisson_ratio});
         const auto steady = solve_steady(contact, patch_mesh(contact, n, n), rollbem_patch::scheme);
         const CreepCoefficients<double> c = creep_coefficients(contact, steady);
-        put(coefficients, {c.c11, c.c22, c.c23, c.c32, c.c33});
+        const auto confirmed = [&](Eigen::Index i, Eigen::Index j, double value) {
+            return is_confirmed(steady, i, j) ? value : std::numeric_limits<double>::quiet_NaN();
+        };
+        put(coefficients, {confirmed(0, 0, c.c11), confirmed(1, 1, c.c22), confirmed(1, 2, c.c23),
+                           confirmed(2, 1, c.c32), confirmed(2, 2, c.c33)});
         return steady.status == Status::ok ? ROLLBEM_OK
                                            : failed(std::string("rollbem_kalker: status is ") + name(steady.status));
     });

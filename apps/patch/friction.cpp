@@ -127,7 +127,7 @@ std::vector<CreepPoint> read_points(const study::Options& options, const std::ve
     for (const Patch& patch : patches) {
         // moments are those of tractions at the middles of elements, slip is taken elsewhere in them: creep work
         // without slip, a quadratic form, may become negative where elements are few
-        const auto steady = rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, patch.kernel());
+        const auto steady = rollbem::solve_steady(patch.mesh, patch.scheme, patch.kernel());
         const Eigen::Matrix3d C = steady.coefficients;
         options.require(steady.status != rollbem::Status::ok ||
                             Eigen::LLT<Eigen::Matrix3d>(C + C.transpose()).info() == Eigen::Success,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 #include <rollbem/accuracy/recommended_patch.hpp>
@@ -49,10 +50,15 @@ PatchValues extrapolate(const PatchValues& coarse, PatchValues fine, double rati
 }
 
 /// c11, c22, c23, c33.
-PatchValues coefficients(const PatchContact& contact, const rollbem::PatchMesh<double>& mesh) {
-    const auto steady = rollbem::solve_steady(contact, mesh, chebyshev);
+PatchValues coefficients(const PatchContact& contact, const rollbem::Response<double>& steady) {
     const auto c = creep_coefficients(contact, steady);
     return {{c.c11, c.c22, c.c23, c.c33}, rollbem::name(steady.status)};
+}
+
+/// By one mesh alone, whose error is what is asked for.
+PatchValues coefficients(const PatchContact& contact, const rollbem::PatchMesh<double>& mesh) {
+    return coefficients(contact,
+                        rollbem::solve_steady(mesh, chebyshev, rollbem::HalfSpace<double>(contact.poisson_ratio())));
 }
 
 /// -F_x and -F_y over mu N under both creepages, spin alone, and all three together. Kalker's coefficients serve to
@@ -92,7 +98,8 @@ PatchValues reference_forces(const PatchContact& contact) {
 
 PatchValues compute(const PatchContact& contact, Problem problem, const std::string& scheme, long n, long strips) {
     const auto of = [&](const std::string& by, long own_n, long own_strips) {
-        return (problem == Problem::patch ? coefficients : forces)(contact, mesh_of(contact, by, own_n, own_strips));
+        const rollbem::PatchMesh<double> mesh = mesh_of(contact, by, own_n, own_strips);
+        return problem == Problem::patch ? coefficients(contact, mesh) : forces(contact, mesh);
     };
     if (scheme != richardson) return of(scheme, n, strips);
     return extrapolate(of(direct, n / 2, strips / 2), of(direct, n, strips), 2);
@@ -102,8 +109,14 @@ PatchValues compute(const PatchContact& contact, Problem problem, const std::str
 std::vector<double> reference(const PatchContact& contact, Problem problem) {
     if (problem == Problem::patch_friction) return reference_forces(contact).values;
     const long part = contact.a_over_b() > 10 ? 2 : 1;  // elements of long patches must not be as much longer than wide
-    PatchValues found = compute(contact, problem, richardson, part * reference_n, reference_n / part);
-    if (found.status != "ok") std::fill(found.values.begin(), found.values.end(), nan);
+    const long n = part * reference_n, strips = reference_n / part;
+    const auto fine = rollbem::solve_steady(contact, mesh_of(contact, direct, n, strips), chebyshev);
+    const PatchValues coarse = coefficients(contact, mesh_of(contact, direct, n / 2, strips / 2));
+    PatchValues found = extrapolate(coarse, coefficients(contact, fine), 2);
+    for (const auto& [k, i, j] : {std::tuple{0, 0, 0}, {1, 1, 1}, {2, 1, 2}, {3, 2, 2}}) {
+        const bool known = coarse.status == "ok" && is_confirmed(fine, i, j);
+        if (!known) found.values[std::size_t(k)] = nan;
+    }
     return found.values;
 }
 

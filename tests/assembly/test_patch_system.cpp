@@ -113,7 +113,7 @@ TEST_CASE("patch_system: a rectangle of one strip has the matrices of the strip 
 TEST_CASE("patch_system: distant entries do not cancel") {
     // relative to the entry: differences alone lose 1e-6 and more in double
     const double worst_allowed = 1e-10;
-    for (const double a_over_b : {0.1, 1.0, 10.0}) {
+    for (const double a_over_b : {1e-4, 0.1, 1.0, 10.0}) {
         const auto entries = [&](auto scalar) {
             using Scalar = decltype(scalar);
             return detail::patch_blocks(
@@ -129,6 +129,64 @@ TEST_CASE("patch_system: distant entries do not cancel") {
                 const long double worst = error.cwiseQuotient(scale).maxCoeff();
                 INFO("a/b " << a_over_b << ", block " << d << e << ": " << worst);
                 CHECK(worst < worst_allowed);
+            }
+        }
+    }
+}
+
+TEST_CASE("patch_system: the coupling of wide strips is its mean over their width, otherwise that of their middles") {
+    const auto rule = detail::gauss_legendre<double>(40);
+    const HalfSpace<double> kernel(0.4);
+    for (const double a_over_b : {0.05, 0.2}) {  // above and below 13 lengths, below and above 1.6 for each strip
+        const PatchMesh<double> mesh = ellipse_mesh<double>(a_over_b, cosine_mesh(5), uniform_mesh(4));
+        const bool wide = detail::has_wide_strips(mesh);
+        CHECK(wide == (a_over_b < 0.1));
+        // the mean over y of a quantity in strip j by elements of strip k, as their middle or their width sees it
+        const auto expected = [&](const auto& of, Eigen::Index j, Eigen::Index k) {
+            const auto at = [&](double y) { return of(y - mesh.edges()[k]) - of(y - mesh.edges()[k + 1]); };
+            if (!wide) return at(mesh.middles_y()[j]);
+            double mean = 0;
+            for (Eigen::Index i = 0; i < 40; ++i) {  // close to the edges, where slopes change rapidly
+                const double angle = std::numbers::pi / 2 * rule.nodes[i],
+                             weight = std::numbers::pi / 4 * rule.weights[i];
+                mean += weight * std::cos(angle) * at(mesh.middles_y()[j] + std::sin(angle) / 2 * mesh.widths()[j]);
+            }
+            return mean;
+        };
+        const auto rows = [&](Quantity quantity) { return detail::strip_rows(mesh.along(), chebyshev, quantity); };
+        const auto slope = rows(Quantity::slope), places = rows(Quantity::displacement);
+        const auto G_prime = detail::patch_rows(mesh, slope, kernel, Quantity::slope, wide).xy;
+        const auto G = detail::patch_rows(mesh, places, kernel, Quantity::displacement, wide).xy;
+        const auto G_y =
+            detail::patch_rows(mesh, detail::at_points(slope), detail::LateralSlope<HalfSpace<double>>{kernel},
+                               Quantity::displacement, wide)
+                .xy;
+        const ArrayX<double> edges = mesh.along().edges();
+        const Eigen::Index j = 1;
+        for (const Eigen::Index k : {0, 1, 3}) {
+            for (const Eigen::Index r : {0, 2}) {
+                const double scale = mesh.half_lengths()[j], from = mesh.half_lengths()[k];
+                const auto u = [&](double x) {
+                    return expected(
+                        [&](double y) {
+                            return kernel.corner(scale * x - from * edges[2], y).xy -
+                                   kernel.corner(scale * x - from * edges[3], y).xy;
+                        },
+                        j, k);
+                };
+                const auto u_y = [&](double x) {
+                    return expected(
+                        [&](double y) {
+                            return kernel.corner_lateral_slope(scale * x - from * edges[2], y).xy -
+                                   kernel.corner_lateral_slope(scale * x - from * edges[3], y).xy;
+                        },
+                        j, k);
+                };
+                const double half = slope.lengths[r] / 2, x = slope.points[r];
+                const Eigen::Index row = j * 5 + r, column = k * 5 + 2;
+                CHECK_THAT(G(row, column), WithinAbs(u(places.points[r]), 1e-7));
+                CHECK_THAT(G_prime(row, column), WithinAbs((u(x + half) - u(x - half)) / (2 * half * scale), 1e-7));
+                CHECK_THAT(G_y(row, column), WithinAbs(u_y(x), 1e-7));
             }
         }
     }

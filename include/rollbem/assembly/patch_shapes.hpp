@@ -27,13 +27,14 @@ namespace rollbem {
 
 namespace detail {
 
-/// G, G' and G_y of a mesh in units of `c`, in which that of the mesh is 1.
+/// G, G' and G_y of a mesh in units of `c`, in which that of the mesh is 1; `over_width` as in patch_rows.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
-ShapeNode<Scalar> shape_node(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel, Scalar c) {
+ShapeNode<Scalar> shape_node(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel, Scalar c,
+                             bool over_width) {
     static_assert(
         requires { kernel.corner_lateral_slope(c, c); },
         "patches whose half-width varies require a kernel with corner_lateral_slope");
-    const Eigen::Index n = mesh.elements_per_strip(), m = mesh.strip_count(), strips = computed_strips(mesh);
+    const Eigen::Index n = mesh.elements_per_strip(), m = mesh.strip_count();
     const auto whole = [&](InfluenceRows<Scalar> rows, Scalar factor, Scalar sign) {
         for (MatrixX<Scalar>* block : {&rows.xx, &rows.xy, &rows.yy}) {
             *block = factor * unfolded(*block, n, m, block == &rows.xy ? -sign : sign);
@@ -41,12 +42,12 @@ ShapeNode<Scalar> shape_node(const PatchMesh<Scalar>& mesh, const Scheme& scheme
         return rows;
     };
     const StripRows<Scalar> slope = strip_rows(mesh.along(), scheme, Quantity::slope);
-    return {
-        whole(patch_rows(mesh, strip_rows(mesh.along(), scheme, Quantity::displacement), kernel, Quantity::displacement,
-                         strips),
-              1 / c, 1),
-        whole(patch_rows(mesh, slope, kernel, Quantity::slope, strips), 1, 1),
-        whole(patch_rows(mesh, at_points(slope), LateralSlope<Kernel>{kernel}, Quantity::displacement, strips), 1, -1)};
+    return {whole(patch_rows(mesh, strip_rows(mesh.along(), scheme, Quantity::displacement), kernel,
+                             Quantity::displacement, over_width),
+                  1 / c, 1),
+            whole(patch_rows(mesh, slope, kernel, Quantity::slope, over_width), 1, 1),
+            whole(patch_rows(mesh, at_points(slope), LateralSlope<Kernel>{kernel}, Quantity::displacement, over_width),
+                  1, -1)};
 }
 
 /// The system of one a/b, in units of the half-length.
@@ -82,7 +83,8 @@ ElementSystem<Scalar, 2> breathing_system(const PatchContact<Scalar>& contact, c
                                           const Scheme& scheme, const Kernel& kernel) {
     Elements<Scalar> elements = patch_elements(mesh, scheme);
     auto set = std::make_shared<detail::ShapeSet<Scalar>>();
-    set->nodes.push_back(detail::shape_node(mesh, scheme, kernel, contact.c() / contact.half_length()));
+    set->nodes.push_back(
+        detail::shape_node(mesh, scheme, kernel, contact.c() / contact.half_length(), detail::has_wide_strips(mesh)));
     set->first = std::log(contact.a_over_b());
     set->zeta = elements.x;
     set->upsilon = elements.y * contact.a_over_b();
@@ -133,10 +135,12 @@ public:
             (std::max)(4, static_cast<int>(std::ceil(length / std::log(range.factor) - Scalar(1e-6))) + 1);
         set->first = std::log(range.least);
         set->step = length / static_cast<Scalar>(count - 1);
+        // of all alike, as entries of the two kinds cannot be interpolated
+        const bool over_width = detail::has_wide_strips(ellipse_mesh<Scalar>(range.least, along, across));
         for (int k = 0; k < count; ++k) {
             const Scalar a_over_b = std::exp(set->first + static_cast<Scalar>(k) * set->step);
             set->nodes.push_back(detail::shape_node(ellipse_mesh<Scalar>(a_over_b, along, across), scheme, kernel,
-                                                    1 / std::sqrt(a_over_b)));
+                                                    1 / std::sqrt(a_over_b), over_width));
         }
         set->zeta = circle_.x;
         set->upsilon = circle_.y;

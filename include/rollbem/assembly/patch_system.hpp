@@ -59,19 +59,13 @@ MatrixX<Scalar> unfolded(const MatrixX<Scalar>& given, Eigen::Index n, Eigen::In
     return block;
 }
 
-/// The number of strips whose rows are computed.
-template <class Scalar>
-Eigen::Index computed_strips(const PatchMesh<Scalar>& mesh) {
-    return mesh.is_mirrored() ? (mesh.strip_count() + 1) / 2 : mesh.strip_count();
-}
-
 /// All blocks of G or G'.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 DirectionBlocks<Scalar> patch_blocks(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel,
                                      Quantity quantity) {
     const Eigen::Index n = mesh.elements_per_strip(), m = mesh.strip_count();
     const InfluenceRows<Scalar> rows =
-        patch_rows(mesh, strip_rows(mesh.along(), scheme, quantity), kernel, quantity, computed_strips(mesh));
+        patch_rows(mesh, strip_rows(mesh.along(), scheme, quantity), kernel, quantity, has_wide_strips(mesh));
     DirectionBlocks<Scalar> blocks;
     blocks[0][0] = unfolded(rows.xx, n, m, Scalar(1));
     blocks[1][1] = unfolded(rows.yy, n, m, Scalar(1));
@@ -200,7 +194,7 @@ std::vector<RollingSystem<Scalar>> patch_parts(const PatchMesh<Scalar>& mesh, co
     if (!mesh.is_mirrored()) return {{rolling_system(mesh, scheme, kernel).whole()}};
     const auto rows = [&](Quantity quantity) {
         return detail::patch_rows(mesh, detail::strip_rows(mesh.along(), scheme, quantity), kernel, quantity,
-                                  detail::computed_strips(mesh));
+                                  detail::has_wide_strips(mesh));
     };
     return detail::mirrored_parts<Scalar>(rows(Quantity::displacement), rows(Quantity::slope),
                                           patch_elements(mesh, scheme), mesh.strip_count(), 1);

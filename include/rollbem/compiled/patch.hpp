@@ -16,7 +16,7 @@ extern template PatchMesh<double> ellipse_mesh<double>(double, Mesh<double>, con
 extern template Elements<double> patch_elements<double, NodeDifference>(const PatchMesh<double>&,
                                                                         const NodeDifference&);
 extern template detail::InfluenceRows<double> detail::patch_rows<double, HalfSpace<double>>(
-    const PatchMesh<double>&, const detail::StripRows<double>&, const HalfSpace<double>&, Quantity, Eigen::Index);
+    const PatchMesh<double>&, const detail::StripRows<double>&, const HalfSpace<double>&, Quantity, bool);
 extern template ElementSystem<double, 2>::Blocks assemble_G_prime<double, NodeDifference, HalfSpace<double>>(
     const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
 extern template ElementSystem<double, 2> rolling_system<double, NodeDifference, HalfSpace<double>>(
@@ -24,11 +24,14 @@ extern template ElementSystem<double, 2> rolling_system<double, NodeDifference, 
 extern template std::vector<RollingSystem<double>> patch_parts<double, NodeDifference, HalfSpace<double>>(
     const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
 extern template detail::ShapeNode<double> detail::shape_node<double, NodeDifference, HalfSpace<double>>(
-    const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&, double);
+    const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&, double, bool);
 extern template ElementSystem<double, 2> breathing_system<double, NodeDifference, HalfSpace<double>>(
     const PatchContact<double>&, const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
 extern template ElementSystem<double, 2> detail::system_of<double>(std::shared_ptr<const detail::ShapeSet<double>>,
                                                                    Elements<double>, double);
+extern template Response<double> solve_steady<double, NodeDifference, HalfSpace<double>>(const PatchMesh<double>&,
+                                                                                         const NodeDifference&,
+                                                                                         const HalfSpace<double>&);
 extern template Response<double> solve_steady<double, NodeDifference, HalfSpace<double>>(const PatchContact<double>&,
                                                                                          const PatchMesh<double>&,
                                                                                          const NodeDifference&,

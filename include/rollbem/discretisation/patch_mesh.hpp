@@ -130,7 +130,7 @@ PatchMesh<Scalar> outline_mesh(const Outline<Scalar>& outline, std::type_identit
 }
 
 /// The mesh of a contact patch in units of a (outlines: c). Cosine meshes in both directions are accurate; n = m serves
-/// at every a/b from 0.1 to 10.
+/// at every a/b up to 10.
 template <class Scalar>
 PatchMesh<Scalar> patch_mesh(const PatchContact<Scalar>& contact, Mesh<Scalar> along, const Mesh<Scalar>& across) {
     if (contact.outline()) {

@@ -38,8 +38,10 @@ struct RectangleInfluence {
 /// - line_slope(x, y0, y1): du/dx at distance x ahead of a line of unit traction along y, whose ends lie y0 and y1 < y0
 ///   below the point. The assembly uses it for distant elements: with it nothing cancels.
 /// - corner_lateral_slope(x, y), the derivative of corner(x, y) with respect to y: xx and yy are odd in x and even in
-/// y,
-///   xy is even in x and odd in y. Patches whose half-width varies require it.
+///   y, xy is even in x and odd in y. Patches whose half-width varies require it.
+/// - coupling_integral(x, y), an antiderivative over y of the xy of corner(x, y), up to functions of y alone, which
+///   cancel, and with line_slope line_coupling_integral(x, y), one of its xy, f(y1) - f(y0), over y of f. With them
+///   patches with strips much wider than long have accurate couplings of both directions.
 template <class Kernel>
 concept RectangleKernel = requires(const Kernel& kernel, typename Kernel::Scalar x) {
     { kernel.corner(x, x) } -> std::same_as<RectangleInfluence<typename Kernel::Scalar>>;
@@ -74,6 +76,21 @@ public:
         const Scalar angle = std::copysign(area_sine(width, height, r), x), shear = nu_ * x / r;
         constexpr Scalar over_pi = std::numbers::inv_pi_v<Scalar>;
         return {over_pi * (angle - shear), -over_pi * nu_ * y / r, over_pi * ((1 - nu_) * angle + shear)};
+    }
+
+    /// -nu/(2 pi) (y r + x^2 asinh(y/|x|) - y |y|), which grows like x^2 only.
+    Scalar coupling_integral(Scalar x, Scalar y) const {
+        const Scalar r = std::sqrt(x * x + y * y);
+        const Scalar width = (std::max)(std::abs(x), least), height = (std::max)(std::abs(y), least);
+        const Scalar sum = height / (r + height) + area_sine(height, width, r);
+        return -nu_ * std::numbers::inv_pi_v<Scalar> / 2 * x * x * std::copysign(sum, y);
+    }
+
+    /// nu/pi (asinh(y/|x|) - y/r).
+    Scalar line_coupling_integral(Scalar x, Scalar y) const {
+        const Scalar r = (std::max)(std::sqrt(x * x + y * y), least);
+        const Scalar width = (std::max)(std::abs(x), least), height = (std::max)(std::abs(y), least);
+        return nu_ * std::numbers::inv_pi_v<Scalar> * (std::copysign(area_sine(height, width, r), y) - y / r);
     }
 
     RectangleInfluence<Scalar> line_slope(Scalar x, Scalar y0, Scalar y1) const {

@@ -24,8 +24,8 @@ struct Response {
     /// p_y; of solve_steady(Chebyshev, kernel) the coefficients of a ChebyshevTraction. Empty in sweeps.
     MatrixX<Value> unknowns{};
     MatrixX<Value> coefficients{};  ///< k x k: entry (i, j) is minus force i per creepage j
-    /// k x k: estimates of the relative errors of the coefficients of Chebyshev states and long patches; otherwise
-    /// empty.
+    /// k x k: estimates of the relative errors of the coefficients of Chebyshev states, and of patches that were solved
+    /// on other meshes besides; otherwise empty.
     MatrixX<Scalar> error_estimates{};
     Scalar residual = 0;  ///< |A p - inputs| / (|A| |p| + |inputs|) in the maximum norm, A = G' - s G [-]
     Scalar rcond = 0;     ///< estimate of 1 / (|A| |A^-1|) in the 1-norm [-]

@@ -40,9 +40,12 @@ public:
 
     const PatchContact<double>& contact() const { return contact_; }
     const PatchMesh<double>& mesh() const { return patch_.mesh; }  ///< the first of the two
-    /// In full adhesion, of the same elements.
+    /// In full adhesion, of the same elements, whose errors are those of the forces; on long patches other meshes must
+    /// confirm them.
     Response<double> in_adhesion() const {
-        return solve_steady(contact_, mesh(), scheme, HalfSpace<double>(contact_.poisson_ratio()));
+        const HalfSpace<double> kernel(contact_.poisson_ratio());
+        return contact_.a_over_b() > 10 ? solve_steady(contact_, mesh(), scheme, kernel)
+                                        : solve_steady(mesh(), scheme, kernel);
     }
 
     struct Solution {

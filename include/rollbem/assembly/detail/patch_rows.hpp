@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -90,14 +92,12 @@ public:
                                       250 * std::numeric_limits<Scalar>::epsilon();
     }
 
-    /// Mean of du/dx over an interval by unit traction on an element of length h, whose ends lie y0 and y1 below, and
-    /// whose middle lies x behind that of the interval.
-    template <class Kernel>
-    RectangleInfluence<Scalar> slope(const Kernel& kernel, Scalar x, Scalar y0, Scalar y1, Scalar h) const {
-        const auto pair = [&](Scalar distance) {
-            return kernel.line_slope(x - distance, y0, y1) + kernel.line_slope(x + distance, y0, y1);
-        };
-        return h * ((1 - near_weight_ - far_weight_) * kernel.line_slope(x, y0, y1) + near_weight_ / 2 * pair(near_) +
+    /// Mean over an interval by unit traction on an element of length h, whose middle lies x behind that of the interval;
+    /// line(x) is by a line across x behind a point.
+    template <class Line>
+    auto mean(const Line& line, Scalar x, Scalar h) const {
+        const auto pair = [&](Scalar distance) { return line(x - distance) + line(x + distance); };
+        return h * ((1 - near_weight_ - far_weight_) * line(x) + near_weight_ / 2 * pair(near_) +
                     far_weight_ / 2 * pair(far_));
     }
 
@@ -105,58 +105,151 @@ private:
     Scalar near_, far_, near_weight_, far_weight_;
 };
 
-/// Rows of G (displacement) or G' (slope) of the first `strips` strips, for all elements.
+/// A patch's width over its mean length.
+template <class Scalar>
+Scalar width_over_length(const PatchMesh<Scalar>& mesh) {
+    const Scalar width = mesh.edges()[mesh.strip_count()] - mesh.edges()[0];
+    return width / (2 * (mesh.widths() * mesh.half_lengths()).sum()) * width;
+}
+
+/// Whether a patch is more than 13 times as wide as it is long in the mean, as ellipses below a/b = 0.098 are, or its
+/// strips are more than 1.6 times. Tractions of one direction that vary over y displace the surface in the other, by as
+/// much for each factor in distance, from the length of the patch to its width. The middle of a strip sees them vary
+/// from half a strip's width on, the mean over its width from the length on.
+template <class Scalar>
+bool has_wide_strips(const PatchMesh<Scalar>& mesh) {
+    return width_over_length(mesh) > (std::min)(Scalar(13), Scalar(1.6) * static_cast<Scalar>(mesh.strip_count()));
+}
+
+/// Whether rows of the coupling can be means over the width of a strip.
+template <class Kernel>
+concept HasCouplingIntegral = requires(const Kernel& kernel, typename Kernel::Scalar x) {
+    { kernel.coupling_integral(x, x) } -> std::same_as<typename Kernel::Scalar>;
+};
+
+/// The displacement of one strip by another: from it entries of the influence.
+template <class Scalar, RectangleKernel Kernel>
+class StripPair {
+public:
+    /// In strip `row` by tractions on strip `column`. xy is the mean over the width of the former if `over_width` and
+    /// the kernel has it, otherwise all is taken at its middle.
+    StripPair(const PatchMesh<Scalar>& mesh, const Kernel& kernel, Eigen::Index row, Eigen::Index column,
+              bool over_width)
+        : kernel_(kernel),
+          along_(mesh.along()),
+          over_width_(over_width && HasCouplingIntegral<Kernel>),
+          row_scale_(mesh.half_lengths()[row]),
+          scale_(mesh.half_lengths()[column]),
+          offset_(mesh.middles_x()[row] - mesh.middles_x()[column]),
+          row_width_(mesh.widths()[row]),
+          y0_(mesh.middles_y()[row] - mesh.edges()[column]),
+          y1_(mesh.middles_y()[row] - mesh.edges()[column + 1]),
+          row_edges_{mesh.edges()[row], mesh.edges()[row + 1]},
+          edges_{mesh.edges()[column], mesh.edges()[column + 1]},
+          beside_(row == column ? Scalar(0) : (std::min)(std::abs(y0_), std::abs(y1_))),
+          gap_((std::max)({Scalar(0), row_edges_[0] - edges_[1], edges_[0] - row_edges_[1]})) {}
+
+    Scalar row_scale() const { return row_scale_; }
+
+    /// u at a place by unit traction on all that lies behind edge `c` of the other strip.
+    RectangleInfluence<Scalar> behind(const typename StripRows<Scalar>::Place& place, Eigen::Index c) const {
+        // distances from the nearer end of the strip, where elements are smallest
+        const Scalar x = place.from_leading < 1
+                             ? offset_ + (row_scale_ - scale_) +
+                                   (scale_ * along_.edges_from_leading()[c] - row_scale_ * place.from_leading)
+                             : offset_ - (row_scale_ - scale_) +
+                                   (row_scale_ * place.from_trailing - scale_ * along_.edges_from_trailing()[c]);
+        RectangleInfluence<Scalar> u = kernel_.corner(x, y0_) - kernel_.corner(x, y1_);
+        if constexpr (HasCouplingIntegral<Kernel>) {
+            if (over_width_) u.xy = (integral(x, edges_[0]) - integral(x, edges_[1])) / row_width_;
+        }
+        return u;
+    }
+
+    /// The mean of du/dx over an interval of length d about `point` by unit traction on element `c`, which is
+    /// `difference` if nothing cancels in it.
+    RectangleInfluence<Scalar> slope(Scalar point, Scalar d, Eigen::Index c,
+                                     const RectangleInfluence<Scalar>& difference) const {
+        if constexpr (requires { kernel_.line_slope(d, d, d); }) {
+            const Scalar x = offset_ + (row_scale_ * point - scale_ * along_.centres()[c]);
+            const Scalar h = scale_ * along_.widths()[c];
+            const auto is_distant = [&](Scalar beside) {
+                return MeanRule<Scalar>::is_better(d, h, y0_ - y1_, std::sqrt(x * x + beside * beside));
+            };
+            if (!is_distant(beside_)) return difference;
+            const MeanRule<Scalar> rule(d, h);
+            RectangleInfluence<Scalar> mean =
+                rule.mean([&](Scalar distance) { return kernel_.line_slope(distance, y0_, y1_); }, x, h);
+            if (over_width_) mean.xy = difference.xy;
+            if constexpr (requires { kernel_.line_coupling_integral(x, x); }) {
+                if (over_width_ && is_distant(gap_)) {
+                    mean.xy = rule.mean([&](Scalar distance) { return line_coupling(distance); }, x, h);
+                }
+            }
+            return mean;
+        }
+        return difference;
+    }
+
+private:
+    Scalar integral(Scalar x, Scalar edge) const {
+        return kernel_.coupling_integral(x, row_edges_[1] - edge) - kernel_.coupling_integral(x, row_edges_[0] - edge);
+    }
+
+    /// The mean of the xy of line_slope.
+    Scalar line_coupling(Scalar x) const {
+        const auto sum = [&](Scalar edge) {
+            return kernel_.line_coupling_integral(x, row_edges_[1] - edge) -
+                   kernel_.line_coupling_integral(x, row_edges_[0] - edge);
+        };
+        return (sum(edges_[1]) - sum(edges_[0])) / row_width_;
+    }
+
+    const Kernel& kernel_;
+    const Mesh<Scalar>& along_;
+    bool over_width_;
+    Scalar row_scale_, scale_, offset_, row_width_;
+    Scalar y0_, y1_;  // of the row's middle ahead of the strip's edges
+    std::array<Scalar, 2> row_edges_, edges_;
+    Scalar beside_;  // from the row's middle to the strip
+    Scalar gap_;     // between both strips
+};
+
+/// The number of strips whose rows are computed.
+template <class Scalar>
+Eigen::Index computed_strips(const PatchMesh<Scalar>& mesh) {
+    return mesh.is_mirrored() ? (mesh.strip_count() + 1) / 2 : mesh.strip_count();
+}
+
+/// Rows of G (displacement) or G' (slope) of the strips that are computed, for all elements; xy at the middles of
+/// strips or over their widths.
 template <class Scalar, RectangleKernel Kernel>
 InfluenceRows<Scalar> patch_rows(const PatchMesh<Scalar>& mesh, const StripRows<Scalar>& rows, const Kernel& kernel,
-                                 Quantity quantity, Eigen::Index strips) {
-    const Eigen::Index n = mesh.elements_per_strip(), m = mesh.strip_count();
+                                 Quantity quantity, bool over_width) {
+    const Eigen::Index n = mesh.elements_per_strip(), m = mesh.strip_count(), strips = computed_strips(mesh);
     const std::size_t height = rows.places.size();
-    const Mesh<Scalar>& along = mesh.along();
     InfluenceRows<Scalar> result(strips * n, m * n);
     // u of a strip that ends at each edge, at each place: neighbouring elements and rows share it
     std::vector<RectangleInfluence<Scalar>> table(height * static_cast<std::size_t>(n + 1));
     for (Eigen::Index j = 0; j < strips; ++j) {
         for (Eigen::Index k = 0; k < m; ++k) {
-            const Scalar row_scale = mesh.half_lengths()[j], scale = mesh.half_lengths()[k];
-            const Scalar offset = mesh.middles_x()[j] - mesh.middles_x()[k];
-            const Scalar y0 = mesh.middles_y()[j] - mesh.edges()[k], y1 = mesh.middles_y()[j] - mesh.edges()[k + 1];
+            const StripPair<Scalar, Kernel> pair(mesh, kernel, j, k, over_width);
             RectangleInfluence<Scalar>* entry = table.data();
-            // distances from the nearer end of the strip, where elements are smallest
-            const Scalar trailing_ends = offset - (row_scale - scale), leading_ends = offset + (row_scale - scale);
             for (Eigen::Index c = 0; c <= n; ++c) {
-                for (const auto& place : rows.places) {
-                    const Scalar x =
-                        place.from_leading < 1
-                            ? leading_ends + (scale * along.edges_from_leading()[c] - row_scale * place.from_leading)
-                            : trailing_ends +
-                                  (row_scale * place.from_trailing - scale * along.edges_from_trailing()[c]);
-                    *entry++ = kernel.corner(x, y0) - kernel.corner(x, y1);
-                }
+                for (const auto& place : rows.places) *entry++ = pair.behind(place, c);
             }
-            const Scalar beside = j == k ? Scalar(0) : (std::min)(std::abs(y0), std::abs(y1));
             for (Eigen::Index c = 0; c < n; ++c) {
                 const RectangleInfluence<Scalar>* const trailing = table.data() + static_cast<std::size_t>(c) * height;
                 const RectangleInfluence<Scalar>* const leading = trailing + height;
-                const Scalar h = scale * along.widths()[c];
                 for (Eigen::Index r = 0; r < n; ++r) {
-                    const Eigen::Index row = j * n + r, column = k * n + c;
                     const std::size_t place = rows.behind[static_cast<std::size_t>(r)];
-                    if (quantity == Quantity::displacement) {
-                        result.set(row, column, trailing[place] - leading[place]);
-                        continue;
+                    RectangleInfluence<Scalar> influence = trailing[place] - leading[place];
+                    if (quantity == Quantity::slope) {
+                        const Scalar d = pair.row_scale() * rows.lengths[r];
+                        influence = (1 / d) * ((trailing[place + 1] - leading[place + 1]) - influence);
+                        influence = pair.slope(rows.points[r], d, c, influence);
                     }
-                    const Scalar d = row_scale * rows.lengths[r];
-                    if constexpr (requires { kernel.line_slope(d, y0, y1); }) {
-                        const Scalar x = offset + (row_scale * rows.points[r] - scale * along.centres()[c]);
-                        const Scalar distance = std::sqrt(x * x + beside * beside);
-                        if (MeanRule<Scalar>::is_better(d, h, y0 - y1, distance)) {
-                            result.set(row, column, MeanRule<Scalar>(d, h).slope(kernel, x, y0, y1, h));
-                            continue;
-                        }
-                    }
-                    result.set(
-                        row, column,
-                        (1 / d) * ((trailing[place + 1] - leading[place + 1]) - (trailing[place] - leading[place])));
+                    result.set(j * n + r, k * n + c, influence);
                 }
             }
         }
@@ -185,6 +278,7 @@ struct LateralSlope {
     const Kernel& kernel;
 
     RectangleInfluence<Scalar> corner(Scalar x, Scalar y) const { return kernel.corner_lateral_slope(x, y); }
+    Scalar coupling_integral(Scalar x, Scalar y) const { return kernel.corner(x, y).xy; }
     bool couples() const { return kernel.couples(); }
 };
 
