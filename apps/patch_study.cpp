@@ -78,12 +78,13 @@ Columns coefficients(const std::vector<std::string>& digits, bool complex, const
 }
 
 Sheet make_sheet(const Columns& before, bool harmonic, const Columns& behind) {
-    const Columns status{{"status",
-                          "ok; not_converged if some coefficients change by more than 7 % with half as many strips, or with "
-                          "half as many elements in each, or c23 and c32 differ by as much: these are empty. Compared "
-                          "are patches more than ten times longer than wide or wider than long, and with few elements "
-                          "or strips",
-                          &Found::word}};
+    const Columns status{
+        {"status",
+         "ok; not_converged if some coefficients change by more than 7 % with half as many strips, or with "
+         "half as many elements in each, or c23 and c32 differ by as much: these are empty. Compared "
+         "are patches more than ten times longer than wide or wider than long, and with few elements "
+         "or strips",
+         &Found::word}};
     const Columns columns = study::joined(
         study::joined(before,
                       coefficients({"11", "22", "23", "32", "33"}, harmonic, "Kalker's; empty if status is not ok")),

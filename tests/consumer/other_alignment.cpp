@@ -1,4 +1,4 @@
-// A unit with another alignment than that of rollbem::compiled, which the linker refuses.
-#include <rollbem/compiled/creep_force_table.hpp>
+// What every header of rollbem::compiled includes, in a unit with another alignment, which the linker refuses.
+#include <rollbem/compiled/detail/alignment.hpp>
 
 int main() {}

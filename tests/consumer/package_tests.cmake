@@ -34,8 +34,8 @@ add_consumer_test(compiled compiled "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=
 # A unit with another alignment is not linked, and the linker says why.
 add_test(NAME package.other_alignment
     COMMAND ${CMAKE_COMMAND} --build "${CMAKE_CURRENT_BINARY_DIR}/consumer/compiled" --target other_alignment)
-set_tests_properties(package.other_alignment PROPERTIES LABELS package DEPENDS package.compiled
-    FIXTURES_REQUIRED rollbem_prefix
+set_tests_properties(package.compiled PROPERTIES FIXTURES_SETUP rollbem_compiled_consumer)
+set_tests_properties(package.other_alignment PROPERTIES LABELS package FIXTURES_REQUIRED rollbem_compiled_consumer
     PASS_REGULAR_EXPRESSION "rollbem_compiled_has_another_eigen_alignment_compile_both_with_the_same_m_flags<128")
 add_consumer_test(subdirectory smallest -DROLLBEM_FROM=subdirectory ${no_gsl})
 add_consumer_test(fetch_content smallest -DROLLBEM_FROM=fetch ${no_gsl})

@@ -177,7 +177,7 @@ bool all_decay(const RollingSystem<Scalar>& system, Scalar middle, Scalar norm_G
     Matrix Y = identity, power = A, product;
     int doublings = 0;
     for (Scalar size = power.norm(); !(size < Scalar(0.5)); size = power.norm()) {
-        // a mode within rounding of the unit circle never decays; any other, (1 - eps)^(2^k), does before the last k
+        // the slowest mode that rounding leaves inside the unit circle has decayed by then
         if (++doublings > std::numeric_limits<Scalar>::digits + 10) return false;
         if (!(size < 1 / std::sqrt(std::numeric_limits<Scalar>::epsilon()))) return false;
         product.noalias() = Y * power;
@@ -200,8 +200,8 @@ StabilityResult<Scalar> find_eigenvalues(const RollingSystem<Scalar>& system, bo
     StabilityResult<Scalar> result;
     result.n = result.uncertain_count = n;
     QuasiTriangularPair<Scalar> pair;
-    if (!(system.G_prime().cwiseAbs().maxCoeff() >=
-          negligible<Scalar>)) {  // QZ, whose tolerances vanish, would not end
+    const Scalar largest_slope = system.G_prime().cwiseAbs().maxCoeff();
+    if (!(largest_slope >= negligible<Scalar>)) {  // QZ, whose tolerances vanish, would not end
         result.status = Status::ill_conditioned;
         return result;
     }

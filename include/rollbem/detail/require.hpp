@@ -40,14 +40,15 @@ void require_positive(const char* who, const char* quantity, Value value) {
     require(is_finite(value) && value > 0, who, quantity, value, "be positive and finite");
     require(value >= negligible<Value>, who, quantity, value, "be positive and finite, and not next to nothing");
 }
-/// The half-length of a contact, for products of it with a modulus and other sizes neither vanish nor overflow.
+/// The half-length of a contact, for products of it with a modulus and other sizes to stay finite. None is too small
+/// that a positive load may have.
 template <std::floating_point Value>
 void require_half_length(const char* who, Value value) {
     require_positive(who, "half_length", value);
     constexpr bool is_single = std::is_same_v<Value, float>;
-    constexpr Value least = is_single ? Value(1e-12F) : Value(1e-60), most = is_single ? Value(1e12F) : Value(1e60);
+    constexpr Value least = is_single ? Value(1e-18F) : Value(1e-120), most = is_single ? Value(1e12F) : Value(1e60);
     require(value >= least && value <= most, who, "half_length", value,
-            is_single ? "lie in [1e-12, 1e12]" : "lie in [1e-60, 1e60]");
+            is_single ? "lie in [1e-18, 1e12]" : "lie in [1e-120, 1e60]");
 }
 template <class Value>
 void require_not_negative(const char* who, const char* quantity, Value value) {

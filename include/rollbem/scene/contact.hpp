@@ -9,7 +9,7 @@
 
 namespace rollbem {
 
-/// Sizes and material of a contact area 2a x 2b. Invariant: 1e-60 <= a <= 1e60 (float: 1e-12 to 1e12), 0 < b <= inf,
+/// Sizes and material of a contact area 2a x 2b. Invariant: 1e-120 <= a <= 1e60 (float: 1e-18 to 1e12), 0 < b <= inf,
 /// 0 < G < inf, 0 <= nu <= 0.5.
 ///
 /// The contact is -a <= x <= a with the leading edge at x = +a and the trailing edge at x = -a. Any consistent set of

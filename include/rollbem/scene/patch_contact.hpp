@@ -15,7 +15,7 @@ namespace rollbem {
 /// Shape and material of a contact patch between two equal half-spaces. x is the rolling direction, y lies across it
 /// and z points into body 2, so that x, y, z are right-handed.
 ///
-/// Invariant: 1e-60 <= a <= 1e60 (float: 1e-12 to 1e12), 0 < b, G < inf, 0 <= nu <= 0.5, and a/b and its inverse are
+/// Invariant: 1e-120 <= a <= 1e60 (float: 1e-18 to 1e12), 0 < b, G < inf, 0 <= nu <= 0.5, and a/b and its inverse are
 /// finite.
 template <class Scalar_ = double>
 class PatchContact {

@@ -190,8 +190,8 @@ public:
 
     /// The forces of one wheel under a vertical load [N] with the coefficient of friction mu. Lateral shift and yaw of
     /// `position` count; vertical speed and roll rate are those that the vehicle has, for one that follows its rails
-    /// those of on_rails(). N follows from the load, N cos delta - F_s sin delta, by Newton's method. Does not
-    /// allocate.
+    /// those of on_rails(). N follows from the load, N cos delta - F_s sin delta, by Newton's method. A point that carries
+    /// less than 1e-100 N carries none; above 1e150 N the status is invalid_load. Does not allocate.
     template <std::same_as<double> Scalar = double>  // for rollbem::compiled
     WheelForces look_up(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
                         const WheelsetSpeeds& speeds, double load, double friction_coefficient) const noexcept;
@@ -338,7 +338,8 @@ WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide sid
     for (const double input : inputs) {
         if (!detail::is_finite(input)) return result;
     }
-    if (!(load >= 0 && friction_coefficient >= 0)) {
+    constexpr double least = 1e-100, most = 1e150;  // [N]: less is none, and under more an ellipse has no size
+    if (!(load >= 0 && load <= most && friction_coefficient >= 0)) {
         result.status = StepStatus::invalid_load;
         return result;
     }
@@ -366,7 +367,7 @@ WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide sid
         const auto first = static_cast<Eigen::Index>(k) * point_rows;
         Dual part = dual(sample<1>(at, first + share), 0);
         if (part.value() > 1) part = Dual(1, Gradient::Zero());
-        if (!(part.value() > 0) || load == 0) continue;
+        if (!(part.value() > 0) || part.value() * load < least) continue;
         const auto rows_of = sample<whole_packets>(at, first);
         const auto point = [&](Eigen::Index row) { return dual(rows_of, row); };
         WheelForces::Point& found = result.points[k];

@@ -13,8 +13,8 @@ namespace rollbem::detail {
 
 /// r(w) = 1 + sum_j b_j y^j, y = part w / (1 - part w): what the integrator makes of e^w. With stages it is
 /// 1/(1 - w) or (1 + (1 - 2 part) w)/(1 - part w)^2. The matrix exponential has the Taylor series of e^w in y, whose
-/// coefficients are Laguerre polynomials of 1/part. It is truncated after the eighth term, where 1/part is a zero of the
-/// Laguerre polynomial of that degree, which makes r(-inf) = 0 (Noersett 1974; Hairer & Wanner II, IV.6).
+/// coefficients are Laguerre polynomials of 1/part. It is truncated after the eighth term, where 1/part is a zero of
+/// the Laguerre polynomial of that degree, which makes r(-inf) = 0 (Noersett 1974; Hairer & Wanner II, IV.6).
 template <class Scalar>
 struct RationalExponential {
     explicit RationalExponential(Integrator integrator) {

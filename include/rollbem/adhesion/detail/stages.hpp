@@ -36,8 +36,8 @@ auto in_columns(Unknowns&& unknowns) requires(!std::is_const_v<std::remove_refer
 ///
 ///     M(a_k) y_k - g (dq + da zeta) G' y_k = U_old + carried - g inputs v dq,    carried = ratio (U_1 - U_old)
 ///
-/// with ratio = (1-g)/g, where `carried` occurs in the last of two stages. It is solved for y_k - y_old, so that short steps keep their
-/// digits.
+/// with ratio = (1-g)/g, where `carried` occurs in the last of two stages. It is solved for y_k - y_old, so that short
+/// steps keep their digits.
 template <int k, class Scalar>
 class AdhesionStages {
 public:
@@ -57,8 +57,8 @@ public:
     }
 
     /// From the unknowns `old` at the semi-axes `from`. at(place) are the equations of the stage at that StagePlace;
-    /// `varies`: the semi-axes change. `inputs` times the travel is in the unit of y. Of the derivatives with respect to the semi-axes at the end `axes` are computed: 0,
-    /// 1 (by the half-length) or 2.
+    /// `varies`: the semi-axes change. `inputs` times the travel is in the unit of y. Of the derivatives with respect
+    /// to the semi-axes at the end `axes` are computed: 0, 1 (by the half-length) or 2.
     template <class EquationsAt>
     void solve(std::uint64_t model, const EquationsAt& at, const MatrixX<Scalar>& inputs,
                const StageTable<Scalar>& table, const SemiAxes<Scalar>& from, bool varies, const Vector& old,

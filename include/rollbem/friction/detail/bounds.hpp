@@ -177,8 +177,8 @@ public:
         return outcome.solution;
     }
 
-    /// dp in the stage solved last caused by a change dc, by a change of the pressures, `progress` times pressure_change,
-    /// and in the second stage by the response of the first, kept by carry_response().
+    /// dp in the stage solved last caused by a change dc, by a change of the pressures, `progress` times
+    /// pressure_change, and in the second stage by the response of the first, kept by carry_response().
     void respond(Solver& solver, const Vectors& change, Vectors& traction_change, std::size_t parameter,
                  const Vector* pressure_change = nullptr, Scalar progress = 1) noexcept {
         SlipDependentChange<Slip> changes{change};

@@ -323,13 +323,13 @@ private:
         if (motion.has_rows()) {
             constant += factor * (1 - progress) * motion.start_rows() + factor * progress * motion.end_rows();
         }
-        // without creepage tractions decay for ever; their rounding, by which solutions are judged, ends at 0
+        // without creepage tractions decay for ever, but the rounding that solutions are judged by vanishes earlier
         const bool has_decayed = constant.cwiseAbs().maxCoeff() < negligible<Scalar> && all_finite(constant);
         if (has_decayed) constant.setZero();
     }
 
-    // One stage, c = factor motion - displacement, at these semi-axes, with the motion after `progress` of the step; its
-    // slip is weighted by `weight`. The next stage is sought from its tractions.
+    // One stage, c = factor motion - displacement, at these semi-axes, with the motion after `progress` of the step.
+    // Its slip is weighted by `weight`. The next stage is sought from its tractions.
     void solve_stage(Bounds& bounds, const Motion& motion, Scalar progress, Scalar factor,
                      const std::vector<Zone>& zones, Scalar weight, const Axes& axes, Scratch& scratch,
                      Summary& summary) const {
