@@ -110,7 +110,7 @@ static void test_hertz(void) {
     expect(fabs(c[0] / 4.12 - 1) < 0.01 && fabs(c[1] / 3.67 - 1) < 0.01 && fabs(c[2] / 1.47 - 1) < 0.02,
            "Kalker's table at a/b = 1"); /* Kalker 1990, Appendix E: two decimals */
     expect(rollbem_kalker(0.01, 0.28, 12, c) == ROLLBEM_OK && fabs(c[2] / 0.242 - 1) < 0.01, "a wide ellipse");
-    expect(rollbem_kalker(50, 0.5, 12, c) != ROLLBEM_OK && c[0] > 0 && is_nan(c[4]), "what few elements do not give");
+    expect(rollbem_kalker(50, 0.28, 12, c) != ROLLBEM_OK && c[0] > 0 && is_nan(c[4]), "what few elements do not give");
 }
 
 static rollbem_patch *patch;

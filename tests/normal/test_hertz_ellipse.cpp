@@ -281,10 +281,10 @@ TEST_CASE("Bodies that make no ellipse are refused by name", "[hertz]") {
     CHECK_THAT(told([](auto& p) { p.body_2.young_modulus = -1; }), ContainsSubstring("young_modulus = -1"));
     CHECK_THAT(refusal([] { HertzEllipse<double>(wheel_on_rail()).under(-1); }), ContainsSubstring("load = -1"));
     // sizes and pressures beyond double precision
-    CHECK_THAT(told([](auto& p) { p.load = p.radii_1.rolling = 1e-300; }),
+    CHECK_THAT(told([](auto& p) { p.load = p.radii_1.rolling = 1e-290; }),
                ContainsSubstring("peak pressure = inf must"));
     CHECK_THAT(refusal([] { HertzEllipse<double>(wheel_on_rail()).under(5e-324); }),
-               ContainsSubstring("semi-axis = 0"));
+               ContainsSubstring("load = 4.94065645841e-324 must"));
     CHECK_THAT(refusal([] {
                    const PatchContact<double> contact({1e-3, 1e-3, 1, 0});
                    hertz_pressures(contact, patch_mesh(contact, 4, 4), 1e305);
