@@ -317,8 +317,8 @@ private:
         half_width_ = now.semi_axes[1];
     }
 
-    // No load, or one so small that the contact under it has no size in double precision.
-    bool lifted(Scalar load) const { return load >= 0 && load / ellipse_->load() < std::numeric_limits<Scalar>::min(); }
+    // No load, or next to none.
+    bool lifted(Scalar load) const { return load >= 0 && load / ellipse_->load() < Scalar(1e-100); }
 
     // Without a load of that under largest_load.
     rollbem::PatchContact<Scalar> contact_under(Scalar load) const {

@@ -41,8 +41,8 @@ enum class StepStatus {
     /// with friction that depends on slip without a memory.
     no_solution,
     not_finite,    ///< the motion or the result is NaN or infinite
-    invalid_step,  ///< the distance rolled is not positive (at least 1e-292) and finite; for a rigid shift it may be 0.
-                   ///< Or the model's system has G' alone, which knows steady rolling only
+    invalid_step,  ///< the distance rolled is not positive and finite, or below 1e-292 (for a rigid shift: negative or
+                   ///< not finite), or the model's system has G' alone, which knows steady rolling only
     wrong_state,   ///< a state or workspace of another system, or the same object as `from` and `to`
     invalid_load,  ///< a pressure is negative or not finite, their number is not that of the elements, or the
                    ///< half-length is not positive and finite

@@ -98,7 +98,7 @@ public:
     /// Whether it can be used with a distance rolled dq, in any unit, and, if it has rows, with this number of
     /// elements: ok, invalid_step or not_finite.
     StepStatus check(Scalar dq, Eigen::Index row_count = 0) const noexcept {
-        const bool possible = dq >= detail::negligible<Scalar> || (is_shift() && dq == 0);
+        const bool possible = is_shift() ? dq >= 0 : dq >= detail::negligible<Scalar>;
         if (!detail::is_finite(dq) || !possible) return StepStatus::invalid_step;
         return check_rows(row_count);
     }
