@@ -137,7 +137,7 @@ inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const 
                         detail::is_finite(grid.x_0) && detail::is_finite(grid.y_0);
     if (!finite || !(grid.dx > 0 && grid.dy > 0)) return without({}, grid);
     const double least = h.minCoeff(), cell = grid.dx * grid.dy;
-    const auto vanishes = [](double x) { return !(x >= std::numeric_limits<double>::min()); };
+    const auto vanishes = [](double x) { return !(x >= (std::numeric_limits<double>::min)()); };
     Solution none;
     none.approach = approach;
     none.status = Status::no_contact;

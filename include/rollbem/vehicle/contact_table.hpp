@@ -376,7 +376,7 @@ WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide sid
         const Dual v_y = input(WheelForces::lateral_speed) + w_z * r_x - w_x * r_z,
                    v_z = input(WheelForces::vertical_speed) + w_x * r_y - w_y * r_x;
         const Dual reference = (input(WheelForces::forward) - rate * r) * 0.5;
-        if (!(reference.value() >= std::numeric_limits<double>::min())) {
+        if (!(reference.value() >= (std::numeric_limits<double>::min)())) {
             result.status = StepStatus::invalid_step;
             return result;
         }

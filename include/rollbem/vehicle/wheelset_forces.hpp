@@ -106,7 +106,7 @@ inline PatchForce patch_force(const RailPatch& patch, const WheelsetPosition& at
         return image;
     }
     const Creepage<double> creepage = creepage_of(patch, at, speeds, dimensions.radius);
-    const bool rolls = rolling >= std::numeric_limits<double>::min() && detail::is_finite(creepage);
+    const bool rolls = rolling >= (std::numeric_limits<double>::min)() && detail::is_finite(creepage);
     if (detail::is_finite(speeds) && !rolls) {
         return {.force = {0, 0, 0}, .slip_work = 0, .status = StepStatus::invalid_step};
     }

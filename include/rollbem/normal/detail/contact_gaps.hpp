@@ -61,8 +61,8 @@ public:
     }
 
 private:
-    static constexpr int most = 12;                   // steps of Newton's method
-    static constexpr double tiny = 1e-8, far = 1e-2;  // [m]
+    static constexpr int most = 12;                     // steps of Newton's method
+    static constexpr double tiny = 1e-8, apart = 1e-2;  // [m]
 
     // Surfaces may be steeper than 84 degrees in the plane for a while, not where they are found.
     static double step(const ContactPlane& plane, const CurvePoint& p, double off) {
@@ -103,7 +103,7 @@ private:
             gaps.known(i, j) = (std::max)(rail_known, wheel_known);
             const bool known = gaps.known(i, j) == Status::ok;
             gaps.all_known = gaps.all_known && known;
-            gaps.h(i, j) = known ? n_rail - n_wheel : far;
+            gaps.h(i, j) = known ? n_rail - n_wheel : apart;
         }
     }
 

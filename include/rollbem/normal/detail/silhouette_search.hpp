@@ -36,7 +36,7 @@ public:
             find_feet(touch_);
             const Sample* deepest = nullptr;
             for (const Sample& sample : samples_) {
-                if (sample.near && (deepest == nullptr || sample.foot.depth > deepest->foot.depth)) deepest = &sample;
+                if (sample.close && (deepest == nullptr || sample.foot.depth > deepest->foot.depth)) deepest = &sample;
             }
             if (deepest == nullptr) break;
             const double change = deepest->foot.depth / (std::max)(std::cos(deepest->foot.angle()), 0.05);
@@ -53,7 +53,7 @@ public:
         constexpr double most = 1e-3;
         return std::any_of(samples_.begin(), samples_.end(), [this](const Sample& sample) {
             const double below = sample.z + height_ - geometry_->index().top(sample.y);
-            return below > most && (!sample.near || sample.foot.depth > most);
+            return below > most && (!sample.close || sample.foot.depth > most);
         });
     }
 
@@ -63,7 +63,7 @@ public:
         std::vector<Run> runs;
         for (std::size_t i = 0; i < samples_.size(); ++i) {
             const Sample& sample = samples_[i];
-            if (!sample.near || !sample.foot.inside || !(sample.foot.depth > 0)) continue;
+            if (!sample.close || !sample.foot.inside || !(sample.foot.depth > 0)) continue;
             const bool goes_on = !runs.empty() && runs.back().last + 1 == i &&
                                  std::abs(sample.foot.s - samples_[i - 1].foot.s) < joined_distance;
             if (goes_on) {
@@ -86,7 +86,7 @@ private:
     // A point of the wheel's silhouette at height 0 and, at the last height asked for, its foot if that is near.
     struct Sample {
         double s, y, z, normal_y, normal_z;
-        bool at_border, near;
+        bool at_border, close;
         Foot foot;
     };
     struct Run {
@@ -123,18 +123,18 @@ private:
     void find_feet(double height) {
         height_ = height;
         // Samples that were far above the rail stay so while the height changes by less.
-        constexpr double far = 4e-4;
-        const bool anew = !(std::abs(height - searched_at_) < far);
+        constexpr double out_of_reach = 4e-4;
+        const bool anew = !(std::abs(height - searched_at_) < out_of_reach);
         if (anew) searched_at_ = height;
         for (Sample& sample : samples_) {
             const double z = sample.z + height;
             if (anew) {
                 const SurfaceSample* rail = geometry_->index().facing(sample.y, z, sample.normal_y, sample.normal_z);
-                sample.near = rail != nullptr;
-                if (sample.near) sample.foot.s = rail->s;
+                sample.close = rail != nullptr;
+                if (sample.close) sample.foot.s = rail->s;
             }
-            if (sample.near) sample.foot = foot_on_rail(*geometry_, 0, sample.foot.s, 0, sample.y, z);
-            if (anew) sample.near = sample.near && sample.foot.depth > -far;
+            if (sample.close) sample.foot = foot_on_rail(*geometry_, 0, sample.foot.s, 0, sample.y, z);
+            if (anew) sample.close = sample.close && sample.foot.depth > -out_of_reach;
         }
     }
 
@@ -151,9 +151,9 @@ private:
     void join(std::vector<Run>& runs) const {
         for (std::size_t k = 1; k < runs.size();) {
             const Sample &here = samples_[runs[k - 1].last], &next = samples_[runs[k].first];
-            const bool near =
+            const bool close =
                 next.s - here.s < joined_distance && std::abs(next.foot.s - here.foot.s) < joined_distance;
-            if (near && std::abs(mean_angle_of(runs[k]) - mean_angle_of(runs[k - 1])) < joined_angle) {
+            if (close && std::abs(mean_angle_of(runs[k]) - mean_angle_of(runs[k - 1])) < joined_angle) {
                 runs[k - 1].last = runs[k].last;
                 runs.erase(runs.begin() + std::ptrdiff_t(k));
             } else {
