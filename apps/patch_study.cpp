@@ -80,10 +80,9 @@ Columns coefficients(const std::vector<std::string>& digits, bool complex, const
 Sheet make_sheet(const Columns& before, bool harmonic, const Columns& behind) {
     const Columns status{
         {"status",
-         "ok; not_converged if some coefficients change by more than 7 % with half as many strips, or with "
-         "half as many elements in each, or c23 and c32 differ by as much: these are empty. Compared "
-         "are patches more than ten times longer than wide or wider than long, and with few elements "
-         "or strips",
+         "ok; not_converged if some coefficients change by more than 7 % on other meshes, or c23 and c32 differ by as "
+         "much: these are empty. Other meshes are half as fine in one direction (patches more than ten times longer "
+         "than wide, outlines), or finer (fewer than 8 elements or strips)",
          &Found::word}};
     const Columns columns = study::joined(
         study::joined(before,
