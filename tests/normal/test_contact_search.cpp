@@ -238,6 +238,38 @@ TEST_CASE("contact_search: a cylinder on a plane, a crown on a roller: Hertz wit
     }
 }
 
+TEST_CASE("contact_search: surfaces that do not change along the way are plain ones, far ahead of the axle, too",
+          "[profiles]") {
+    const Profile arc = piece(-0.03, 0.03, 401, [](double y) { return crown(y, 0.3); });
+    const Profile tread = piece(-0.06, 0.06, 241, [](double y) { return -y / 20; });
+    const auto alike = [](const Profile& profile, double from, double to) {
+        return Sections({{from, profile, {}}, {(from + to) / 2, profile, {}}, {to, profile, {}}},
+                        Sections::Interpolation::through);
+    };
+    const RailSurface rails[] = {arc, RailSurface::roller(arc, 1e6), alike(arc, -1, 1)};
+    const WheelSurface wheels[] = {tread, alike(tread, -pi, pi)};
+    const WheelOnRail plain(tread, arc, above);
+    WheelOnRail::Workspace workspace;
+    for (const double yaw : {0.0, -0.2}) {
+        const WheelsetPosition at{.lateral = 2e-3, .yaw = yaw, .along = 0.1, .pitch = 1};
+        const auto same = plain.solve_for_load(at, 5e4, workspace);
+        REQUIRE(same.status == Status::ok);
+        for (const RailSurface& rail : rails) {
+            for (const WheelSurface& wheel : wheels) {
+                const auto contact = WheelOnRail(wheel, rail, above).solve_for_load(at, 5e4, workspace);
+                CAPTURE(yaw, rail.has_sections(), rail.roller_radius(), wheel.is_round(), name(contact.status));
+                REQUIRE(contact.patches.size() == 1);
+                const RailPatch &one = contact.patches[0], &other = same.patches[0];
+                CHECK(contact.height == Approx(same.height).margin(1e-3 * other.approach));
+                CHECK(one.x == Approx(other.x).margin(1e-4));
+                CHECK(one.y == Approx(other.y).margin(1e-5));
+                CHECK(one.load == Approx(other.load).epsilon(1e-4));
+                CHECK(one.peak_pressure == Approx(other.peak_pressure).epsilon(3e-3));
+            }
+        }
+    }
+}
+
 TEST_CASE("contact_search: a wheel stands on the chord of its flat", "[profiles]") {
     constexpr double half = 0.05, r = 0.46;  // of the flat's angle
     std::vector<Section> sections;
@@ -343,7 +375,7 @@ TEST_CASE("contact_search: loads are carried and no contact is lost in random po
             distances = Distances(wheel);
         }
         const WheelsetPosition at{0.012 * uniform(random), 0, 5e-3 * uniform(random), 0.03 * uniform(random)};
-        const double load = 6e4 * std::pow(10, uniform(random) / 2);
+        const double load = 1e5 * std::pow(10, uniform(random));
         const auto contact = wheel.solve_for_load(at, load, workspace, {.cells_x = 24, .cells_s = 16});
         ++statuses[name(contact.status)];
         CAPTURE(k, at.lateral, at.roll, at.yaw, load, name(contact.status));
@@ -359,15 +391,15 @@ TEST_CASE("contact_search: loads are carried and no contact is lost in random po
             vertical += patch.load * std::cos(patch.angle);
         }
         CHECK(sound);
-        const bool has_crumbs = std::abs(vertical / load - 1) > 1.01e-6;
-        CHECK(vertical == Approx(load).epsilon(2e-3));
+        CHECK(vertical + contact.dropped == Approx(load).epsilon(1.01e-6));
+        CHECK(contact.dropped <= 2e-3 * load);
         const double gap = least_gap(wheel, distances, at, contact);
         deepest = std::min(deepest, gap);
         // some hundredths of the depth are what cells leave between their centres, of the second order in their size
         double depth = 0;
         for (const RailPatch& patch : contact.patches) depth = std::max(depth, patch.approach);
         const double rough_share = contact.status == Status::doubtful_plane ? 0.1 : 0.04;
-        CHECK(gap > (has_crumbs ? -3e-6 : -1e-6) - rough_share * depth);
+        CHECK(gap > (contact.dropped > 1e-9 * load ? -3e-6 : -1e-6) - rough_share * depth);
     }
     std::string text = "deepest " + std::to_string(1e6 * deepest) + " um, ";
     for (const auto& [status, times] : statuses) text += status + " " + std::to_string(times) + ", ";

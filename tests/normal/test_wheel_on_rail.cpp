@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -369,56 +368,6 @@ TEST_CASE("wheel_on_rail: a cylinder on a round rail is Hertz's contact", "[prof
     CHECK(rows.col(0).cwiseAbs().maxCoeff() < 1e-7);  // the deepest of the cells' centres; 3e-5 on the head
     for (Eigen::Index i = 0; i < 3; ++i)
         CHECK(rows(i, 1) == Approx(x[i] / 0.46 * s[i] / (2 * R)).epsilon(3e-2).margin(1e-9));
-}
-
-/// Hollows and bumps of up to a millimetre, some 20 mm wide.
-Profile worn(const Profile& profile, std::mt19937_64& random) {
-    std::uniform_real_distribution<double> uniform(-1, 1);
-    Eigen::ArrayXd z = profile.z();
-    for (int k = 0; k < 3; ++k) {
-        const double depth = 5e-4 * uniform(random), middle = 0.03 * uniform(random),
-                     width = 0.008 + 0.004 * uniform(random);
-        z += depth * (-((profile.y() - middle) / width).square()).exp();
-    }
-    return {profile.y(), z};
-}
-
-// ROLLBEM_POSITIONS=100000 draws so many positions; some 20 ms each
-TEST_CASE("wheel_on_rail: a result or a status in random positions, and the load is carried", "[profiles]") {
-    const char* const given = std::getenv("ROLLBEM_POSITIONS");
-    const int count = given != nullptr ? std::atoi(given) : 60;
-    std::mt19937_64 random(41);
-    std::uniform_real_distribution<double> uniform(-1, 1);
-    WheelOnRail::Workspace workspace;
-    std::map<std::string, int> statuses;
-    WheelOnRail wheel = standard();
-    for (int k = 0; k < count; ++k) {
-        if (k % 10 == 0)
-            wheel = k % 20 == 0 ? standard() : WheelOnRail(worn(s1002(), random), worn(rail_uic60(), random));
-        const WheelsetPosition position{0.012 * uniform(random), 0, 5e-3 * uniform(random), 0.03 * uniform(random)};
-        const double load = 1e5 * std::pow(10, uniform(random));
-        const auto contact = wheel.solve_for_load(position, load, workspace);
-        ++statuses[name(contact.status)];
-        CAPTURE(k, position.lateral, position.roll, position.yaw, load, name(contact.status));
-        CHECK(contact.status != Status::not_finite);
-        CHECK(contact.status != Status::not_converged);
-        if (!has_numbers(contact.status)) continue;
-        double vertical = 0;
-        bool sound = true;
-        for (const RailPatch& patch : contact.patches) {
-            sound = sound && (patch.pressure >= 0).all() && patch.pressure.allFinite() && patch.outline.has_value() &&
-                    patch.residual <= 1e-6 && patch.area > 0 && patch.peak_pressure > 0 && detail::is_finite(patch.x) &&
-                    detail::is_finite(patch.y) && detail::is_finite(patch.z) && detail::is_finite(patch.angle);
-            vertical += patch.load * std::cos(patch.angle);
-        }
-        CHECK(sound);
-        CHECK(vertical == Approx(load).epsilon(1.01e-6));
-    }
-    std::string text;
-    for (const auto& [status, times] : statuses) text += status + " " + std::to_string(times) + ", ";
-    INFO(text);
-    if (given != nullptr) WARN(text);
-    CHECK(statuses["ok"] + statuses["doubtful_plane"] > 0.98 * count);
 }
 
 TEST_CASE("wheelset_on_track: both wheels carry their loads; mirrored positions are mirror images", "[profiles]") {

@@ -38,16 +38,13 @@ namespace detail {
 /// The place of the rail in the track: where its inner side is narrowest down to gauge_depth below its top, the gauge
 /// is; the top is at z = 0 (EN 13848-1).
 inline TrackDimensions::Origin origin_by_gauge(const Profile& rail, const TrackDimensions& d) {
-    Eigen::Index top = 0;
-    rail.z().minCoeff(&top);
-    const auto slope_z = [&](double s) { return rail.at(s).slope[1]; };
     const auto root = [](double low, double high, const auto& rises) {
         for (int k = 0; k < 60; ++k) (rises((low + high) / 2) ? low : high) = (low + high) / 2;
         return low;
     };
-    const double before = rail.s()[(std::max)(top - 1, Eigen::Index(0))],
-                 after = rail.s()[(std::min)(top + 1, rail.size() - 1)];
-    const double s_top = root(before, after, [&](double s) { return slope_z(s) < 0; }), z_top = rail.at(s_top).z;
+    Eigen::Index top = 0;
+    rail.z().minCoeff(&top);
+    const double z_top = rail.at(highest_place(rail)).z;
     // from the top inwards, as far as the depth
     Eigen::Index below = top;
     while (below > 0 && rail.z()[below] - z_top < d.gauge_depth) --below;

@@ -102,13 +102,7 @@ Profile sampled(double from, double to, double step, const Height& height) {
 /// A rail of this half-width [mm], canted, its highest point at y = z = 0.
 inline Profile canted_rail(const RailHead& head, double half_width, double cant) {
     const Profile canted = sampled(-half_width, half_width, 0.1, head).moved(-cant, 0, 0);
-    // the highest point, where z' = 0
-    double low = 0.3 * canted.length(), high = 0.7 * canted.length();
-    for (int k = 0; k < 60; ++k) {
-        const double middle = (low + high) / 2;
-        (canted.at(middle).slope[1] < 0 ? low : high) = middle;
-    }
-    const Profile::Point top = canted.at(low);
+    const Profile::Point top = canted.at(highest_place(canted));
     return canted.moved(0, -top.y, -top.z);
 }
 

@@ -113,7 +113,7 @@ private:
 };
 
 /// A wheel in its place on the track, with the wheelset at height 0: curves at constant x, and the silhouette that a
-/// round wheel shows to a straight rail, where its normal has no component along x (NORMAL.md's locus).
+/// round wheel shows to a straight rail, where its normal has no component along x.
 class PlacedWheel {
 public:
     /// `origin` [m]: of the profile from the middle of the axle; `radius`: r0 [m].
@@ -138,6 +138,7 @@ public:
 
     const WheelSurface& surface() const { return *surface_; }
     double radius() const { return radius_; }
+    double middle_x() const { return -sin_yaw_ * origin_; }  ///< x of the tape circle's lowest point [m]
 
     /// Of a round wheel.
     Place silhouette(double s) const {

@@ -60,6 +60,7 @@ public:
     struct Contact {
         double height = 0;                   ///< z_ws [m] at which the load is carried
         std::vector<RailPatch> patches;      ///< by decreasing load
+        double dropped = 0;                  ///< vertical load of crumbs that are no patches [N]
         Status status = Status::not_finite;  ///< that of the worst patch
     };
 
@@ -161,8 +162,11 @@ inline Status WheelOnRail::settle_height(Parts& parts, double load, bool first, 
 inline void WheelOnRail::collect(const Parts& parts, double lower, Contact& contact) {
     contact.height = parts.height() + lower;
     contact.patches = parts.patches(lower);
+    contact.dropped = parts.carried();
+    for (const RailPatch& patch : contact.patches) contact.dropped -= patch.load * std::cos(patch.angle);
     contact.status = contact.patches.empty() ? Status::no_contact : Status::ok;
     for (const RailPatch& patch : contact.patches) contact.status = (std::max)(contact.status, patch.status);
+    contact.status = (std::max)(contact.status, parts.failure());
     if (parts.is_too_deep()) contact.status = (std::max)(contact.status, Status::too_deep);
 }
 

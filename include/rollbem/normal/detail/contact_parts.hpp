@@ -23,7 +23,7 @@
 namespace rollbem::detail {
 
 /// How much of the displacement under one patch another one sees whose normal differs by an angle: 1 in one plane. Fitted
-/// to finite elements of rail and wheel to within 0.1 up to 30 mm, 0.15 beyond (REAL.md's 43 pairs).
+/// to finite elements of rail and wheel (docs/profiles.md).
 inline double interaction(double angle) { return (std::max)(0.0, 1 - 1.4 * (1 - std::cos(angle))); }
 
 /// What a contact is solved with.
@@ -125,7 +125,9 @@ public:
     std::optional<double> lower_until(double load) {
         if (parts_.empty()) return std::nullopt;
         if (parts_.size() == 1) {
+            constexpr double wall = 1e-3;  // a cosine: what stands so steep carries nothing
             ContactPart& part = parts_[0];
+            if (!(part.plane.cosine > wall)) return std::nullopt;
             part.solution =
                 normal_[0].carry(part.grid, part.gaps.h, load / part.plane.cosine, settings_.tolerance, true);
             return part.solution.approach / part.plane.cosine;
@@ -169,6 +171,16 @@ public:
         return false;
     }
 
+    /// Why a part has no pressures although it touches: ok if there is none.
+    Status failure() const {
+        Status worst = Status::ok;
+        for (const ContactPart& part : parts_) {
+            const Status status = part.solution.status;
+            if (!(part.solution.load > 0) && status != Status::no_contact) worst = (std::max)(worst, status);
+        }
+        return worst;
+    }
+
     /// By decreasing load, with the wheel lower than the gaps say.
     std::vector<RailPatch> patches(double lower) const {
         constexpr double crumb = 1e-3;  // of the normal forces
@@ -177,7 +189,7 @@ public:
         std::vector<RailPatch> found;
         for (std::size_t k = 0; k < parts_.size(); ++k) {
             const ContactPart& part = parts_[k];
-            if (!(part.solution.load > 0) && part.solution.status == Status::no_contact) continue;
+            if (!(part.solution.load > 0)) continue;
             add_patches(
                 *geometry_, at_,
                 {part.plane, part.grid, part.gaps, part.solution, normal_[k].pressure(), lower * part.plane.cosine},

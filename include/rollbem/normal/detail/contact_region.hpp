@@ -148,15 +148,31 @@ inline ContactPlane plane_of(const ContactGeometry& geometry, const Region& regi
 /// 20 degrees.
 constexpr double joined_distance = 4e-3, joined_angle = 20 * std::numbers::pi / 180;
 
-/// The mean angle of a region's surface.
-inline double mean_angle(const Region& region) {
+/// The mean angle of the rail's surface at the feet of cuts or samples [rad], weighted by a power of their depths.
+template <class Iterator>
+double mean_angle(Iterator first, Iterator last, double power) {
     double sum = 0, angle = 0;
-    for (const SurfaceCut& cut : region.cuts) {
-        const double weight = std::pow((std::max)(cut.foot.depth, 0.0), region.power);
+    for (; first != last; ++first) {
+        const double weight = std::pow((std::max)(first->foot.depth, 0.0), power);
         sum += weight;
-        angle += weight * cut.foot.angle();
+        angle += weight * first->foot.angle();
     }
     return sum > 0 ? angle / sum : 0;
+}
+
+/// The height at which the wheel's deepest point is on the rail's surface, from a first guess; deepest(height) returns
+/// its foot, or nullptr if no point is near the rail, where the search ends.
+template <class Deepest>
+double touching_height(double height, const Deepest& deepest) {
+    constexpr double enough = 1e-8, steepest = 0.05;
+    for (int k = 0; k < 20; ++k) {
+        const Foot* const foot = deepest(height);
+        if (foot == nullptr) break;
+        const double change = foot->depth / (std::max)(std::cos(foot->angle()), steepest);
+        height -= change;
+        if (std::abs(change) < enough) break;
+    }
+    return height;
 }
 
 }  // namespace rollbem::detail

@@ -32,17 +32,14 @@ public:
         if (lowest == nullptr) return is_whole_ ? Status::no_contact : Status::undefined_section;
         if (lowest->at_border) return Status::undefined_section;
         // the highest points of the rail are known to the distance of its samples
-        for (int k = 0; k < 20; ++k) {
-            find_feet(touch_);
-            const Sample* deepest = nullptr;
+        touch_ = touching_height(touch_, [this](double height) {
+            find_feet(height);
+            const Foot* deepest = nullptr;
             for (const Sample& sample : samples_) {
-                if (sample.close && (deepest == nullptr || sample.foot.depth > deepest->foot.depth)) deepest = &sample;
+                if (sample.close && (deepest == nullptr || sample.foot.depth > deepest->depth)) deepest = &sample.foot;
             }
-            if (deepest == nullptr) break;
-            const double change = deepest->foot.depth / (std::max)(std::cos(deepest->foot.angle()), 0.05);
-            touch_ -= change;
-            if (std::abs(change) < 1e-8) break;
-        }
+            return deepest;
+        });
         return Status::ok;
     }
 
@@ -139,13 +136,8 @@ private:
     }
 
     double mean_angle_of(const Run& run) const {
-        double sum = 0, angle = 0;
-        for (std::size_t i = run.first; i <= run.last; ++i) {
-            const double weight = std::pow(samples_[i].foot.depth, 2.5);
-            sum += weight;
-            angle += weight * samples_[i].foot.angle();
-        }
-        return angle / sum;
+        return mean_angle(samples_.begin() + std::ptrdiff_t(run.first), samples_.begin() + std::ptrdiff_t(run.last) + 1,
+                          Region{}.power);
     }
 
     void join(std::vector<Run>& runs) const {

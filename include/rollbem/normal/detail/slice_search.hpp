@@ -31,17 +31,17 @@ public:
         }
         if (!is_finite(touch_)) return Status::no_contact;
         find_valleys();
-        for (int k = 0; k < 20; ++k) {
-            const Point* deepest = nullptr;
+        bool found = false;
+        touch_ = touching_height(touch_, [&](double height) {
+            const Foot* deepest = nullptr;
             for (Point& valley : valleys_) {
-                descend(valley, touch_);
-                if (deepest == nullptr || valley.foot.depth > deepest->foot.depth) deepest = &valley;
+                descend(valley, height);
+                if (deepest == nullptr || valley.foot.depth > deepest->depth) deepest = &valley.foot;
             }
-            if (deepest == nullptr) return Status::undefined_section;
-            const double change = deepest->foot.depth / (std::max)(std::cos(deepest->foot.angle()), 0.05);
-            touch_ -= change;
-            if (std::abs(change) < 1e-8) break;
-        }
+            found = deepest != nullptr && is_finite(deepest->depth);
+            return found ? deepest : nullptr;
+        });
+        if (!found) return Status::undefined_section;
         keep_different();
         return Status::ok;
     }
@@ -78,7 +78,7 @@ public:
     }
 
 private:
-    static constexpr double half_range = 0.1, slice_distance = 4e-3;  // along x [m]
+    static constexpr double half_range = 0.1, slice_distance = 4e-3;  // along x, about the wheel's middle [m]
 
     struct Slice {
         double x;
@@ -100,7 +100,7 @@ private:
         const WheelSurface& wheel = placed_->surface();
         for (int k = -half; k <= half; ++k) {
             Slice& slice = slices_[std::size_t(k + half)];
-            slice.x = k * slice_distance;
+            slice.x = placed_->middle_x() + k * slice_distance;
             slice.rail.build(geometry_->rail_samples(track_x_ + slice.x));
             slice.wheel.clear();
             for (std::size_t part = 0; part < wheel.parts(); ++part) {
@@ -289,6 +289,10 @@ private:
         return region;
     }
 
+    static double angle_of(const Region& region) {
+        return mean_angle(region.cuts.begin(), region.cuts.end(), region.power);
+    }
+
     // To one that is near and has nearly the same normal, else as another.
     static void join(std::vector<Region>& found, Region region) {
         for (Region& other : found) {
@@ -300,7 +304,7 @@ private:
                     least = (std::min)(least, std::hypot(one.x - two.x, one.y - two.y, one.z - two.z));
                 }
             }
-            if (least >= joined_distance || std::abs(mean_angle(other) - mean_angle(region)) >= joined_angle) continue;
+            if (least >= joined_distance || std::abs(angle_of(other) - angle_of(region)) >= joined_angle) continue;
             other.cuts.insert(other.cuts.end(), region.cuts.begin(), region.cuts.end());
             other.x_low = (std::min)(other.x_low, region.x_low);
             other.x_high = (std::max)(other.x_high, region.x_high);
