@@ -15,6 +15,7 @@
 #include "precision/comparison.hpp"
 #include "support/options.hpp"
 #include "support/table.hpp"
+#include "support/timing.hpp"
 
 namespace precision {
 
@@ -110,9 +111,6 @@ Without --n, c11_z* stop at n = 320, step_force and the forces with friction at 
 
 // --- times
 
-/// A computation that takes so long [us] is timed once.
-constexpr double enough = 1e6;
-
 /// One computation, repeated. Its time is that of the processor, which other programs disturb less than that of the
 /// clock on the wall.
 struct Timer {
@@ -130,12 +128,12 @@ struct Timer {
     }
     void calibrate() {
         const double first = run(1);
-        if (first > enough) runs = {first};
+        if (first > study::enough) runs = {first};
         if (first > 10000) return;  // a first call is slow
         while (calls < 4096 && run(calls) < 100) calls *= 2;
     }
     bool done() const {
-        if (!runs.empty() && runs.front() > enough) return true;
+        if (!runs.empty() && runs.front() > study::enough) return true;
         return runs.size() >= 5 && (total > 8000 || runs.size() >= 51);
     }
     void run_again() {

@@ -49,8 +49,6 @@ auto opened(const study::Options& options, const std::string& source, Use use, c
         auto file = open(options.text(source), how);
         for (const std::string& note : file.notes) options.note("--" + source + ": " + note);
         return std::move(file.surface);
-    } catch (const study::BadInput&) {
-        throw;
     } catch (const std::invalid_argument& error) {
         throw study::BadInput("--" + source + ": " + error.what());
     }

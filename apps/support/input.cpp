@@ -110,6 +110,19 @@ Numbers read_edges(const Options& options, const std::string& name, double low, 
     return edges;
 }
 
+namespace {
+
+// Of columns that may be missing a misspelt one would pass for one that is not there.
+void require_meant(const std::string& cell, const std::vector<std::string>& names, const std::string& where) {
+    if (contains(names, cell)) return;
+    for (const std::string& name : names) {
+        if (detail::edit_distance(cell, name) > (name.size() > 4 ? 2U : 1U)) continue;
+        throw BadInput(where + " must not have a column " + cell + ", which is next to " + name + ": another name");
+    }
+}
+
+}  // namespace
+
 std::vector<Numbers> read_columns(
     const Options& options, const std::string& name, const std::string& names, const std::string& further,
     const std::function<void(const std::vector<Numbers>& columns, const std::string& where)>& check) {
@@ -137,6 +150,7 @@ std::vector<Numbers> read_columns(
                 if (count(one) > 1) throw BadInput(where + " must have one column " + one + " only");
                 places.emplace_back(index_of(all, one), index_of(cells, one));
             }
+            for (const std::string& cell : cells) require_meant(cell, all, where);
             present = cells.size();
             continue;
         }

@@ -65,7 +65,8 @@ Numbers read_edges(const Options& options, const std::string& name, double low =
                    const std::string& highest = "1, the leading edge");
 
 /// The columns `names` of the file that --name gives, separated by commas in `names`: finite numbers. They are found by
-/// their names in the first line; further columns are ignored, and a semicolon or tab may take the place of the comma.
+/// their names in the first line; further columns are ignored unless a letter or two make them one of these, and a
+/// semicolon or tab may take the place of the comma.
 /// Those of `further`, groups with a semicolon between them, follow; the columns of a group are empty if the file has
 /// none of them. `check` is called after each line with all columns and the line for messages. Throws BadInput.
 std::vector<Numbers> read_columns(

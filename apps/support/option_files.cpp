@@ -42,7 +42,11 @@ void Options::read_config() {
 }
 
 void Options::check_files() const {
-    std::map<std::string, std::string> names;  // of each file, however it is written
+    struct Use {
+        std::string said;
+        bool written;
+    };
+    std::map<std::string, Use> uses;  // of each file, however its name is written
     const auto is_device = [](const std::string& path) {
         std::error_code error;
         return path != "-" && std::filesystem::is_character_file(path, error);
@@ -50,8 +54,9 @@ void Options::check_files() const {
     const auto add = [&](const std::string& path, const std::string& said, bool written) {
         if (is_device(path)) return;
         const std::string key = path != "-" ? place_of(path) : written ? "standard output" : "standard input";
-        const auto [found, is_new] = names.emplace(key, said);
-        if (!is_new) throw BadInput(said + " must not be the same file as " + found->second);
+        const auto [found, is_new] = uses.emplace(key, Use{said, written});
+        const bool conflict = written || found->second.written || path == "-";
+        if (!is_new && conflict) throw BadInput(said + " must not be the same file as " + found->second.said);
     };
     if (!given("output")) add("-", "standard output", true);
     for (const auto& [name, entry] : entries_) {

@@ -12,10 +12,10 @@ namespace study {
 
 namespace {
 
-void require_digits(const std::string& name, const std::string& text, double value) {
+void require_digits(const std::string& name, const std::string& text, double value, bool may_be_0 = true) {
     if (value == 0 || !(std::abs(value) < detail::least_number)) return;
-    throw BadInput("--" + name + " = " + text +
-                   " must be 0 or at least 1e-100 in size: products of smaller numbers lose digits");
+    throw BadInput("--" + name + " = " + text + " must be " + (may_be_0 ? "0 or " : "") +
+                   "at least 1e-100 in size: products of smaller numbers lose digits");
 }
 
 // `what` is expected: "a number" of a list, or "one number".
@@ -23,7 +23,7 @@ double to_number(const std::string& name, const std::string& text, const std::st
     const std::optional<double> value = detail::parse_number<double>(text);
     if (!value) throw BadInput("--" + name + " = " + text + " must be " + what + ", and it must " + rule.text);
     if (!rule.holds(*value)) throw BadInput("--" + name + " = " + text + " must " + rule.text);
-    require_digits(name, text, *value);
+    require_digits(name, text, *value, rule.holds(0));
     return *value;
 }
 
@@ -36,7 +36,10 @@ std::ptrdiff_t to_integer(const std::string& name, const std::string& text, std:
     return *value;
 }
 
-/// How many letters to add, remove or change to turn `from` into `to`.
+}  // namespace
+
+namespace detail {
+
 std::size_t edit_distance(const std::string& from, const std::string& to) {
     std::vector<std::size_t> row(to.size() + 1);
     for (std::size_t k = 0; k <= to.size(); ++k) row[k] = k;
@@ -51,7 +54,7 @@ std::size_t edit_distance(const std::string& from, const std::string& to) {
     return row.back();
 }
 
-}  // namespace
+}  // namespace detail
 
 bool contains(const std::vector<std::string>& words, const std::string& word) {
     return std::find(words.begin(), words.end(), word) != words.end();
@@ -207,7 +210,7 @@ std::string Options::suggestion(const std::string& word) const {
     std::size_t least = meant.size() < 4 ? 2 : 3;  // fewer changes than that are near
     for (const std::string& name : names) {
         if (begun.empty() && plain.size() > 2 && letters(name).rfind(plain, 0) == 0) begun = name;
-        const std::size_t distance = letters(name) == plain ? 0 : edit_distance(meant, name);
+        const std::size_t distance = letters(name) == plain ? 0 : detail::edit_distance(meant, name);
         if (distance >= least || distance >= name.size()) continue;
         least = distance;
         nearest = name;

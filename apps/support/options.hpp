@@ -79,6 +79,9 @@ std::optional<Number> parse_number(std::string_view text) {
     return value;
 }
 
+/// How many letters to add, remove or change to turn `from` into `to`.
+std::size_t edit_distance(const std::string& from, const std::string& to);
+
 }  // namespace detail
 
 /// Breaks lines at blanks so that none is longer than `width`, unless a word is.

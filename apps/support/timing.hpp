@@ -13,11 +13,14 @@ namespace study {
 /// What --help says of times.
 inline constexpr const char* median_of_runs = "median of at least 5 runs, one if it takes a second";
 
-/// Median over at least 5 runs of the time of one call [us], or that of the first if it takes `enough` [us]. Runs are
+/// A computation that takes so long [us] is timed once.
+inline constexpr double enough = 1e6;
+
+/// Median over at least 5 runs of the time of one call [us], or that of the first if it takes `enough`. Runs are
 /// repeated for 2 ms, at most 51 times, which steadies the median of short computations. `call` must return a double
 /// that depends on what it computed.
 template <class Call>
-double median_time_us(const Call& call, double enough = 1e6) {
+double median_time_us(const Call& call) {
     using Clock = std::chrono::steady_clock;
     using Microseconds = std::chrono::duration<double, std::micro>;
     [[maybe_unused]] volatile double kept = 0;  // keeps the optimiser from dropping the computation

@@ -2,6 +2,7 @@
 // or changing along the way. Each is known by its curves at constant x, with derivatives along them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -62,10 +63,10 @@ public:
         }
         const Profile::Point p = std::get_if<Profile>(&curve_)->at(s);
         if (radius_ == 0) return {p.y, p.z, p.slope, true};
-        const double r = radius_ - p.z, square = r * r - x * x;
-        if (!(std::abs(x) <= steepest * r)) return {p.y, p.z, p.slope, false};
-        const double down = std::sqrt(square);
-        return {p.y, radius_ - down, {p.slope[0], p.slope[1] * r / down}, true};
+        const double sine = x / (radius_ - p.z);
+        if (!(std::abs(sine) <= steepest)) return {p.y, p.z, p.slope, false};
+        const double cosine = std::sqrt(1 - sine * sine);
+        return {p.y, p.z + x * sine / (1 + cosine), {p.slope[0], p.slope[1] / cosine}, true};
     }
 
     /// sin f up to which a roller is looked at.
@@ -139,6 +140,8 @@ public:
     const WheelSurface& surface() const { return *surface_; }
     double radius() const { return radius_; }
     double middle_x() const { return -sin_yaw_ * origin_; }  ///< x of the tape circle's lowest point [m]
+    /// How far from there contacts are looked for along x [m]: flanks of 4 in 1 touch ahead by the yaw.
+    double reach_x() const { return 0.1 + radius_ * (std::min)(4 * std::abs(sin_yaw_), steepest); }
 
     /// Of a round wheel.
     Place silhouette(double s) const {

@@ -78,7 +78,7 @@ public:
     }
 
 private:
-    static constexpr double half_range = 0.1, slice_distance = 4e-3;  // along x, about the wheel's middle [m]
+    static constexpr double slice_distance = 4e-3;  // along x [m]
 
     struct Slice {
         double x;
@@ -95,7 +95,7 @@ private:
 
     void find_slices() {
         constexpr double distance = 2e-4;
-        const auto half = static_cast<int>(half_range / slice_distance);
+        const auto half = static_cast<int>(placed_->reach_x() / slice_distance);
         slices_.resize(std::size_t(2 * half + 1));
         const WheelSurface& wheel = placed_->surface();
         for (int k = -half; k <= half; ++k) {
