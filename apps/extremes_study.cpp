@@ -40,7 +40,9 @@ Outcome run(const Case& one) {
 /// right, told or broken.
 std::string verdict(const Case& one, const Outcome& outcome) {
     if (!one.says.empty()) return outcome.told.find(one.says) != std::string::npos ? "told" : "broken";
-    return outcome.told.empty() && std::abs(outcome.error) <= outcome.bound ? "right" : "broken";
+    const bool within = std::abs(outcome.error) <= outcome.bound;
+    if (!outcome.told.empty()) return outcome.may_be_told && within ? "told" : "broken";
+    return within ? "right" : "broken";
 }
 
 /// ok, the library's name of what went wrong, or exception.
@@ -71,7 +73,8 @@ int main(int argc, char** argv) {
                            "Extreme cases: right to a stated bound, or with a reason why there is no result.");
     for (const char* group : {"Discretisation", "Contact"}) options.refuse_group(group, "each case has its own");
     options.refuse("plot", "cases have nothing to draw");
-    options.not_with({"large"}, "patches");
+    options.not_with({"large", "contacts"}, "patches");
+    options.not_with({"large"}, "contacts");
     options.add_flag(
         "large",
         "also strips of b/a = 0.01, n = 1000 in long double, n = 4000 and 1500 states: ten seconds and 300 MB more");
@@ -79,6 +82,10 @@ int main(int argc, char** argv) {
         "patches", "N",
         "instead of these cases: friction on the first N, 1 to 10000000, of a series of random contact patches, "
         "steady and in four steps");
+    options.add(
+        "contacts", "N",
+        "instead of these cases: the first N, 1 to 10000000, of a series of random positions and loads of wheels on "
+        "rails");
     options.footer(R"(Example: all cases, as a file
   extremes_study --large --output extremes.csv
 
@@ -92,14 +99,24 @@ four decades (spin alone in every sixth), steps of 1e-3 to 10 a, creepages and l
 varies in half of them, in half of these also a/b. The error is the largest violation of Coulomb's law and of the
 equations, set up anew from G, G' and du/dy (with sdirk2, whose stages are not seen from outside, of |p| <= mu p_n in
 its steps); value is the last -F_y over mu N. Steps that a mesh cannot follow must be refused.
+With --contacts: S1002 on UIC 60, and in every second scene one of ten pairs of profiles with hollows, bumps and waves,
+shifted by up to 12 mm, yaw to 30 mrad, roll to 5 mrad, under 10 kN to 1 MN, on 24 x 16 cells. value is the least gap
+[m] of a brute-force search after the displacements of all patches; relative_error the largest of its size over 1 um (3
+if something was dropped) and 4 % of the deepest approach (10 % with doubtful_plane), of the error of the vertical load
+over 1e-6, and of the load dropped over 2e-3 of all. A status other than not_finite and not_converged is told.
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The cases.
         extremes::Cases cases;
+        const auto add_scenes = [&](const char* option, auto scene) {
+            const auto count = static_cast<std::uint64_t>(given.integer(option, 1, 10'000'000));
+            for (std::uint64_t seed = 1; seed <= count; ++seed) cases.push_back(scene(seed));
+        };
         if (given.given("patches")) {
-            const auto count = static_cast<std::uint64_t>(given.integer("patches", 1, 10'000'000));
-            for (std::uint64_t seed = 1; seed <= count; ++seed) cases.push_back(extremes::patch_scene(seed));
+            add_scenes("patches", extremes::patch_scene);
+        } else if (given.given("contacts")) {
+            add_scenes("contacts", extremes::contact_scene);
         } else {
             cases = all_cases(given.flag("large"));
         }

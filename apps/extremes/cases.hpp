@@ -45,6 +45,7 @@ struct Outcome {
     double bound = 0;            ///< promised for |error|; 0: the case must be told
     std::string told{};          ///< a status other than ok, or the reason why there is no result
     bool refused = false;        ///< by an exception
+    bool may_be_told = false;    ///< a status is right, too, with numbers within the bound
 };
 
 /// One row. An exception counts as told. `says` must be part of the text that is told; if empty, the case must be
@@ -113,5 +114,7 @@ void patch_cases(Cases& cases);
 
 /// A random patch with friction, steady and in the time domain.
 Case patch_scene(std::uint64_t seed);
+/// A random position and load of a wheel on a rail: what violates its bound most, over this bound.
+Case contact_scene(std::uint64_t seed);
 
 }  // namespace extremes

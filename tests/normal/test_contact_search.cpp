@@ -1,13 +1,9 @@
 // rollbem/normal/wheel_on_rail.hpp, normal/surface.hpp, normal/detail/: contacts of real surfaces
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <limits>
-#include <map>
 #include <numbers>
-#include <random>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -17,9 +13,11 @@
 #include <rollbem/normal/standard_profiles.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 
+#include "extremes/deformed_gap.hpp"
 #include "support/catch.hpp"
 
 using namespace rollbem;
+using extremes::least_gap, extremes::RailPoints;
 
 namespace {
 
@@ -52,97 +50,6 @@ constexpr TrackDimensions above{.radius = 0.46, .rail_origin = TrackDimensions::
 const ElasticBody<double>& steel() {
     static const ElasticBody<double> of{2 * 8.2e10 * 1.28, 0.28};
     return of;
-}
-
-/// Points of the rail's curve of a plain contact, close together, to measure distances from without the library's search.
-class Distances {
-public:
-    explicit Distances(const WheelOnRail& wheel) {
-        for (double s = 0; s < wheel.rail().length(); s += 1e-4) {
-            const Profile::Point p = wheel.rail().at(s);
-            const double y = p.y + wheel.geometry().rail_origin().y, z = p.z + wheel.geometry().rail_origin().z;
-            points_[column(y)].push_back({y, z, p.slope[0], p.slope[1]});
-        }
-    }
-    /// Of a point of the wheel above the rail, along the rail's normal, where normals are less than 60 degrees apart;
-    /// infinite where nothing is near. The rail's angle there.
-    std::pair<double, double> above(double y, double z, double slope_y, double slope_z) const {
-        double least = 4e-6, found = std::numeric_limits<double>::infinity(), angle = 0;
-        for (int k = column(y) - 1; k <= column(y) + 1; ++k) {
-            const auto points = points_.find(k);
-            if (points == points_.end()) continue;
-            for (const auto& [rail_y, rail_z, dy, dz] : points->second) {
-                const double square = (y - rail_y) * (y - rail_y) + (z - rail_z) * (z - rail_z);
-                if (square > least ||
-                    dy * slope_y + dz * slope_z < 0.5 * std::hypot(dy, dz) * std::hypot(slope_y, slope_z))
-                    continue;
-                least = square;
-                found = ((y - rail_y) * dz - (z - rail_z) * dy) / std::hypot(dy, dz);
-                angle = std::atan2(dz, dy);
-            }
-        }
-        return {found, angle};
-    }
-
-private:
-    static int column(double y) { return static_cast<int>(std::floor(y / 2e-3)); }
-
-    std::map<int, std::vector<std::array<double, 4>>> points_;
-};
-
-/// What the pressures of a patch displace at (x, y, z) along its normal [m].
-double displacement(const RailPatch& patch, double compliance, double x, double y, double z) {
-    const double s = (y - patch.y) * std::cos(patch.angle) + (z - patch.z) * std::sin(patch.angle), here = x - patch.x;
-    const CellGrid& grid = patch.grid;
-    const double beyond = std::max({std::abs(here - grid.x(grid.nx / 2)) / (double(grid.nx) * grid.dx),
-                                    std::abs(s - grid.y(grid.ny / 2)) / (double(grid.ny) * grid.dy)});
-    if (beyond > 1.5) {
-        return compliance * patch.load / (pi * std::hypot(x - patch.x, y - patch.y, z - patch.z));
-    }
-    double sum = 0;
-    const auto corner = [](double a, double b) {
-        return (a == 0 ? 0 : a * std::asinh(b / std::abs(a))) + (b == 0 ? 0 : b * std::asinh(a / std::abs(b)));
-    };
-    for (Eigen::Index j = 0; j < grid.ny; ++j) {
-        for (Eigen::Index i = 0; i < grid.nx; ++i) {
-            if (!(patch.pressure(i, j) > 0)) continue;
-            const double dx = here - grid.x(i), dy = s - grid.y(j);
-            const double near = 3 * std::max(grid.dx, grid.dy);
-            sum += patch.pressure(i, j) *
-                   (dx * dx + dy * dy > near * near
-                        ? grid.dx * grid.dy / std::hypot(dx, dy)
-                        : corner(dx + grid.dx / 2, dy + grid.dy / 2) - corner(dx - grid.dx / 2, dy + grid.dy / 2) -
-                              corner(dx + grid.dx / 2, dy - grid.dy / 2) + corner(dx - grid.dx / 2, dy - grid.dy / 2));
-        }
-    }
-    return sum * compliance / pi;
-}
-
-/// The least gap between wheel and rail after the displacements of all patches [m], each seen by another surface as
-/// detail::interaction says.
-double least_gap(const WheelOnRail& wheel, const Distances& rail, WheelsetPosition at,
-                 const WheelOnRail::Contact& contact) {
-    at.height = contact.height;
-    const PlacedWheel placed = wheel.geometry().placed(at);
-    const double length = wheel.wheel().length();
-    double least = 0;
-    for (double x = -0.03; x <= 0.03; x += 4e-3) {
-        for (double s = 0; s <= length; s += 7e-4) {
-            const CurvePoint p = placed.section(0, s, x);
-            const double z = p.z + at.height;
-            if (!p.defined) continue;
-            const auto [gap, angle] = rail.above(p.y, z, p.slope[0], p.slope[1]);
-            if (!(gap < least)) continue;
-            double displaced = 0;
-            for (const RailPatch& patch : contact.patches) {
-                const double own = std::hypot(p.y - patch.y, z - patch.z) < 1.5 * patch.half_width ? 1 : 0,
-                             share = own == 1 ? 1 : detail::interaction(angle - patch.angle);
-                displaced += share * displacement(patch, wheel.compliance(), x, p.y, z);
-            }
-            least = std::min(least, gap + displaced);
-        }
-    }
-    return least;
 }
 
 }  // namespace
@@ -213,7 +120,7 @@ TEST_CASE("contact_search: the back of a flange at a guard rail with a vertical 
                                         [](const auto& one, const auto& two) { return one.angle < two.angle; });
     CHECK(guard->angle > 1.3);
     CHECK(guard->y < 0.69);
-    CHECK(least_gap(wheel, Distances(wheel), at, contact) > -1e-6);
+    CHECK(least_gap(wheel, RailPoints(wheel), at, contact) > -1e-6);
 }
 
 TEST_CASE("contact_search: a cylinder on a plane, a crown on a roller: Hertz with both curvatures along x",
@@ -342,68 +249,4 @@ TEST_CASE("contact_search: two contacts inclined by 60 degrees displace each oth
         {.load = load, .radii_1 = {0.02, 0.02}, .radii_2 = {infinite, infinite}, .body_1 = steel(), .body_2 = steel()});
     const double apart = 2 * 0.02 * std::sin(pi / 6), other = 0.3 * load * 0.72 / (pi * 8.2e10 * apart);
     CHECK(hertz.approach() + other == Approx(lower * std::cos(pi / 6)).epsilon(3e-3));
-}
-
-// ROLLBEM_POSITIONS=10000 draws so many positions of S1002 on UIC60, and as many of rough profiles
-TEST_CASE("contact_search: loads are carried and no contact is lost in random positions, or a status says why",
-          "[profiles]") {
-    const char* const given = std::getenv("ROLLBEM_POSITIONS");
-    const int count = given != nullptr ? std::atoi(given) : 500;
-    std::mt19937_64 random(41);
-    std::uniform_real_distribution<double> uniform(-1, 1);
-    // hollows and bumps of half a millimetre, and waves as of a measured surface
-    const auto rough = [&](const Profile& profile) {
-        Eigen::ArrayXd z = profile.z();
-        for (int k = 0; k < 3; ++k) {
-            const double depth = 5e-4 * uniform(random), middle = 0.03 * uniform(random),
-                         width = 0.008 + 0.004 * uniform(random);
-            z += depth * (-((profile.y() - middle) / width).square()).exp();
-        }
-        for (const double length : {2e-3, 4e-3, 8e-3}) {
-            z += 0.1 * length * length * uniform(random) * (profile.y() * 2 * pi / length + pi * uniform(random)).sin();
-        }
-        return Profile(profile.y(), z);
-    };
-    WheelOnRail wheel(s1002(), rail_uic60());
-    Distances distances(wheel);
-    WheelOnRail::Workspace workspace;
-    std::map<std::string, int> statuses;
-    double deepest = 0;
-    for (int k = 0; k < 2 * count; ++k) {
-        if (k >= count && (k - count) % std::max(count / 10, 1) == 0) {
-            wheel = WheelOnRail(rough(s1002()), rough(rail_uic60()));
-            distances = Distances(wheel);
-        }
-        const WheelsetPosition at{0.012 * uniform(random), 0, 5e-3 * uniform(random), 0.03 * uniform(random)};
-        const double load = 1e5 * std::pow(10, uniform(random));
-        const auto contact = wheel.solve_for_load(at, load, workspace, {.cells_x = 24, .cells_s = 16});
-        ++statuses[name(contact.status)];
-        CAPTURE(k, at.lateral, at.roll, at.yaw, load, name(contact.status));
-        CHECK(contact.status != Status::not_finite);
-        CHECK(contact.status != Status::not_converged);
-        if (!has_numbers(contact.status)) continue;
-        double vertical = 0;
-        bool sound = true;
-        for (const RailPatch& patch : contact.patches) {
-            sound = sound && (patch.pressure >= 0).all() && patch.pressure.allFinite() && patch.outline.has_value() &&
-                    patch.residual <= 1e-6 && patch.area > 0 && patch.peak_pressure > 0 && detail::is_finite(patch.x) &&
-                    detail::is_finite(patch.y) && detail::is_finite(patch.z) && detail::is_finite(patch.angle);
-            vertical += patch.load * std::cos(patch.angle);
-        }
-        CHECK(sound);
-        CHECK(vertical + contact.dropped == Approx(load).epsilon(1.01e-6));
-        CHECK(contact.dropped <= 2e-3 * load);
-        const double gap = least_gap(wheel, distances, at, contact);
-        deepest = std::min(deepest, gap);
-        // some hundredths of the depth are what cells leave between their centres, of the second order in their size
-        double depth = 0;
-        for (const RailPatch& patch : contact.patches) depth = std::max(depth, patch.approach);
-        const double rough_share = contact.status == Status::doubtful_plane ? 0.1 : 0.04;
-        CHECK(gap > (contact.dropped > 1e-9 * load ? -3e-6 : -1e-6) - rough_share * depth);
-    }
-    std::string text = "deepest " + std::to_string(1e6 * deepest) + " um, ";
-    for (const auto& [status, times] : statuses) text += status + " " + std::to_string(times) + ", ";
-    INFO(text);
-    if (given != nullptr) WARN(text);
-    CHECK(statuses["ok"] + statuses["doubtful_plane"] > 0.95 * 2 * count);
 }

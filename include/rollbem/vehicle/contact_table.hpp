@@ -27,6 +27,7 @@
 #include "../scene/wheelset.hpp"
 #include "../status.hpp"
 #include "creep_force_table.hpp"
+#include "detail/wheelset_velocity.hpp"
 
 namespace rollbem {
 
@@ -357,10 +358,11 @@ WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide sid
         return Dual(inputs[static_cast<std::size_t>(which)], partials, static_cast<int>(which));
     };
     const Cell at = cell(inputs[0], inputs[1]);
-    const Dual yaw = input(WheelForces::yaw), rate = input(WheelForces::pitch_rate), mu = input(WheelForces::mu);
-    const Dual rolled = dual(sample<1>(at, roll), 0), turn = cos(yaw);
-    const Dual w_x = input(WheelForces::roll_rate) - rate * sin(yaw), w_y = rate * cos(rolled) * turn,
-               w_z = input(WheelForces::yaw_rate) + rate * sin(rolled) * turn;
+    const Dual mu = input(WheelForces::mu);
+    const detail::WheelsetVelocity<Dual> velocity(
+        {input(WheelForces::forward), input(WheelForces::pitch_rate), input(WheelForces::lateral_speed),
+         input(WheelForces::vertical_speed), input(WheelForces::roll_rate), input(WheelForces::yaw_rate)},
+        dual(sample<1>(at, roll), 0), input(WheelForces::yaw));
     std::array<Dual, 6> sum;
     sum.fill(Dual(0, Gradient::Zero()));
     for (std::size_t k = 0; k < 2; ++k) {
@@ -373,15 +375,13 @@ WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide sid
         WheelForces::Point& found = result.points[k];
         const Dual r_x = point(arm_x), r_y = point(arm_y), r_z = point(arm_z), delta = point(angle), r = point(radius);
         const Dual sine = sin(delta), cosine = cos(delta);
-        const Dual v_y = input(WheelForces::lateral_speed) + w_z * r_x - w_x * r_z,
-                   v_z = input(WheelForces::vertical_speed) + w_x * r_y - w_y * r_x;
-        const Dual reference = (input(WheelForces::forward) - rate * r) * 0.5;
+        const Dual reference = (input(WheelForces::forward) - input(WheelForces::pitch_rate) * r) * 0.5;
         if (!(reference.value() >= (std::numeric_limits<double>::min)())) {
             result.status = StepStatus::invalid_step;
             return result;
         }
-        const Dual xi = (input(WheelForces::forward) + w_y * r_z - w_z * r_y) / reference,
-                   eta = (v_y * cosine + v_z * sine) / reference, phi = (w_z * cosine - w_y * sine) / reference;
+        const std::array<Dual, 3> slip = velocity.slip({r_x, r_y, r_z}, sine, cosine);
+        const Dual xi = slip[0] / reference, eta = slip[1] / reference, phi = slip[2] / reference;
         const Dual wanted = part * input(WheelForces::load);
 
         // the creep forces under a normal load

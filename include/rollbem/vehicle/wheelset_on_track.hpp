@@ -16,6 +16,7 @@
 #include "../scene/creepage.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../scene/wheelset.hpp"
+#include "detail/wheelset_velocity.hpp"
 
 namespace rollbem {
 
@@ -26,21 +27,14 @@ namespace detail {
 class SlipVelocity {
 public:
     SlipVelocity(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds, double radius)
-        : patch_(patch), at_(at), speeds_(speeds), radius_(radius) {
-        const double rate = speeds.pitch_rate;
-        w_x_ = -rate * std::sin(at.yaw) + speeds.roll_rate;
-        w_y_ = rate * std::cos(at.roll) * std::cos(at.yaw);
-        w_z_ = rate * std::sin(at.roll) * std::cos(at.yaw) + speeds.yaw_rate;
-    }
+        : patch_(patch), at_(at), radius_(radius), velocity_(velocity_of(at, speeds)) {}
 
     Creepage<double> operator()(double x, double s, double n, double tilt) const {
         const double sine = std::sin(patch_.angle), cosine = std::cos(patch_.angle);
-        const double r_x = patch_.x + x, r_y = patch_.y + s * cosine - n * sine - at_.lateral,
-                     r_z = patch_.z + s * sine + n * cosine - (at_.height - radius_);
-        const double v_x = speeds_.forward + w_y_ * r_z - w_z_ * r_y, v_y = speeds_.lateral + w_z_ * r_x - w_x_ * r_z,
-                     v_z = speeds_.vertical + w_x_ * r_y - w_y_ * r_x;
-        const double sine_t = std::sin(patch_.angle + tilt), cosine_t = std::cos(patch_.angle + tilt);
-        return {v_x, v_y * cosine_t + v_z * sine_t, w_z_ * cosine - w_y_ * sine};
+        const auto slip = velocity_.slip({patch_.x + x, patch_.y + s * cosine - n * sine - at_.lateral,
+                                          patch_.z + s * sine + n * cosine - (at_.height - radius_)},
+                                         std::sin(patch_.angle + tilt), std::cos(patch_.angle + tilt));
+        return {slip[0], slip[1], velocity_.turn()[2] * cosine - velocity_.turn()[1] * sine};
     }
     /// At the reference point, of the wheel's material, which lies below the rail's surface.
     Creepage<double> at_reference() const { return (*this)(0, 0, patch_.approach, 0); }
@@ -48,8 +42,8 @@ public:
 private:
     const RailPatch& patch_;
     const WheelsetPosition& at_;
-    const WheelsetSpeeds& speeds_;
-    double radius_, w_x_, w_y_, w_z_;
+    double radius_;
+    WheelsetVelocity<double> velocity_;
 };
 
 }  // namespace detail

@@ -1,0 +1,54 @@
+// The rigid motion of a wheelset on its track, and its slip in a plane of contact.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "../../scene/wheelset.hpp"
+
+namespace rollbem::detail {
+
+/// Velocity of the wheelset as a rigid body, in track axes. Number is double, or dual for derivatives.
+template <class Number>
+class WheelsetVelocity {
+public:
+    /// As WheelsetSpeeds.
+    struct Speeds {
+        Number forward, pitch_rate, lateral, vertical, roll_rate, yaw_rate;
+    };
+
+    WheelsetVelocity(const Speeds& speeds, const Number& roll, const Number& yaw)
+        : middle_{speeds.forward, speeds.lateral, speeds.vertical} {
+        using std::cos, std::sin;
+        const Number level = speeds.pitch_rate * cos(yaw);  // of the pitch rate, across the track
+        turn_ = {speeds.roll_rate - speeds.pitch_rate * sin(yaw), level * cos(roll),
+                 speeds.yaw_rate + level * sin(roll)};
+    }
+
+    const std::array<Number, 3>& middle() const { return middle_; }  ///< of the middle of the axle [m/s]
+    const std::array<Number, 3>& turn() const { return turn_; }      ///< about x, y, z [rad/s]
+
+    /// At a point by its arm from the middle of the axle [m/s].
+    std::array<Number, 3> at(const std::array<Number, 3>& arm) const {
+        const auto& [r_x, r_y, r_z] = arm;
+        const auto& [w_x, w_y, w_z] = turn_;
+        return {middle_[0] + w_y * r_z - w_z * r_y, middle_[1] + w_z * r_x - w_x * r_z,
+                middle_[2] + w_x * r_y - w_y * r_x};
+    }
+    /// Slip along x and along s = (0, cosine, sine) [m/s], turning about n = (0, -sine, cosine) [rad/s].
+    std::array<Number, 3> slip(const std::array<Number, 3>& arm, const Number& sine, const Number& cosine) const {
+        const std::array<Number, 3> v = at(arm);
+        return {v[0], v[1] * cosine + v[2] * sine, turn_[2] * cosine - turn_[1] * sine};
+    }
+
+private:
+    std::array<Number, 3> middle_, turn_;
+};
+
+inline WheelsetVelocity<double> velocity_of(const WheelsetPosition& at, const WheelsetSpeeds& speeds) {
+    return {{speeds.forward, speeds.pitch_rate, speeds.lateral, speeds.vertical, speeds.roll_rate, speeds.yaw_rate},
+            at.roll,
+            at.yaw};
+}
+
+}  // namespace rollbem::detail
