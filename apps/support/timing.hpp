@@ -16,11 +16,11 @@ inline constexpr const char* median_of_runs = "median of at least 5 runs, one if
 /// A computation that takes so long [us] is timed once.
 inline constexpr double enough = 1e6;
 
-/// Median over at least 5 runs of the time of one call [us], or that of the first if it takes `enough`. Runs are
+/// Median over at least 5 runs of the time of one call [us], or that of the first if it takes `longest`. Runs are
 /// repeated for 2 ms, at most 51 times, which steadies the median of short computations. `call` must return a double
 /// that depends on what it computed.
 template <class Call>
-double median_time_us(const Call& call) {
+double median_time_us(const Call& call, double longest = enough) {
     using Clock = std::chrono::steady_clock;
     using Microseconds = std::chrono::duration<double, std::micro>;
     [[maybe_unused]] volatile double kept = 0;  // keeps the optimiser from dropping the computation
@@ -31,7 +31,7 @@ double median_time_us(const Call& call) {
     };
     std::size_t calls = 1;
     double time = run(calls);
-    if (time >= enough) return time;
+    if (time >= longest) return time;
     while (calls < 4096 && time < 20) time = run(calls *= 2);  // a run lasts some hundred times the clock's overhead
     std::vector<double> runs;
     double total = 0;
