@@ -1,6 +1,5 @@
 // rollbem/normal/wheel_on_rail.hpp, vehicle/wheelset_on_track.hpp, vehicle/wheelset_forces.hpp
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -17,7 +16,6 @@
 #include <rollbem/vehicle/wheelset_forces.hpp>
 
 #include "support/catch.hpp"
-#include "support/draw.hpp"
 #include "support/observed_order.hpp"
 #include "support/refusal.hpp"
 
