@@ -200,8 +200,8 @@ spin phi about z: F_x = -G a b (c11 xi + c12 eta + c13 c phi), F_y = -G a b (c21
 M_z = -G a b c (c31 xi + c32 eta + c33 c phi), c = sqrt(a b), about the origin of the outline; c32 = -c23 in the limit
 of small elements if x -> -x leaves the patch unchanged. Bodies are equal half-spaces.
 The patch is cut into strips along x, each with --n elements (rectangles) on a cosine mesh that ends on the
-outline. With n = strips = 12 and a/b up to 10 c11 and c22 are 0.5 % off, c23 1.6 %, c33 0.8 % (2.5 % at
-nu = 0.5 or a/b >= 5). Four times as many elements as strips suit patches more than ten times longer than wide,
+outline. With n = strips = 12 and a/b up to 10 c11 and c22 are within 0.8 %, c23 within 1.8 %, c33 within 0.8 % (2.5 %
+at nu = 0.5 or a/b >= 5). Four times as many elements as strips suit patches more than ten times longer than wide,
 --n 48 --strips 12; c33 at nu = 0.5 takes more.
 )" + columns +
            R"(--state-space: d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D (xi, eta, phi c).
@@ -214,9 +214,9 @@ nor a part of it that lies outside the patch, up to half. An outline needs it, a
 
 --longitudinal, --lateral, --spin: a row for every combination of the creepages, each solved from rest:
 )" + patch::friction_help() +
-           R"(Errors of 12 x 12 elements: 1e-3 of mu N without spin, 6e-3 with spin in the mean and 2e-2 under large spin. That wants
-strips of equal width, an odd number, at a/b >= 1 half as many as elements: --n 12 --strips 7 --strip-grading uniform is
-5e-3 off where 12 x 12 cosine strips are 1.7e-2 off; more at smaller a/b (precision_study --recommend).
+           R"(Errors of 12 x 12 elements: 1e-3 of mu N without spin, 6e-3 with spin in the mean and 2e-2 under large spin, which
+wants strips of equal width, an odd number, at a/b >= 1 half as many as elements: --n 12 --strips 7 --strip-grading
+uniform is 5e-3 off where 12 x 12 cosine strips are 1.7e-2 off; more at smaller a/b (precision_study --recommend).
 Friction sees no comparison of meshes: where a row without creepages has the status not_converged, take more of them.
 --plot draws up to three patches at one creepage from above, with y down: z points away from who looks. At the pole of
 spin the rigid slip vanishes.
