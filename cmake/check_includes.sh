@@ -1,9 +1,9 @@
 #!/bin/sh
 # check_includes.sh INCLUDE_DIR: checks the #include lines of the headers in INCLUDE_DIR/rollbem.
 # Folders are stages: a header includes only its own stage and earlier ones, and there is no cycle. The kernels do not
-# depend on meshes, systems on neither, nor the reference on the assembly; only reference/ needs GSL, the time stepper includes no eigenvalue
-# headers, only compiled/ needs a compiled library, and refers to its alignment, nothing prints, and all reach the check
-# of the language.
+# depend on meshes, systems on neither, nor the reference on the assembly; only reference/ needs GSL, the time stepper
+# includes no eigenvalue headers, only compiled/ needs a compiled library, and refers to its alignment, nothing prints,
+# and all reach the check of the language.
 set -eu
 cd "$1"
 

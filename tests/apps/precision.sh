@@ -55,7 +55,8 @@ awk -F, -v error="$(awk -F, '$1 == "cosine" && $2 == 40 && $3 == "combined_force
         size = sqrt((0.54356 ^ 2) + (0.40941 ^ 2)); found = sqrt(($8 - 0.54356) ^ 2 + ($16 - 0.40941) ^ 2) / size
         exit !((found - error) ^ 2 < 2e-5 ^ 2 && error > 5e-4) }' both || fail 'the error of the force as a vector'
 
-# --- creep coefficients of patches: the error added to the value gives Kalker's, 3.625, 3.011, 0.9278 at a/b = 0.5, nu = 0.25
+# --- creep coefficients of patches: the error added to the value gives Kalker's, 3.625, 3.011, 0.9278 at a/b = 0.5, nu
+# = 0.25
 good 17 "$precision" --quantity patch_c11,patch_c22,patch_c23,patch_c33 --a-over-b 0.5 --poisson 0.25 --n 6,12 \
     --schemes nodes-chebyshev,richardson-nodes --cheapest cheapest.csv
 header scheme,n,quantity,relative_error,time_us,stable,on_front,model_error,status

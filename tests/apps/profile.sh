@@ -9,8 +9,8 @@ bad '--shift = 0.1 has no effect with --positions' $profile --shift 0.1 --positi
 bad '--roll = 0.1 has no effect with a column roll' $profile --roll 0.1 --positions "$benchmark/positions.csv"
 bad '--smooth = 1 must lie in [0.0001, 0.1]' $profile --length-unit mm --wheel "$benchmark/wheel.csv" --smooth 1
 
-# --- half of the benchmark: tables as CSV in mm; positions, pressures and forces beside CONTACT, whose own errors on its
-# grid of 0.2 mm are 2e-2 in areas, more on flanges, 3e-3 in peak pressures, and 9e-3 at most in forces
+# --- half of the benchmark: tables as CSV in mm; positions, pressures and forces beside CONTACT, whose own errors on
+# its grid of 0.2 mm are 2e-2 in areas, more on flanges, 3e-3 in peak pressures, and 9e-3 at most in forces
 awk 'NR < 3 || NR % 2 == 1' "$benchmark/positions.csv" >positions.csv
 at="--length-unit mm --cant 0 --positions positions.csv --side both --load 1e4 --friction 0.3 --speed 2 --slip linear"
 $profile $at --wheel "$benchmark/wheel.csv" --rail "$benchmark/rail.csv" --output table.csv || fail "the benchmark"

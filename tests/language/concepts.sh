@@ -59,7 +59,8 @@ right() {
     done
 }
 
-# wrong TYPE CONCEPT ARGUMENTS: neither solve_steady nor rolling_system of ARGUMENTS compiles, because TYPE lacks CONCEPT.
+# wrong TYPE CONCEPT ARGUMENTS: neither solve_steady nor rolling_system of ARGUMENTS compiles, because TYPE lacks
+# CONCEPT.
 wrong() {
     calls "$3"
     echo "$1 $2 $first $second" >> "$folder/wrong"

@@ -54,7 +54,8 @@ const ElasticBody<double>& steel() {
     return of;
 }
 
-/// Points of the rail's curve of a plain contact, close together, to measure distances from without the library's search.
+/// Points of the rail's curve of a plain contact, close together, to measure distances from without the library's
+/// search.
 class Distances {
 public:
     explicit Distances(const WheelOnRail& wheel) {

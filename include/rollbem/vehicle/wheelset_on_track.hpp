@@ -21,8 +21,8 @@ namespace rollbem {
 
 namespace detail {
 
-/// The velocity of the wheel on the rail at a point (x, s, n) of a patch's plane: along x, along s turned by `tilt` into
-/// the plane's normal [m/s], and about the plane's normal [rad/s].
+/// The velocity of the wheel on the rail at a point (x, s, n) of a patch's plane: along x, along s turned by `tilt`
+/// into the plane's normal [m/s], and about the plane's normal [rad/s].
 class SlipVelocity {
 public:
     SlipVelocity(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds, double radius)
