@@ -44,9 +44,9 @@ several steady solutions on a mesh: --sweep up and --sweep down then differ. --s
 
 --transient, one row for each step:
 )" + friction::transient_help() +
-           R"(creep_work = slip_work + jump_work + change of elastic_energy, which has the same unit, to the order of the scheme
-in 1/n and of the integrator in dq. A scheme that is not certainly stable, or whose steady tractions assist the
-creepage, is refused unless --unchecked is given; the check finds eigenvalues, in a time of order n^3. A step
+           R"(creep_work = slip_work + jump_work + change of elastic_energy, which has the same unit, to the order of
+the scheme in 1/n and of the integrator in dq. A scheme that is not certainly stable, or whose steady tractions assist
+the creepage, is refused unless --unchecked is given; the check finds eigenvalues, in a time of order n^3. A step
 without a solution is divided in halves, up to six times. If a step fails, the run has no more results, and the exit
 code is 1. Under a load that varies, forces are over mu N_0 and distances over a_0, which belong to load_ratio 1. With
 --breathing the mesh follows the contact (second order in 1/n); where it grows or shrinks as fast as it rolls, status

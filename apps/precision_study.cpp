@@ -103,8 +103,8 @@ uniform-strips: strips of equal width, without --strips as many as recommended_p
 patch_force: -F_x and -F_y under Hertz's pressure for three creepages, xi with eta, spin alone, all three. Alone, each
 would make 0.7, 2.5 and 0.6 mu N without slip (by Kalker's c11, c22, c23). relative_error is the largest
 difference over mu N from strips of equal width, at most 500 elements, extrapolated from a third of them in each
-direction; that reference is good to about 1e-3 (below a/b = 0.1 5e-3, above 25 1e-2). time_us is that of all three from the mesh to the forces.
-stable is empty above 256 elements. Without --n, n is 4 to 24, with patch_force to 16.
+direction; that reference is good to about 1e-3 (below a/b = 0.1 5e-3, above 25 1e-2). time_us is that of all three from
+the mesh to the forces. stable is empty above 256 elements. Without --n, n is 4 to 24, with patch_force to 16.
 Without --n, c11_z* stop at n = 320, step_force and the forces with friction at 160: two to three minutes in all.
 )");
 }

@@ -205,8 +205,8 @@ int main(int argc, char** argv) {
 
 One row per step:
 )" + sheet.help() +
-        R"(--method chebyshev: columns that apply to elements only are empty. Smooth motion needs few states, a jump more:
-12 states have an error of 4e-5 one half-length after it, 8 states of 2e-7 five half-lengths after it.
+        R"(--method chebyshev: columns that apply to elements only are empty. Smooth motion needs few states, a jump
+more: 12 states have an error of 4e-5 one half-length after it, 8 states of 2e-7 five half-lengths after it.
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {

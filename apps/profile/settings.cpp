@@ -47,8 +47,8 @@ Profiles: files are cleaned of repeated points, zig-zags and folds at their ends
 says that it points up; what was done stands in the sidecar. A wheel must have its flange at y < 0, |z| < 2 mm on the
 tape circle and a width of 90 to 180 mm, a rail its top within 10 mm of z = 0 and a width of 30 to 200 mm: else a line
 names the remedy. --any-shape is for pieces, planes and rollers. The rail is placed by --gauge, its narrowest place down
-to --gauge-depth below the top, or by --rail-origin, about which it is canted. --smooth is for measured profiles; corners
-stay, and with less than the noise has, patches break up (few_cells).
+to --gauge-depth below the top, or by --rail-origin, about which it is canted. --smooth is for measured profiles;
+corners stay, and with less than the noise has, patches break up (few_cells).
   profile_study --wheel worn.whl --tape-offset 0 --rail worn.ban --rail-mirror y --cant 0 --smooth 0.007 --load 8e4
   profile_study --rail nose.slcs --length-unit mm --any-shape --rail-origin 0.75,0 --cant 0 --x 0,0.05,0.1 --roll 0
 

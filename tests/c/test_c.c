@@ -1,4 +1,5 @@
-/* test_c TABLE: rollbem.h as a C program uses it. Prints what it gets, in full digits, and fails where identities do. */
+/* test_c TABLE: rollbem.h as a C program uses it. Prints what it gets, in full digits, and fails where identities
+   do. */
 #include <math.h>
 #include <rollbem.h>
 #include <stdio.h>

@@ -91,7 +91,8 @@ struct ContactRow {
         c22,
         c23,
         kept,        ///< of the correction in full sliding, 0 to 1
-        correction,  ///< 3 x 3 by rows, minus the identity: of (xi, eta, phi c), so that the ellipse has the patch's forces
+        correction,  ///< 3 x 3 by rows, minus the identity: of (xi, eta, phi c), so that the ellipse has the patch's
+                     ///< forces
         point_rows = correction + 9,
     };
 };
