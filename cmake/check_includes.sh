@@ -109,7 +109,8 @@ END {
         if (from == "umbrella")
             forbid(file, "^(gsl|rollbem/reference|rollbem/studies)/", "the umbrella needs GSL, or studies")
         if (from == "compiled")
-            require(file, "rollbem/compiled/detail/alignment.hpp", "does not refer to the alignment of rollbem::compiled")
+            require(file, "rollbem/compiled/detail/alignment.hpp",
+                "does not refer to the alignment of rollbem::compiled")
         if (from != "compiled") forbid(file, "^rollbem/compiled/", "needs the library rollbem::compiled")
         if (file ~ /\/(transient|friction\/model)\.hpp$/)
             forbid(file, "^Eigen/(Eigenvalues|Dense|Eigen)$", "the time stepper includes eigenvalues")
