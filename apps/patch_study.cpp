@@ -200,9 +200,9 @@ spin phi about z: F_x = -G a b (c11 xi + c12 eta + c13 c phi), F_y = -G a b (c21
 M_z = -G a b c (c31 xi + c32 eta + c33 c phi), c = sqrt(a b), about the origin of the outline; c32 = -c23 in the limit
 of small elements if x -> -x leaves the patch unchanged. Bodies are equal half-spaces.
 The patch is cut into strips along x, each with --n elements (rectangles) on a cosine mesh that ends on the
-outline. With n = strips = 12 and a/b up to 10 c11 and c22 are within 0.8 %, c23 within 1.8 %, c33 within 0.8 % (2.5 %
-at nu = 0.5 or a/b >= 5). Four times as many elements as strips suit patches more than ten times longer than wide,
---n 48 --strips 12; c33 at nu = 0.5 takes more.
+outline. With n = strips = 12 and a/b up to 10 c11 and c22 are within 1 %, c23 and c32 within 2 %, c33 within 0.9 % at
+nu = 0.28 up to a/b = 5 and else within 5 %. Four times as many elements as strips suit patches more than ten times
+longer than wide, --n 48 --strips 12; c33 at nu = 0.5 takes more.
 )" + columns +
            R"(--state-space: d x/d(q/a) = A x + B (xi, eta, phi c),
 (-F_x, -F_y, -M_z/c)/(G a b) = C x + D (xi, eta, phi c).
