@@ -47,7 +47,8 @@ END
 calls() {
     first=$(($(wc -l < "$folder/unit.cpp") + 1))
     second=$((first + 1))
-    printf '    (void)%s(%s(%s));\n' "${3-}" "${2-}solve_steady" "$1" "${3-}" "${2-}rolling_system" "$1" >> "$folder/unit.cpp"
+    printf '    (void)%s(%s(%s));\n' "${3-}" "${2-}solve_steady" "$1" "${3-}" "${2-}rolling_system" "$1" \
+        >> "$folder/unit.cpp"
 }
 
 # right ARGUMENTS: both functions of ARGUMENTS are found, also by their qualified names. To compile what they do as well
