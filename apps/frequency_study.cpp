@@ -7,7 +7,6 @@
 //     ./frequency_study --method chebyshev --n 8 --omega 0,1,5 --state-space contact
 //     ./frequency_study --n 60 --mesh cosine --alpha 0.5 --omega 0,1,5 --state-space contact --states 6
 //     ./frequency_study --method polynomial --basis chebyshev --omega 200
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>

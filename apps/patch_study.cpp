@@ -7,10 +7,9 @@
 //     ./patch_study --outline wheel.csv --n 16 --stability
 //     ./patch_study --n 12 --longitudinal 0.1,0.2,0.4 --spin 0,0.2
 //     ./patch_study --n 12 --longitudinal 0.1 --spin 0.2 --transient --load-sine 0.5,8
-#include <algorithm>
 #include <cmath>
 #include <complex>
-#include <functional>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>

@@ -1,6 +1,10 @@
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "profile.hpp"
 #include "support/input.hpp"

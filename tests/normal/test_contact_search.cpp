@@ -1,6 +1,8 @@
 // rollbem/normal/wheel_on_rail.hpp, normal/surface.hpp, normal/detail/: contacts of real surfaces
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <functional>
 #include <limits>
@@ -8,6 +10,7 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>

@@ -1,9 +1,9 @@
 // rollbem/normal/profile.hpp, normal/standard_profiles.hpp
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <random>
-#include <string>
 #include <vector>
 
 #include <rollbem/normal/standard_profiles.hpp>

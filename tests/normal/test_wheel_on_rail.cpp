@@ -1,11 +1,15 @@
 // rollbem/normal/wheel_on_rail.hpp, vehicle/wheelset_on_track.hpp, vehicle/wheelset_forces.hpp
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <fstream>
 #include <limits>
 #include <map>
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rollbem/compiled/wheelset.hpp>

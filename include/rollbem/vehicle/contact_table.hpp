@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <istream>
+#include <limits>
 #include <ostream>
 #include <utility>
 

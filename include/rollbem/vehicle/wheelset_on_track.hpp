@@ -5,9 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <utility>
-#include <vector>
 
 #include "../detail/finite.hpp"
 #include "../detail/rising_root.hpp"
