@@ -1,8 +1,6 @@
 // rollbem/normal/wheel_on_rail.hpp, normal/surface.hpp, normal/detail/: contacts of real surfaces
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdlib>
 #include <functional>
 #include <limits>
@@ -10,7 +8,6 @@
 #include <numbers>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -57,8 +54,7 @@ const ElasticBody<double>& steel() {
     return of;
 }
 
-/// Points of the rail's curve of a plain contact, close together, to measure distances from without the library's
-/// search.
+/// Points of the rail's curve of a plain contact, close together, to measure distances from without the library's search.
 class Distances {
 public:
     explicit Distances(const WheelOnRail& wheel) {
