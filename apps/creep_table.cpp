@@ -247,11 +247,25 @@ void check(const study::Options& options, const Job& job, const CreepForceTable&
     output.commit();
 }
 
-}  // namespace
+constexpr const char* help =
+    R"(Example: the table of steel, by two threads; then the same by 4 machines
+  creep_table --output table.csv --jobs 2
+  creep_table --shard 1/4 --output part1.csv    # and 2/4, 3/4, 4/4
+  cat part?.csv > rows.csv && creep_table --rows rows.csv --output table.csv --check 1000
 
-int main(int argc, char** argv) {
-    // 1. The command line.
-    study::Options options("creep_table", "Steady creep forces of contact patches on a grid, as a table for look-up.");
+Writes a row for each node of the grid, with the columns of patch_study: creepages times G a b/(mu N), spin times
+G a b c/(mu N), -F_x, -F_y over mu N, -M_z over mu N c, c = sqrt(a b). Beside FILE stands FILE.bin, which
+CreepForceTable::read of the library takes (not for a shard, nor on standard output).
+Nodes are denser for small creepages, follow saturation and end at full sliding, so no creepage lies outside. Each node
+is solved on one mesh. Where the pole of a large spin lies inside or near the edge, forces are a mean of two: the second
+has one more element in each strip and one more strip. Columns other than forces, residual and status are of the first.
+time_us stays empty, so that rows are the same wherever they are computed.
+Extrapolation from two meshes has larger errors where spin is large. --check: log(a/b) uniform, direction of (xi C11,
+eta C22, phi c C23) uniform on the sphere, its length 0.02 to 20 mu N/(G a b), log-uniform; the difference of a scene is
+the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Ten scenes share an ellipse.
+)";
+
+void add_options(study::Options& options) {
     options.group("Table");
     options.add("a-over-b", "LIST", "the smallest and the largest a/b, a along the rolling direction (dimensionless)",
                 "0.1,10");
@@ -274,22 +288,15 @@ int main(int argc, char** argv) {
     options.refuse("aspect", "a patch is wide and long: --a-over-b");
     options.not_with({"shard"}, "rows");
     options.refuse("plot", "draw friction on patches with patch_study");
-    options.footer(R"(Example: the table of steel, by two threads; then the same by 4 machines
-  creep_table --output table.csv --jobs 2
-  creep_table --shard 1/4 --output part1.csv    # and 2/4, 3/4, 4/4
-  cat part?.csv > rows.csv && creep_table --rows rows.csv --output table.csv --check 1000
+    options.footer(help);
+}
 
-Writes a row for each node of the grid, with the columns of patch_study: creepages times G a b/(mu N), spin times
-G a b c/(mu N), -F_x, -F_y over mu N, -M_z over mu N c, c = sqrt(a b). Beside FILE stands FILE.bin, which
-CreepForceTable::read of the library takes (not for a shard, nor on standard output).
-Nodes are denser for small creepages, follow saturation and end at full sliding, so no creepage lies outside. Each node
-is solved on one mesh. Where the pole of a large spin lies inside or near the edge, forces are a mean of two: the second
-has one more element in each strip and one more strip. Columns other than forces, residual and status are of the first.
-time_us stays empty, so that rows are the same wherever they are computed.
-Extrapolation from two meshes has larger errors where spin is large. --check: log(a/b) uniform, direction of (xi C11,
-eta C22, phi c C23) uniform on the sphere, its length 0.02 to 20 mu N/(G a b), log-uniform; the difference of a scene is
-the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Ten scenes share an ellipse.
-)");
+}  // namespace
+
+int main(int argc, char** argv) {
+    // 1. The command line.
+    study::Options options("creep_table", "Steady creep forces of contact patches on a grid, as a table for look-up.");
+    add_options(options);
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The grid.

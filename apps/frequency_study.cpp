@@ -7,7 +7,6 @@
 //     ./frequency_study --method chebyshev --n 8 --omega 0,1,5 --state-space contact
 //     ./frequency_study --n 60 --mesh cosine --alpha 0.5 --omega 0,1,5 --state-space contact --states 6
 //     ./frequency_study --method polynomial --basis chebyshev --omega 200
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -251,11 +250,7 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
     return argand;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    study::Options options("frequency_study",
-                           "Complex creep coefficient c11 under harmonic creepage over its frequency, and its error.");
+void add_options(study::Options& options) {
     options.add("omega", "LIST", "frequencies omega a/V, at least 0 (dimensionless)");
     options.add("omega-min", "Z", "or: the lowest frequency omega a/V, above 0 (dimensionless)", "0.01");
     options.add("omega-max", "Z", "the highest, above --omega-min (dimensionless)", "10");
@@ -292,6 +287,14 @@ Plain numbers without header; numpy.loadtxt('A.csv', delimiter=',', ndmin=2) rea
 G. The table is written as well, of the full system. With --states D is not zero; error_bound in state_space.toml
 holds for |c11| at every omega, and is twice the sum of the Hankel singular values left out.
 )");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    study::Options options("frequency_study",
+                           "Complex creep coefficient c11 under harmonic creepage over its frequency, and its error.");
+    add_options(options);
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         given.choice("method", {"collocation", "galerkin", "knothe-bc", "nodes", "chebyshev", "polynomial"});

@@ -44,9 +44,9 @@ several steady solutions on a mesh: --sweep up and --sweep down then differ. --s
 
 --transient, one row for each step:
 )" + friction::transient_help() +
-           R"(creep_work = slip_work + jump_work + change of elastic_energy, which has the same unit, to the order of the scheme
-in 1/n and of the integrator in dq. A scheme that is not certainly stable, or whose steady tractions assist the
-creepage, is refused unless --unchecked is given; the check finds eigenvalues, in a time of order n^3. A step
+           R"(creep_work = slip_work + jump_work + change of elastic_energy, which has the same unit, to the order of
+the scheme in 1/n and of the integrator in dq. A scheme that is not certainly stable, or whose steady tractions assist
+the creepage, is refused unless --unchecked is given; the check finds eigenvalues, in a time of order n^3. A step
 without a solution is divided in halves, up to six times. If a step fails, the run has no more results, and the exit
 code is 1. Under a load that varies, forces are over mu N_0 and distances over a_0, which belong to load_ratio 1. With
 --breathing the mesh follows the contact (second order in 1/n); where it grows or shrinks as fast as it rolls, status
@@ -55,12 +55,8 @@ vanish. Steps are divided where the table of --load has a row. exact is empty.
 )";
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    // 1. The command line.
-    study::Options options("friction_study",
-                           "Rolling with Coulomb friction: steady, against Carter's creep curve, or in time.");
+/// What steady rolling and that in the time domain share: creepages, pressure, a layer and the law of friction.
+void add_contact_options(study::Options& options) {
     options.set_default("mesh", "cosine");
     options.set_default("alpha-L", "0.5");
     options.set_default("alpha-T", "0.5");
@@ -83,6 +79,10 @@ int main(int argc, char** argv) {
     options.add("layer", "L", "compliance of an elastic layer between the bodies, in a/G, 0 or more (dimensionless)",
                 "0");
     friction::add_law_options(options);
+}
+
+/// What steady rolling alone has: sweeps, tractions and the exact border of stick.
+void add_steady_options(study::Options& options) {
     options
         .add("sweep", "up|down",
              "each point starts from its neighbour in the order of the creepage ratios, "
@@ -105,6 +105,9 @@ int main(int argc, char** argv) {
                      ", which needs no elements");
     options.not_with({"lateral-ratio", "spin-ratio", "layer"}, "fit-border",
                      ", which is for one direction and no layer");
+}
+
+void add_rolling_options(study::Options& options) {
     options.add_flag("transient", "roll in time from rest, one row per step");
     options
         .add("sine", "AMP,OMEGA",
@@ -123,6 +126,17 @@ int main(int argc, char** argv) {
     options.not_with({"creepage-ratio"}, "sine");
     options.add_flag("unchecked", "step even a scheme that is, or may be, unstable, or that does not converge")
         .only_with({"transient"});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // 1. The command line.
+    study::Options options("friction_study",
+                           "Rolling with Coulomb friction: steady, against Carter's creep curve, or in time.");
+    add_contact_options(options);
+    add_steady_options(options);
+    add_rolling_options(options);
     options.footer(help());
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {

@@ -175,13 +175,7 @@ study::Plot draw_force(const History& history, const std::vector<study::Row>& ro
     return plot;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    // 1. The command line.
-    study::Options options(
-        "transient_study",
-        "Force of a contact that rolls from rest under a given creepage, step by step, and its error.");
+void add_options(study::Options& options) {
     options.set_default("n", "40");
     options.add("step", "X", "creepage X from q = 0 on, not 0 (dimensionless)");
     options.add("ramp", "RATE", "creepage RATE q/a, not 0 (dimensionless)");
@@ -205,9 +199,19 @@ int main(int argc, char** argv) {
 
 One row per step:
 )" + sheet.help() +
-        R"(--method chebyshev: columns that apply to elements only are empty. Smooth motion needs few states, a jump more:
-12 states have an error of 4e-5 one half-length after it, 8 states of 2e-7 five half-lengths after it.
+        R"(--method chebyshev: columns that apply to elements only are empty. Smooth motion needs few states, a jump
+more: 12 states have an error of 4e-5 one half-length after it, 8 states of 2e-7 five half-lengths after it.
 )");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // 1. The command line.
+    study::Options options(
+        "transient_study",
+        "Force of a contact that rolls from rest under a given creepage, step by step, and its error.");
+    add_options(options);
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         const study::Steps steps = study::read_steps(given);

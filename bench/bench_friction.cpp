@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include <Eigen/LU>
 #include <benchmark/benchmark.h>

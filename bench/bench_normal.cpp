@@ -2,8 +2,6 @@
 // its counter error is that of the peak pressure against Hertz. BM_ProfilePatch/n: S1002 on 60E1 with 2 n x n cells
 // across what touches, from the profiles to outline and pressures, from the position 0.1 mm beside it; /0 from nothing
 // at n = 20. Sample run: ./bench_normal --benchmark_filter=/20$
-#include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include <benchmark/benchmark.h>

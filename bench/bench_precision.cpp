@@ -3,7 +3,6 @@
 // Sample run: ./bench_precision --benchmark_filter='Recommended|Polynomial'
 #include <cmath>
 #include <complex>
-#include <string>
 
 #include <Eigen/LU>
 #include <benchmark/benchmark.h>

@@ -1,9 +1,9 @@
 #!/bin/sh
 # check_includes.sh INCLUDE_DIR: checks the #include lines of the headers in INCLUDE_DIR/rollbem.
 # Folders are stages: a header includes only its own stage and earlier ones, and there is no cycle. The kernels do not
-# depend on meshes, systems on neither, nor the reference on the assembly; only reference/ needs GSL, the time stepper includes no eigenvalue
-# headers, only compiled/ needs a compiled library, and refers to its alignment, nothing prints, and all reach the check
-# of the language.
+# depend on meshes, systems on neither, nor the reference on the assembly; only reference/ needs GSL, the time stepper
+# includes no eigenvalue headers, only compiled/ needs a compiled library, and refers to its alignment, nothing prints,
+# and all reach the check of the language.
 set -eu
 cd "$1"
 
@@ -61,7 +61,8 @@ function forbid(file, pattern, reason,  target) {
 }
 
 BEGIN {
-    count = split("detail root scene closed_form system discretisation normal elasticity assembly spectral rolling adhesion friction accuracy vehicle studies reference compiled umbrella", order, " ")
+    count = split("detail root scene closed_form system discretisation normal elasticity assembly spectral " \
+        "rolling adhesion friction accuracy vehicle studies reference compiled umbrella", order, " ")
     for (i = 1; i <= count; ++i) rank[order[i]] = i
 }
 
@@ -87,7 +88,8 @@ END {
         from = stage(file)
         if (!(from in rank)) complain(file ": folder " from " is none of the stages")
         count = split(includes[file], list, " ")
-        if (file != "rollbem/detail/language.hpp" && includes[file] !~ / rollbem\//) complain(file " does not check the language")
+        if (file != "rollbem/detail/language.hpp" && includes[file] !~ / rollbem\//)
+            complain(file " does not check the language")
         for (i = 1; i <= count; ++i) {
             target = list[i]
             if (target ~ /^rollbem\//) {
@@ -97,15 +99,21 @@ END {
             }
             else if (target ~ /^gsl\// && from != "reference") complain(file " includes GSL: " target)
             else if (target ~ /^(iostream|print)$/) complain(file " could print: it includes <" target ">")
-            else if (target ~ /\// && target !~ /^(Eigen|unsupported\/Eigen|gsl)\//) complain(file " needs more than Eigen: " target)
+            else if (target ~ /\// && target !~ /^(Eigen|unsupported\/Eigen|gsl)\//)
+                complain(file " needs more than Eigen: " target)
         }
-        if (from == "system" || from == "rolling") forbid(file, "^rollbem/(discretisation|elasticity|assembly)/", "a system knows how it was made")
+        if (from == "system" || from == "rolling")
+            forbid(file, "^rollbem/(discretisation|elasticity|assembly)/", "a system knows how it was made")
         if (from == "elasticity") forbid(file, "^rollbem/(discretisation|assembly)/", "a kernel knows a mesh")
         if (from == "reference") forbid(file, "^rollbem/(discretisation|assembly)/", "the reference is not independent")
-        if (from == "umbrella") forbid(file, "^(gsl|rollbem/reference|rollbem/studies)/", "the umbrella needs GSL, or studies")
-        if (from == "compiled") require(file, "rollbem/compiled/detail/alignment.hpp", "does not refer to the alignment of rollbem::compiled")
+        if (from == "umbrella")
+            forbid(file, "^(gsl|rollbem/reference|rollbem/studies)/", "the umbrella needs GSL, or studies")
+        if (from == "compiled")
+            require(file, "rollbem/compiled/detail/alignment.hpp",
+                "does not refer to the alignment of rollbem::compiled")
         if (from != "compiled") forbid(file, "^rollbem/compiled/", "needs the library rollbem::compiled")
-        if (file ~ /\/(transient|friction\/model)\.hpp$/) forbid(file, "^Eigen/(Eigenvalues|Dense|Eigen)$", "the time stepper includes eigenvalues")
+        if (file ~ /\/(transient|friction\/model)\.hpp$/)
+            forbid(file, "^Eigen/(Eigenvalues|Dense|Eigen)$", "the time stepper includes eigenvalues")
     }
     for (file in known) if (!state[file]) find_cycle(file, file)
     if (!FNR) complain("no headers found")

@@ -1,5 +1,5 @@
-# Toolchain: Windows (x86-64) from Linux by mingw-w64 with POSIX threads, all runtime libraries inside the binaries, which
-# run under wine in tests.
+# Toolchain: Windows (x86-64) from Linux by mingw-w64 with POSIX threads, all runtime libraries inside the binaries,
+# which run under wine in tests.
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_C_COMPILER x86_64-w64-mingw32-gcc-posix)

@@ -15,8 +15,8 @@ function(add_precompiled target)
 endfunction()
 
 # compile_as_one(target)
-# compiles all sources of the target as one unit, which takes less time, except where precompiled headers are off: ccache
-# and the stricter presets see each source alone.
+# compiles all sources of the target as one unit, which takes less time, except where precompiled headers are off:
+# ccache and the stricter presets see each source alone.
 function(compile_as_one target)
     if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
         set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)

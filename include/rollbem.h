@@ -45,8 +45,8 @@ ROLLBEM_API void rollbem_table_close(rollbem_table *table);
      contacts  count x 9: semi-axes a, b [m], shear modulus [Pa], Poisson's ratio, coefficient of friction, load [N],
                creepages
      forces    count x 3
-     tangents  count x 21, or NULL: the derivatives of the 3 forces with respect to each of the 3 creepages, the load, the
-               coefficient of friction, a and b, exact ones of the interpolation
+     tangents  count x 21, or NULL: the derivatives of the 3 forces with respect to each of the 3 creepages, the load,
+               the coefficient of friction, a and b, exact ones of the interpolation
    All contacts are computed. ROLLBEM_FAILED or ROLLBEM_INVALID if one of them has no forces (NaN); else
    ROLLBEM_OFF_TABLE if a/b of one lies beyond the table, where the nearest ellipse of the table with the same area
    stands for it. The message names the first such contact. */
@@ -74,15 +74,15 @@ ROLLBEM_API int rollbem_kalker(double a_over_b, double poisson_ratio, int n, dou
 
 typedef struct rollbem_patch rollbem_patch;
 
-/* An ellipse with Coulomb friction under Hertz's pressure, at rest: semi-axes [m] under the load [N], from which they vary
-   with its cube root; `strips` strips of `elements` elements. */
+/* An ellipse with Coulomb friction under Hertz's pressure, at rest: semi-axes [m] under the load [N], from which they
+   vary with its cube root; `strips` strips of `elements` elements. */
 ROLLBEM_API rollbem_patch *rollbem_patch_new(double half_length, double half_width, double shear_modulus,
                                              double poisson_ratio, double friction_coefficient, double load,
                                              int elements, int strips);
 ROLLBEM_API void rollbem_patch_free(rollbem_patch *patch);
 
-/* Rolls on by a distance [m] under a load [N] at its end, from the present state; rollbem_patch_accept() makes the result
-   the present state. Steps of one distance and load are cheapest.
+/* Rolls on by a distance [m] under a load [N] at its end, from the present state; rollbem_patch_accept() makes the
+   result the present state. Steps of one distance and load are cheapest.
      force      3
      tangent    12, or NULL: the derivatives of the 3 forces with respect to each of the 3 creepages and the load
      slip_work  1, or NULL: frictional heat of the step [J] */
@@ -135,7 +135,8 @@ typedef struct rollbem_wheel_options {
     double poisson_ratio;     /* 0.28 [-] */
 } rollbem_wheel_options;
 
-/* Sets `size` bytes, sizeof(rollbem_wheel_options), to the defaults; the other members' default is 0, interaction's 1. */
+/* Sets `size` bytes, sizeof(rollbem_wheel_options), to the defaults; the other members' default is 0,
+   interaction's 1. */
 ROLLBEM_API int rollbem_wheel_defaults(rollbem_wheel_options *options, size_t size);
 
 /* The right wheel on the right rail, by the names of standard profiles or from files.

@@ -38,8 +38,8 @@ std::optional<Contact> contact_of(const Curve& curve, const study::Scene& scene)
     return curve.line.contact(scene, *along, across, curve.line.pressure(*scene.mesh), rollbem::StabilityVerdict{});
 }
 
-/// The states that the points of a curve start from: rest, or in a sweep the solutions of their neighbours. Each pair of
-/// lateral ratio and spin has a sweep of its own, unless it has one point only.
+/// The states that the points of a curve start from: rest, or in a sweep the solutions of their neighbours. Each pair
+/// of lateral ratio and spin has a sweep of its own, unless it has one point only.
 std::vector<Contact::State> starts_of(const Curve& curve, const study::Scene& scene, const Contact& contact) {
     const std::vector<CreepPoint>& points = curve.points;
     const auto rest = contact.at_rest();

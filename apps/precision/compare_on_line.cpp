@@ -24,8 +24,9 @@ namespace {
 using rollbem::Contact;
 using rollbem::LineModel;
 
-/// The relative error; of a complex number its absolute value, of tractions and of a force as a vector |difference| over
-/// |exact|, of a response to a step the largest; of forces over mu N_0 under a load that varies the largest difference.
+/// The relative error; of a complex number its absolute value, of tractions and of a force as a vector |difference|
+/// over |exact|, of a response to a step the largest; of forces over mu N_0 under a load that varies the largest
+/// difference.
 double error_of(const Quantity& quantity, const Values& found, const Values& exact) {
     const auto real = [](const Values& of) -> Eigen::ArrayXd {
         return Eigen::ArrayXcd::Map(of.data(), std::ssize(of)).real();

@@ -129,6 +129,55 @@ std::optional<bool> stable(const PatchContact& contact, const rollbem::PatchMesh
     return verdict.unstable_count == 0;
 }
 
+/// What the quantities of each problem should be.
+using References = std::map<Problem, std::vector<double>>;
+
+/// Of a coefficient the relative error, of forces the largest difference over mu N.
+double patch_error(const Quantity& quantity, const std::vector<double>& found, const std::vector<double>& exact) {
+    if (quantity.problem == Problem::patch) {
+        const auto k = std::size_t(quantity.name == "patch_c11"   ? 0
+                                   : quantity.name == "patch_c22" ? 1
+                                   : quantity.name == "patch_c23" ? 2
+                                                                  : 3);
+        return found[k] / exact[k] - 1;
+    }
+    double largest = 0;
+    for (std::size_t k = 0; k < exact.size(); ++k) largest = std::max(largest, std::abs(found[k] - exact[k]));
+    return largest;
+}
+
+/// A scheme on one mesh; each problem is computed once for all its quantities.
+Task task_of(const PatchContact& contact, const std::string& scheme, long n, long strips,
+             const std::vector<Quantity>& quantities, const std::shared_ptr<const References>& references) {
+    Task task{scheme,
+              n,
+              quantities,
+              {"half-space", "", study::Cell(contact.poisson_ratio()).text(), "", "",
+               study::Cell(contact.a_over_b()).text(), std::to_string(strips)}};
+    const auto found = std::make_shared<std::map<Problem, PatchValues>>();
+    const auto once = [=](Problem problem) -> const PatchValues& {
+        if (found->count(problem) == 0) (*found)[problem] = compute(contact, problem, scheme, n, strips);
+        return (*found)[problem];
+    };
+    task.error = [=](const Quantity& quantity) {
+        const PatchValues& own = once(quantity.problem);
+        return own.status == "ok" ? patch_error(quantity, own.values, references->at(quantity.problem)) : nan;
+    };
+    task.status = [=](const Quantity& quantity) {
+        const std::string own = once(quantity.problem).status;
+        return own == "ok" ? rollbem::name(rollbem::Status::not_converged) : own;  // the reference, then
+    };
+    task.run = [=](const Quantity& quantity) {
+        return compute(contact, quantity.problem, scheme, n, strips).values[0];
+    };
+    task.stable = [=]() -> std::optional<bool> {
+        const std::optional<bool> fine = stable(contact, mesh_of(contact, scheme, n, strips));
+        if (scheme != richardson || !fine.value_or(false)) return fine;
+        return stable(contact, mesh_of(contact, direct, n / 2, strips / 2));
+    };
+    return task;
+}
+
 }  // namespace
 
 const std::vector<Quantity>& patch_quantities() {
@@ -153,58 +202,13 @@ Comparison compare_on_patch(const study::Options& options) {
     }
     Comparison result{columns(), chosen(options, patch_quantities()), {}, {}, {}};
     result.columns.insert(result.columns.end(), {"a_over_b", "strips"});
-    const auto references = std::make_shared<std::map<Problem, std::vector<double>>>();
+    const auto references = std::make_shared<References>();
     result.prepare = [contact, references, quantities = result.quantities] {
         for (const Quantity& quantity : quantities) {
             if (references->count(quantity.problem) == 0) {
                 (*references)[quantity.problem] = reference(contact, quantity.problem);
             }
         }
-    };
-    const auto add = [&](const std::string& scheme, long n, long strips) {
-        Task task{scheme,
-                  n,
-                  result.quantities,
-                  {"half-space", "", study::Cell(contact.poisson_ratio()).text(), "", "",
-                   study::Cell(contact.a_over_b()).text(), std::to_string(strips)}};
-        // a series in n for each number of strips, unless there are as many as elements
-        if (options.given("strips")) task.series = task.setting.back();
-        // a problem is computed once for all its quantities
-        const auto found = std::make_shared<std::map<Problem, PatchValues>>();
-        const auto once = [=](Problem problem) -> const PatchValues& {
-            if (found->count(problem) == 0) (*found)[problem] = compute(contact, problem, scheme, n, strips);
-            return (*found)[problem];
-        };
-        task.error = [=](const Quantity& quantity) {
-            const PatchValues& own = once(quantity.problem);
-            const std::vector<double>& exact = references->at(quantity.problem);
-            if (own.status != "ok") return nan;
-            if (quantity.problem == Problem::patch) {
-                const auto k = std::size_t(quantity.name == "patch_c11"   ? 0
-                                           : quantity.name == "patch_c22" ? 1
-                                           : quantity.name == "patch_c23" ? 2
-                                                                          : 3);
-                return own.values[k] / exact[k] - 1;
-            }
-            double largest = 0;
-            for (std::size_t k = 0; k < exact.size(); ++k) {
-                largest = std::max(largest, std::abs(own.values[k] - exact[k]));
-            }
-            return largest;
-        };
-        task.status = [=](const Quantity& quantity) {
-            const std::string own = once(quantity.problem).status;
-            return own == "ok" ? rollbem::name(rollbem::Status::not_converged) : own;  // the reference, then
-        };
-        task.run = [=](const Quantity& quantity) {
-            return compute(contact, quantity.problem, scheme, n, strips).values[0];
-        };
-        task.stable = [=]() -> std::optional<bool> {
-            const std::optional<bool> fine = stable(contact, mesh_of(contact, scheme, n, strips));
-            if (scheme != richardson || !fine.value_or(false)) return fine;
-            return stable(contact, mesh_of(contact, direct, n / 2, strips / 2));
-        };
-        result.tasks.push_back(std::move(task));
     };
     std::vector<std::ptrdiff_t> sizes{4, 6, 8, 12, 16}, all_strips;
     if (result.quantities.back().problem == Problem::patch) sizes.push_back(24);
@@ -220,7 +224,11 @@ Comparison compare_on_patch(const study::Options& options) {
                     throw study::BadInput("--n = " + std::to_string(n) + " times " + std::to_string(m) +
                                           " strips must be at most " + std::to_string(most_elements));
                 }
-                if (name != richardson || (n % 2 == 0 && m % 2 == 0)) add(name, n, m);
+                if (name == richardson && (n % 2 != 0 || m % 2 != 0)) continue;
+                Task task = task_of(contact, name, n, m, result.quantities, references);
+                // a series in n for each number of strips, unless there are as many as elements
+                if (options.given("strips")) task.series = task.setting.back();
+                result.tasks.push_back(std::move(task));
             }
         }
     }

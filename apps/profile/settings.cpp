@@ -1,6 +1,10 @@
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "profile.hpp"
 #include "support/input.hpp"
@@ -47,8 +51,8 @@ Profiles: files are cleaned of repeated points, zig-zags and folds at their ends
 says that it points up; what was done stands in the sidecar. A wheel must have its flange at y < 0, |z| < 2 mm on the
 tape circle and a width of 90 to 180 mm, a rail its top within 10 mm of z = 0 and a width of 30 to 200 mm: else a line
 names the remedy. --any-shape is for pieces, planes and rollers. The rail is placed by --gauge, its narrowest place down
-to --gauge-depth below the top, or by --rail-origin, about which it is canted. --smooth is for measured profiles; corners
-stay, and with less than the noise has, patches break up (few_cells).
+to --gauge-depth below the top, or by --rail-origin, about which it is canted. --smooth is for measured profiles;
+corners stay, and with less than the noise has, patches break up (few_cells).
   profile_study --wheel worn.whl --tape-offset 0 --rail worn.ban --rail-mirror y --cant 0 --smooth 0.007 --load 8e4
   profile_study --rail nose.slcs --length-unit mm --any-shape --rail-origin 0.75,0 --cant 0 --x 0,0.05,0.1 --roll 0
 
@@ -70,18 +74,7 @@ friction.
 
 const study::Rule turn = study::between(-0.3, 0.3), sideways = study::between(-0.1, 0.1);
 
-}  // namespace
-
-void add_options(study::Options& options) {
-    options.refuse_group("Discretisation", "patches have strips along x, with the cosine mesh and rows between nodes",
-                         {"n"});
-    options.set_default("n", "12");
-    options.set_help("n", "with --friction: elements of each strip, 1 to 100 (dimensionless)");
-    options.refuse("kernel", "the bodies are half-spaces");
-    options.refuse("aspect", "a patch is as wide as profiles and load make it");
-    options.set_help("poisson", "Poisson's ratio of wheel and rail, 0 to 0.5 (dimensionless)");
-    options.add("shear-modulus", "G", "shear modulus of wheel and rail [Pa]", "8.2e10");
-    add_profile_options(options);
+void add_track_options(study::Options& options) {
     options.group("Track and wheelset");
     options.add("radius", "R", "of the wheel's tape circle [m]", "0.46");
     options.add("gauge", "X", "between the rails [m]", "1.435");
@@ -96,6 +89,10 @@ void add_options(study::Options& options) {
     options.not_with({"gauge", "gauge-depth"}, "rail-origin");
     options.add("roller-radius", "R", "the rail is a roller, its axle this far below z = 0 of its profile [m]")
         .only_with({"rail-origin"});
+}
+
+/// Positions of the wheelset, loads, and how its contacts are solved.
+void add_position_options(study::Options& options) {
     options.add("side", "NAME", "left, right or both", "right");
     options.add("shift", "LIST", "lateral shifts of the wheelset to the right, -0.1 to 0.1 [m]", "0");
     options.add("yaw", "LIST", "yaw angles, clockwise from above, -0.3 to 0.3 [rad]", "0");
@@ -112,6 +109,9 @@ void add_options(study::Options& options) {
     options.add("interaction", "NAME", "on: patches of a wheel displace each other; off: as in CONTACT", "on");
     options.add("cells", "NX,NS", "across what touches, 10 to 1000 each, more where it has lobes (dimensionless)",
                 "40,20");
+}
+
+void add_friction_options(study::Options& options) {
     options.group("Friction");
     options.add("friction", "MU", "coefficient of friction: adds creepages and forces (dimensionless)");
     options.add("speed", "V", "with --friction: of the wheelset, negative when rolling backwards [m/s]", "1");
@@ -127,6 +127,23 @@ void add_options(study::Options& options) {
         "CONTACT has it",
         "linear");
     options.add("shear-yield", "K", "with --friction: yield stress in shear, for the fatigue index [Pa]", "3e8");
+}
+
+}  // namespace
+
+void add_options(study::Options& options) {
+    options.refuse_group("Discretisation", "patches have strips along x, with the cosine mesh and rows between nodes",
+                         {"n"});
+    options.set_default("n", "12");
+    options.set_help("n", "with --friction: elements of each strip, 1 to 100 (dimensionless)");
+    options.refuse("kernel", "the bodies are half-spaces");
+    options.refuse("aspect", "a patch is as wide as profiles and load make it");
+    options.set_help("poisson", "Poisson's ratio of wheel and rail, 0 to 0.5 (dimensionless)");
+    options.add("shear-modulus", "G", "shear modulus of wheel and rail [Pa]", "8.2e10");
+    add_profile_options(options);
+    add_track_options(options);
+    add_position_options(options);
+    add_friction_options(options);
     options.group("Result");
     options.add_folder("outline", "also write outlines and pressures of all patches into this folder, for patch_study");
     options.add_output("wear", "with --friction: also write frictional work over both profiles to this CSV file");

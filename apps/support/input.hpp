@@ -27,8 +27,8 @@ char separator_of(std::string_view line);
 /// The cells of a line of CSV, without quotes and the blanks around them.
 std::vector<std::string> cells_of(std::string_view line, char separator = ',');
 
-/// A cell as a number, or nothing; what is below detail::least_number in size is 0. Unless the comma separates cells, it
-/// may be the decimal point.
+/// A cell as a number, or nothing; what is below detail::least_number in size is 0. Unless the comma separates cells,
+/// it may be the decimal point.
 std::optional<double> number_of(std::string cell, char separator);
 
 /// The lines of the file that --name gives, without blanks at their ends; empty lines and those that begin with # are

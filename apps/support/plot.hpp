@@ -17,8 +17,9 @@ namespace study {
 /// and head of arrows.
 enum class Shape { curve, rectangles, arrows };
 
-/// A line of the plot, interrupted at points that are not finite or have no place on a logarithmic axis. The title counts
-/// those, except where x alone is not a number, which only ends a line. A point without a neighbour gets a marker. Labels use gnuplot's enhanced text: x_1 is a subscript.
+/// A line of the plot, interrupted at points that are not finite or have no place on a logarithmic axis. The title
+/// counts those, except where x alone is not a number, which only ends a line. A point without a neighbour gets a
+/// marker. Labels use gnuplot's enhanced text: x_1 is a subscript.
 struct Series {
     std::string label{};
     std::vector<std::pair<double, double>> points{};

@@ -3,15 +3,22 @@
 # c = sqrt(area/pi). With -v rows=1 forces and moments of each wheel instead, both signs as on the wheel.
 /^#/ { next }
 $1 == "side" { for (i = 1; i <= NF; ++i) ref[$i] = i; next }
-$1 == "shift" { for (i = 1; i <= NF; ++i) own[$i] = i; if (rows) print "side,shift,longitudinal,lateral,moment,contact_longitudinal,contact_lateral,contact_moment"; else print "quantity,unit,mean,largest,side,shift_mm"; next }
+$1 == "shift" {
+    for (i = 1; i <= NF; ++i) own[$i] = i
+    print rows ? "side,shift,longitudinal,lateral,moment,contact_longitudinal,contact_lateral,contact_moment" \
+               : "quantity,unit,mean,largest,side,shift_mm"
+    next
+}
 NR == FNR { for (name in ref) contact[$1, $2 + 0, name] = $ref[name]; next }
 $own["patch"] == 1 {
     side = $own["side"]; shift = 1000 * $own["shift"]; shift = sprintf("%.1f", shift) + 0
     N = contact[side, shift, "load"]; limit = 0.3 * N; c = sqrt(contact[side, shift, "area"] / 3.14159265358979)
     if (rows) {
         M = 300 * $own["load"]; C = 1000 * sqrt($own["area"] / 3.14159265358979)
-        printf "%s,%s,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", side, shift, 1000 * $own["longitudinal_force"] / M, 1000 * $own["lateral_force"] / M, \
-            1e6 * $own["spin_moment"] / M / C, -contact[side, shift, "fx"] / limit, -contact[side, shift, "fs"] / limit, \
+        printf "%s,%s,%.6f,%.6f,%.6f,%.6f,%.6f,%.6f\n", side, shift, \
+            1000 * $own["longitudinal_force"] / M, 1000 * $own["lateral_force"] / M, \
+            1e6 * $own["spin_moment"] / M / C, \
+            -contact[side, shift, "fx"] / limit, -contact[side, shift, "fs"] / limit, \
             -contact[side, shift, "mn"] / limit / c
         next
     }
@@ -41,5 +48,9 @@ function add(name, unit, difference) {
     if (difference > largest[name]) { largest[name] = difference; where[name] = side "," shift }
 }
 END {
-    if (!rows) for (k = 1; k <= names; ++k) printf "%s,%s,%.2e,%.2e,%s\n", order[k], of[order[k]], sum[order[k]] / count[order[k]], largest[order[k]], where[order[k]]
+    if (rows) exit
+    for (k = 1; k <= names; ++k) {
+        name = order[k]
+        printf "%s,%s,%.2e,%.2e,%s\n", name, of[name], sum[name] / count[name], largest[name], where[name]
+    }
 }

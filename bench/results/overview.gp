@@ -38,8 +38,10 @@ set label 1 'stick' at 3.6,6 left
 set label 2 'slip' at -7.3,6 left
 plot 'overview_tractions.csv' using (c * $8):(c * $9):(c * $10 / 2):(c * $11 / 2):(fill($17)) every ::1 \
     with boxxyerror lc rgb variable, \
-    '' using (c * $8):(c * $9):(c * 0.25 * $13):(c * 0.25 * $14) every ::1 with vectors head size 0.4,25 filled lw 1.3 lc rgb 'black', \
-    for [edge=2:3] 'overview_outline.csv' using (1e3 * column(edge)):(1e3 * $1) every ::1 with lines lw 2 lc rgb '#555555'
+    '' using (c * $8):(c * $9):(c * 0.25 * $13):(c * 0.25 * $14) every ::1 \
+    with vectors head size 0.4,25 filled lw 1.3 lc rgb 'black', \
+    for [edge=2:3] 'overview_outline.csv' using (1e3 * column(edge)):(1e3 * $1) every ::1 \
+    with lines lw 2 lc rgb '#555555'
 unset label 1
 unset label 2
 

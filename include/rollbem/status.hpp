@@ -22,8 +22,8 @@ enum class Status {
     undefined_section,  ///< the wheel's section is not a function there: yaw is too large
     too_deep,           ///< the wheel lies more than a millimetre within the rail: a position that cannot be meant
     load_not_reached,   ///< no height was found at which the contact carries the load
-    not_converged,  ///< pressures did not settle; the order of a polynomial is too low, or monomials have broken down by
-                    ///< cancellation; other meshes of a long patch give other coefficients
+    not_converged,  ///< pressures did not settle; the order of a polynomial is too low, or monomials have broken down
+                    ///< by cancellation; other meshes of a long patch give other coefficients
     few_cells,      ///< fewer than 7 cells touch: the grid is too coarse
     not_finite,     ///< an input or a result is NaN or infinite
 };

@@ -1,7 +1,6 @@
 // Tests of adhesion/response.hpp, and of several inputs through the sweep, the state space and element_blocks.hpp.
 #include <algorithm>
 #include <complex>
-#include <stdexcept>
 
 #include <Eigen/LU>
 

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <complex>
 #include <optional>
-#include <utility>
 
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>

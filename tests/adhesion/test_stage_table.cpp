@@ -1,10 +1,7 @@
 // rollbem/adhesion/integrator.hpp: a row of the table of stages is all of a scheme, in full adhesion and with friction.
 // The row {2, 1/2} is two steps of implicit Euler, each of half the distance.
 #include <cmath>
-#include <functional>
-#include <optional>
 #include <utility>
-#include <vector>
 
 #include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/friction.hpp>

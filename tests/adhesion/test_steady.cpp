@@ -1,5 +1,4 @@
 // rollbem/adhesion/steady.hpp
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -59,7 +59,8 @@ kill -INT $first
 cat held.svg >out
 wait $first
 [ $? -eq 3 ] && grep -q gnuplot err || fail "the first run on a file: $(cat err)"
-[ "$(cut -d, -f4 both.csv | tr '\n' ' ')" = "n 10 20 30 " ] && [ "$(tr -d '\000' <both.csv | wc -c)" -eq "$(wc -c <both.csv)" ] ||
+[ "$(cut -d, -f4 both.csv | tr '\n' ' ')" = "n 10 20 30 " ] &&
+    [ "$(tr -d '\000' <both.csv | wc -c)" -eq "$(wc -c <both.csv)" ] ||
     fail "the file of the first run: $(cat both.csv)"
 grep -q 'n = "10,20,30"' both.csv.toml && [ "$(ls -d both* | tr '\n' ' ')" = 'both.csv both.csv.toml ' ] ||
     fail "two runs leave $(ls -d both*)"

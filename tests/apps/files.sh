@@ -8,13 +8,15 @@ printf '%s\n' -1 -0.2 0.5 1 >"$scratch/edges"
 # a configuration file; the command line takes precedence
 printf '# one\n"n" = [10, # ten\n  "20",\n]\r\nalpha-T=[0.5 , 0.6]# two\nmesh = "cos\\u0069ne"\nquiet = true' >c.toml
 good 5 "$steady" --config c.toml
-check 'all that a configuration file says' '$mesh == "cosine" && ($n == 10 || $n == 20) && ($alpha_T == 0.5 || $alpha_T > 0.59)'
+check 'all that a configuration file says' '$mesh == "cosine" && ($n == 10 || $n == 20) &&
+    ($alpha_T == 0.5 || $alpha_T > 0.59)'
 "$steady" --config - <c.toml | cut -d, -f1-10 >from_stdin
 cut -d, -f1-10 out | cmp -s - from_stdin || fail "a configuration from standard input"
 
 # the file beside the rows repeats a run: the same rows, without its outputs and jobs
 printf '%s\n' -1 -0.2 0.5 1 >own
-"$steady" --quiet --alpha-T 0.5,0.6 --alpha-L 0 --jobs 2 --no-timing --edges own --shard 2/2 --output run.csv || fail run.csv
+"$steady" --quiet --alpha-T 0.5,0.6 --alpha-L 0 --jobs 2 --no-timing --edges own --shard 2/2 --output run.csv ||
+    fail run.csv
 sed -n '/^\[given\]/,/^$/p' run.csv.toml >given
 [ "$(cut -d' ' -f1 given | tr '\n' ' ')" = '[given] alpha-L alpha-T edges jobs no-timing output quiet shard  ' ] ||
     fail "options given: $(cat given)"
@@ -67,14 +69,18 @@ same '--output = edges must not be' "$steady" --config both.toml
 friction="$programs/friction_study --n 10 --creepage-ratio 0.5"
 same '--tractions = t must not be the same file as --output = ./t' $friction --tractions t --output ./t
 same '--tractions = - must not be the same file as standard output' $friction --tractions -
-same '--tractions = o.toml must not be the same file as --output = o, written beside it,' $friction --tractions o.toml --output o
+same '--tractions = o.toml must not be the same file as --output = o, written beside it,' $friction --tractions o.toml \
+    --output o
 printf 'n = 10\n' >names/c.csv.toml
-same '--output = c.csv, written beside it, must not be the same file as --config = c.csv.toml' "$steady" --config c.csv.toml --output c.csv
+same '--output = c.csv, written beside it, must not be the same file as --config = c.csv.toml' "$steady" \
+    --config c.csv.toml --output c.csv
 rm names/c.csv.toml
 space="$programs/frequency_study --n 8 --omega 1 --state-space"
-same '--output = space/./A.csv must not be the same file as space/A.csv, of the same run' $space space --output space/./A.csv
+same '--output = space/./A.csv must not be the same file as space/A.csv, of the same run' $space space \
+    --output space/./A.csv
 same '--edges = - must not be the same file as --config = -' "$steady" --config - --edges -
-cmp -s "$scratch/edges" names/edges && [ "$(ls names | tr '\n' ' ')" = 'both.toml edges ' ] || fail "changed: $(ls names)"
+cmp -s "$scratch/edges" names/edges && [ "$(ls names | tr '\n' ' ')" = 'both.toml edges ' ] ||
+    fail "changed: $(ls names)"
 good 0 $friction --config /dev/null --output /dev/null --tractions /dev/null
 good 11 $friction --tractions - --output names/new
 header n,creepage_ratio,x_over_a,traction

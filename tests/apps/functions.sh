@@ -13,8 +13,8 @@ fail() {
     failures=$((failures + 1))
 }
 
-# bad TEXT PROGRAM ARG...: bad input: exit 2, one line with TEXT on stderr, nothing on stdout, no file in the folder work.
-# Starts no other process, as there are hundreds of these.
+# bad TEXT PROGRAM ARG...: bad input: exit 2, one line with TEXT on stderr, nothing on stdout, no file in the folder
+# work. Starts no other process, as there are hundreds of these.
 bad() {
     text=$1
     shift

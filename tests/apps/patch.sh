@@ -22,13 +22,16 @@ check 'strips of a file' '$strips == 4 && $nodes == "chebyshev"'
 
 # an ellipse of a/b = 2 turned by 30 degrees and its mirror image: all nine coefficients, also in the frequency response
 for turn in 1 -1; do
-    awk -v turn=$turn 'BEGIN { print "y,x_trailing,x_leading"; pi = 4 * atan2(1, 1); c = cos(pi / 6); s = turn * sin(pi / 6)
+    awk -v turn=$turn 'BEGIN { print "y,x_trailing,x_leading"; pi = 4 * atan2(1, 1); c = cos(pi / 6)
+        s = turn * sin(pi / 6)
         A = c * c / 4 + s * s; B = s * c * (0.25 - 1); C = s * s / 4 + c * c; top = sqrt(A / (A * C - B * B))
-        for (j = -200; j <= 200; ++j) { y = top * sin(j / 400 * pi); root = sqrt((B * y) ^ 2 - A * (C * y * y - 1) + 1e-30)
+        for (j = -200; j <= 200; ++j) {
+            y = top * sin(j / 400 * pi); root = sqrt((B * y) ^ 2 - A * (C * y * y - 1) + 1e-30)
             printf "%.15g,%.15g,%.15g\n", y, (-B * y - root) / A, (-B * y + root) / A } }' >turned.csv
     "$patch" --n 16 --outline turned.csv --no-timing | tail -n $((1 + (turn > 0)))
 done >out
-check 'all nine coefficients' '$c12 ^ 2 > 0.221 ^ 2 && $c12 ^ 2 < 0.223 ^ 2 && $c13 ^ 2 > 0.257 ^ 2 && $c13 ^ 2 < 0.259 ^ 2 && $c12 * $c13 > 0'
+check 'all nine coefficients' '$c12 ^ 2 > 0.221 ^ 2 && $c12 ^ 2 < 0.223 ^ 2 && $c13 ^ 2 > 0.257 ^ 2 &&
+    $c13 ^ 2 < 0.259 ^ 2 && $c12 * $c13 > 0'
 check 'those of the mirror image' 'NR == 2 && (a = $c12) + (b = $c13) + (c = $c21) + (d = $c31) + (e = $c23) != 0 ||
     NR == 3 && a < 0 && ($c12 + a) ^ 2 + ($c13 + b) ^ 2 + ($c21 + c) ^ 2 + ($c31 + d) ^ 2 + ($c23 - e) ^ 2 < 1e-20'
 cut -d, -f"$(column c21),$(column c31)" out | tail -n 1 >steady
@@ -42,7 +45,8 @@ good 2 "$patch" --n 4 --a-over-b 2 --state-space space --no-timing
 awk -F, 'END { exit !(NR == 32 && NF == 32) }' space/A.csv || fail 'size of A'
 awk -F, 'END { exit !(NR == 32 && NF == 3) }' space/B.csv || fail 'size of B'
 awk -F, 'END { exit !(NR == 3 && NF == 32) }' space/C.csv || fail 'size of C'
-grep -q 'c21 c22 c23' space/state_space.toml && grep -q '^status = "not_converged"' space/state_space.toml || fail 'words of state_space.toml'
+grep -q 'c21 c22 c23' space/state_space.toml && grep -q '^status = "not_converged"' space/state_space.toml ||
+    fail 'words of state_space.toml'
 good 2 "$patch" --n 6 --state-space reduced --states 8 --no-timing
 awk -F, 'END { exit !(NR == 8 && NF == 8) }' reduced/A.csv || fail 'size of the reduced A'
 grep -q '^error_bound' reduced/state_space.toml || fail 'bound of the reduction'
@@ -51,7 +55,8 @@ grep -q '^error_bound' reduced/state_space.toml || fail 'bound of the reduction'
 # pressure as a table on an ellipse and on the same ellipse as an outline
 outline '-2e-3,-1e-3,1e-3\n2e-3,-1e-3,1e-3\n'
 pressure '-1e-3,-2e-3,7e8\n-1e-3,3e-3,7e8\n2e-3,-2e-3,7e8\n2e-3,3e-3,7e8\n'
-good 2 "$patch" --n 6 --outline "$scratch/outline.csv" --pressure "$scratch/pressure.csv" --longitudinal 3 --tractions t.csv
+good 2 "$patch" --n 6 --outline "$scratch/outline.csv" --pressure "$scratch/pressure.csv" --longitudinal 3 \
+    --tractions t.csv
 check 'all slides' '$longitudinal_force > 0.9999 && $stick_count == 0 && $a_over_b == ""'
 mv t.csv out
 check 'uniform bound' '$pressure_bound > 0.666666 && $pressure_bound < 0.666667'
@@ -88,7 +93,8 @@ mv out constant
 loads '0,1,1,1\n0.25,1,1,1\n2,1,1,1\n'
 good 21 "$@" --dq 0.1 --until 2 --load "$scratch/load.csv"
 paste -d, constant out | awk -F, 'NR == 1 { for (k = NF / 2; k > 0; --k) place[$k] = k } NR > 1 && NR != 4 {
-    for (name in place) if (name ~ /force|moment|count/ && ($place[name] - $(place[name] + NF / 2)) ^ 2 > 1e-5) exit 1 }' ||
+    for (name in place) if (name ~ /force|moment|count/ &&
+        ($place[name] - $(place[name] + NF / 2)) ^ 2 > 1e-5) exit 1 }' ||
     fail 'a load of ones'
 printf 'load_ratio;q_over_a\n8;0\n8;4\n' >"$scratch/load.csv"
 "$patch" --n 6 --a-over-b 0.5 --lateral 0.2 --spin 0.2 --transient --no-timing --dq 0.2 --until 4 \
@@ -117,7 +123,8 @@ tail -n 1 out | cut -d, -f"$(column lateral_force)" | paste - end | awk '{ exit 
 loads '0,1,1,1\n4,1,1,0.1\n20,1,1,0.1\n'
 for fixed in --breathing=false --quiet; do
     good 61 "$patch" --n 12 --lateral 0.1 --transient --dq 0.1 --until 6 --load "$scratch/load.csv" --no-timing $fixed
-    check 'an ellipse of few strips' '$status == ($b_ratio > 0.38 ? "ok" : "unresolved") && ($status == "ok") == ($lateral_force $slip_work != "")'
+    check 'an ellipse of few strips' '$status == ($b_ratio > 0.38 ? "ok" : "unresolved") &&
+        ($status == "ok") == ($lateral_force $slip_work != "")'
     loads '0,1,1,1\n4,1,1,0.1\n20,0,1,0.1\n'
 done
 for topic in outline pressure stability friction transient; do "$patch" --help $topic >out || fail "--help $topic"; done

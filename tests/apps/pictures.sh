@@ -59,7 +59,8 @@ draws $steady --n 10,20
 title 'Steady rolling, collocation, fd, uniform, αL = 0, αT = 0.63, strip kernel, b/a = 1000, ν = 0.28'
 [ "$(grep -c '^|c11 / c11,exact - 1|$' words)" -eq 1 ] || fail "a legend of one curve: $(cat words)"
 draws "$programs/friction_study" --transient --n 10 --sine 1,1 --until 2 --derivative analytic --mesh modified-knothe
-grep -q '^Rolling with friction, .*,$' words && says_not 'analytic, modified-knothe, n = 10, αL = 0.5, αT = 0.5, λ = 1' ||
+grep -q '^Rolling with friction, .*,$' words &&
+    says_not 'analytic, modified-knothe, n = 10, αL = 0.5, αT = 0.5, λ = 1' ||
     fail "a long title: $(cat words)"
 
 # a panel of errors beside curves that coincide, unless there is no exact value
@@ -116,7 +117,8 @@ draws $steady --n 20,40
 says 0.0002 && says 0.0001
 # real and imaginary parts in two colours
 draws "$programs/frequency_study" --n 10 --omega 0.1,1,5
-for colour in '  0, 114, 178' '213,  94,   0'; do grep -q "path stroke='rgb($colour)'" p.svg || fail "no curve in $colour"; done
+for colour in '  0, 114, 178' '213,  94,   0'; do grep -q "path stroke='rgb($colour)'" p.svg ||
+    fail "no curve in $colour"; done
 # what the creepage, the law and the load are; one symbol for the creepage ratio in axis and legend
 draws "$programs/friction_study" --n 10 --lateral-ratio 0,0.3
 says 'δy = 0.3' && says 'creepage ratio δx = ξx G / (2 (1 - ν) μ p0)'
@@ -131,14 +133,17 @@ draws "$programs/transient_study" --sine 1,2 --n 10 --until 1
 title 'Rolling from rest, a sine of creepage, ω a/V = 2, collocation'
 
 # several panels as PNG, too
-for study in "friction_study --n 10" "precision_study --n 4,8 --schemes cosine --quantity c11,traction,c11_z1" "frequency_study --n 10"; do
-    "$programs/"$study --plot p.png >out 2>err && [ "$(tail -c 8 p.png | head -c 4)" = IEND ] || fail "$study as PNG: $(cat err)"
+for study in "friction_study --n 10" "precision_study --n 4,8 --schemes cosine --quantity c11,traction,c11_z1" \
+    "frequency_study --n 10"; do
+    "$programs/"$study --plot p.png >out 2>err && [ "$(tail -c 8 p.png | head -c 4)" = IEND ] ||
+        fail "$study as PNG: $(cat err)"
 done
 # a patch from above: stick, slip, outline, tractions and the pole of spin; curves if there is more to compare
 set -- "$programs/patch_study" --n 6 --no-timing
 draws "$@" --longitudinal 0.1 --spin 0.2
 title 'Patch from above, a/b = 1, ν = 0.28, 6 × 6 elements, ξ = 0.1, η = 0, φ c = 0.2 in μ N / (G a b)'
-says stick && says slip && says 'pole of spin' && grep -q '^traction, at most 0\.[0-9]* μ p0$' words || fail "$(cat words)"
+says stick && says slip && says 'pole of spin' && grep -q '^traction, at most 0\.[0-9]* μ p0$' words ||
+    fail "$(cat words)"
 curves 5
 draws "$programs/patch_study" --n 3 --strips 16 --strip-grading uniform --a-over-b 1,10 --poisson 0.5 --stability
 title '; modes grow in 1 of 2'

@@ -9,12 +9,13 @@ bad '--shift = 0.1 has no effect with --positions' $profile --shift 0.1 --positi
 bad '--roll = 0.1 has no effect with a column roll' $profile --roll 0.1 --positions "$benchmark/positions.csv"
 bad '--smooth = 1 must lie in [0.0001, 0.1]' $profile --length-unit mm --wheel "$benchmark/wheel.csv" --smooth 1
 
-# --- half of the benchmark: tables as CSV in mm; positions, pressures and forces beside CONTACT, whose own errors on its
-# grid of 0.2 mm are 2e-2 in areas, more on flanges, 3e-3 in peak pressures, and 9e-3 at most in forces
+# --- half of the benchmark: tables as CSV in mm; positions, pressures and forces beside CONTACT, whose own errors on
+# its grid of 0.2 mm are 2e-2 in areas, more on flanges, 3e-3 in peak pressures, and 9e-3 at most in forces
 awk 'NR < 3 || NR % 2 == 1' "$benchmark/positions.csv" >positions.csv
 at="--length-unit mm --cant 0 --positions positions.csv --side both --load 1e4 --friction 0.3 --speed 2 --slip linear"
 $profile $at --wheel "$benchmark/wheel.csv" --rail "$benchmark/rail.csv" --output table.csv || fail "the benchmark"
-[ "$(wc -l <table.csv)" -eq 24 ] || fail "$(wc -l <table.csv) lines instead of 24: one position has two patches on a wheel"
+[ "$(wc -l <table.csv)" -eq 24 ] ||
+    fail "$(wc -l <table.csv) lines instead of 24: one position has two patches on a wheel"
 awk -F, -f "$benchmark/compare.awk" "$benchmark/contact.csv" table.csv >differences
 within() { # within QUANTITY MEAN LARGEST
     awk -F, -v q=$1 -v mean=$2 -v largest=$3 '$1 == q && $3 <= mean && $4 <= largest { ok = 1 } END { exit !ok }' \
@@ -58,7 +59,8 @@ $profile $at --length-unit mm --wheel wheel.txt --wheel-mirror yz --rail rail.tx
 cmp one other || fail '--wheel-mirror, --rail-mirror'
 
 # --- the left side: other profiles as a right wheel on a right rail, mirrored or not
-here="$profile --length-unit mm --cant 0 --shift 0.002 --side both --wheel $benchmark/wheel.csv --rail $benchmark/rail.csv"
+here="$profile --length-unit mm --cant 0 --shift 0.002 --side both"
+here="$here --wheel $benchmark/wheel.csv --rail $benchmark/rail.csv"
 $here >one
 $here --left-wheel wheel.txt --left-wheel-mirror yz --left-rail rail.txt --left-rail-mirror yz >other
 cmp one other || fail '--left-wheel, --left-rail'
@@ -107,7 +109,8 @@ rows 'NR == 2 || NR == 4 { low = $height } NR == 3 || NR == 5 { if (low - $heigh
     END { exit bad || !(NR == 5 && $track_x == 0.5 && $shift == 0.01) }' one || fail '--x: a rail that rises'
 printf '0 1\n2\n0\n1\n-0.1 "sphere.txt"\n0.1 "larger.txt"\n' >oval.slcw
 $shape --wheel oval.slcw --radius 0.1 --rail plane.txt --rail-origin 0.75,0 --pitch 0.3,-0.3 >one
-approach one | awk '{ h[NR] = $2; a[NR] = $1 } END { exit !(NR == 2 && (h[1] - h[2] - 1e-3) ^ 2 < 1e-12 && a[1] > 0) }' ||
+approach one | awk '{ h[NR] = $2; a[NR] = $1 }
+    END { exit !(NR == 2 && (h[1] - h[2] - 1e-3) ^ 2 < 1e-12 && a[1] > 0) }' ||
     fail '--pitch: a wheel of two radii'
 
 # --- what was done with files stands in the sidecar
@@ -134,6 +137,7 @@ awk -F, 'FNR == 1 { for (i = 1; i <= NF; ++i) column[FILENAME, $i] = i; next }
 # --- patches as files that patch_study reads
 $profile --shift 0.004 --side left --outline patches >out || fail '--outline'
 $programs/patch_study --quiet --no-timing --n 8 --outline patches/1_left_1.outline.csv \
-    --pressure patches/1_left_1.pressure.csv --longitudinal 0.1 | grep -q ',ok,chebyshev$' || fail 'patch_study of a patch'
+    --pressure patches/1_left_1.pressure.csv --longitudinal 0.1 | grep -q ',ok,chebyshev$' ||
+    fail 'patch_study of a patch'
 
 finish

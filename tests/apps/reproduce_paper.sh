@@ -18,7 +18,8 @@ for number in 03 05 06 07 08 09 10 11 12 13 14 15 16 17 18 19 20 21 22; do
 done
 # every panel but that of one element has a status
 for figure in 05a 09a 10a 17b 18a 19b 21d 22a 22b; do
-    awk -F, 'NR == 1 ? $NF != "status" : $NF !~ /^(ok|assists_creepage|ill_conditioned)$/ { bad = 1 } END { exit bad || NR < 10 }' \
+    awk -F, 'NR == 1 ? $NF != "status" : $NF !~ /^(ok|assists_creepage|ill_conditioned)$/ { bad = 1 }
+        END { exit bad || NR < 10 }' \
         "$results/fig$figure.csv" || fail "status in fig$figure.csv"
 done
 claims=$results/claims.csv

@@ -16,7 +16,8 @@ bad '--state-space = blocked/C.csv must be a file' sh -c "cd .. && $f --state-sp
 
 # c11 z A B C D: real and imaginary part of C (i z - A)^-1 B + D, by elimination in real numbers.
 c11() {
-    awk -v z="$1" -F, 'FILENAME ~ "A.csv" { n = NF; for (k = 1; k <= n; ++k) { m[FNR, k] = -$k; m[FNR + NF, k + NF] = -$k }
+    awk -v z="$1" -F, 'FILENAME ~ "A.csv" {
+            n = NF; for (k = 1; k <= n; ++k) { m[FNR, k] = -$k; m[FNR + NF, k + NF] = -$k }
             m[FNR, FNR + n] = -z; m[FNR + n, FNR] = z }
         FILENAME ~ "B.csv" { m[FNR, 2 * n + 1] = $1; m[FNR + n, 2 * n + 1] = 0; good += NF == 1 }
         FILENAME ~ "C.csv" { for (k = 1; k <= n; ++k) c[k] = $k; good += NF == n }
@@ -34,7 +35,9 @@ c11() {
                 }
             }
             re = d
-            for (k = 1; k <= n; ++k) { re += c[k] * m[k, N + 1] / m[k, k]; im += c[k] * m[k + n, N + 1] / m[k + n, k + n] }
+            for (k = 1; k <= n; ++k) {
+                re += c[k] * m[k, N + 1] / m[k, k]; im += c[k] * m[k + n, N + 1] / m[k + n, k + n]
+            }
             if (good == n + 2) printf "%.17g %.17g\n", re, im
         }' "$2/A.csv" "$2/B.csv" "$2/C.csv" "$2/D.csv"
 }
@@ -46,7 +49,8 @@ for scheme in '--method chebyshev --n 8' '--method chebyshev --n 1' '--mesh cosi
     for folder in there made/below; do
         good 4 "$programs/frequency_study" --omega 0,0.7,5 --state-space $folder $plane $scheme
         tail -n +2 out | while IFS=, read -r _ z re im _; do
-            c11 "$z" $folder | awk -v re="$re" -v im="$im" '{ read = 1; exit ($1 - re) ^ 2 + ($2 - im) ^ 2 > 1e-24 * (re ^ 2 + im ^ 2) }
+            c11 "$z" $folder | awk -v re="$re" -v im="$im" '{ read = 1
+                exit ($1 - re) ^ 2 + ($2 - im) ^ 2 > 1e-24 * (re ^ 2 + im ^ 2) }
                 END { if (!read) exit 1 }' || echo "$z"
         done >wrong
         [ ! -s wrong ] || fail "c11 of the files at omega = $(cat wrong): $scheme in $folder"
@@ -68,7 +72,8 @@ tail -n +2 out | while IFS=, read -r _ z re im _; do
     c11 "$z" reduced | awk -v z="$z" -v re="$re" -v im="$im" -v bound="$(value error_bound)" \
         -v left="$(value largest_hankel_singular_value_left_out)" '{ error = sqrt(($1 - re) ^ 2 + ($2 - im) ^ 2)
             read = left > 0 && bound >= 2 * left && bound < 0.02
-            exit z == 0 ? error > 1e-13 : error > bound || error < bound / 1000 } END { if (!read) exit 1 }' || echo "$z"
+            exit z == 0 ? error > 1e-13 : error > bound || error < bound / 1000 } END { if (!read) exit 1 }' ||
+                echo "$z"
 done >wrong
 [ ! -s wrong ] || fail "the reduced system at omega = $(cat wrong)"
 if command -v python3 >/dev/null && python3 -c 'import numpy, tomllib' 2>/dev/null; then

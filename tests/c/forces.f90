@@ -44,7 +44,8 @@ program forces
             character(kind=c_char), intent(in) :: path(*)
             type(c_ptr) :: table
         end function
-        function table_forces(table, count, contacts, forces, tangents) bind(c, name="rollbem_table_forces") result(code)
+        function table_forces(table, count, contacts, forces, tangents) &
+            bind(c, name="rollbem_table_forces") result(code)
             import :: c_ptr, c_size_t, c_double, c_int
             type(c_ptr), value :: table
             integer(c_size_t), value :: count

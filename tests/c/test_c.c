@@ -1,4 +1,5 @@
-/* test_c TABLE: rollbem.h as a C program uses it. Prints what it gets, in full digits, and fails where identities do. */
+/* test_c TABLE: rollbem.h as a C program uses it. Prints what it gets, in full digits, and fails where identities
+   do. */
 #include <math.h>
 #include <rollbem.h>
 #include <stdio.h>
@@ -73,8 +74,10 @@ static void test_table(const char *path) {
     memcpy(contacts + 9 * 6, alike, sizeof contact);
     expect(rollbem_table_forces(table, 2, alike, border, NULL) == ROLLBEM_OFF_TABLE, "a contact off the table");
     expect(rollbem_table_forces(table, 1, alike + 9, border, NULL) == ROLLBEM_OK, "one on its border");
-    expect(rollbem_table_forces(table, 8, contacts, forces, tangents) == ROLLBEM_OFF_TABLE, "two contacts off the table");
-    expect(strstr(rollbem_last_error(), "a/b = 20 ") && strstr(rollbem_last_error(), "(contact 2)"), "the first of them");
+    expect(rollbem_table_forces(table, 8, contacts, forces, tangents) == ROLLBEM_OFF_TABLE,
+           "two contacts off the table");
+    expect(strstr(rollbem_last_error(), "a/b = 20 ") && strstr(rollbem_last_error(), "(contact 2)"),
+           "the first of them");
     for (int i = 0; i < 3; ++i) {
         expect(fabs(forces[6 + i] - border[i]) < 1e-9 * fabs(border[0]), "the forces of the border");
     }
@@ -206,7 +209,8 @@ static void write_profile(const char *path, double (*z)(double)) {
 
 /* A sphere and a plane or a roller from files against Hertz. */
 static void test_files(void) {
-    const char *const sphere = "test_c sphere.txt", *const plane = "test_c plane.txt", *const crowns = "test_c crowns.txt";
+    const char *const sphere = "test_c sphere.txt", *const plane = "test_c plane.txt",
+               *const crowns = "test_c crowns.txt";
     write_profile(sphere, sphere_z);
     write_profile(plane, plane_z);
     rollbem_wheel_options options;
@@ -236,7 +240,8 @@ static void test_files(void) {
         expect(rollbem_wheel_solve_at_height(wheel, position, 1, again, &n) == ROLLBEM_OK, "the same height");
         expect(n == 1 && fabs(again[5] / load - 1) < 1e-3, "has the same load");
         position[1] = -1e-3;
-        expect(rollbem_wheel_solve_at_height(wheel, position, 1, again, &n) == ROLLBEM_FAILED && n == 0, "a lifted wheel");
+        expect(rollbem_wheel_solve_at_height(wheel, position, 1, again, &n) == ROLLBEM_FAILED && n == 0,
+               "a lifted wheel");
         expect(strstr(rollbem_last_error(), "no_contact") != NULL, "its status");
         rollbem_wheel_free(wheel);
     }
@@ -313,9 +318,11 @@ static void test_null(const char *path) {
     refused(rollbem_wheel_carry(wheel, 0, 0, 0, 1e5, 1, NULL, &count), "rollbem_wheel_carry", "patches");
     refused(rollbem_wheel_carry(wheel, 0, 0, 0, 1e5, 1, n, NULL), "rollbem_wheel_carry", "count");
     expect(rollbem_wheel_carry(wheel, 0, 0, 0, 1e5, 0, NULL, &count) == ROLLBEM_OK && count == 1, "patches to count");
-    expect(rollbem_wheel_new(NULL, 5, NULL, 0, NULL) == NULL && strstr(rollbem_last_error(), "wheel_points = 5 must be 0"),
+    expect(rollbem_wheel_new(NULL, 5, NULL, 0, NULL) == NULL &&
+               strstr(rollbem_last_error(), "wheel_points = 5 must be 0"),
            "points of a wheel that are missing");
-    expect(rollbem_wheel_new(NULL, 0, NULL, 5, NULL) == NULL && strstr(rollbem_last_error(), "rail_points = 5 must be 0"),
+    expect(rollbem_wheel_new(NULL, 0, NULL, 5, NULL) == NULL &&
+               strstr(rollbem_last_error(), "rail_points = 5 must be 0"),
            "points of a rail that are missing");
     rollbem_wheel *const standard = rollbem_wheel_open(NULL, NULL, NULL);
     refused(rollbem_wheel_solve_for_load(NULL, n, 1e5, 1, n, &count), "rollbem_wheel_solve_for_load", "wheel");

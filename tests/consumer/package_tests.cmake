@@ -5,7 +5,8 @@ set(prefix "${CMAKE_CURRENT_BINARY_DIR}/consumer/prefix")
 add_test(NAME package.clean COMMAND ${CMAKE_COMMAND} -E rm -rf "${CMAKE_CURRENT_BINARY_DIR}/consumer")
 add_test(NAME package.install COMMAND ${CMAKE_COMMAND} --install "${PROJECT_BINARY_DIR}" --prefix "${prefix}")
 set_tests_properties(package.clean PROPERTIES LABELS package FIXTURES_SETUP rollbem_clean)
-set_tests_properties(package.install PROPERTIES LABELS package FIXTURES_REQUIRED rollbem_clean FIXTURES_SETUP rollbem_prefix)
+set_tests_properties(package.install PROPERTIES
+    LABELS package FIXTURES_REQUIRED rollbem_clean FIXTURES_SETUP rollbem_prefix)
 
 # add_consumer_test(name program option...): configures with the options, builds, and runs one of the user's programs.
 function(add_consumer_test name program)

@@ -1,4 +1,5 @@
-// The least that shows that the headers, Eigen and the language are found; to compile Eigen would take most of the time.
+// The least that shows that the headers, Eigen and the language are found; to compile Eigen would take most of the
+// time.
 #include <rollbem/status.hpp>
 
 #if !__has_include(<Eigen/Core>)

@@ -52,7 +52,8 @@ int main(int count, char **arguments) {
         fmu_time = fmin(fmu_time, (now_us() - start) / steps);
     }
     const double fmu_force = get_real(&fmu, instance, adhesion ? "force" : "longitudinal_force");
-    printf("library %.3f us, fmi2DoStep %.3f us, difference %.3f us\n", library_time, fmu_time, fmu_time - library_time);
+    printf("library %.3f us, fmi2DoStep %.3f us, difference %.3f us\n", library_time, fmu_time,
+           fmu_time - library_time);
     printf("forces %.17g and %.17g N\n", force, fmu_force);
     fmu.free_instance(instance);
     free(fmu.description);

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <utility>
 
 #include <rollbem/adhesion/transient.hpp>
@@ -45,7 +44,8 @@ public:
         next_ = now_;
     }
 
-    /// `duration` [s], slip velocities [m/s] and spin [rad/s], rolling speed [m/s], load [N] and factor of mu at the end.
+    /// `duration` [s], slip velocities [m/s] and spin [rad/s], rolling speed [m/s], load [N] and factor of mu at the
+    /// end.
     Step step(double duration, const rollbem::Creepage<double>& slip, double speed, double load, double factor = 1) {
         set(load, factor);
         return keep(model_.advance(

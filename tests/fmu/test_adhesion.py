@@ -253,7 +253,8 @@ def test_model_exchange_state_is_saved():
 
 
 def test_what_model_exchange_refuses():
-    for values, status in (({"rolling_speed": -1.0}, "invalid_step"), ({"normal_load": 0.0}, "invalid_load"), ({"normal_load_rate": 1e10}, "needs_fixed_mesh"),
+    for values, status in (({"rolling_speed": -1.0}, "invalid_step"), ({"normal_load": 0.0}, "invalid_load"),
+                           ({"normal_load_rate": 1e10}, "needs_fixed_mesh"),
                            ({"normal_load_rate": -1e10}, "needs_fixed_mesh"), ({"normal_load": 1e12}, "invalid_load")):
         instance = Instance(fmu, True).start(**scene, contact_length=2, rolling_speed=V)
         instance.rates()

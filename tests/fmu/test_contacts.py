@@ -75,7 +75,8 @@ finite = [({"poisson_ratio": 0.7}, "poisson_ratio = 0.7 must lie in [0, 0.5]"),
           ({"initial_state": 2, "rolling_speed": 0.0}, "rolling_speed = 0 must be positive")]
 friction = [({"friction_coefficient": -0.1}, "friction_coefficient = -0.1 must be finite and not negative"),
             ({"largest_load": math.nan, "mesh_length": 2, "mesh_size": 2}, "largest_load = nan must be positive"),
-            ({"normal_load": 3e5, "mesh_length": 2, "mesh_size": 2}, "normal_load = 300000 must be at most largest_load"),
+            ({"normal_load": 3e5, "mesh_length": 2, "mesh_size": 2},
+             "normal_load = 300000 must be at most largest_load"),
             ({"normal_load": 0.0}, "normal_load = 0 must be positive where mesh_"),
             ({"friction_factor": -0.1}, "friction_factor = -0.1 must be finite and not negative")]
 table = {"mode": 2}
@@ -125,7 +126,8 @@ kinds = {
         slips={"longitudinal_slip_velocity": 0.04, "lateral_slip_velocity": 0.03, "spin_rate": 3.0},
         outputs=["longitudinal_force", "lateral_force", "spin_moment", "slip_work", "sticking_elements"], grows=1 / 3,
         library=[("patch", "follows"), ("patch", "fixed")],
-        line=("longitudinal_slip_velocity", "lateral_slip_velocity", "spin_rate", "rolling_speed", "normal_load", *factor),
+        line=("longitudinal_slip_velocity", "lateral_slip_velocity", "spin_rate", "rolling_speed", "normal_load",
+              *factor),
         refused=[*breathing, *fixed, *slippery, (2, {"normal_load": -1.0}, "invalid_load"),
                  (0, {"given_half_length": 1e-3}, "invalid_load"), (3, {"given_half_width": 0.0}, "invalid_load"),
                  (2, {"rolling_speed": -1.0}, "invalid_step")],

@@ -66,7 +66,8 @@ def test_steps_equal_those_in_fmpy():
         inputs = {name: value for name, value in slips.items() if name in fmu.references}
         cosim, fmpy = Cosim(fmu.file), Instance(fmu).start(**chosen, **inputs)
         cosim.start(**{f"{name}_code": value for name, value in chosen.items()}, **inputs)
-        outputs = [v.name for v in fmu.description.modelVariables if v.causality == "output" and v.type != "Enumeration"]
+        outputs = [v.name for v in fmu.description.modelVariables
+                   if v.causality == "output" and v.type != "Enumeration"]
         different = set()
         for i in range(40):
             load = "normal_load" if "normal_load" in fmu.references else "left_load"
@@ -95,7 +96,8 @@ def test_twin_or_enumeration():
             instance = Instance(fmu).start(**values)
             assert instance.get("initial_state") == expected, values
             instance.close()
-        for name, value, least in (("initial_state_code", 3, 0), ("initial_state_code", -1, 0), ("initial_state", 3, 1)):
+        for name, value, least in (("initial_state_code", 3, 0), ("initial_state_code", -1, 0),
+                                   ("initial_state", 3, 1)):
             instance = Instance(fmu)
             instance.set(**{name: value})
             instance.calls.enterInitializationMode()

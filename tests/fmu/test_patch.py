@@ -193,7 +193,8 @@ def test_semi_axes_beyond_the_table():
     assert step(instance, 0) == (ok_status, 0, 0) and step(border, 0) == (ok_status, 0, 0)
     instance.set(**axes(25))
     assert step(instance, 1) == (warning, 1, 1)
-    assert instance.messages[0].startswith("a/b = 25 of the contact lies beyond the table, 0.1 to 10"), instance.messages
+    said = "a/b = 25 of the contact lies beyond the table, 0.1 to 10"
+    assert instance.messages[0].startswith(said), instance.messages
     assert np.abs(force(instance) - force(border)).max() < 1e-9 * mu * N
     assert step(instance, 2) == (ok_status, 1, 1)  # it has been said
     instance.set(**axes(10))
@@ -215,7 +216,8 @@ def test_table_of_another_file():
         copy = os.path.join(folder, "of forces.bin")
         shutil.copy(os.path.join(fmu.folder, "resources", "steel.creep"), copy)
         values = dict(zip(inputs, (0.02, -0.03, 1.0, V, N)))
-        here, there = Instance(fmu).start(**by_table, **values), Instance(fmu).start(**by_table, **values, table_file=copy)
+        here = Instance(fmu).start(**by_table, **values)
+        there = Instance(fmu).start(**by_table, **values, table_file=copy)
         assert outcome(here) == outcome(there) and there.get("table_file") == copy
         state = there.calls.getFMUstate()
         other = Instance(fmu)
@@ -240,7 +242,8 @@ def test_table_of_another_file():
             instance.set(**by_table, table_file=name)
             instance.calls.enterInitializationMode()
             assert status_of(instance.calls.exitInitializationMode) == error
-            assert f"table_file = {name}" in instance.messages[-1] and message in instance.messages[-1], instance.messages
+            said = instance.messages[-1]
+            assert f"table_file = {name}" in said and message in said, instance.messages
             instance.close()
 
 

@@ -1,7 +1,6 @@
 // Equality to the last bit, including NaN and the sign of zero.
 #pragma once
 
-#include <cstddef>
 #include <cstring>
 
 #include <Eigen/Core>

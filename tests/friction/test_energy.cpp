@@ -2,7 +2,6 @@
 #include <cmath>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/friction/detail/slip_work.hpp>

@@ -1,6 +1,7 @@
 // rollbem/friction/model.hpp: what holds for every law, in one direction and in two, for both
 // integrators. Fulfilment of the law itself is checked on random scenes, in property/test_friction_scenes.cpp.
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <Eigen/Geometry>

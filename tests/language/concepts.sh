@@ -47,7 +47,8 @@ END
 calls() {
     first=$(($(wc -l < "$folder/unit.cpp") + 1))
     second=$((first + 1))
-    printf '    (void)%s(%s(%s));\n' "${3-}" "${2-}solve_steady" "$1" "${3-}" "${2-}rolling_system" "$1" >> "$folder/unit.cpp"
+    printf '    (void)%s(%s(%s));\n' "${3-}" "${2-}solve_steady" "$1" "${3-}" "${2-}rolling_system" "$1" \
+        >> "$folder/unit.cpp"
 }
 
 # right ARGUMENTS: both functions of ARGUMENTS are found, also by their qualified names. To compile what they do as well
@@ -59,7 +60,8 @@ right() {
     done
 }
 
-# wrong TYPE CONCEPT ARGUMENTS: neither solve_steady nor rolling_system of ARGUMENTS compiles, because TYPE lacks CONCEPT.
+# wrong TYPE CONCEPT ARGUMENTS: neither solve_steady nor rolling_system of ARGUMENTS compiles, because TYPE lacks
+# CONCEPT.
 wrong() {
     calls "$3"
     echo "$1 $2 $first $second" >> "$folder/wrong"

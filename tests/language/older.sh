@@ -1,6 +1,6 @@
 #!/bin/sh
-# older.sh COMPILER INCLUDE_DIR: headers, compiled for C++17, say what is missing in at most ten lines: the umbrella, and
-# those that include no other header of the library, which all others reach first (check_includes.sh).
+# older.sh COMPILER INCLUDE_DIR: headers, compiled for C++17, say what is missing in at most ten lines: the umbrella,
+# and those that include no other header of the library, which all others reach first (check_includes.sh).
 set -eu
 compiler=$1
 include=$2

@@ -1,7 +1,6 @@
 // rollbem/normal/normal_contact.hpp and what is made of its pressures
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <stdexcept>
 #include <vector>
 

@@ -1,9 +1,9 @@
 // rollbem/normal/profile.hpp, normal/standard_profiles.hpp
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <random>
-#include <string>
 #include <vector>
 
 #include <rollbem/normal/standard_profiles.hpp>
@@ -228,7 +228,8 @@ TEST_CASE("profile: smoothing keeps corners and arcs and takes noise away", "[pr
     REQUIRE(smooth.corners() == corner.corners());
     CHECK(farthest(smooth, corner) < 8e-6);
 
-    // where the curvature jumps by k the curve moves by about 0.2 k (8 mm/2 pi)^2, and the arc of 13 mm keeps its radius
+    // where the curvature jumps by k the curve moves by about 0.2 k (8 mm/2 pi)^2, and the arc of 13 mm keeps its
+    // radius
     const Profile rail = rail_60e1(0);
     CHECK(farthest(rail.smoothed(8e-3), rail) < 25e-6);
     const auto bend = [](const Profile& profile, double s) {

@@ -1,11 +1,12 @@
 // rollbem/normal/profile_file.hpp, normal/profile_check.hpp
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <random>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 

@@ -1,7 +1,7 @@
 // rollbem/normal/sections.hpp
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include <rollbem/normal/sections.hpp>

@@ -1,12 +1,15 @@
 // rollbem/normal/wheel_on_rail.hpp, vehicle/wheelset_on_track.hpp, vehicle/wheelset_forces.hpp
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdlib>
+#include <cstddef>
 #include <fstream>
 #include <limits>
 #include <map>
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rollbem/compiled/wheelset.hpp>
@@ -17,7 +20,6 @@
 #include <rollbem/vehicle/wheelset_forces.hpp>
 
 #include "support/catch.hpp"
-#include "support/draw.hpp"
 #include "support/observed_order.hpp"
 #include "support/refusal.hpp"
 

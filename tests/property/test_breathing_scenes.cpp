@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include <rollbem/compiled/friction.hpp>

@@ -1,5 +1,5 @@
-// rollbem/rollbem.hpp: numbers that are none (denormal, next to nothing, beyond all sizes, infinite, NaN) in all entries
-// of the time domain and of tables: a status, a refusal, or the right number.
+// rollbem/rollbem.hpp: numbers that are none (denormal, next to nothing, beyond all sizes, infinite, NaN) in all
+// entries of the time domain and of tables: a status, a refusal, or the right number.
 #include <cmath>
 #include <functional>
 #include <limits>

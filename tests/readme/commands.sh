@@ -14,7 +14,8 @@ while IFS= read -r command; do
     eval "$command" >out 2>err </dev/null
     code=$?
     # without gnuplot there is no picture
-    [ $code -eq 0 ] || { [ $code -eq 3 ] && ! command -v gnuplot >/dev/null; } || fail "exit $code: $command: $(cat err)"
+    [ $code -eq 0 ] || { [ $code -eq 3 ] && ! command -v gnuplot >/dev/null; } ||
+        fail "exit $code: $command: $(cat err)"
     case $command in
     *--output*) ;;
     *) [ "$(wc -l <out)" -ge 2 ] || fail "no rows: $command" ;;

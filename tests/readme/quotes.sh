@@ -1,6 +1,6 @@
 #!/bin/sh
-# A C++ program quoted in a page is an example, to the letter; a line that it prints, if it is run, stands in the page in
-# backticks. Usage: quotes.sh PAGE SOURCE [PROGRAM ARG...]
+# A C++ program quoted in a page is an example, to the letter; a line that it prints, if it is run, stands in the page
+# in backticks. Usage: quotes.sh PAGE SOURCE [PROGRAM ARG...]
 set -eu
 page=$1 source=$2
 shift 2

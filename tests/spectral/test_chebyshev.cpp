@@ -5,7 +5,6 @@
 #include <limits>
 #include <numbers>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include <rollbem/accuracy/richardson.hpp>

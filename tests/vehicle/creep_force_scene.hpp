@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -52,8 +51,8 @@ inline Eigen::Array3d array(const TangentialForce<double>& force) {
     return {force.longitudinal, force.lateral, force.moment};
 }
 
-/// By how much a tangent differs at most from the difference of `force(step)` over steps of 1e-5 times `size`, over mu N
-/// and mu N c.
+/// By how much a tangent differs at most from the difference of `force(step)` over steps of 1e-5 times `size`, over mu
+/// N and mu N c.
 template <class Force>
 double tangent_error(const Force& force, double size, const TangentialForce<double>& tangent,
                      const PatchContact<double>& patch, double mu_N) {

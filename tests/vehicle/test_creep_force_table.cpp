@@ -7,7 +7,6 @@
 #include <numbers>
 #include <sstream>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 

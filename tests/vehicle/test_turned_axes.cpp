@@ -1,5 +1,5 @@
-// rollbem/scene/rolling_ellipse.hpp, HertzEllipse::along_rolling: what takes the place of a turned ellipse, in tables and
-// patches.
+// rollbem/scene/rolling_ellipse.hpp, HertzEllipse::along_rolling: what takes the place of a turned ellipse, in tables
+// and patches.
 #include <cmath>
 #include <numbers>
 

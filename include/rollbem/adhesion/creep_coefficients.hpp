@@ -114,8 +114,8 @@ MatrixX<Scalar> mirrored_coupling(MatrixX<Scalar> coefficients) {
     return coefficients;
 }
 
-/// Elements and strips of the meshes that a patch is compared with. Long elements let the coupling of both directions go
-/// wrong, c33 first, which is then a small difference of large numbers: proof of dissipation says nothing about its
+/// Elements and strips of the meshes that a patch is compared with. Long elements let the coupling of both directions
+/// go wrong, c33 first, which is then a small difference of large numbers: proof of dissipation says nothing about its
 /// size, meshes half as fine do. They also tell of corners of an outline, and of wide strips whose coupling is taken at
 /// their middles. Fewer than eight strips or elements are too few for some coefficient of some patch.
 template <class Scalar, RectangleKernel Kernel>
@@ -139,8 +139,8 @@ std::vector<std::pair<Eigen::Index, Eigen::Index>> other_meshes(const PatchMesh<
 
 /// The same of a contact, phi a; `mesh` must be in units of its a, as patch_mesh makes it.
 ///
-/// Some patches are solved on other cosine meshes besides: one more than ten times longer than wide on two that are half
-/// as fine in one direction, others of fewer than eight strips or elements in each on one with more of them, other
+/// Some patches are solved on other cosine meshes besides: one more than ten times longer than wide on two that are
+/// half as fine in one direction, others of fewer than eight strips or elements in each on one with more of them, other
 /// outlines on one with half as many strips. Then error_estimates are by how much each coefficient changes, the larger
 /// of both over the coefficient; of an ellipse c23 and c32 at least by |c23 + c32|, which tends to 0.
 /// Status::not_converged: one is larger than largest_mesh_change, and that coefficient may be wrong (is_confirmed).

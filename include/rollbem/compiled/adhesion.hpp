@@ -3,6 +3,8 @@
 // rollbem::compiled.
 #pragma once
 
+#include <complex>
+
 #include <Eigen/LU>
 
 #include "../adhesion/frequency.hpp"

@@ -2,7 +2,9 @@
 // friction/friction.hpp; link rollbem::compiled.
 #pragma once
 
+#include <array>
 #include <functional>
+#include <vector>
 
 #include "../assembly/patch_system.hpp"
 #include "../friction/law.hpp"

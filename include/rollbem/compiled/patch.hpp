@@ -2,6 +2,9 @@
 // assembly/patch_shapes.hpp and assembly/patch_system.hpp; link rollbem::compiled.
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "../adhesion/creep_coefficients.hpp"
 #include "../assembly/patch_shapes.hpp"
 #include "steady.hpp"

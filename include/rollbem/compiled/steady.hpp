@@ -5,6 +5,8 @@
 // must be built with the same options that affect the layout of Eigen's objects (-march and the like).
 #pragma once
 
+#include <cstddef>
+
 #include <Eigen/LU>
 
 #include "../adhesion/steady.hpp"

@@ -97,8 +97,8 @@ private:
     Fnv1a checksum_;
 };
 
-/// The table in a file. Throws std::invalid_argument, beginning with `who`, if the file cannot be opened, or is a folder,
-/// which some systems open.
+/// The table in a file. Throws std::invalid_argument, beginning with `who`, if the file cannot be opened, or is a
+/// folder, which some systems open.
 template <class Table>
 Table read_file(const std::filesystem::path& path, const std::string& who) {
     std::ifstream file(path, std::ios::binary);

@@ -49,10 +49,10 @@ public:
     }
 
     /// Carrying `load` [N]. `h` [m] is the gap before deformation in each cell, nx x ny; steps end when no gap where
-    /// there is pressure exceeds `tolerance` times the approach from the least h. If `warm` is set, the present pressures, of
-    /// whatever grid, are the first guess. Otherwise the status is not_converged, or, with all pressures 0, no_contact (no
-    /// load, or one without a displacement in double precision) or not_finite (so are inputs, or results would be).
-    /// Throws std::invalid_argument unless h has the size of the grid, with at least one cell.
+    /// there is pressure exceeds `tolerance` times the approach from the least h. If `warm` is set, the present
+    /// pressures, of whatever grid, are the first guess. Otherwise the status is not_converged, or, with all pressures
+    /// 0, no_contact (no load, or one without a displacement in double precision) or not_finite (so are inputs, or
+    /// results would be). Throws std::invalid_argument unless h has the size of the grid, with at least one cell.
     Solution carry(const CellGrid& grid, const Grid& h, double load, double tolerance = 1e-6, bool warm = false) {
         return solve(grid, h, load, 0, tolerance, warm);
     }

@@ -1,7 +1,6 @@
 // Whether a profile can be meant as a wheel or a rail.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>

@@ -1,6 +1,8 @@
 // Profiles from files: two columns, SIMPACK's .prr and .prw, MiniProf's .ban and .whl, sections .slcs and .slcw.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>

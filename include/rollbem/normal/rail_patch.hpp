@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -17,8 +17,8 @@
 
 namespace rollbem {
 
-/// The plane of contact has its origin at the reference point, s along y turned by the angle, and n into the rail; patch
-/// and pressures are in the axes (x, s) from there.
+/// The plane of contact has its origin at the reference point, s along y turned by the angle, and n into the rail;
+/// patch and pressures are in the axes (x, s) from there.
 struct RailPatch {
     double x = 0, y = 0, z = 0;              ///< reference point, on the rail, in track axes [m]
     double rail_y = 0, wheel_y = 0;          ///< of it in both profiles [m]

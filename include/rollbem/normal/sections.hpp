@@ -3,11 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>

@@ -40,8 +40,8 @@ inline double s1002_height(double y) {
     return 9.519259302 + arc(-49.5, 20.5);
 }
 
-/// The head of a rail before it is canted [mm]: from the middle outwards arcs of radius 300, 80 and 13 that touch at the
-/// joints, and a side 1:20 that touches the last.
+/// The head of a rail before it is canted [mm]: from the middle outwards arcs of radius 300, 80 and 13 that touch at
+/// the joints, and a side 1:20 that touches the last.
 class RailHead {
 public:
     struct Arc {
@@ -113,8 +113,8 @@ inline constexpr double usual_cant = 0.02499479361892016;  // atan(1/40)
 /// The wheel S1002 (EN 13715), from the flange's back to 60 mm outside the tape circle; tape circle at y = 0.
 inline Profile s1002() { return detail::sampled(-69.95, 60, 0.1, detail::s1002_height); }
 
-/// The rail UIC 60 (UIC 861; by the centres of its arcs, which join at 10.50 and 25.99 mm from the middle), canted inwards, towards negative y, by
-/// `cant` [rad], its highest point at y = z = 0; so are those below.
+/// The rail UIC 60 (UIC 861; by the centres of its arcs, which join at 10.50 and 25.99 mm from the middle), canted
+/// inwards, towards negative y, by `cant` [rad], its highest point at y = z = 0; so are those below.
 inline Profile rail_uic60(double cant = detail::usual_cant) {
     return detail::canted_rail({{7.7, 80.1348, 80}, {23.0162, 14.9090, 13}}, 36.2, cant);
 }

@@ -1,5 +1,5 @@
-// Surfaces of rail and wheel: curves swept along the track, about a roller's axle or about the wheel's, alike everywhere
-// or changing along the way. Each is known by its curves at constant x, with derivatives along them.
+// Surfaces of rail and wheel: curves swept along the track, about a roller's axle or about the wheel's, alike
+// everywhere or changing along the way. Each is known by its curves at constant x, with derivatives along them.
 #pragma once
 
 #include <algorithm>

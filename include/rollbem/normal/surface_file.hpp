@@ -1,9 +1,7 @@
 // Wheels and rails by the names of their standards or from files.
 #pragma once
 
-#include <cmath>
 #include <filesystem>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <system_error>

@@ -65,16 +65,16 @@ public:
     };
 
     /// The contact whose normal forces carry the vertical load [N], sum N cos delta, at this lateral position, roll and
-    /// yaw; the height of `position` is not used. no_contact if the load is not positive. Throws std::invalid_argument if
-    /// an option is out of its range, as solve_at_height() does.
+    /// yaw; the height of `position` is not used. no_contact if the load is not positive. Throws std::invalid_argument
+    /// if an option is out of its range, as solve_at_height() does.
     template <std::same_as<double> Scalar = double>  // for rollbem::compiled
     Contact solve_for_load(const WheelsetPosition& position, double load, Workspace& workspace,
                            const Options& options) const;
     Contact solve_for_load(const WheelsetPosition& position, double load, Workspace& workspace) const {
         return solve_for_load(position, load, workspace, Options{});
     }
-    /// The contact at this position and height, whatever it carries; no_contact where the wheel is lifted, too_deep where
-    /// it lies more than a millimetre within the rail.
+    /// The contact at this position and height, whatever it carries; no_contact where the wheel is lifted, too_deep
+    /// where it lies more than a millimetre within the rail.
     template <std::same_as<double> Scalar = double>
     Contact solve_at_height(const WheelsetPosition& position, Workspace& workspace, const Options& options) const;
 

@@ -40,8 +40,8 @@ struct ScaledBessel {
     Complex i0, i1, sum;
 };
 
-/// For |s| >= 40 Hankel's expansions reach the precision of long double with 26 terms (the last is below 1e-23), farther
-/// from the origin with fewer.
+/// For |s| >= 40 Hankel's expansions reach the precision of long double with 26 terms (the last is below 1e-23),
+/// farther from the origin with fewer.
 inline constexpr long double asymptotic_radius = 40;
 inline constexpr int asymptotic_terms = 26;
 

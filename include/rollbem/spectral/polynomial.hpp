@@ -8,7 +8,6 @@
 #include <complex>
 #include <concepts>
 #include <limits>
-#include <numbers>
 #include <type_traits>
 
 #include <Eigen/Core>

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <istream>
+#include <limits>
 #include <ostream>
 #include <utility>
 
@@ -92,7 +93,8 @@ struct ContactRow {
         c22,
         c23,
         kept,        ///< of the correction in full sliding, 0 to 1
-        correction,  ///< 3 x 3 by rows, minus the identity: of (xi, eta, phi c), so that the ellipse has the patch's forces
+        correction,  ///< 3 x 3 by rows, minus the identity: of (xi, eta, phi c), so that the ellipse has the patch's
+                     ///< forces
         point_rows = correction + 9,
     };
 };
@@ -191,8 +193,8 @@ public:
 
     /// The forces of one wheel under a vertical load [N] with the coefficient of friction mu. Lateral shift and yaw of
     /// `position` count; vertical speed and roll rate are those that the vehicle has, for one that follows its rails
-    /// those of on_rails(). N follows from the load, N cos delta - F_s sin delta, by Newton's method. A point that carries
-    /// less than 1e-100 N carries none; above 1e150 N the status is invalid_load. Does not allocate.
+    /// those of on_rails(). N follows from the load, N cos delta - F_s sin delta, by Newton's method. A point that
+    /// carries less than 1e-100 N carries none; above 1e150 N the status is invalid_load. Does not allocate.
     template <std::same_as<double> Scalar = double>  // for rollbem::compiled
     WheelForces look_up(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
                         const WheelsetSpeeds& speeds, double load, double friction_coefficient) const noexcept;

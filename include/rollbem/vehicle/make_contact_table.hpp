@@ -7,8 +7,6 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <numbers>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 

@@ -5,9 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <utility>
-#include <vector>
 
 #include "../detail/finite.hpp"
 #include "../detail/rising_root.hpp"
@@ -22,8 +20,8 @@ namespace rollbem {
 
 namespace detail {
 
-/// The velocity of the wheel on the rail at a point (x, s, n) of a patch's plane: along x, along s turned by `tilt` into
-/// the plane's normal [m/s], and about the plane's normal [rad/s].
+/// The velocity of the wheel on the rail at a point (x, s, n) of a patch's plane: along x, along s turned by `tilt`
+/// into the plane's normal [m/s], and about the plane's normal [rad/s].
 class SlipVelocity {
 public:
     SlipVelocity(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds, double radius)

@@ -92,8 +92,8 @@ public:
                                       250 * std::numeric_limits<Scalar>::epsilon();
     }
 
-    /// Mean over an interval by unit traction on an element of length h, whose middle lies x behind that of the interval;
-    /// line(x) is by a line across x behind a point.
+    /// Mean over an interval by unit traction on an element of length h, whose middle lies x behind that of the
+    /// interval; line(x) is by a line across x behind a point.
     template <class Line>
     auto mean(const Line& line, Scalar x, Scalar h) const {
         const auto pair = [&](Scalar distance) { return line(x - distance) + line(x + distance); };

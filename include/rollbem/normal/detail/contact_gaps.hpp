@@ -71,8 +71,8 @@ private:
         return std::clamp(off / rate, -largest, largest);
     }
 
-    // One step to s at the point p of a curve: n there by the curve's tangent, so that its error is of the second order in
-    // what the place was off, which is returned.
+    // One step to s at the point p of a curve: n there by the curve's tangent, so that its error is of the second order
+    // in what the place was off, which is returned.
     double approach(const CurvePoint& p, double z, double s, double& place, double& n) const {
         const double off = plane_->s(p.y, z) - s, by = step(*plane_, p, off);
         n = plane_->n(p.y, z) - by * (p.slope[1] * plane_->cosine - p.slope[0] * plane_->sine);

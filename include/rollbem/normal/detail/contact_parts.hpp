@@ -22,8 +22,8 @@
 
 namespace rollbem::detail {
 
-/// How much of the displacement under one patch another one sees whose normal differs by an angle: 1 in one plane. Fitted
-/// to finite elements of rail and wheel (docs/profiles.md).
+/// How much of the displacement under one patch another one sees whose normal differs by an angle: 1 in one plane.
+/// Fitted to finite elements of rail and wheel (docs/profiles.md).
 inline double interaction(double angle) { return (std::max)(0.0, 1 - 1.4 * (1 - std::cos(angle))); }
 
 /// What a contact is solved with.
@@ -74,9 +74,9 @@ public:
         settle(0, 1e-3, false);
     }
 
-    /// Fine grids over what touches, and planes at a height: in rounds, of which the first follows divide() and the first
-    /// two make grids anew. Where regions have joined or parted meanwhile and `divides` is set, parts are divided again;
-    /// returns the round that this has become.
+    /// Fine grids over what touches, and planes at a height: in rounds, of which the first follows divide() and the
+    /// first two make grids anew. Where regions have joined or parted meanwhile and `divides` is set, parts are divided
+    /// again; returns the round that this has become.
     int refine(double height, int round, bool divides, bool anew) {
         std::vector<Region> found = regions(height);
         if (found.size() != parts_.size() && divides) {

@@ -74,7 +74,8 @@ struct ContactPlane {
     double distance(const ContactPlane& other) const { return std::hypot(x - other.x, y - other.y, z - other.z); }
 };
 
-/// The rail's surface below a cut, where its reference point is taken: z and angle at the cut's y; on a wall, at its foot.
+/// The rail's surface below a cut, where its reference point is taken: z and angle at the cut's y; on a wall, at its
+/// foot.
 struct Below {
     double depth, angle, s;
 };
@@ -92,8 +93,8 @@ inline Below below(const ContactGeometry& geometry, const Region& region, const 
     return at_foot;
 }
 
-/// Means over the region, weighted by widths along the track's y and powers of the depth; `track_x`: of the rail's curve
-/// at x = 0. Nothing of the region may be all of depth 0.
+/// Means over the region, weighted by widths along the track's y and powers of the depth; `track_x`: of the rail's
+/// curve at x = 0. Nothing of the region may be all of depth 0.
 inline ContactPlane plane_of(const ContactGeometry& geometry, const Region& region, double track_x) {
     ContactPlane plane;
     double sum = 0, rail_s = 0;

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstddef>
-#include <limits>
 
 #include <Eigen/Core>
 #include <unsupported/Eigen/FFT>

@@ -28,9 +28,9 @@ struct Edge {
 
 /// Along a line of cells the square of the pressure is nearly a polynomial that vanishes at the edge. Cells touch as a
 /// whole or not, wherever the edge runs through them. Where a straight contact ends by d beyond its edge, p^2 at the
-/// distance t from it is A^2 (t + d + d^2/(4 t)); steps of an oblique border add half of the last term, as Hertz's areas
-/// show. `squares` are those of the `count` cells with pressure, counted from the edge inwards. The result is the distance
-/// of the edge behind the centre of the first, between -1/2 (inside) and 1.
+/// distance t from it is A^2 (t + d + d^2/(4 t)); steps of an oblique border add half of the last term, as Hertz's
+/// areas show. `squares` are those of the `count` cells with pressure, counted from the edge inwards. The result is the
+/// distance of the edge behind the centre of the first, between -1/2 (inside) and 1.
 template <class Squares>
 Edge edge_distance(const Squares& squares, Eigen::Index count) {
     constexpr double inside = -0.5, outside = 1;
