@@ -1,9 +1,12 @@
 // rollbem/normal/wheel_on_rail.hpp, normal/surface.hpp, normal/detail/: contacts of real surfaces
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
