@@ -446,16 +446,17 @@ TEST_CASE("contact_search: two contacts inclined by 60 degrees displace each oth
 
 TEST_CASE("contact_search: near contacts whose normals differ by more than 20 degrees have a plane each",
           "[profiles]") {
-    const Profile ball = piece(-0.00295, 0.00295, 401, [](double y) { return std::sqrt(9e-6 - y * y) - 0.003; });
     WheelOnRail::Workspace workspace;
-    for (const double angle : {pi / 6, pi / 11}) {  // of both sides of a groove
-        const double slope = std::tan(angle);
+    // of both sides of a groove, and the radius of a ball in it
+    for (const auto& [angle, radius] : {std::pair{pi / 6, 3e-3}, {pi / 11, 3e-3}, {pi / 11, 2.2e-3}}) {
+        const double R = radius, slope = std::tan(angle);
+        const Profile ball = piece(-0.98 * R, 0.98 * R, 401, [R](double y) { return std::sqrt(R * R - y * y) - R; });
         const Profile groove =
             polygon({{-20, -20 * slope}, {-10, -10 * slope}, {0, 0}, {10, -10 * slope}, {20, -20 * slope}});
         for (const RailSurface& rail : {RailSurface(groove), RailSurface(Sections({{-1, groove}, {1, groove}},
                                                                                   Sections::Interpolation::through))}) {
             const auto contact = WheelOnRail(ball, rail, above).solve_for_load({}, 10, workspace);
-            CAPTURE(angle, rail.has_sections(), name(contact.status));
+            CAPTURE(angle, radius, rail.has_sections(), name(contact.status));
             REQUIRE(contact.patches.size() == 2);
             for (const RailPatch& patch : contact.patches) {
                 CHECK(std::abs(patch.angle) == Approx(angle).epsilon(1e-6));
@@ -496,17 +497,17 @@ TEST_CASE("contact_search: interaction is within 0.1 of finite elements, and nev
 TEST_CASE("contact_search: pieces are chains of rows that touch, at corners, too, by the heavier branch",
           "[profiles]") {
     Eigen::ArrayXXd p = Eigen::ArrayXXd::Zero(8, 4);  // columns are rows y = const
-    p.col(0).segment(3, 2) = 4;
-    p.col(1).segment(5, 2) = 3;  // beside the corner of the row before
-    p.col(2).segment(3, 2) = 2;  // two branches
+    p.col(0).segment(3, 2) = 4;                       // two branches, both beside corners of the next row
+    p.col(0).segment(7, 1) = 10;
+    p.col(1).segment(5, 2) = 3;
+    p.col(2).segment(3, 2) = 2;  // two branches again
     p.col(2).segment(7, 1) = 9;
     p.col(3).segment(0, 2) = 1;  // a cell away
     const std::vector<Eigen::ArrayXXd> found = detail::pieces(p);
-    REQUIRE(found.size() == 3);
-    CHECK(found[0].sum() == 8 + 6 + 9);
-    CHECK(found[1].sum() == 4);
-    CHECK(found[2].sum() == 2);
-    CHECK((found[0] + found[1] + found[2] - p).abs().maxCoeff() == 0);
+    REQUIRE(found.size() == 4);
+    for (const auto& [k, sum] : {std::pair{0, 10 + 6 + 9}, {1, 8}, {2, 4}, {3, 2}})
+        CHECK(found[std::size_t(k)].sum() == sum);
+    CHECK((found[0] + found[1] + found[2] + found[3] - p).abs().maxCoeff() == 0);
 }
 
 TEST_CASE("contact_search: a deep groove parts contacts 3 mm apart", "[profiles]") {
