@@ -79,6 +79,10 @@ Outcome run(std::uint64_t seed) {
     Outcome outcome{.reference = 0, .error = 0, .bound = 1, .told = told_by(contact.status)};
     outcome.may_be_told = contact.status != Status::not_finite && contact.status != Status::not_converged;
     if (!has_numbers(contact.status)) return outcome;
+    const auto heavier = [](const RailPatch& one, const RailPatch& other) { return one.load > other.load; };
+    if (!std::is_sorted(contact.patches.begin(), contact.patches.end(), heavier)) {
+        return {.told = "patches are not by decreasing load"};
+    }
     double vertical = contact.dropped, depth = 0;
     for (const RailPatch& patch : contact.patches) {
         if (!is_sound(patch)) return {.told = "a patch without pressures or an outline"};

@@ -59,10 +59,19 @@ const ElasticBody<double>& steel() {
 
 TEST_CASE("contact_search: two crowns carry half of the load each, and displace each other", "[profiles]") {
     const Profile crowns = piece(-0.05, 0.05, 401, [](double y) { return std::pow(std::abs(y) - 0.03, 2) / 0.6; });
-    const WheelOnRail wheel(cylinder(), crowns, above);
+    const RailSurface plain = crowns,
+                      of_sections = Sections({{-1, crowns}, {1, crowns}}, Sections::Interpolation::spline);
+    struct Scene {
+        const RailSurface& rail;
+        bool interaction;
+        double height;
+    };
     WheelOnRail::Workspace workspace;
-    for (const auto& [interaction, height] : {std::pair{true, 0.068489e-3}, {false, 0.066161e-3}}) {
-        const auto contact = wheel.solve_for_load({}, 1e5, workspace, {.interaction = interaction});
+    for (const auto& [rail, interaction, height] :
+         {Scene{plain, true, 0.068489e-3}, {plain, false, 0.066161e-3}, {of_sections, true, 0.068489e-3}}) {
+        const auto contact =
+            WheelOnRail(cylinder(), rail, above).solve_for_load({}, 1e5, workspace, {.interaction = interaction});
+        CAPTURE(rail.has_sections(), interaction);
         REQUIRE(contact.status == Status::ok);
         REQUIRE(contact.patches.size() == 2);
         for (const RailPatch& patch : contact.patches) {
@@ -180,6 +189,91 @@ TEST_CASE("contact_search: surfaces that do not change along the way are plain o
     }
 }
 
+TEST_CASE("contact_search: a steep side of a wheel that yaws touches far from the axle, of sections, too",
+          "[profiles]") {
+    const Profile arc = piece(-0.0196, 0.0196, 401, [](double y) { return crown(y, 0.02); });
+    const Profile side = piece(0.04, 0.16, 241, [](double y) { return 2.5 * y; });
+    const Sections alike({{-1, arc}, {1, arc}}, Sections::Interpolation::through);
+    const TrackDimensions large{.radius = 0.8, .rail_origin = TrackDimensions::Origin{0.75, 0}};
+    const WheelsetPosition at{.yaw = 0.18};
+    WheelOnRail::Workspace workspace;
+    const auto same = WheelOnRail(side, arc, large).solve_for_load(at, 2e3, workspace),
+               contact = WheelOnRail(side, alike, large).solve_for_load(at, 2e3, workspace);
+    REQUIRE(same.status == Status::ok);
+    REQUIRE(contact.status == Status::ok);
+    CHECK(same.patches[0].x < -0.48);
+    CHECK(contact.patches[0].x == Approx(same.patches[0].x).margin(1e-4));
+    CHECK(contact.height == Approx(same.height).margin(1e-3 * same.patches[0].approach));
+}
+
+TEST_CASE("contact_search: curves of a placed wheel lie on its turned surface, with their slopes", "[profiles]") {
+    std::vector<Section> list;
+    for (int k = -8; k <= 8; ++k) {
+        const double u = 0.1 * k;
+        list.push_back(
+            {u, piece(-0.06 + 0.02 * u, 0.06, 121, [u](double y) { return 0.01 * std::sin(3 * u) - y / 3; })});
+    }
+    const WheelsetPosition at{.lateral = 3e-3, .roll = 0.02, .yaw = 0.2, .pitch = 0.15};
+    for (const WheelSurface& surface :
+         {WheelSurface(list[0].profile), WheelSurface(Sections(list, Sections::Interpolation::through))}) {
+        const PlacedWheel placed(surface, 0.75, 0.46, at);
+        for (const double ahead : {-0.08, 0.01, 0.12}) {
+            const double x = placed.middle_x() + ahead, s = 0.05, h = 1e-6;
+            const CurvePoint p = placed.section(0, s, x), before = placed.section(0, s - h, x),
+                             after = placed.section(0, s + h, x);
+            CAPTURE(surface.is_round(), ahead);
+            CHECK(p.slope[0] == Approx((after.y - before.y) / (2 * h)).margin(1e-8));
+            CHECK(p.slope[1] == Approx((after.z - before.z) / (2 * h)).margin(1e-8));
+            // turned back by roll and yaw
+            const double y = p.y - at.lateral, z = p.z + 0.46, across = std::cos(at.roll) * y + std::sin(at.roll) * z,
+                         down = std::cos(at.roll) * z - std::sin(at.roll) * y,
+                         forward = std::cos(at.yaw) * x + std::sin(at.yaw) * across;
+            const WheelSurface::Point same = surface.at(0, s, std::atan2(forward, down) - at.pitch);
+            CHECK(std::hypot(forward, down) == Approx(0.46 + same.z).epsilon(1e-12));
+            CHECK(std::cos(at.yaw) * across - std::sin(at.yaw) * x == Approx(0.75 + same.y).epsilon(1e-12));
+        }
+    }
+}
+
+TEST_CASE("contact_search: curves of a roller lie on its turned surface, with their slopes", "[profiles]") {
+    const Profile arc = piece(-0.03, 0.03, 401, [](double y) { return crown(y, 0.05); });
+    const RailSurface rail = RailSurface::roller(arc, 0.4);
+    for (const double x : {-0.15, 0.02, 0.1}) {
+        const double s = 0.01, h = 1e-6;
+        const CurvePoint p = rail.at(0, s, x), before = rail.at(0, s - h, x), after = rail.at(0, s + h, x);
+        CAPTURE(x);
+        CHECK(p.y == arc.at(s).y);
+        CHECK(std::hypot(x, 0.4 - p.z) == Approx(0.4 - arc.at(s).z).epsilon(1e-14));
+        CHECK(p.slope[0] == Approx((after.y - before.y) / (2 * h)).margin(1e-8));
+        CHECK(p.slope[1] == Approx((after.z - before.z) / (2 * h)).margin(1e-8));
+    }
+}
+
+TEST_CASE("contact_search: the gauge is measured where the rail is narrowest, the height from its top", "[profiles]") {
+    // an inner side of 13 mm radius by chords of 15 degrees, narrowest between two points, 13 mm below the top
+    std::vector<std::array<double, 2>> points;
+    for (double angle = 127.5; angle > 0; angle -= 15) {
+        points.push_back({-23 - 13 * std::sin(angle * pi / 180), 16 - 13 * std::cos(angle * pi / 180)});
+    }
+    for (double y = -23; y < 30; y += 5) points.push_back({y, 3});
+    const WheelOnRail wheel(cylinder(), polygon(points), {.gauge = 1.435});
+    CHECK(wheel.geometry().rail_origin().y == Approx(1.435 / 2 + 0.036).margin(1e-5));
+    CHECK(wheel.geometry().rail_origin().z == Approx(-3e-3).margin(5e-5));
+}
+
+TEST_CASE("contact_search: a rail of sections is not known beyond its end", "[profiles]") {
+    const Profile arc = piece(-0.03, 0.03, 401, [](double y) { return crown(y, 0.3); });
+    const WheelOnRail wheel(cylinder(), Sections({{-1, arc}, {0, arc}}, Sections::Interpolation::through), above);
+    WheelOnRail::Workspace workspace;
+    for (const auto& [along, status] : {std::pair{-0.02, Status::ok},
+                                        {-0.001, Status::end_of_profile},
+                                        {0.001, Status::end_of_profile},
+                                        {0.5, Status::no_contact}}) {
+        CAPTURE(along);
+        CHECK(wheel.solve_for_load({.along = along}, 1e4, workspace).status == status);
+    }
+}
+
 TEST_CASE("contact_search: a wheel stands on the chord of its flat", "[profiles]") {
     constexpr double half = 0.05, r = 0.46;  // of the flat's angle
     std::vector<Section> sections;
@@ -204,6 +298,11 @@ TEST_CASE("contact_search: a wheel stands on the chord of its flat", "[profiles]
     REQUIRE(beside.status == Status::ok);
     CHECK(beside.height == Approx(same.height).epsilon(1e-3));
     CHECK(beside.patches[0].area == Approx(same.patches[0].area).epsilon(1e-2));
+    // pitched about its middle, on the end of the chord, where the radius is r again
+    const auto on_end = wheel.solve_for_load({.pitch = 0.02}, 1e4, workspace);
+    REQUIRE(on_end.patches.size() == 1);
+    CHECK(on_end.patches[0].x == Approx(r * std::sin(0.02 - half)).margin(3e-4));
+    CHECK(on_end.patches[0].rolling_radius == Approx(r).margin(3e-5));
 }
 
 TEST_CASE("contact_search: a wheel touches a ramp of 1:10 where its slope is that of the ramp", "[profiles]") {
@@ -219,6 +318,7 @@ TEST_CASE("contact_search: a wheel touches a ramp of 1:10 where its slope is tha
         REQUIRE(contact.status == Status::ok);
         REQUIRE(contact.patches.size() == 1);
         CHECK(contact.patches[0].x == Approx(0.46 * std::sin(std::atan(0.1))).margin(3e-5));
+        CHECK(contact.patches[0].z == Approx(-0.1 * (along + contact.patches[0].x)).margin(1e-8));
         const double touch = 0.46 * (1 - std::sqrt(1.01)) - 0.1 * along;
         CHECK(contact.height - touch == Approx(contact.patches[0].approach).epsilon(0.01));
     }
@@ -252,4 +352,115 @@ TEST_CASE("contact_search: two contacts inclined by 60 degrees displace each oth
         {.load = load, .radii_1 = {0.02, 0.02}, .radii_2 = {infinite, infinite}, .body_1 = steel(), .body_2 = steel()});
     const double apart = 2 * 0.02 * std::sin(pi / 6), other = 0.3 * load * 0.72 / (pi * 8.2e10 * apart);
     CHECK(hertz.approach() + other == Approx(lower * std::cos(pi / 6)).epsilon(3e-3));
+}
+
+TEST_CASE("contact_search: near contacts whose normals differ by more than 20 degrees have a plane each",
+          "[profiles]") {
+    WheelOnRail::Workspace workspace;
+    // of both sides of a groove, and the radius of a ball in it
+    for (const auto& [angle, radius] : {std::pair{pi / 6, 3e-3}, {pi / 11, 3e-3}, {pi / 11, 2.2e-3}}) {
+        const double R = radius, slope = std::tan(angle);
+        const Profile ball = piece(-0.98 * R, 0.98 * R, 401, [R](double y) { return std::sqrt(R * R - y * y) - R; });
+        const Profile groove =
+            polygon({{-20, -20 * slope}, {-10, -10 * slope}, {0, 0}, {10, -10 * slope}, {20, -20 * slope}});
+        for (const RailSurface& rail : {RailSurface(groove), RailSurface(Sections({{-1, groove}, {1, groove}},
+                                                                                  Sections::Interpolation::through))}) {
+            const auto contact = WheelOnRail(ball, rail, above).solve_for_load({}, 10, workspace);
+            CAPTURE(angle, radius, rail.has_sections(), name(contact.status));
+            REQUIRE(contact.patches.size() == 2);
+            for (const RailPatch& patch : contact.patches) {
+                CHECK(std::abs(patch.angle) == Approx(angle).epsilon(1e-6));
+                CHECK(patch.load * std::cos(patch.angle) == Approx(5).epsilon(1e-3));
+            }
+        }
+    }
+}
+
+TEST_CASE("contact_search: what contacts displace each other falls with their distance in space", "[profiles]") {
+    // both sides of a groove touch a ball that yaws ahead of and behind its middle
+    const Profile ball = piece(-0.0199, 0.0199, 801, [](double y) { return std::sqrt(4e-4 - y * y) - 0.02; });
+    const double slope = std::tan(pi / 6);
+    const Profile groove =
+        polygon({{-20, -20 * slope}, {-10, -10 * slope}, {0, 0}, {10, -10 * slope}, {20, -20 * slope}});
+    const WheelOnRail wheel(ball, groove, above);
+    WheelOnRail::Workspace workspace;
+    const WheelsetPosition at{.lateral = 0.75 * (1 - std::cos(0.05)), .yaw = 0.05};
+    const auto alone = wheel.solve_for_load(at, 2e3, workspace, {.interaction = false}),
+               both = wheel.solve_for_load(at, 2e3, workspace);
+    REQUIRE(both.patches.size() == 2);
+    const RailPatch &one = both.patches[0], &other = both.patches[1];
+    CHECK(std::abs(one.x - other.x) > 0.02);
+    const double apart = std::hypot(one.x - other.x, one.y - other.y, one.z - other.z);
+    CHECK(one.approach - alone.patches[0].approach ==
+          Approx(0.3 * other.load * wheel.compliance() / (pi * apart)).epsilon(0.02));
+}
+
+TEST_CASE("contact_search: interaction is within 0.1 of finite elements, and never negative", "[profiles]") {
+    for (const auto& [degrees, f] :
+         {std::pair{0, 1.0}, {11, 1.0}, {21, 0.94}, {31, 0.84}, {41, 0.69}, {51, 0.49}, {61, 0.26}, {90, 0.0}}) {
+        CAPTURE(degrees);
+        CHECK(detail::interaction(degrees * pi / 180) == Approx(f).margin(0.1));
+        CHECK(detail::interaction(-degrees * pi / 180) >= 0);
+    }
+}
+
+TEST_CASE("contact_search: pieces are chains of rows that touch, at corners, too, by the heavier branch",
+          "[profiles]") {
+    Eigen::ArrayXXd p = Eigen::ArrayXXd::Zero(8, 4);  // columns are rows y = const
+    p.col(0).segment(3, 2) = 4;                       // two branches, both beside corners of the next row
+    p.col(0).segment(7, 1) = 10;
+    p.col(1).segment(5, 2) = 3;
+    p.col(2).segment(3, 2) = 2;  // two branches again
+    p.col(2).segment(7, 1) = 9;
+    p.col(3).segment(0, 2) = 1;  // a cell away
+    const std::vector<Eigen::ArrayXXd> found = detail::pieces(p);
+    REQUIRE(found.size() == 4);
+    for (const auto& [k, sum] : {std::pair{0, 10 + 6 + 9}, {1, 8}, {2, 4}, {3, 2}})
+        CHECK(found[std::size_t(k)].sum() == sum);
+    CHECK((found[0] + found[1] + found[2] + found[3] - p).abs().maxCoeff() == 0);
+}
+
+TEST_CASE("contact_search: a deep groove parts contacts 3 mm apart", "[profiles]") {
+    // two crowns of 10 mm radius
+    std::vector<std::array<double, 2>> points;
+    for (double y = -20; y < -0.45; y += 0.1) points.push_back({y, std::pow(y + 1.5, 2) / 20});
+    for (const auto& [y, z] : {std::pair{-0.4, 4.0}, {-0.2, 5.0}}) points.push_back({y, z});
+    for (std::size_t k = points.size(); k-- > 0;) points.push_back({-points[k][0], points[k][1]});
+    WheelOnRail::Workspace workspace;
+    const auto contact = WheelOnRail(cylinder(), polygon(points), above).solve_for_load({}, 1e3, workspace);
+    REQUIRE(contact.status == Status::ok);
+    REQUIRE(contact.patches.size() == 2);
+    for (const RailPatch& patch : contact.patches) CHECK(patch.load == Approx(500).epsilon(1e-3));
+}
+
+TEST_CASE("contact_search: what is not finite or too deep has its status", "[profiles]") {
+    const Profile arc = piece(-0.0196, 0.0196, 401, [](double y) { return crown(y, 0.02); });
+    WheelOnRail::Workspace workspace;
+    for (const RailSurface& rail :
+         {RailSurface(arc), RailSurface(Sections({{-1, arc}, {1, arc}}, Sections::Interpolation::through))}) {
+        const WheelOnRail wheel(cylinder(), rail, above);
+        CAPTURE(rail.has_sections());
+        for (double WheelsetPosition::*member :
+             {&WheelsetPosition::lateral, &WheelsetPosition::height, &WheelsetPosition::roll, &WheelsetPosition::yaw,
+              &WheelsetPosition::along, &WheelsetPosition::pitch}) {
+            WheelsetPosition at;
+            at.*member = NAN;
+            CHECK(wheel.solve_for_load(at, 1e4, workspace).status == Status::not_finite);
+            CHECK(wheel.solve_at_height(at, workspace, {}).status == Status::not_finite);
+        }
+        for (const double height : {1.1e-3, 1e-2, 0.1})
+            CHECK(wheel.solve_at_height({.height = height}, workspace, {}).status == Status::too_deep);
+    }
+}
+
+TEST_CASE("contact_search: along a rail whose crown becomes sharp, a plane becomes doubtful", "[profiles]") {
+    std::vector<Section> sections;
+    for (const double u : {-0.6, -0.5, -0.4, -0.3, 0.3, 0.4, 0.5, 0.6}) {
+        const double R = u < 0 ? 0.1 : 0.004;
+        sections.push_back({u, piece(-0.0038, 0.0038, 201, [R](double y) { return crown(y, R); })});
+    }
+    const WheelOnRail wheel(cylinder(), Sections(sections, Sections::Interpolation::through), above);
+    WheelOnRail::Workspace workspace;
+    CHECK(wheel.solve_for_load({.along = -0.45}, 3e4, workspace).status == Status::ok);
+    CHECK(wheel.solve_for_load({.along = 0.45}, 3e4, workspace).status == Status::doubtful_plane);
 }

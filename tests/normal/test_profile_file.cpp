@@ -131,6 +131,7 @@ TEST_CASE("profile_file: lines that cannot be meant are named", "[profiles]") {
         {"a.csv", "0 0\ninf 1\n", "line 2 (inf 1)"},
         {"a.csv", "0 0\n1e999 1\n", "line 2 (1e999 1)"},
         {"a.csv", "0 0\n1.5mm 1\n", "line 2 (1.5mm 1)"},
+        {"a.csv", "0 0\n+-1 1\n", "line 2 (+-1 1)"},
         {"a.csv", "x,z\n0,0\n",
          "line 1 (x,z): y and z are expected, two numbers with decimal points, separated by a "
          "comma, a semicolon, a tab or blanks, or a header that names columns y and z"},
@@ -180,7 +181,7 @@ TEST_CASE("profile_file: units that make a profile too short or too long are nam
 TEST_CASE("profile_file: SIMPACK's settings apply to all points", "[profiles]") {
     const auto scene = GENERATE(values<std::pair<std::string, std::string>>({
         {"", "0 0\n3 1 9\n% 4 1\n6 1 ! c\n\n9 0\n"},
-        {"units.len.f = 1.0\n", "0 0\n.003 .001\n.006 .001\n.009 0\n"},
+        {"units.len.f = 1.0\nbound.z.max = -2\nbound.z.min = -1\n", "0 0\n.003 .001\n.006 .001\n.009 0\n"},
         {"mirror.y = 1 ! 5\n inversion = 1\n", "0 0\n-3 1\n-6 1\n-9 0\n"},
         {"mirror.z = 1\nshift.z = 1, 2\nshift.y = +1\n", "-1 -1\n2 -2\n5 -2\n8 -1\n"},
     }));
@@ -207,6 +208,8 @@ TEST_CASE("profile_file: headers of MiniProf end where points begin", "[profiles
         {"keys after the first blank line", "A=1\n\nB=2\n"},
         {"a comment first", "#MINIWHEELPROF\nA.whl\nCar Number..:\n\n"},
         {"free lines with numbers and a blank line", "MINIPROF 2020\n32.58 37.11 14.71\n\n"},
+        {"a blank line first", "\nMINIPROF 2020\n32.58 37.11 14.71\n\n"},
+        {"three lines that look like points", "MINIPROF 2020\n1 2\n3 4\n5 6\nA=1\n"},
         {"none", ""},
     }));
     INFO(scene.what);
@@ -349,6 +352,8 @@ TEST_CASE("profile_file: what folds back, crosses itself or has a gap is refused
     const auto scene = GENERATE(values<Scene>({
         {"a fold in the middle", with_middle("8 0\n7.4 0.01\n9 0.5\n"),
          "line 5 (8 0): the curve folds back at y = 8, z = 0 mm, over 0.6 mm"},
+        {"a short fold far from both ends", with_middle("8 0\n7.7 0.1\n8 0.3\n"),
+         "line 5 (8 0): the curve folds back at y = 8, z = 0 mm, over 0.32 mm"},
         {"a long hook", "0.6 0\n0 0\n2 0\n4 0\n6 0\n", "line 2 (0 0): the curve folds back at y = 0, z = 0 mm, over"},
         {"a gap", "0 0\n2 0\n4 0\n24.1 0\n26 0\n",
          "line 4 (24.1 0): the next point is expected within 20 mm; this one is 20.1 mm from that of line 3"},
@@ -359,6 +364,10 @@ TEST_CASE("profile_file: what folds back, crosses itself or has a gap is refused
     }));
     INFO(scene.what);
     CHECK_THAT(refused("a.csv", scene.text), ContainsSubstring(scene.message));
+}
+
+TEST_CASE("profile_file: a curve that turns about the end of a segment does not cross it", "[profiles]") {
+    CHECK(refused("a.csv", "0 0\n4 4\n3.6 5\n3.9 5.5\n6.5 3.6\n9 3\n") == "");
 }
 
 TEST_CASE("profile_file: smoothing goes over folds that are short beside its waves, no others", "[profiles]") {
@@ -405,6 +414,7 @@ TEST_CASE("profile_check: what cannot be a wheel is refused with the remedy", "[
         {"z from elsewhere", 1, 1, 0, 2.1, 1, 0.07,
          "z on the tape circle = 0.0021 m must lie within 0.002 m of 0: move or cut its points, or --any-shape"},
         {"z a little beside", 1, 1, 0, 1.9, 1, 0.07, ""},
+        {"y from elsewhere", 1, 1, -11, 0, 1, 0.07, "must lie in -0.065 to -0.025 m: move or cut its points"},
         {"inches", 1, 1, 0, 0, 1 / 25.4, 0.07, "these look like inches"},
         {"too wide", 1, 1, 0, 0, 1.5, 0.07, "width of the wheel = 0.194925 m must lie in 0.09 to 0.18 m"},
         {"metres as millimetres", 1, 1, 0, 0, 1e-3, 0.07, "these look like metres read as millimetres"},
@@ -421,6 +431,32 @@ TEST_CASE("profile_check: what cannot be a wheel is refused with the remedy", "[
         CHECK_THAT(message, ContainsSubstring(scene.message));
     }
     CHECK(refusal([&] { require_wheel({y, z, Use::piece}, scene.tape_offset); }) == "");
+}
+
+TEST_CASE("profile_check: a low flange and a rail cut at its top are refused, the rim's lower side is not",
+          "[profiles]") {
+    const Profile wheel = s1002(), rail = rail_60e1();
+    CHECK_THAT(refusal([&] {
+                   require_wheel({wheel.y(), 0.35 * wheel.z()}, 0.07);
+               }),
+               ContainsSubstring("z of the flange's crown (largest z) = 0.0098 m must be at least 0.01 m"));
+    Eigen::Index top = 0;
+    rail.z().minCoeff(&top);
+    const Eigen::Index after = rail.size() - top;
+    const Eigen::ArrayXd wide = 1.2 * rail.y();
+    CHECK_THAT(refusal([&] {
+                   require_rail({wide.head(top + 1), rail.z().head(top + 1)});
+               }),
+               ContainsSubstring("y of the rail's top (least z)"));
+    CHECK_THAT(refusal([&] {
+                   require_rail({wide.tail(after), rail.z().tail(after)});
+               }),
+               ContainsSubstring("y of the rail's top (least z)"));
+    // 60 mm from the tread, which passes the tape circle a second time
+    Eigen::ArrayXd y(wheel.size() + 3), z(y.size());
+    y << 0.02, -0.06, wheel.y()[0] - 1e-3, wheel.y();
+    z << -0.06, -0.06, -0.03, wheel.z();
+    CHECK(refusal([&] { require_wheel({y, z}, 0.07); }) == "");
 }
 
 TEST_CASE("profile_check: a remedy for a wheel is one", "[profiles]") {

@@ -208,6 +208,24 @@ TEST_CASE("sections: two are joined by straight lines", "[profiles]") {
     CHECK(between.by_u[1] == Approx((to.z - from.z) / 0.1));
 }
 
+TEST_CASE("sections: the same from the other end", "[profiles]") {
+    const Interpolation how = GENERATE(Interpolation::through, Interpolation::spline);
+    const bool interrupted = GENERATE(false, true);
+    std::vector<Section> list, reversed;
+    for (const double at : unequal) {
+        list.push_back({at, arch(1 + at, std::sin(50 * at) / 50), {0, interrupted && at == 0.03 ? -1 : 0.02}});
+        reversed.insert(reversed.begin(), {-at, list.back().profile, list.back().features});
+    }
+    const Sections one(list, how), other(reversed, how);
+    for (double u = 0; u < 0.0851; u += 0.0017) {
+        CAPTURE(u);
+        const Sections::Point at = one.at(0, 0.01, u), same = other.at(0, 0.01, -u);
+        CHECK(same.y == Approx(at.y).margin(1e-14));
+        CHECK(same.z == Approx(at.z).margin(1e-14));
+        CHECK(same.by_u[1] == Approx(-at.by_u[1]).margin(1e-12));
+    }
+}
+
 TEST_CASE("sections: turned and moved as a whole", "[profiles]") {
     const Sections sections(arches(unequal, one, [](double u) { return u * u; }), Interpolation::through);
     const Sections moved = sections.moved(0.4, 0.01, -0.02);

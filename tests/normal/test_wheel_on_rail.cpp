@@ -317,6 +317,8 @@ TEST_CASE("wheel_on_rail: small and large loads, needles, ends of profiles, two 
           Status::end_of_profile);
     CHECK(standard().solve_for_load({.lateral = 1}, 1e5, workspace).status == Status::no_contact);
     CHECK(standard().solve_for_load({.yaw = 0.8}, 1e5, workspace).status == Status::undefined_section);
+    CHECK(standard().solve_for_load({.lateral = 0.478, .yaw = 0.8}, 1e4, workspace).status ==
+          Status::undefined_section);
     CHECK(standard().solve_for_load({.roll = 3}, 1e5, workspace).status == Status::no_contact);
     CHECK(standard().solve_for_load({.lateral = NAN}, 1e5, workspace).status == Status::not_finite);
     CHECK(standard().solve_for_load({}, NAN, workspace).status == Status::not_finite);

@@ -119,7 +119,8 @@ inline RailPatch patch_on(const ContactGeometry& geometry, const WheelsetPositio
     patch.rail_s = plane.rail_s;
     patch.wheel_s = GapFinder::wheel_place(placed, at.height, plane);
     patch.rail_y = plane.y - geometry.rail_origin().y;
-    const WheelSurface::Point wheel = geometry.wheel().at(plane.wheel_part, patch.wheel_s, -at.pitch);
+    const WheelSurface::Point wheel = placed.unplaced(plane.wheel_part, patch.wheel_s, plane.x)
+                                          .value_or(geometry.wheel().at(plane.wheel_part, patch.wheel_s, -at.pitch));
     patch.wheel_y = wheel.y;
     patch.angle = plane.angle;
     patch.rolling_radius = geometry.dimensions().radius + wheel.z;

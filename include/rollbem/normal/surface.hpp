@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -151,22 +152,24 @@ public:
         return place(p.y, p.z, sine);
     }
 
-    /// The point s of the curve at x [m].
-    CurvePoint section(std::size_t part, double s, double x) const {
-        if (surface_->is_round()) {
-            const Profile::Point p = surface_->profile().at(s);
-            return section_of({p.y, p.z, p.slope, {0, 0}}, x);
-        }
+    /// The point s of the curve at x [m], of the wheel's surface before it is placed; nothing where there is none.
+    std::optional<WheelSurface::Point> unplaced(std::size_t part, double s, double x) const {
+        if (surface_->is_round()) return surface_->at(part, s, 0);
         double sine = x / radius_;
         WheelSurface::Point p{};
         for (int k = 0; k < 20; ++k) {
             p = surface_->at(part, s, std::asin(sine) - pitch_);
             const double next = sine_of(p, x);
-            if (!(std::abs(next) <= steepest)) return {0, 0, {0, 0}, false};
+            if (!(std::abs(next) <= steepest)) return std::nullopt;
             const double change = next - std::exchange(sine, next);
             if (std::abs(change) < 1e-14) break;
         }
-        return section_of(p, x);
+        return p;
+    }
+    /// The same in track axes, the wheelset at height 0.
+    CurvePoint section(std::size_t part, double s, double x) const {
+        const auto p = unplaced(part, s, x);
+        return p ? section_of(*p, x) : CurvePoint{0, 0, {0, 0}, false};
     }
 
 private:

@@ -222,27 +222,37 @@ private:
     static bool lies_in(const std::vector<Region>& found, const Point& p) {
         for (const Region& region : found) {
             for (const SurfaceCut& cut : region.cuts) {
-                if (cut.foot.depth > 0 && std::hypot(cut.x - p.x, cut.y - p.y, cut.z - p.z) < 1.5e-3) return true;
+                if (cut.foot.depth > 0 && std::hypot(cut.x - p.x, cut.y - p.y, cut.z - p.z) < 1.5e-3 &&
+                    std::abs(cut.foot.angle() - p.foot.angle()) < joined_angle) {
+                    return true;
+                }
             }
         }
         return false;
     }
 
-    // The cuts at x about a point of the region, outwards along the wheel until nothing lies below the rail for a
-    // while; how far it does, from and to on the wheel's curve, nothing if nowhere. `step` [m] is that between cuts.
+    // The cuts at x about a point of the region, outwards along the wheel until nothing lies below the rail for a while,
+    // or what does beyond a gap has another normal; how far it does, from and to on the wheel's curve, nothing if
+    // nowhere. `step` [m] is that between cuts.
     std::optional<std::array<double, 2>> cut_slice(const Point& about, double step, double height,
                                                    std::vector<SurfaceCut>& cuts) const {
         const double length = placed_->surface().length(about.part);
         std::vector<SurfaceCut> slice;
         for (const int direction : {-1, 1}) {
             Point p = about;
-            double last = p.s, stride = step;
+            double last = p.s, stride = step, angle = p.foot.angle();
+            bool gap = false;
             if (direction > 0) p = point_at(p, p.x, p.s + stride, height);
             while (std::abs(p.s - last) < joined_distance / 2 && p.s >= 0 && p.s <= length) {
                 const bool below = p.defined && p.foot.depth > 0;
+                if (below && gap && std::abs(p.foot.angle() - angle) >= joined_angle) break;
+                gap = !below;
                 slice.push_back({p.s, p.x, p.y, p.z, p.foot, 0});
                 if (!below) slice.back().foot.depth = 0;
-                if (below) last = p.s;
+                if (below) {
+                    last = p.s;
+                    angle = p.foot.angle();
+                }
                 stride = below ? step : (std::max)(step, (std::min)(1.2 * stride, 1e-4));
                 p = point_at(p, p.x, p.s + direction * stride, height);
             }
