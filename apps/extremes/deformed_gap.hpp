@@ -24,8 +24,8 @@ public:
             points_[column(y)].push_back({y, z, p.slope[0], p.slope[1]});
         }
     }
-    /// How far a point of the wheel lies above the rail, along the rail's normal, where normals are less than 60 degrees
-    /// apart; infinite where nothing is near. The rail's angle there.
+    /// How far a point of the wheel lies above the rail, along the rail's normal, where normals are less than 60
+    /// degrees apart; infinite where nothing is near. The rail's angle there.
     std::pair<double, double> above(double y, double z, double slope_y, double slope_z) const {
         double least = 4e-6, found = std::numeric_limits<double>::infinity(), angle = 0;
         for (int k = column(y) - 1; k <= column(y) + 1; ++k) {

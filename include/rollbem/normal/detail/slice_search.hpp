@@ -231,9 +231,9 @@ private:
         return false;
     }
 
-    // The cuts at x about a point of the region, outwards along the wheel until nothing lies below the rail for a while,
-    // or what does beyond a gap has another normal; how far it does, from and to on the wheel's curve, nothing if
-    // nowhere. `step` [m] is that between cuts.
+    // The cuts at x about a point of the region, outwards along the wheel until nothing lies below the rail for a
+    // while, or what does beyond a gap has another normal; how far it does, from and to on the wheel's curve, nothing
+    // if nowhere. `step` [m] is that between cuts.
     std::optional<std::array<double, 2>> cut_slice(const Point& about, double step, double height,
                                                    std::vector<SurfaceCut>& cuts) const {
         const double length = placed_->surface().length(about.part);
