@@ -53,6 +53,38 @@ ROLLBEM_API void rollbem_table_close(rollbem_table *table);
 ROLLBEM_API int rollbem_table_forces(const rollbem_table *table, size_t count, const double *contacts, double *forces,
                                      double *tangents);
 
+/* --- wheelsets by look-up ----------------------------------------------------------------------------------------- */
+
+typedef struct rollbem_contact_table rollbem_contact_table;
+
+/* A file of the program contact_table, such as share/rollbem/s1002_60e1.contact; the path in UTF-8. */
+ROLLBEM_API rollbem_contact_table *rollbem_contact_table_open(const char *path);
+ROLLBEM_API void rollbem_contact_table_close(rollbem_contact_table *table);
+
+enum { ROLLBEM_LEFT = 0, ROLLBEM_RIGHT = 1 };
+
+/* Forces of the rail on one wheel of a wheelset, in track axes: x forward, y to the right, z down.
+     creep    the table of creep forces
+     inputs   11: lateral position of the middle of the axle [m], yaw [rad]; its speeds along x [m/s], about the axle
+              (negative when rolling forward [rad/s]), along y and z [m/s], about x and z [rad/s]; vertical load of the
+              wheel [N], coefficient of friction, roll of the wheelset [rad] (NaN: that of equal loads)
+     force    6: F_x, F_y, F_z [N], M_x, M_y, M_z about the middle of the axle [N m]
+     tangent  66, or NULL: the derivatives of the 6 with respect to each of the 11 inputs, exact ones of the
+              interpolation; by the roll 0 where it is NaN
+     points   4 x 10, or NULL, a row for each zone of the rail: share of the load (0: no contact), place from the middle
+              of the axle [m], angle [rad], rolling radius [m], normal force [N], peak pressure [Pa], place y in the
+              profiles of rail and wheel [m]; as on the right wheel
+     heat     1, or NULL: by friction [W]
+   ROLLBEM_FAILED beyond the table, and where the wheel does not roll: then forces are of its normal load alone. */
+ROLLBEM_API int rollbem_contact_table_look_up(const rollbem_contact_table *table, const rollbem_table *creep, int side,
+                                              const double inputs[11], double force[6], double tangent[66],
+                                              double points[40], double *heat);
+
+/* Where a wheelset stands whose wheels carry vertical loads, left and right [N]: height (positive down) and roll, and
+   the derivatives of both with respect to lateral position, yaw and both loads. */
+ROLLBEM_API int rollbem_contact_table_on_rails(const rollbem_contact_table *table, double lateral, double yaw,
+                                               const double loads[2], double height[5], double roll[5]);
+
 /* --- Hertz and Kalker --------------------------------------------------------------------------------------------- */
 
 /* Two smooth bodies under a load [N].

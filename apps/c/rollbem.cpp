@@ -91,6 +91,10 @@ struct rollbem_table {
     CreepForceTable table;
 };
 
+struct rollbem_contact_table {
+    ContactTable table;
+};
+
 struct rollbem_patch {
     using Model = FrictionModel<ConstantFriction<double>, 2>;
 
@@ -221,6 +225,59 @@ int rollbem_table_forces(const rollbem_table* table, size_t count, const double*
         message = last_error + " (contact " + std::to_string(i) + ")";
     }
     return code == ROLLBEM_OK ? code : failed(message, code);
+}
+
+// --- wheelsets by look-up --------------------------------------------------------------------------------------------
+
+rollbem_contact_table* rollbem_contact_table_open(const char* path) {
+    return made([&] {
+        require_given("rollbem_contact_table_open", {{"path", path}});
+        return std::make_unique<rollbem_contact_table>(rollbem_contact_table{ContactTable::read(path_of(path))});
+    });
+}
+
+void rollbem_contact_table_close(rollbem_contact_table* table) { delete table; }
+
+int rollbem_contact_table_look_up(const rollbem_contact_table* table, const rollbem_table* creep, int side,
+                                  const double inputs[11], double force[6], double tangent[66], double points[40],
+                                  double* heat) {
+    return guarded([&] {
+        constexpr const char* who = "rollbem_contact_table_look_up";
+        require_given(who, {{"table", table}, {"creep", creep}, {"inputs", inputs}, {"force", force}});
+        detail::require(side == ROLLBEM_LEFT || side == ROLLBEM_RIGHT, who, "side", side, "be 0 (left) or 1 (right)");
+        WheelLoad load(inputs[WheelForces::load]);
+        if (!std::isnan(inputs[WheelForces::roll])) load.roll = inputs[WheelForces::roll];
+        const WheelForces now = table->table.look_up(
+            creep->table, side == ROLLBEM_LEFT ? WheelsetSide::left : WheelsetSide::right,
+            {.lateral = inputs[WheelForces::lateral], .yaw = inputs[WheelForces::yaw]},
+            {inputs[WheelForces::forward], inputs[WheelForces::pitch_rate], inputs[WheelForces::lateral_speed],
+             inputs[WheelForces::vertical_speed], inputs[WheelForces::roll_rate], inputs[WheelForces::yaw_rate]},
+            load, inputs[WheelForces::mu]);
+        std::copy(now.force.begin(), now.force.end(), force);
+        if (tangent != nullptr) std::copy_n(now.tangent.data(), now.tangent.size(), tangent);
+        if (heat != nullptr) *heat = now.heat;
+        for (double* to = points; const WheelForces::Point& point : now.points) {
+            if (points == nullptr) break;
+            to = put(to, {point.load_share, point.arm[0], point.arm[1], point.arm[2], point.angle, point.rolling_radius,
+                          point.normal_load, point.peak_pressure, point.rail_y, point.wheel_y});
+        }
+        return now.status == StepStatus::ok ? ROLLBEM_OK : failed(std::string(who) + ": status is " + name(now.status));
+    });
+}
+
+int rollbem_contact_table_on_rails(const rollbem_contact_table* table, double lateral, double yaw,
+                                   const double loads[2], double height[5], double roll[5]) {
+    return guarded([&] {
+        constexpr const char* who = "rollbem_contact_table_on_rails";
+        require_given(who, {{"table", table}, {"loads", loads}, {"height", height}, {"roll", roll}});
+        detail::require(table->table.covers(lateral, yaw), who, "lateral position", lateral,
+                        "lie on the table, as must yaw");
+        for (const double load : {loads[0], loads[1]}) detail::require_positive(who, "load", load);
+        const auto at = table->table.on_rails(lateral, yaw, {loads[0], loads[1]});
+        put(height, {at.height, at.height_by_lateral, at.height_by_yaw, at.height_by_load[0], at.height_by_load[1]});
+        put(roll, {at.roll, at.roll_by_lateral, at.roll_by_yaw, at.roll_by_load[0], at.roll_by_load[1]});
+        return ROLLBEM_OK;
+    });
 }
 
 // --- Hertz and Kalker ------------------------------------------------------------------------------------------------

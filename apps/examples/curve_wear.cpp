@@ -93,7 +93,7 @@ int main(int argc, char** argv) try {
         std::fprintf(stderr, "usage: curve_wear [radius >= 100 m] [positions >= 4]\n");
         return 2;
     }
-    const WheelsetOnTrack track(WheelOnRail(s1002(), rail_uic60()));
+    const WheelsetOnTrack track(WheelOnRail(s1002(), rail_60e1()));
     const Profile& rail = track.wheel().rail();
     const auto cells = static_cast<Eigen::Index>(rail.length() / 5e-4);
     std::array<ProfileWear, 2> wear{ProfileWear(rail, cells), ProfileWear(rail, cells)};

@@ -86,7 +86,7 @@ Outcome run(std::uint64_t seed) {
     double vertical = contact.dropped, depth = 0;
     for (const RailPatch& patch : contact.patches) {
         if (!is_sound(patch)) return {.told = "a patch without pressures or an outline"};
-        vertical += patch.load * std::cos(patch.angle);
+        vertical += patch.vertical_load();
         depth = std::max(depth, patch.approach);
         outcome.residual = std::max(std::isnan(outcome.residual) ? 0 : outcome.residual, patch.residual);
     }

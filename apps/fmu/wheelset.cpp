@@ -27,8 +27,8 @@ public:
     explicit Wheelset(Interface used) : Model(used) {
         add_parameter(&friction_coefficient_, "friction_coefficient", "", "mu").min = 0;
         add_parameter(&contact_table_, "contact_table_file", "",
-                      "Path of a table of contact geometry, as the example contact_table makes; empty: the one packed "
-                      "with this FMU, S1002 on 60E1 canted 1:40, gauge 1435 mm, 100 kN a wheel");
+                      "Path of a table of contact geometry, as the program contact_table makes; empty: the one packed "
+                      "with this FMU, S1002 on 60E1 canted 1:40, gauge 1435 mm");
         add_parameter(&creep_table_, "creep_table_file", "",
                       "Path of a table that creep_table made, the .bin; empty: the one packed with this FMU");
         // as in WheelForces::Input
@@ -55,7 +55,7 @@ public:
             }
         }
         add_output(&height_, "height", "m",
-                   "z_ws of a wheelset that follows its rails under the table's load, positive down");
+                   "z_ws of a wheelset that follows its rails, positive down");
         add_output(&roll_, "roll", "rad", "Its roll, about x");
         add_output(&slip_work_, "slip_work", "J", "Heat by slip since the start");
         add_output(&status_, "status", "", "Status of the last step", &step_statuses);
@@ -125,7 +125,9 @@ private:
                                            loads_[k].after(duration), friction_coefficient_);
             if (wheels[k].status != StepStatus::ok) return wheels[k].status;
         }
-        const rollbem::ContactTable::OnRails rails = contacts_->on_rails(lateral, yaw);
+        const std::array loads{loads_[0].after(duration), loads_[1].after(duration)};
+        const bool both = loads[0] > 0 && loads[1] > 0;  // a wheel that is lifted has no height
+        const auto rails = both ? contacts_->on_rails(lateral, yaw, loads) : contacts_->on_rails(lateral, yaw);
         height_ = rails.height;
         roll_ = rails.roll;
         heat_ = wheels[0].heat + wheels[1].heat;

@@ -50,8 +50,12 @@ std::string case_columns(const study::Options& options);
 
 // --- profiles by name or from files
 
-/// Declares --wheel, --rail and what they need.
+/// Declares --wheel, --rail, their material, and what they need.
 void add_profile_options(study::Options& options);
+
+/// Declares where they stand, and reads it. Throws BadInput.
+void add_track_options(study::Options& options);
+rollbem::TrackDimensions read_dimensions(const study::Options& options);
 
 /// Both wheels on their rails; what was cleaned or turned is noted in the sidecar. Throws BadInput.
 rollbem::WheelsetOnTrack read_wheelset(const study::Options& options, const rollbem::TrackDimensions& dimensions);

@@ -22,7 +22,8 @@ Track axes: x forward, y to the right, z down, the origin between the rails at t
 --roll the roll, follow from the loads, or --height is given. A row for each position, wheel and patch, patches by
 decreasing load: x, y, z of the reference point, on the rail, seen from the wheelset; rail_y and wheel_y of it in the
 profiles of right wheel and canted right rail (of a left wheel in their mirror images); angle of the patch's
-plane, in which s lies along y turned by it, and n points into the rail; normal force load; approach, the largest depth
+plane, in which s lies along y turned by it, and n points into the rail; load, the pressures over the plane, which act
+along the normals of the rail's surface, so that --load is N cos angle only nearly; approach, the largest depth
 of the undeformed surfaces in one another along n; half_length along x and half_width along s, half the extents;
 iterations of the last solution for pressures; time_us of the whole position [microseconds], once; track_x and pitch are
 the position's. Lengths in m, angles in rad, forces in N, pressures in Pa, all of them SI.
@@ -74,23 +75,6 @@ friction.
 
 const study::Rule turn = study::between(-0.3, 0.3), sideways = study::between(-0.1, 0.1);
 
-void add_track_options(study::Options& options) {
-    options.group("Track and wheelset");
-    options.add("radius", "R", "of the wheel's tape circle [m]", "0.46");
-    options.add("gauge", "X", "between the rails [m]", "1.435");
-    options.add("gauge-depth", "X", "below their tops, down to which the rails are narrowest at the gauge [m]",
-                "0.014");
-    options.add("flange-back", "X", "between the backs of the flanges [m]", "1.36");
-    options.add("tape-offset", "X",
-                "of the wheel profile's origin from the flange's back [m]: 0.07 on the tape circle, 0 for wheels "
-                "measured from the back",
-                "0.07");
-    options.add("rail-origin", "Y,Z", "instead of the gauge: of the right rail's profile in track axes [m]");
-    options.not_with({"gauge", "gauge-depth"}, "rail-origin");
-    options.add("roller-radius", "R", "the rail is a roller, its axle this far below z = 0 of its profile [m]")
-        .only_with({"rail-origin"});
-}
-
 /// Positions of the wheelset, loads, and how its contacts are solved.
 void add_position_options(study::Options& options) {
     options.add("side", "NAME", "left, right or both", "right");
@@ -118,9 +102,10 @@ void add_friction_options(study::Options& options) {
     options.add("pitch-rate", "LIST",
                 "with --friction: about the axle, negative when rolling forward [rad/s]; default: that in which the "
                 "longitudinal creepages of the wheels that touch add up to 0");
-    options.add("strips", "M",
-                "with --friction: strips of a patch, 1 to 100; fewer where rolling would gain energy (dimensionless)",
-                "13");
+    options.add(
+        "strips", "M",
+        "with --friction: strips of a patch, 1 to 100; fewer where rolling would gain energy; default: 13, up to "
+        "25 where a patch has lobes (dimensionless)");
     options.add(
         "slip", "NAME",
         "with --friction: curved, of both surfaces in each row of cells, or linear, of three creepages alone, as "
@@ -138,8 +123,6 @@ void add_options(study::Options& options) {
     options.set_help("n", "with --friction: elements of each strip, 1 to 100 (dimensionless)");
     options.refuse("kernel", "the bodies are half-spaces");
     options.refuse("aspect", "a patch is as wide as profiles and load make it");
-    options.set_help("poisson", "Poisson's ratio of wheel and rail, 0 to 0.5 (dimensionless)");
-    options.add("shear-modulus", "G", "shear modulus of wheel and rail [Pa]", "8.2e10");
     add_profile_options(options);
     add_track_options(options);
     add_position_options(options);
@@ -223,24 +206,6 @@ std::string case_columns(const study::Options& options) {
 
 namespace {
 
-rollbem::TrackDimensions read_dimensions(const study::Options& options) {
-    const auto positive = [&](const char* name) { return options.number(name, study::positive()); };
-    const auto finite = [&](const char* name) { return options.number(name, study::finite()); };
-    rollbem::TrackDimensions track{.gauge = positive("gauge"),
-                                   .gauge_depth = positive("gauge-depth"),
-                                   .flange_back = finite("flange-back"),
-                                   .tape_offset = finite("tape-offset"),
-                                   .radius = positive("radius"),
-                                   .shear_modulus = positive("shear-modulus"),
-                                   .poisson_ratio = options.number("poisson", study::between(0, 0.5))};
-    if (options.given("rail-origin")) {
-        const auto origin = options.pair("rail-origin");
-        options.require(origin.has_value(), "rail-origin", "be two numbers with a comma between them");
-        track.rail_origin = rollbem::TrackDimensions::Origin{origin->first, origin->second};
-    }
-    return track;
-}
-
 /// Refuses what needs sections, and what needs that there are none.
 void check_surfaces(const study::Options& options, const rollbem::WheelsetOnTrack& wheelset, bool several) {
     bool round = true, straight = true;
@@ -272,7 +237,7 @@ Settings read_settings(const study::Options& options, bool several) {
     std::optional<rollbem::RollingFriction> friction;
     if (options.given("friction")) {
         friction = {positive("friction"), Eigen::Index(options.integer("n", 1, 100)),
-                    Eigen::Index(options.integer("strips", 1, 100)),
+                    options.given("strips") ? Eigen::Index(options.integer("strips", 1, 100)) : 0,
                     options.choice("slip", {"curved", "linear"}) == "curved"};
     } else {
         for (const char* name : {"speed", "pitch-rate", "n", "strips", "slip", "shear-yield", "wear"})

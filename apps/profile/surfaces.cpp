@@ -97,6 +97,8 @@ rollbem::WheelOnRail read_side(const study::Options& options, const std::string&
 }  // namespace
 
 void add_profile_options(study::Options& options) {
+    options.set_help("poisson", "Poisson's ratio of wheel and rail, 0 to 0.5 (dimensionless)");
+    options.add("shear-modulus", "G", "shear modulus of wheel and rail [Pa]", "8.2e10");
     options.group("Profiles");
     options.add_input("wheel",
                       "s1002 (default), or a file: two columns y, z (y to the right, z down, flange of the right wheel "
@@ -139,6 +141,41 @@ rollbem::WheelsetOnTrack read_wheelset(const study::Options& options, const roll
         if (options.given(name)) return {read_side(options, "left-", dimensions), std::move(right)};
     }
     return rollbem::WheelsetOnTrack(right);
+}
+
+void add_track_options(study::Options& options) {
+    options.group("Track and wheelset");
+    options.add("radius", "R", "of the wheel's tape circle [m]", "0.46");
+    options.add("gauge", "X", "between the rails [m]", "1.435");
+    options.add("gauge-depth", "X", "below their tops, down to which the rails are narrowest at the gauge [m]",
+                "0.014");
+    options.add("flange-back", "X", "between the backs of the flanges [m]", "1.36");
+    options.add("tape-offset", "X",
+                "of the wheel profile's origin from the flange's back [m]: 0.07 on the tape circle, 0 for wheels "
+                "measured from the back",
+                "0.07");
+    options.add("rail-origin", "Y,Z", "instead of the gauge: of the right rail's profile in track axes [m]");
+    options.not_with({"gauge", "gauge-depth"}, "rail-origin");
+    options.add("roller-radius", "R", "the rail is a roller, its axle this far below z = 0 of its profile [m]")
+        .only_with({"rail-origin"});
+}
+
+rollbem::TrackDimensions read_dimensions(const study::Options& options) {
+    const auto positive = [&](const char* name) { return options.number(name, study::positive()); };
+    const auto finite = [&](const char* name) { return options.number(name, study::finite()); };
+    rollbem::TrackDimensions track{.gauge = positive("gauge"),
+                                   .gauge_depth = positive("gauge-depth"),
+                                   .flange_back = finite("flange-back"),
+                                   .tape_offset = finite("tape-offset"),
+                                   .radius = positive("radius"),
+                                   .shear_modulus = positive("shear-modulus"),
+                                   .poisson_ratio = options.number("poisson", study::between(0, 0.5))};
+    if (options.given("rail-origin")) {
+        const auto origin = options.pair("rail-origin");
+        options.require(origin.has_value(), "rail-origin", "be two numbers with a comma between them");
+        track.rail_origin = rollbem::TrackDimensions::Origin{origin->first, origin->second};
+    }
+    return track;
 }
 
 }  // namespace profile

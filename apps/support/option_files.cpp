@@ -60,8 +60,9 @@ void Options::check_files() const {
     };
     if (!given("output")) add("-", "standard output", true);
     for (const auto& [name, entry] : entries_) {
-        const bool is_file = entry.kind == Kind::input || entry.kind == Kind::output || entry.kind == Kind::table;
-        if (given(name) && is_file) add(text(name), said(name), entry.kind != Kind::input);
+        const bool is_read = entry.kind == Kind::input || entry.kind == Kind::argument;
+        const bool is_written = entry.kind == Kind::output || entry.kind == Kind::table;
+        if (given(name) && (is_read || is_written)) add(text(name), said(name), is_written);
         // a replay writes its own again
         if (given(name) && entry.kind == Kind::table && text(name) != "-" && !is_device(text(name)) && !replays_) {
             add(text(name) + ".toml", said(name) + ", written beside it,", true);

@@ -134,8 +134,9 @@ Options::~Options() = default;
 
 Options::Added Options::add(const std::string& name, const std::string& value, const std::string& help, Kind kind) {
     const std::string nothing;
+    const std::string names = (kind == Kind::argument ? name + "," : "") + "--" + name;
     CLI::Option* option =
-        kind == Kind::flag ? app_->add_flag("--" + name) : app_->add_option("--" + name, nothing)->type_name(value);
+        kind == Kind::flag ? app_->add_flag(names) : app_->add_option(names, nothing)->type_name(value);
     // Every use of the option is kept; how many there may be is checked when its values are read.
     if (kind != Kind::flag) option->type_size(1)->expected(1);
     option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->group(group_);

@@ -136,6 +136,11 @@ public:
     /// Declares --name FILE, a file that is written. No other file of the run may be the same.
     Added add_output(const std::string& name, const std::string& help) { return add(name, "FILE", help, Kind::output); }
 
+    /// Declares a file that is read, --name FILE or FILE alone.
+    Added add_argument(const std::string& name, const std::string& help) {
+        return add(name, "FILE", help, Kind::argument);
+    }
+
     /// The same with a file beside it, FILE.toml.
     Added add_table(const std::string& name, const std::string& help) { return add(name, "FILE", help, Kind::table); }
 
@@ -231,7 +236,7 @@ public:
     const std::vector<std::string>& notes() const { return notes_; }
 
 private:
-    enum class Kind { value, flag, input, output, table, folder };
+    enum class Kind { value, flag, input, argument, output, table, folder };
 
     struct Entry {
         CLI::Option* option = nullptr;

@@ -6,6 +6,7 @@ cases=$(cd "$(dirname "$0")" && pwd)/cases.txt
 PATH=$programs:$PATH
 program=$2
 in=$scratch
+contact=$(dirname "$cases")/../../apps/creep/s1002_60e1.contact
 count=0
 
 while IFS= read -r line; do

@@ -10,7 +10,8 @@ bad '--roll = 0.1 has no effect with a column roll' $profile --roll 0.1 --positi
 bad '--smooth = 1 must lie in [0.0001, 0.1]' $profile --length-unit mm --wheel "$benchmark/wheel.csv" --smooth 1
 
 # --- half of the benchmark: tables as CSV in mm; positions, pressures and forces beside CONTACT, whose own errors on
-# its grid of 0.2 mm are 2e-2 in areas, more on flanges, 3e-3 in peak pressures, and 9e-3 at most in forces
+# its grid of 0.2 mm are 2e-2 in areas, more on flanges, 3e-3 in peak pressures, and 9e-3 at most in forces. Its loads
+# are N cos delta of planes, which on flanges differs by 3e-3 from what pressures carry along the normals of the surface.
 awk 'NR < 3 || NR % 2 == 1' "$benchmark/positions.csv" >positions.csv
 at="--length-unit mm --cant 0 --positions positions.csv --side both --load 1e4 --friction 0.3 --speed 2 --slip linear"
 $profile $at --wheel "$benchmark/wheel.csv" --rail "$benchmark/rail.csv" --output table.csv || fail "the benchmark"
@@ -26,7 +27,7 @@ within y 3e-4 2e-3
 within z 3e-4 3e-3
 within angle 4e-5 3e-4
 within height 2e-4 5e-4
-within load 3e-4 8e-4
+within load 7e-4 4e-3
 within approach 2e-3 1e-2
 within peak_pressure 4e-3 2e-2
 within area 4e-2 0.11
@@ -119,12 +120,12 @@ $shape --wheel twice.txt --radius 0.1 --rail plane.txt --rail-mirror z --rail-or
 grep -q '^"--wheel: repeated points' noted.csv.toml && grep -q '^"--rail: z mirrored' noted.csv.toml ||
     fail 'notes in the sidecar'
 
-# --- rows that fail say why; both wheels carry the load; the row order does not depend on --jobs
+# --- rows that fail say why; both wheels carry the load, N cos delta but for a percent; the row order does not depend on --jobs
 $profile --shift 0,0.003,0.006 --side both >one
 $profile --shift 0,0.003,0.006 --side both --jobs 2 >other
 cmp one other || fail '--jobs'
 awk -F, 'NR > 1 { vertical[$1, $4] += $14 * cos($12) }
-    END { for (k in vertical) if ((vertical[k] / 1e5 - 1) ^ 2 > 1e-10) exit 1 }' one || fail 'vertical loads'
+    END { for (k in vertical) if ((vertical[k] / 1e5 - 1) ^ 2 > 1e-4) exit 1 }' one || fail 'vertical loads'
 
 # --- wear: what all elements of a patch lose lies on both profiles
 $profile --shift 0.003 --side both --friction 0.3 --wear wear.csv >out || fail '--wear'

@@ -57,6 +57,19 @@ Profile benchmark_profile(const char* file) {
     return {y, z - (std::string(file) == "rail.csv" ? z.minCoeff() : 0)};
 }
 
+/// The contact whose largest patch has the pressures N [N] over its plane: CONTACT's loads are N cos delta.
+WheelOnRail::Contact under_normal_force(const WheelOnRail& wheel, const WheelsetPosition& position, double N,
+                                        WheelOnRail::Workspace& workspace, const WheelOnRail::Options& options = {}) {
+    double load = N;
+    WheelOnRail::Contact contact;
+    for (int k = 0; k < 8; ++k) {
+        contact = wheel.solve_for_load(position, load, workspace, options);
+        if (contact.patches.empty() || std::abs(contact.patches[0].load / N - 1) < 1e-5) break;
+        load *= N / contact.patches[0].load;
+    }
+    return contact;
+}
+
 TEST_CASE("wheel_on_rail: contacts of the Manchester benchmark, S1002 on 60E1, against CONTACT", "[profiles]") {
     // Reference values of CONTACT v25.2 on its grid of 0.2 mm, with four digits; mm, N, MPa; left wheels are mirrored.
     // Its areas are those of whole cells, its largest pressures and penetrations those at their centres: so are these.
@@ -85,10 +98,7 @@ TEST_CASE("wheel_on_rail: contacts of the Manchester benchmark, S1002 on 60E1, a
                 of.largest = std::abs(own - reference);
                 of.where = (side < 0 ? "left " : "right ") + std::to_string(k);
             };
-            // friction, with the ratio of the reference, carries the rest of 10 kN
-            const double ratio = (1e4 / ref_load - std::cos(ref_angle)) / std::sin(ref_angle);
-            const auto vertical = [=](double angle) { return 1e4 / (1 + ratio * std::tan(angle)); };
-            const auto contact = wheel.solve_for_load(position, vertical(ref_angle), workspace);
+            const auto contact = under_normal_force(wheel, position, ref_load, workspace);
             REQUIRE(has_numbers(contact.status));
             REQUIRE(contact.patches.size() == 1);
             const RailPatch& patch = contact.patches[0];
@@ -96,7 +106,7 @@ TEST_CASE("wheel_on_rail: contacts of the Manchester benchmark, S1002 on 60E1, a
             add("y", 1e3 * side * patch.y, ref[2]);
             add("z", 1e3 * patch.z, ref[3]);
             add("angle", patch.angle, ref_angle);
-            add("load", patch.load / ref_load, 1);
+            add("height", 1e3 * contact.height, ref[5]);
             position.height = contact.height;
             const Creepage<double> creepage =
                 creepage_of(patch, position, {.forward = 2, .pitch_rate = positions[k][3]}, 0.46);
@@ -104,7 +114,7 @@ TEST_CASE("wheel_on_rail: contacts of the Manchester benchmark, S1002 on 60E1, a
             add("lateral creepage", -side * creepage.lateral, ref[11]);
             add("spin", -side * creepage.spin * 1e-3, ref[12]);
 
-            const auto squares = wheel.solve_for_load(position, vertical(patch.angle), workspace, {.cell_size = 2e-4});
+            const auto squares = under_normal_force(wheel, position, ref_load, workspace, {.cell_size = 2e-4});
             REQUIRE(squares.patches.size() == 1);
             const RailPatch& coarse = squares.patches[0];
             add("area", 0.04 * double((coarse.pressure > 0).count()) / ref[9], 1);
@@ -124,7 +134,7 @@ TEST_CASE("wheel_on_rail: contacts of the Manchester benchmark, S1002 on 60E1, a
     within("y", 3e-4, 2e-3);
     within("z", 3e-4, 3e-3);
     within("angle", 4e-5, 2e-4);
-    within("load", 2e-4, 6e-4);
+    within("height", 2e-4, 6e-4);
     within("longitudinal creepage", 2e-6, 8e-6);
     within("lateral creepage", 5e-6, 2.5e-5);
     within("spin", 2e-7, 1e-6);
@@ -196,12 +206,11 @@ TEST_CASE("wheelset_forces: the largest difference from CONTACT vanishes on CONT
 
 TEST_CASE("wheel_on_rail: a second implementation on fine grids", "[profiles]") {
     WheelOnRail::Workspace workspace;
-    const auto contact = standard().solve_for_load({6.5e-3, 0, -4.376e-3, .0156}, 15441 * std::cos(1.15908), workspace,
-                                                   {.cells_x = 60, .cells_s = 60});
+    const auto contact =
+        under_normal_force(standard(), {6.5e-3, 0, -4.376e-3, .0156}, 15441, workspace, {.cells_x = 60, .cells_s = 60});
     REQUIRE(contact.patches.size() == 1);
     const RailPatch& patch = contact.patches[0];
     CHECK(patch.angle == Approx(-1.15908).margin(4e-4));
-    CHECK(patch.load == Approx(15441).epsilon(2e-3));
     CHECK(1e-6 * patch.peak_pressure == Approx(2585.8).epsilon(2e-3));
     CHECK(1e6 * patch.area == Approx(8.96).epsilon(4e-3));
     CHECK(1e3 * patch.approach == Approx(.03643).epsilon(6e-3));
@@ -287,7 +296,7 @@ TEST_CASE("wheel_on_rail: contacts do not depend on where the search for them st
             CHECK(one.load == Approx(other.load).epsilon(1e-4));
             CHECK(one.peak_pressure == Approx(other.peak_pressure).epsilon(4e-3));
             CHECK(one.area == Approx(other.area).epsilon(2e-2));
-            CHECK(one.grid.x_0 == Approx(other.grid.x_0).margin(0.3 * other.grid.dx));
+            CHECK(one.grid.x_0 == Approx(other.grid.x_0).margin(other.grid.dx));
         }
     }
 }
@@ -394,7 +403,7 @@ TEST_CASE("wheelset_on_track: regions that join between tread and flange", "[pro
     REQUIRE(contacts.status == Status::doubtful_plane);
     for (const WheelOnRail::Contact& wheel : contacts.wheels) {
         double vertical = 0;
-        for (const RailPatch& patch : wheel.patches) vertical += patch.load * std::cos(patch.angle);
+        for (const RailPatch& patch : wheel.patches) vertical += patch.vertical_load();
         CHECK(vertical == Approx(1e5).epsilon(2e-6));
     }
     // at this height the same loads press the wheels down again
@@ -467,6 +476,73 @@ TEST_CASE("wheelset_forces: a braked wheelset is held back and its axle turned f
         const TangentialForce<double>& slides = locked.patches[k][0].force;
         CHECK(std::hypot(slides.longitudinal, slides.lateral) ==
               Approx(0.3 * locked.contacts.wheels[k].patches[0].load).epsilon(1e-5));
+    }
+}
+
+/// Minus the power of a wheelset's forces, and the creep work in it [W].
+struct RollingPower {
+    double lost = 0, creep = 0;
+};
+RollingPower power_of(const WheelsetForces& rolling, WheelsetSpeeds speeds) {
+    RollingPower power;
+    speeds.pitch_rate = rolling.pitch_rate;
+    const auto velocity = detail::velocity_of(rolling.contacts.position, speeds);
+    for (std::size_t i = 0; i < 3; ++i) {
+        power.lost -= rolling.on_wheelset.force[i] * velocity.middle()[i];
+        power.lost -= rolling.on_wheelset.moment[i] * velocity.turn()[i];
+    }
+    for (const WheelsetOnTrack::Side side : WheelsetOnTrack::sides) {
+        const auto k = static_cast<std::size_t>(side);
+        for (std::size_t i = 0; i < rolling.patches[k].size(); ++i) {
+            power.creep += t_gamma(rolling.patches[k][i]) *
+                           std::abs(rolling_velocity_of(rolling.contacts.wheels[k].patches[i], speeds));
+        }
+    }
+    return power;
+}
+
+TEST_CASE("wheelset_forces: in steady rolling normal forces do no work", "[profiles]") {
+    const WheelsetOnTrack wheelset(standard());
+    WheelsetOnTrack::Workspace workspace;
+    int seen = 0;
+    for (const double lateral : {0.0, 2.4e-3, 4.8e-3, 6.8e-3, 8e-3}) {
+        for (const double yaw : {-10e-3, -2e-3, 3e-3, 8e-3}) {
+            const WheelsetRolling rolling{.position = {.lateral = lateral, .yaw = yaw}, .speeds = {.forward = 20}};
+            const auto forces = rolling_forces(wheelset, rolling, {.elements = 6, .strips = 7}, workspace);
+            CAPTURE(lateral, yaw, name(forces.contacts.status));
+            if (forces.contacts.status != Status::ok) continue;
+            const RollingPower power = power_of(forces, rolling.speeds);
+            CHECK(power.lost == Approx(power.creep).epsilon(1e-3));
+            for (const Wrench& wheel : forces.on_wheel) CHECK(wheel.force[2] == Approx(-1e5).epsilon(1.01e-6));
+            ++seen;
+        }
+    }
+    CHECK(seen >= 18);
+}
+
+TEST_CASE("wheelset_forces: in a curve normal forces work on the turn of the rails alone, which are straight",
+          "[profiles]") {
+    const WheelsetOnTrack wheelset(standard());
+    WheelsetOnTrack::Workspace workspace;
+    const double turn = 20 / 300.;
+    for (const auto& [lateral, yaw] :
+         {std::pair{4e-3, -2e-3}, {4.8e-3, -10e-3}, {5.2e-3, 8e-3}, {6.42e-3, 8e-3}, {6.8e-3, -5e-3}}) {
+        const WheelsetRolling rolling{.position = {.lateral = lateral, .yaw = yaw},
+                                      .speeds = {.forward = 20, .yaw_rate = turn}};
+        const auto forces = rolling_forces(wheelset, rolling, {.elements = 6, .strips = 7}, workspace);
+        CAPTURE(lateral, yaw);
+        REQUIRE(forces.contacts.status == Status::ok);
+        RollingPower power = power_of(forces, rolling.speeds);
+        CHECK(power.lost == Approx(power.creep).epsilon(1.5e-3));
+        // pressures ahead of the axle, at x, move across the rails with the rate of turn times x
+        for (const WheelsetOnTrack::Side side : WheelsetOnTrack::sides) {
+            for (const RailPatch& patch : forces.contacts.wheels[std::size_t(side)].patches) {
+                const Wrench pressures = pressure_wrench_of(patch, patch.y, patch.z);
+                const double sign = side == WheelsetOnTrack::Side::left ? -1 : 1;
+                power.lost += sign * turn * patch.x * pressures.force[1];
+            }
+        }
+        CHECK(power.lost == Approx(power.creep).epsilon(1e-3));
     }
 }
 
@@ -575,7 +651,7 @@ TEST_CASE("wheelset_forces: normal forces and friction carry the loads on the fl
     }
     // friction that jumps with the load does not settle; the other wheel does
     WheelsetOnTrack::Workspace workspace;
-    const WheelsetRolling rolling{.position = {.lateral = 7.77e-3, .yaw = -1.388e-2},
+    const WheelsetRolling rolling{.position = {.lateral = 7.99e-3, .yaw = -1.32e-2},
                                   .free = WheelsetOnTrack::Free::height,
                                   .speeds = {.forward = 20}};
     const auto jumps =

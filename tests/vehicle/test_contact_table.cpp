@@ -1,7 +1,10 @@
-// rollbem/vehicle/contact_table.hpp, make_contact_table.hpp: tangents, mirror images, balance, the way through a change
-// of contact points, and the table against the patches that it stands for.
+// rollbem/vehicle/contact_table.hpp, make_contact_table.hpp, contact_zones.hpp: tangents, mirror images, balance,
+// power, the way through a change of contact points, and the table against the patches that it stands for.
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <string>
@@ -33,65 +36,88 @@ const ContactTable& s1002() {
 
 constexpr double radius = 0.46, mu = 0.3;
 using Inputs = std::array<double, WheelForces::inputs>;
-constexpr Inputs scales{1e-4, 1e-4, 30, 60, 0.03, 0.03, 0.02, 0.02, 1e5, mu};
+constexpr Inputs scales{1e-4, 1e-4, 0.03, 0.06, 0.03, 0.03, 0.02, 0.02, 1e5, mu, 1e-4};
 
-WheelForces look_up(const Inputs& x, WheelsetSide side = WheelsetSide::right) {
+/// A roll of 0 stands for that of equal loads.
+WheelForces look_up(const Inputs& x, WheelsetSide side = WheelsetSide::right, WheelFriction friction = {}) {
+    friction.coefficient = x[9];
     return s1002().look_up(
         creep(), side, {.lateral = x[0], .yaw = x[1]},
         {.forward = x[2], .pitch_rate = x[3], .lateral = x[4], .vertical = x[5], .roll_rate = x[6], .yaw_rate = x[7]},
-        x[8], x[9]);
+        {x[8], x[10] == 0 ? std::nullopt : std::optional(x[10])}, friction);
 }
 
 Inputs random_inputs(std::mt19937_64& random, double largest_shift) {
     std::uniform_real_distribution<double> uniform(-1, 1);
     const auto about = [&](double middle, double range) { return middle + range * uniform(random); };
-    return {about(0, largest_shift),  about(0, 0.014), 30,
-            about(-30 / radius, 0.1), about(0, 0.1),   about(0, 0.05),
-            about(0, 0.05),           about(0, 0.05),  about(1e5, 5e4),
-            about(0.3, 0.1)};
+    return {about(0, largest_shift),
+            about(0, 0.014),
+            30,
+            about(-30 / radius, 0.1),
+            about(0, 0.1),
+            about(0, 0.05),
+            about(0, 0.05),
+            about(0, 0.05),
+            about(1e5, 5e4),
+            about(0.3, 0.1),
+            0};
+}
+/// The same with a roll of its own.
+Inputs with_roll(Inputs x, std::mt19937_64& random) {
+    x[0] *= 0.8;
+    x[10] = s1002().on_rails(x[0], x[1]).roll + std::uniform_real_distribution<double>(-1e-4, 1e-4)(random);
+    return x;
 }
 
 /// The free rolling of a centred wheelset.
-Inputs rolling(double lateral) { return {lateral, 0, 30, -30 / radius, 0, 0, 0, 0, 1e5, mu}; }
+Inputs rolling(double lateral) { return {lateral, 0, 30, -30 / radius, 0, 0, 0, 0, 1e5, mu, 0}; }
 
 }  // namespace
 
 TEST_CASE("tangents of a wheel's forces are those of its forces", "[contact_table]") {
+    const ReducedFriction wet({.adhesion_factor = 0.5, .slip_factor = 0.3, .friction_ratio = 0.4, .fall = 0.2});
+    const int kind = GENERATE(0, 1, 2);  // dry, wet by zones, and with a roll of its own
+    WheelFriction friction;
+    if (kind == 1) {
+        friction.factor = {0.4, 1, 0.7, 1};
+        friction.reduced = &wet;
+    }
     std::mt19937_64 random(7);
     int exact = 0, all = 0;
-    for (int scene = 0; scene < 300; ++scene) {
-        const Inputs x = random_inputs(random, 8e-3);
+    for (int scene = 0; scene < 150; ++scene) {
+        Inputs x = random_inputs(random, 8e-3);
+        if (kind == 2) x = with_roll(x, random);
         const WheelsetSide side = scene % 2 == 0 ? WheelsetSide::right : WheelsetSide::left;
-        const WheelForces at = look_up(x, side);
+        const WheelForces at = look_up(x, side, friction);
         REQUIRE(at.status == StepStatus::ok);
         for (std::size_t j = 0; j < x.size(); ++j) {
-            Inputs more = x, less = x;
-            const double h = 1e-4 * scales[j];
-            more[j] += h;
-            less[j] -= h;
-            const WheelForces above = look_up(more, side), below = look_up(less, side);
-            // the second derivatives of the splines jump at their nodes
-            const double across =
-                (above.tangent.col(Eigen::Index(j)) - below.tangent.col(Eigen::Index(j))).norm() * scales[j];
-            const Eigen::Matrix<double, 6, 1> difference =
-                (above.force - below.force) / (2 * h) - at.tangent.col(Eigen::Index(j));
-            const double error = difference.norm() * scales[j];
-            const double size = at.tangent.col(Eigen::Index(j)).norm() * scales[j];
-            INFO("scene " << scene << ", input " << j << ", error " << error);
-            REQUIRE(error < 0.5 * across + 1e-6 * x[8] + 1e-3 * size);
-            exact += error < 1e-5 * size ? 1 : 0;
+            if (j == WheelForces::roll && kind != 2) continue;
+            const auto central = [&](double h) -> Eigen::Matrix<double, 6, 1> {
+                Inputs more = x, less = x;
+                more[j] += h;
+                less[j] -= h;
+                return (look_up(more, side, friction).force - look_up(less, side, friction).force) / (2 * h);
+            };
+            const double h = 2e-3 * scales[j];
+            const Eigen::Matrix<double, 6, 1> slope = (4 * central(h / 2) - central(h)) / 3;
+            const double error = (slope - at.tangent.col(Eigen::Index(j))).norm() * scales[j];
+            const double size = slope.norm() * scales[j];
+            INFO("kind " << kind << ", scene " << scene << ", input " << j << ", error " << error << " of " << size);
+            exact += error < 1e-6 * (size + 1e-3 * x[8]);
+            CHECK(error < 2e-2 * size + 1e-3 * x[8]);  // higher derivatives jump
             ++all;
         }
     }
-    CHECK(exact > 0.75 * all);  // between nodes
+    CHECK(exact > 0.98 * all);
 }
 
 TEST_CASE("the left wheel is the mirror image of the right one", "[contact_table]") {
     std::mt19937_64 random(8);
     for (int scene = 0; scene < 50; ++scene) {
         Inputs x = random_inputs(random, 8e-3);
+        if (scene % 2 == 0) x = with_roll(x, random);
         const WheelForces right = look_up(x);
-        for (const std::size_t j : {0U, 1U, 4U, 6U, 7U}) x[j] = -x[j];
+        for (const std::size_t j : {0U, 1U, 4U, 6U, 7U, 10U}) x[j] = -x[j];
         const WheelForces left = look_up(x, WheelsetSide::left);
         for (Eigen::Index i = 0; i < 6; ++i) {
             REQUIRE(left.force[i] == (i % 2 == 0 ? 1 : -1) * right.force[i]);
@@ -105,10 +131,11 @@ TEST_CASE("rolling backwards is the mirror image of rolling forward; at standsti
     std::mt19937_64 random(10);
     for (int scene = 0; scene < 50; ++scene) {
         Inputs x = random_inputs(random, 8e-3);
+        if (scene % 3 == 0) x = with_roll(x, random);
         const WheelsetSide side = scene % 2 == 0 ? WheelsetSide::right : WheelsetSide::left;
         const WheelForces forward = look_up(x, side);
         constexpr std::array<double, 6> signs{-1, 1, 1, 1, -1, -1};
-        constexpr Inputs turned{1, -1, -1, -1, 1, 1, 1, -1, 1, 1};
+        constexpr Inputs turned{1, -1, -1, -1, 1, 1, 1, -1, 1, 1, 1};
         for (std::size_t j = 0; j < x.size(); ++j) x[j] *= turned[j];
         const WheelForces backward = look_up(x, side);
         REQUIRE(backward.status == StepStatus::ok);
@@ -120,7 +147,7 @@ TEST_CASE("rolling backwards is the mirror image of rolling forward; at standsti
             }
         }
         REQUIRE(backward.heat == forward.heat);
-        for (std::size_t k = 0; k < 2; ++k) {
+        for (std::size_t k = 0; k < backward.points.size(); ++k) {
             REQUIRE(backward.points[k].arm[0] == -forward.points[k].arm[0]);
             REQUIRE(backward.points[k].creepage.spin == -forward.points[k].creepage.spin);
         }
@@ -129,33 +156,41 @@ TEST_CASE("rolling backwards is the mirror image of rolling forward; at standsti
         Inputs x = rolling(1e-3);
         x[2] = speed;
         x[3] = -speed / radius;
-        REQUIRE(look_up(x).status == StepStatus::invalid_step);
+        const WheelForces stands = look_up(x);
+        REQUIRE(stands.status == StepStatus::invalid_step);
+        CHECK(stands.force[0] == 0);
+        CHECK_THAT(stands.force[2], WithinRel(-x[8], 1e-12));
         x[4] = 0.01;
         REQUIRE(look_up(x, WheelsetSide::left).status == StepStatus::invalid_step);
     }
 }
 
-TEST_CASE("a wheel carries its load, and friction makes heat", "[contact_table]") {
+TEST_CASE("a wheel carries its load, and what forces take from the motion becomes heat", "[contact_table]") {
     std::mt19937_64 random(9);
     for (int scene = 0; scene < 200; ++scene) {
-        const Inputs x = random_inputs(random, 8e-3);
-        const WheelForces at = look_up(x);
-        REQUIRE(at.status == StepStatus::ok);
-        REQUIRE_THAT(at.force[2], WithinRel(-x[8], 1e-9));
-        REQUIRE(at.heat >= 0);
-        // power on the wheelset: minus heat, and what normal forces do on the motion into the rail
-        const auto& f = at.force;
-        const double tilt = s1002().on_rails(x[0], x[1]).roll, spin = x[3];
-        const double w_x = x[6] - spin * std::sin(x[1]), w_y = spin * std::cos(tilt) * std::cos(x[1]),
-                     w_z = x[7] + spin * std::sin(tilt) * std::cos(x[1]);
-        double power = f[0] * x[2] + f[1] * x[4] + f[2] * x[5] + f[3] * w_x + f[4] * w_y + f[5] * w_z, pressed = 0;
-        for (const WheelForces::Point& point : at.points) {
-            if (point.load_share == 0) continue;
-            const auto& r = point.arm;
-            const double v_y = x[4] + w_z * r[0] - w_x * r[2], v_z = x[5] + w_x * r[1] - w_y * r[0];
-            pressed -= point.normal_load * (v_z * std::cos(point.angle) - v_y * std::sin(point.angle));
+        Inputs x = random_inputs(random, 8e-3);
+        // both wheels in steady rolling: nothing moves into the rails
+        x[4] = x[5] = x[6] = 0;
+        const double tilt = s1002().on_rails(x[0], x[1], {x[8], x[8]}).roll, spin = x[3];
+        const Eigen::Vector3d turn(-spin * std::sin(x[1]), spin * std::cos(tilt) * std::cos(x[1]),
+                                   x[7] + spin * std::sin(tilt) * std::cos(x[1]));
+        double power = 0, heat = 0, share = 0;
+        for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
+            const WheelForces at = look_up(x, side);
+            REQUIRE(at.status == StepStatus::ok);
+            REQUIRE_THAT(at.force[2], WithinRel(-x[8], 1e-9));
+            power -= at.force[0] * x[2] + at.force.tail<3>().dot(turn);
+            heat += at.heat;
+            for (const WheelForces::Point& point : at.points) {
+                share += point.load_share;
+                CHECK((point.load_share < 0.01 || point.peak_pressure > 1e8));
+            }
         }
-        REQUIRE_THAT(power, WithinAbs(pressed - at.heat, 1e-9 * (std::abs(pressed) + at.heat + x[8])));
+        REQUIRE_THAT(share, WithinAbs(2, 1e-12));
+        INFO("shift " << x[0] << ", yaw " << x[1] << ", load " << x[8] << ", heat " << heat);
+        // where the contact passes to the flange, within tenths of a millimetre, a table is coarser
+        const double part = std::abs(x[0]) < 6.1e-3 ? 1e-2 : 5e-2;
+        CHECK_THAT(power, WithinAbs(heat, part * heat + 1e-4 * x[8]));
     }
 }
 
@@ -168,91 +203,120 @@ TEST_CASE("forces have no steps where the load goes over to another point of con
         const Inputs x = rolling(1e-6 * k);
         const WheelForces at = look_up(x);
         REQUIRE(at.status == StepStatus::ok);
-        const double first = at.points[0].load_share, second = at.points[1].load_share;
-        REQUIRE_THAT(first + second, WithinAbs(1, 1e-6));
-        both = both || (first > 0.2 && second > 0.2);
-        most_angle = std::max({most_angle, -at.points[0].angle * (first > 0.5), -at.points[1].angle * (second > 0.5)});
+        int carrying = 0;
+        for (const WheelForces::Point& point : at.points) {
+            carrying += point.load_share > 0.2;
+            if (point.load_share > 0.5) most_angle = std::max(most_angle, -point.angle);
+        }
+        both = both || carrying > 1;
         const double step = (at.force - last.force).norm();
         const double slope = std::max(at.tangent.col(0).norm(), last.tangent.col(0).norm());
         INFO("at " << 1e-3 * k << " mm: step " << step << " N, slope " << slope << " N/m");
         REQUIRE(step <= 2e-6 * slope + 30);
         last = at;
     }
-    REQUIRE(both);
+    REQUIRE(both == (s1002().side(WheelsetSide::right).zones.count() > 1));
     REQUIRE(most_angle > 1.0);
 }
 
-TEST_CASE("a table agrees with the patches at its nodes, and has their forces between them", "[contact_table]") {
-    const WheelsetOnTrack track(WheelOnRail(rollbem::s1002(), rail_uic60()));
-    const ContactTable::Grid grid{.largest_shift = 1e-3, .shifts = 5, .largest_yaw = 2e-3, .yaws = 3};
-    const WheelOnRail::Options coarse{.cells_x = 20, .cells_s = 12};
-    double missing = -1;
-    const ContactTable table = make_contact_table(track, 1e5, creep(), grid, 2, coarse, &missing);
-    REQUIRE(missing == 0);
+TEST_CASE("a table agrees with the patches at its nodes, whichever side and yaw", "[contact_table]") {
+    const WheelsetOnTrack track(WheelOnRail(rollbem::s1002(), rail_60e1()));
+    ContactTableMaking making{.grid = contact_table_grid(1e5, 1e-3, 5, 4e-3, 3),
+                              .contacts = {.cells_x = 20, .cells_s = 12}};
+    making.grid.loads = {6e4, 1e5};
+    making.zones = {ContactZones(), ContactZones()};
+    making.jobs = 2;
+    const MadeContactTable made = make_contact_table(track, creep(), true, making);
+    REQUIRE(made.missing == 0);
+    REQUIRE(made.table.grid().shifts.size() == 5);
     WheelsetOnTrack::Workspace workspace;
-    const auto contacts = track.solve({.lateral = -0.5e-3, .yaw = -2e-3}, {1e5, 1e5}, workspace, {}, coarse);
-    const RailPatch& patch = contacts.wheels[1].patches[0];
     const WheelsetSpeeds speeds{.forward = 30,
                                 .pitch_rate = -30 / radius * 1.0005,
                                 .lateral = 0.01,
                                 .vertical = 1e-3,
                                 .roll_rate = 3e-3,
                                 .yaw_rate = 0.01};
-    const WheelForces at = table.look_up(creep(), WheelsetSide::right, contacts.position, speeds, 1e5, mu);
-    REQUIRE(at.status == StepStatus::ok);
-    const WheelForces::Point& point = at.points[at.points[0].load_share > 0 ? 0 : 1];
-    REQUIRE_THAT(point.angle, WithinAbs(patch.angle, 1e-7));
-    REQUIRE_THAT(point.normal_load, WithinRel(patch.load, 2e-2));  // with friction
-    REQUIRE_THAT(table.on_rails(-0.5e-3, -2e-3).roll, WithinAbs(contacts.position.roll, 1e-8));
-    // at the middle of the ellipse instead of the reference point
-    const PatchEllipse ellipse = creep_ellipse(patch, track.wheel().dimensions(), creep());
-    const Creepage<double> own = creepage_of(patch, contacts.position, speeds, radius);
-    REQUIRE_THAT(point.creepage.longitudinal, WithinAbs(own.longitudinal - own.spin * ellipse.s, 1e-8));
-    REQUIRE_THAT(point.creepage.lateral, WithinAbs(own.lateral + own.spin * ellipse.x, 1e-8));
-    REQUIRE_THAT(point.creepage.spin, WithinAbs(own.spin, 1e-7));
-    // the rule for the ellipse against the patch itself
-    const PatchContact<double> outline = contact_of(patch, track.wheel().dimensions());
-    const PatchMesh<double> mesh = patch_mesh(outline, cosine_mesh(12), uniform_mesh(13));
-    const auto elements = mesh.rectangles(outline.half_length());
-    Eigen::ArrayXd pressure = pressure_of(patch)(elements);
-    double load = 0;
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-        const auto& [x_1, x_2, y_1, y_2] = elements[i];
-        load += pressure[Eigen::Index(i)] * (x_2 - x_1) * (y_2 - y_1);
+    for (const double yaw : {-4e-3, 2e-3}) {
+        const auto contacts = track.solve({.lateral = -0.5e-3, .yaw = yaw}, {6e4, 6e4}, workspace, {}, making.contacts);
+        const auto rails = made.table.on_rails(-0.5e-3, yaw, {6e4, 6e4});
+        CHECK_THAT(rails.roll, WithinAbs(contacts.position.roll, 1e-9));
+        CHECK_THAT(rails.height, WithinAbs(contacts.position.height, 1e-9));
+        for (const WheelsetSide side : WheelsetOnTrack::sides) {
+            const auto& patches = contacts.wheels[std::size_t(side)].patches;
+            REQUIRE(patches.size() == 1);
+            const WheelForces at = made.table.look_up(creep(), side, contacts.position, speeds, 6e4, 1e-9);
+            REQUIRE(at.status == StepStatus::ok);
+            const WheelForces::Point& point = at.points[0];
+            const WheelsetPosition seen = contacts.seen(side);
+            const PatchEllipse ellipse = creep_ellipse(patches[0], track.wheel().dimensions(), creep());
+            const Creepage<double> own =
+                creepage_of(patches[0], seen, WheelsetOnTrack::seen_from(side, speeds), radius);
+            CAPTURE(yaw, int(side));
+            CHECK_THAT(point.normal_load, WithinRel(patches[0].load, 1e-4));
+            CHECK_THAT(point.peak_pressure, WithinRel(patches[0].peak_pressure, 0.02));
+            CHECK_THAT(point.ellipse.half_length(), WithinRel(ellipse.half_length, 1e-5));
+            // at the middle of the ellipse, about the mean normal
+            CHECK_THAT(point.arm[0], WithinAbs(patches[0].x + ellipse.x, 1e-8));
+            CHECK_THAT(point.creepage.longitudinal, WithinAbs(own.longitudinal - own.spin * ellipse.s, 1e-7));
+            CHECK_THAT(point.creepage.lateral, WithinAbs(own.lateral + own.spin * ellipse.x, 1e-6));
+            CHECK_THAT(point.creepage.spin, WithinAbs(own.spin, 5e-3));
+        }
     }
-    const FrictionModel model(
-        outline, steady_system(mesh, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(outline.poisson_ratio())),
-        {mu, (patch.load / load) * pressure, {}, false});
-    auto work = model.workspace();
-    auto state = model.at_rest();
-    const double bound = mu * patch.load, unit = bound / (outline.shear_modulus() * outline.c() * outline.c());
+}
+
+TEST_CASE("the ellipse of a patch has its forces, from rest to sliding", "[contact_table]") {
+    const WheelsetOnTrack track(WheelOnRail(rollbem::s1002(), rail_60e1()));
+    WheelsetOnTrack::Workspace workspace;
+    const auto contacts = track.solve({.lateral = -0.5e-3, .yaw = -2e-3}, {1e5, 1e5}, workspace);
+    const RailPatch& patch = contacts.wheels[1].patches[0];
+    const TrackDimensions& dimensions = track.wheel().dimensions();
+    const PatchEllipse ellipse = creep_ellipse(patch, dimensions, creep());
+    const double c = contact_of(patch, dimensions).c(), bound = mu * patch.load,
+                 unit = bound / (dimensions.shear_modulus * c * c);
     for (const Creepage<double> v : {Creepage<double>{0.02 * unit, 0, 0},
                                      {0, 0.02 * unit, 0},
                                      {0, 0, 0.1},
                                      {0.1 * unit, 0.1 * unit, 0.1},
                                      {unit, -unit, -0.1}}) {
-        const auto& patch_force = model.steady(model.at_rest(), v, state, work).force;
-        const auto force = ellipse.forces(creep(), track.wheel().dimensions(), mu, patch.load, v);
-        CHECK_THAT(force.longitudinal / bound, WithinAbs(patch_force.longitudinal / bound, 0.015));
-        CHECK_THAT(force.lateral / bound, WithinAbs(patch_force.lateral / bound, 0.015));
-        CHECK_THAT(force.moment / (bound * outline.c()), WithinAbs(patch_force.moment / (bound * outline.c()), 0.015));
+        // a wheel that has just these creepages: by its speeds at the reference point
+        const WheelsetPosition at = contacts.position;
+        const Creepage<double> zero = creepage_of(patch, at, {.forward = 1, .pitch_rate = -1 / radius}, radius);
+        const auto speeds = [&](const std::array<double, 3>& w) {
+            return WheelsetSpeeds{.forward = 1, .pitch_rate = -1 / radius + w[0], .lateral = w[1], .yaw_rate = w[2]};
+        };
+        Eigen::Matrix3d by;
+        for (std::size_t k = 0; k < 3; ++k) {
+            std::array<double, 3> w{};
+            w[k] = 1e-6;
+            const Creepage<double> moved = creepage_of(patch, at, speeds(w), radius);
+            by.col(Eigen::Index(k)) = Eigen::Vector3d(moved.longitudinal - zero.longitudinal,
+                                                      moved.lateral - zero.lateral, moved.spin - zero.spin) /
+                                      1e-6;
+        }
+        const Eigen::Vector3d w = by.inverse() * Eigen::Vector3d(v.longitudinal - zero.longitudinal,
+                                                                 v.lateral - zero.lateral, v.spin - zero.spin);
+        const PatchForce own = patch_force(patch, at, speeds({w[0], w[1], w[2]}), dimensions, {.coefficient = mu});
+        REQUIRE(own.status == StepStatus::ok);
+        const auto force = ellipse.forces(creep(), dimensions, mu, patch.load, own.creepage);
+        CHECK_THAT(force.longitudinal / bound, WithinAbs(own.force.longitudinal / bound, 0.015));
+        CHECK_THAT(force.lateral / bound, WithinAbs(own.force.lateral / bound, 0.015));
+        CHECK_THAT(force.moment / (bound * c), WithinAbs(own.force.moment / (bound * c), 0.015));
     }
 }
 
 TEST_CASE("a shifted wheelset is turned back as by its patches, less than by ellipses", "[contact_table]") {
     // Both patches cross the joint of two arcs of the rail. Where their longitudinal forces vanish moves less with the
     // shift than where their pressures act, which lengthens Klingel's wave.
-    const WheelsetOnTrack track(WheelOnRail(rollbem::s1002(), rail_uic60()));
+    const WheelsetOnTrack track(WheelOnRail(rollbem::s1002(), rail_60e1()));
     WheelsetOnTrack::Workspace workspace;
     WheelsetRolling shifted;
     shifted.position.lateral = 1e-4;
     const WheelsetForces patches = rolling_forces(track, shifted, {.coefficient = mu}, workspace);
     REQUIRE(patches.contacts.status == Status::ok);
-    Eigen::ArrayXXd values = s1002().values();
-    for (const Eigen::Index point : {Eigen::Index(0), Eigen::Index(ContactRow::point_rows)}) {
-        values.middleRows(point + ContactRow::correction, 9).setZero();
-    }
-    const ContactTable ellipses(s1002().grid(), 1e5, s1002().shear_modulus(), s1002().poisson_ratio(), values);
+    ContactTable::Side side = s1002().side(WheelsetSide::right);
+    side.points.row(ContactRow::scale).setOnes();
+    side.points.middleRows(ContactRow::correction, 18).setZero();
+    const ContactTable ellipses(s1002().grid(), {s1002().shear_modulus(), s1002().poisson_ratio()}, {side});
     const auto turning = [&](const ContactTable& table) {
         double moment = 0;
         for (const WheelsetSide side : WheelsetOnTrack::sides) {
@@ -263,24 +327,84 @@ TEST_CASE("a shifted wheelset is turned back as by its patches, less than by ell
         }
         return moment;
     };
-    CHECK_THAT(turning(s1002()), WithinRel(patches.on_wheelset.moment[2], 0.02));
+    CHECK_THAT(turning(s1002()), WithinRel(patches.on_wheelset.moment[2], 0.03));
     CHECK(turning(ellipses) / patches.on_wheelset.moment[2] > 1.2);
+}
+
+TEST_CASE("height and roll follow both loads, and loads follow heights", "[contact_table]") {
+    std::mt19937_64 random(12);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    for (int scene = 0; scene < 50; ++scene) {
+        const double lateral = 6e-3 * uniform(random), yaw = 0.012 * uniform(random);
+        std::array<double, 2> loads{1e5 + 3e4 * uniform(random), 1e5 + 3e4 * uniform(random)};
+        const auto at = s1002().on_rails(lateral, yaw, loads);
+        CAPTURE(lateral, yaw, loads[0], loads[1]);
+        const auto check = [&](double h, auto moved, double by_height, double by_roll) {
+            const auto more = moved(h), less = moved(-h);
+            CHECK_THAT((more.height - less.height) / (2 * h),
+                       WithinAbs(by_height, 2e-3 * std::abs(by_height) + 1e-12 / h));
+            CHECK_THAT((more.roll - less.roll) / (2 * h), WithinAbs(by_roll, 2e-3 * std::abs(by_roll) + 1e-12 / h));
+        };
+        check(
+            1e-7, [&](double h) { return s1002().on_rails(lateral + h, yaw, loads); }, at.height_by_lateral,
+            at.roll_by_lateral);
+        check(
+            1e-6, [&](double h) { return s1002().on_rails(lateral, yaw + h, loads); }, at.height_by_yaw,
+            at.roll_by_yaw);
+        check(
+            10,
+            [&](double h) {
+                return s1002().on_rails(lateral, yaw, {loads[0], loads[1] + h});
+            },
+            at.height_by_load[1], at.roll_by_load[1]);
+        // heights of wheels under equal loads give the loads back
+        const auto equal = s1002().on_rails(lateral, yaw, {loads[0], loads[0]});
+        const auto support =
+            s1002().support(WheelsetSide::right, lateral, yaw, equal.height + ContactTable::support_y * equal.roll);
+        CHECK_THAT(support.load, WithinRel(loads[0], 1e-6));
+        CHECK(support.by_height > 3e8);
+    }
+    const auto equal = s1002().on_rails(0, 0);
+    const auto lifted = s1002().support(WheelsetSide::left, 0, 0, equal.height - 1e-3);
+    CHECK(lifted.load == 0);
+    const auto light = s1002().support(WheelsetSide::left, 0, 0, equal.height - 6e-5);
+    CHECK((light.load > 0 && light.load < s1002().grid().loads[0]));
+}
+
+TEST_CASE("zones part the rail into shares that sum up to 1", "[contact_table]") {
+    const ContactZones zones({{0.722, 3e-3}, {0.73, 2e-3}});
+    for (double y = 0.71; y < 0.74; y += 1e-4) {
+        double sum = 0;
+        for (Eigen::Index zone = 0; zone < zones.count(); ++zone) {
+            CHECK(zones.weight(zone, y) >= 0);
+            sum += zones.weight(zone, y);
+        }
+        CHECK_THAT(sum, WithinAbs(1, 1e-15));
+    }
+    CHECK(zones.weight(1, 0.7265) == 1);
+    CHECK_THAT(refusal([] { ContactZones({{0.72, 3e-3}, {0.724, 2e-3}}); }), ContainsSubstring("lower end of a cut"));
 }
 
 TEST_CASE("a table of contact geometry is read as it was written", "[contact_table]") {
     std::stringstream stream;
     s1002().write(stream);
     const ContactTable again = ContactTable::read(stream);
-    REQUIRE((again.values() - s1002().values()).abs().maxCoeff() < 1e-7);  // float
+    const auto &one = again.side(WheelsetSide::right), &two = s1002().side(WheelsetSide::right);
+    CHECK((one.on_rails == two.on_rails).all());
+    for (Eigen::Index row = 0; row < ContactRow::rows; ++row) {
+        const double size = two.points.row(row).abs().maxCoeff();
+        CHECK((one.points.row(row) - two.points.row(row)).abs().maxCoeff() <= 1e-6 * size);
+    }
     std::string text = stream.str();
     text[text.size() / 2] = static_cast<char>(text[text.size() / 2] ^ 1);
     std::istringstream damaged(text), cut(text.substr(0, 1000)), other("rollbem creep forces"), none;
     CHECK_THAT(refusal([&] { ContactTable::read(damaged); }), ContainsSubstring("checksum"));
     CHECK_THAT(refusal([&] { ContactTable::read(cut); }), ContainsSubstring("must not end within the table"));
     CHECK_THAT(refusal([&] { ContactTable::read(other); }), ContainsSubstring("must not end"));
-    CHECK_THAT(
-        refusal([&] { ContactTable({.shifts = 4}, 1e5, 8.2e10, 0.28, Eigen::ArrayXXd::Zero(ContactTable::rows, 52)); }),
-        ContainsSubstring("shifts = 4 must be odd"));
+    CHECK_THAT(refusal([&] {
+                   ContactTable({{0, 1}, {0, 1}, {1}}, {8.2e10, 0.28}, {});
+               }),
+               ContainsSubstring("number of shifts = 2 must be 5 to 10001"));
 }
 
 TEST_CASE("look-ups say what is wrong", "[contact_table]") {

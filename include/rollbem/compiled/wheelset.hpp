@@ -17,7 +17,8 @@ extern template WheelOnRail::Contact WheelOnRail::solve_at_height<double>(const 
                                                                           WheelOnRail::Workspace&,
                                                                           const WheelOnRail::Options&) const;
 extern template WheelForces ContactTable::look_up<double>(const CreepForceTable&, WheelsetSide, const WheelsetPosition&,
-                                                          const WheelsetSpeeds&, double, double) const noexcept;
+                                                          const WheelsetSpeeds&, const WheelLoad&,
+                                                          const WheelFriction&) const noexcept;
 extern template WheelsetForces rolling_forces<double>(const WheelsetOnTrack&, const WheelsetRolling&,
                                                       const RollingFriction&, WheelsetOnTrack::Workspace&,
                                                       const WheelOnRail::Options&);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include "../scene/mirror.hpp"
 #include "../scene/outline.hpp"
 #include "../status.hpp"
 #include "detail/contact_gaps.hpp"
@@ -16,6 +18,18 @@
 #include "normal_contact.hpp"
 
 namespace rollbem {
+
+namespace detail {
+
+/// The vertical load that pressures carry [N] in a plane turned by `angle`, along the normals of a surface whose rows
+/// have the slopes dn/ds.
+inline double vertical_load(const Eigen::ArrayXXd& pressure, const CellGrid& grid, const Eigen::ArrayXd& slope,
+                            double angle) {
+    return (pressure.colwise().sum().transpose() * (std::cos(angle) - std::sin(angle) * slope)).sum() * grid.dx *
+           grid.dy;
+}
+
+}  // namespace detail
 
 /// The plane of contact has its origin at the reference point, s along y turned by the angle, and n into the rail;
 /// patch and pressures are in the axes (x, s) from there.
@@ -25,7 +39,7 @@ struct RailPatch {
     double rail_s = 0, wheel_s = 0;          ///< lengths along them up to it [m]
     double angle = 0;                        ///< delta of the plane [rad]: s = (0, cos delta, sin delta)
     double rolling_radius = 0;               ///< r0 + z of the wheel there [m]
-    double load = 0;                         ///< normal force [N]
+    double load = 0;                         ///< integral of the pressures over the plane [N]
     double approach = 0;                     ///< the largest of wheel_n - rail_n over the cells, undeformed [m]
     double peak_pressure = 0;                ///< [Pa]
     double area = 0;                         ///< [m^2]
@@ -37,9 +51,42 @@ struct RailPatch {
     Eigen::ArrayXXd pressure;  ///< [Pa], nx x ny
     /// Of each row of cells, ny: n of the rail's surface, and of the wheel's where it lies deepest, undeformed [m].
     Eigen::ArrayXd rail_n, wheel_n;
+    /// Of each row of cells, ny: dn/ds of the rail's surface [-]. Pressures act along its normals (0, -dn/ds, 1).
+    Eigen::ArrayXd rail_slope;
     std::optional<Outline<double>> outline;
     bool has_numbers() const { return rollbem::has_numbers(status); }
+
+    /// A vector of the plane's axes in track axes, and the place (x, s, n).
+    std::array<double, 3> in_track(double along, double across, double normal) const {
+        const double sine = std::sin(angle), cosine = std::cos(angle);
+        return {along, across * cosine - normal * sine, across * sine + normal * cosine};
+    }
+    std::array<double, 3> place(double along, double across, double normal) const {
+        const std::array<double, 3> arm = in_track(along, across, normal);
+        return {x + arm[0], y + arm[1], z + arm[2]};
+    }
+    /// The vertical load that the pressures carry [N].
+    double vertical_load() const { return detail::vertical_load(pressure, grid, rail_slope, angle); }
 };
+
+/// Lengths along the profiles stay as they are.
+inline RailPatch mirrored(RailPatch patch, const Mirror& mirror) {
+    const auto [x, y, z] = mirror.of_vector();
+    patch.x *= x;
+    for (double* of : {&patch.y, &patch.rail_y, &patch.wheel_y, &patch.angle}) *of *= y;
+    if (x < 0) {
+        patch.grid.x_0 = -patch.grid.x(patch.grid.nx - 1);
+        patch.pressure = patch.pressure.colwise().reverse().eval();
+    }
+    if (y < 0) {
+        patch.grid.y_0 = -patch.grid.y(patch.grid.ny - 1);
+        patch.pressure = patch.pressure.rowwise().reverse().eval();
+        for (Eigen::ArrayXd* of : {&patch.rail_n, &patch.wheel_n}) *of = of->reverse().eval();
+        patch.rail_slope = -patch.rail_slope.reverse().eval();
+    }
+    if (patch.outline) patch.outline = mirrored(*patch.outline, mirror);
+    return patch;
+}
 
 namespace detail {
 
@@ -128,6 +175,7 @@ inline RailPatch patch_on(const ContactGeometry& geometry, const WheelsetPositio
     patch.residual = of.solution.residual;
     patch.grid = of.grid;
     patch.rail_n = of.gaps.rail_n;
+    patch.rail_slope = of.gaps.rail_slope;
     patch.wheel_n = of.gaps.rail_n - of.gaps.h.colwise().minCoeff().transpose() + of.lower;
     return patch;
 }

@@ -64,9 +64,9 @@ public:
         Status status = Status::not_finite;  ///< that of the worst patch
     };
 
-    /// The contact whose normal forces carry the vertical load [N], sum N cos delta, at this lateral position, roll and
-    /// yaw; the height of `position` is not used. no_contact if the load is not positive. Throws std::invalid_argument
-    /// if an option is out of its range, as solve_at_height() does.
+    /// The contact whose pressures carry the vertical load [N] (RailPatch::vertical_load) at this lateral position, roll
+    /// and yaw; the height of `position` is not used. no_contact if the load is not positive. Throws
+    /// std::invalid_argument if an option is out of its range, as solve_at_height() does.
     template <std::same_as<double> Scalar = double>  // for rollbem::compiled
     Contact solve_for_load(const WheelsetPosition& position, double load, Workspace& workspace,
                            const Options& options) const;
@@ -163,7 +163,7 @@ inline void WheelOnRail::collect(const Parts& parts, double lower, Contact& cont
     contact.height = parts.height() + lower;
     contact.patches = parts.patches(lower);
     contact.dropped = parts.carried();
-    for (const RailPatch& patch : contact.patches) contact.dropped -= patch.load * std::cos(patch.angle);
+    for (const RailPatch& patch : contact.patches) contact.dropped -= patch.vertical_load();
     contact.status = contact.patches.empty() ? Status::no_contact : Status::ok;
     for (const RailPatch& patch : contact.patches) contact.status = (std::max)(contact.status, patch.status);
     contact.status = (std::max)(contact.status, parts.failure());

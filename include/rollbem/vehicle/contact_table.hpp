@@ -1,5 +1,5 @@
-// ContactTable: where the wheels of a wheelset touch real rails, over lateral shift and yaw, as a table; and with a
-// table of creep forces all contact forces of a wheelset by look-up, with tangents.
+// ContactTable: where the wheels of a wheelset touch real rails, over lateral shift, yaw and load, as a table; and with
+// a table of creep forces all contact forces of a wheel by look-up, with tangents.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -13,11 +13,13 @@
 #include <filesystem>
 #include <istream>
 #include <limits>
+#include <optional>
 #include <ostream>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Core>
-#include <unsupported/Eigen/AutoDiff>
 
 #include "../detail/checked_stream.hpp"
 #include "../detail/finite.hpp"
@@ -27,21 +29,44 @@
 #include "../scene/patch_contact.hpp"
 #include "../scene/wheelset.hpp"
 #include "../status.hpp"
+#include "contact_row.hpp"
+#include "contact_zones.hpp"
 #include "creep_force_table.hpp"
-#include "detail/wheelset_velocity.hpp"
+#include "detail/table_weights.hpp"
+#include "reduced_friction.hpp"
 
 namespace rollbem {
 
+/// Friction of one wheel.
+struct WheelFriction {
+    double coefficient = 0.3;                                   ///< mu [-]
+    std::array<double, ContactZones::most> factor{1, 1, 1, 1};  ///< of mu in each zone [-]
+    const ReducedFriction* reduced = nullptr;                   ///< that of wet or dirty rails, if any
+
+    WheelFriction(double mu = 0.3) : coefficient(mu) {}  // NOLINT: a number is friction
+};
+
+/// What a wheel carries.
+struct WheelLoad {
+    double vertical;  ///< Q [N], of normal forces and friction
+    /// Roll of the wheelset [rad], where loads are not equal: ContactTable::on_rails. Empty: that of equal loads.
+    std::optional<double> roll{};
+
+    WheelLoad(double Q, std::optional<double> rolled = {}) : vertical(Q), roll(rolled) {}  // NOLINT: a number is a load
+};
+
 /// Forces of the rail on one wheel.
 struct WheelForces {
-    /// What a wheel does at one of its points of contact, as on the right wheel.
+    /// What a wheel does in one zone of the rail, as on the right wheel.
     struct Point {
         double load_share = 0;        ///< of the wheel's vertical load, without friction [-]; 0: no contact, no numbers
         std::array<double, 3> arm{};  ///< of the point from the middle of the axle, in track axes [m]
-        double angle = 0;             ///< delta of the plane [rad]
+        double angle = 0;             ///< delta, of the pressures' mean normal [rad]
         double rolling_radius = 0;    ///< [m]
-        double normal_load = 0;       ///< N [N]
-        PatchContact<double> ellipse{{1, 1, 1, 0}};  ///< that the creep forces are those of
+        double rail_y = 0, wheel_y = 0;              ///< of the point in both profiles [m]
+        double normal_load = 0;                      ///< N [N]
+        double peak_pressure = 0;                    ///< of the zone [Pa]
+        PatchContact<double> ellipse{{1, 1, 1, 0}};  ///< equivalent ellipse used for the creep forces
         Creepage<double> creepage{};                 ///< wheel minus rail, as creepage_of
         TangentialForce<double> force{};             ///< on the wheel, in the plane [N], [N m]
         double heat = 0;                             ///< that friction makes [W]
@@ -59,17 +84,19 @@ struct WheelForces {
         yaw_rate,
         load,
         mu,
+        roll,  ///< 0 unless the load has a roll
         inputs
     };
 
-    /// In track axes F_x, F_y, F_z [N], and M_x, M_y, M_z [N m] about the middle of the axle; NaN unless ok.
+    /// In track axes F_x, F_y, F_z [N], and M_x, M_y, M_z [N m] about the middle of the axle. Those of normal forces
+    /// alone if the status is invalid_step, else NaN unless ok.
     Eigen::Matrix<double, 6, 1, Eigen::DontAlign> force =
         Eigen::Matrix<double, 6, 1, Eigen::DontAlign>::Constant(std::numeric_limits<double>::quiet_NaN());
-    /// Their derivatives, a column for each Input in SI units; exact but at jumps, see ContactTable.
+    /// Their derivatives, a column for each Input in SI units; exact but at jumps of higher derivatives.
     Eigen::Matrix<double, 6, inputs, Eigen::DontAlign> tangent =
         Eigen::Matrix<double, 6, inputs, Eigen::DontAlign>::Zero();
-    std::array<Point, 2> points;
-    double heat = 0;  ///< of both points [W]
+    std::array<Point, ContactZones::most> points;
+    double heat = 0;  ///< of all points [W]
     /// wrong_table (the position lies beyond the table, or Poisson's ratios differ), invalid_load (load or mu is
     /// negative), invalid_step (the wheel does not roll: the mean of its speed and the circumferential one is 0),
     /// not_finite, no_solution (the rail cannot carry the load: friction holds the wheel up)
@@ -78,432 +105,436 @@ struct WheelForces {
     auto derivative(Input input) const { return tangent.col(input); }
 };
 
-/// Rows of a point of contact in a ContactTable.
-struct ContactRow {
-    enum Of : Eigen::Index {
-        arm_x,
-        arm_y,
-        arm_z,
-        angle,
-        length,  ///< a/N^(1/3) [m/N^(1/3)]
-        width,   ///< b/N^(1/3)
-        share,
-        radius,
-        c11,  ///< of the ellipse; so are the next two
-        c22,
-        c23,
-        kept,        ///< of the correction in full sliding, 0 to 1
-        correction,  ///< 3 x 3 by rows, minus the identity: of (xi, eta, phi c), so that the ellipse has the patch's
-                     ///< forces
-        point_rows = correction + 9,
-    };
-};
-
 namespace detail {
-
-/// The creepages at which an ellipse has the forces of the patch that it stands for, from those of the patch: E^-1 L
-/// times them as far as the contact sticks, in full sliding those of rigid bodies. `of(row)` are numbers of the point,
-/// `bound` is mu N. The share of sticking is 1 - |u| of CreepForceGrid.
-template <class Scalar, class Rows>
-std::array<Scalar, 3> ellipse_creepages(const std::array<Scalar, 3>& creepage, const Scalar& a, const Scalar& b,
-                                        double shear_modulus, const Scalar& bound, const Rows& of) {
-    using std::sqrt;
-    using enum ContactRow::Of;
-    const Scalar &xi = creepage[0], &eta = creepage[1];
-    const Scalar c = sqrt(a * b), spin = creepage[2] * c;
-    const Scalar along = of(c11) * xi, across = of(c22) * eta + of(c23) * spin;
-    const Scalar turning = of(c11) * of(c22) * spin * spin, square = along * along + across * across + turning;
-    const Scalar slip = sqrt(square + Scalar(1e-200)) * (shear_modulus * a * b);  // no division by 0 in its derivative
-    const Scalar sticking = bound * CreepForceGrid::half_way;
-    const Scalar sum = sticking + slip;
-    const Scalar reach = sum > 0 ? Scalar(of(kept) + (1 - of(kept)) * sticking / sum) : Scalar(1);
-    const auto corrected = [&](const Scalar& own, Eigen::Index row) -> Scalar {
-        const Eigen::Index entry = correction + 3 * row;
-        return own + reach * (of(entry) * xi + of(entry + 1) * eta + of(entry + 2) * spin);
-    };
-    return {corrected(xi, 0), corrected(eta, 1), corrected(spin, 2) / c};
+class WheelLookUp;
 }
 
-}  // namespace detail
-
-/// Geometry of contact by look-up: for the right wheel and up to two points the place, angle and rolling radius, the
-/// share of the load and an ellipse for the creep forces; the left wheel is its mirror image. Made by
-/// make_contact_table().
+/// Geometry of contact by look-up. The rail is parted into zones; for each of them the table has the place, mean
+/// normal, rolling radius and share of the load of the pressures in it, and an ellipse for their creep forces. A left
+/// wheel that is the mirror image of the right one has no numbers of its own.
 ///
-/// Along the shift values follow monotone cubic splines (C1, no overshoot), across the yaw cubic convolution (C1).
-/// Points of contact jump on real profiles: then the load goes over from one point to the other within a few hundredths
-/// of a millimetre, as the table has it at its nodes, and continuously in between, so that forces have no steps and
-/// nothing chatters; a jump narrower than the step of the table is spread over it. A point without load is where the
-/// nearest one with load is. Loads differ from those of the table by Hertz's law: a, b grow as the cube root of the
-/// normal load; places and shares stay. Immutable: threads may share it.
+/// Along the shift and the cube root of the load values follow local cubics, over the yaw polynomials in yaw^2, as
+/// straight rails make the contact at -yaw the mirror image, across the track, of the one at yaw. All are C1, and
+/// shares of the load do not overshoot. Zones have integrals of the pressures, so that forces stay continuous where
+/// patches merge, part or vanish. Beyond its loads the table has the geometry of its border, and ellipses that grow
+/// with N^(1/3). Immutable: threads may share it.
 class ContactTable {
 public:
-    /// Positions of a table: lateral shifts and yaw angles in equal steps, from minus the largest to the largest.
+    /// Coordinates of the nodes.
     ///
-    /// Invariant: shifts and yaws are odd, from 5 to 10001 and from 3 to 1001; the largest are positive and finite.
+    /// Invariant: all ascend and are finite; 5 to 10001 shifts, mirror images of each other; 2 to 8 yaws from 0; 1 to 8
+    /// positive loads.
     struct Grid {
-        double largest_shift = 9e-3;  ///< [m]
-        Eigen::Index shifts = 181;
-        double largest_yaw = 15e-3;  ///< [rad]
-        Eigen::Index yaws = 13;
+        std::vector<double> shifts;  ///< [m]
+        std::vector<double> yaws;    ///< [rad]
+        std::vector<double> loads;   ///< vertical, of each wheel [N]
 
-        double shift(Eigen::Index i) const { return largest_shift * (2 * double(i) / double(shifts - 1) - 1); }
-        double yaw(Eigen::Index k) const { return largest_yaw * (2 * double(k) / double(yaws - 1) - 1); }
-        Eigen::Index nodes() const { return shifts * yaws; }
+        Eigen::Index nodes() const { return Eigen::Index(shifts.size() * yaws.size() * loads.size()); }
+        /// For each load in turn all yaws, for each yaw all shifts.
+        Eigen::Index node(std::size_t load, std::size_t yaw, std::size_t shift) const {
+            return Eigen::Index((load * yaws.size() + yaw) * shifts.size() + shift);
+        }
+    };
+    static constexpr std::size_t most_yaws = 8, most_loads = 8;
+
+    /// Of the right wheel, or of the left one as a right wheel.
+    struct Side {
+        double radius = 0;  ///< of the tape circle [m]
+        ContactZones zones{};
+        /// Height of the wheel, z_ws + support_y roll, and roll of the wheelset, of equal loads [m], [rad]: 2 x nodes.
+        Eigen::ArrayXXd on_rails{};
+        /// ContactRow, for each zone all nodes; where a zone carries nothing its share is 0 and the rest does not
+        /// count.
+        Eigen::ArrayXXd points{};
+    };
+    struct Material {
+        double shear_modulus, poisson_ratio;
     };
 
-    /// Height and roll of a wheelset whose wheels carry equal loads, and their derivatives.
+    /// Height and roll of a wheelset, and their derivatives.
     struct OnRails {
-        double height = 0, roll = 0;                        ///< [m], [rad]
-        double height_by_lateral = 0, roll_by_lateral = 0;  ///< [-], [rad/m]
-        double height_by_yaw = 0, roll_by_yaw = 0;          ///< [m/rad], [-]
+        double height = 0, roll = 0;                             ///< [m], [rad]
+        double height_by_lateral = 0, roll_by_lateral = 0;       ///< [-], [rad/m]
+        double height_by_yaw = 0, roll_by_yaw = 0;               ///< [m/rad], [-]
+        std::array<double, 2> height_by_load{}, roll_by_load{};  ///< left and right [m/N], [rad/N]
+    };
+    /// The load of a wheel at a height, and its derivatives.
+    struct Support {
+        double load = 0;                    ///< Q [N]; 0: lifted
+        double by_height = 0;               ///< stiffness [N/m]
+        double by_lateral = 0, by_yaw = 0;  ///< [N/m], [N/rad]
     };
 
-    /// Rows of a column of nodes: those of both points, each as ContactRow, then
-    enum Row : Eigen::Index { height = 2 * ContactRow::point_rows, roll, rows };
+    /// Half the distance of the points at which heights of wheels are taken [m].
+    static constexpr double support_y = 0.75;
 
-    /// `values`: the rows of all nodes, for each yaw in turn all shifts. `nominal_load` is that of a wheel. Throws
-    /// std::invalid_argument if the grid breaks its invariant, the number of nodes differs, or one of the values is not
-    /// finite.
-    ContactTable(const Grid& grid, double nominal_load, double shear_modulus, double poisson_ratio,
-                 Eigen::ArrayXXd values);
+    /// `sides` are left and right, or one that is both. Throws std::invalid_argument if the grid breaks its invariant,
+    /// numbers of nodes differ, or a value is not finite.
+    ContactTable(Grid grid, Material material, std::vector<Side> sides);
 
     /// From what write() wrote; throws as CreepForceTable::read does.
     static ContactTable read(std::istream& stream);
     static ContactTable read(const std::filesystem::path& path) { return detail::read_file<ContactTable>(path, name); }
 
-    /// Little-endian, version 1: the text "rollbem contact geometry", version, numbers of shifts and yaws (32 bits
-    /// each), largest shift and yaw, nominal load, G, nu, the mean of each row (64 bits each), and for each node the
-    /// rows minus their means (32 bits each), then the checksum FNV-1a of all bytes before (64 bits).
+    /// Little-endian, version 2: the text "rollbem contact geometry"; version, numbers of shifts, yaws, loads and sides
+    /// (32 bits each); shifts, yaws, loads, G, nu (64 bits each); for each side the number of cuts (32 bits), the
+    /// radius, cuts and half-widths, and the mean of each row of points (64 bits each), then for each node height and
+    /// roll (64 bits each), a bit for each zone that carries (32 bits), and its rows minus their means (32 bits each);
+    /// then the checksum FNV-1a of all bytes before (64 bits).
     void write(std::ostream& stream) const;
 
     const Grid& grid() const { return grid_; }
-    double nominal_load() const { return nominal_load_; }  ///< vertical, of each wheel [N]
-    double shear_modulus() const { return shear_modulus_; }
-    double poisson_ratio() const { return poisson_ratio_; }
-    const Eigen::ArrayXXd& values() const { return values_; }
+    double largest_shift() const { return grid_.shifts.back(); }  ///< [m]
+    double largest_yaw() const { return grid_.yaws.back(); }      ///< [rad]
+    double shear_modulus() const { return material_.shear_modulus; }
+    double poisson_ratio() const { return material_.poisson_ratio; }
+    const Side& side(WheelsetSide of) const { return sides_[index_of(of)].given; }
+    bool is_mirrored() const {
+        return sides_.size() == 1;
+    }  ///< Whether the left wheel is the right one's mirror image.
 
     bool covers(double lateral, double yaw) const {
-        return std::abs(lateral) <= grid_.largest_shift * (1 + 1e-12) &&
-               std::abs(yaw) <= grid_.largest_yaw * (1 + 1e-12);
+        return std::abs(lateral) <= largest_shift() * (1 + 1e-12) && std::abs(yaw) <= largest_yaw() * (1 + 1e-12);
     }
 
-    /// The position must be covered.
-    OnRails on_rails(double lateral, double yaw) const noexcept;
+    /// Where both wheels carry their loads, left and right, which must be positive, with normal forces. The position
+    /// must be covered.
+    OnRails on_rails(double lateral, double yaw, const std::array<double, 2>& loads) const noexcept;
+    /// Under equal loads, the middle one of the table.
+    OnRails on_rails(double lateral, double yaw) const noexcept {
+        const double load = grid_.loads[grid_.loads.size() / 2];
+        return on_rails(lateral, yaw, {load, load});
+    }
+    /// What a wheel carries at a height of its own, z_ws + support_y roll (left: minus), by normal forces. The position
+    /// must be covered.
+    Support support(WheelsetSide side, double lateral, double yaw, double height) const noexcept;
 
-    /// The forces of one wheel under a vertical load [N] with the coefficient of friction mu. Lateral shift and yaw of
-    /// `position` count; vertical speed and roll rate are those that the vehicle has, for one that follows its rails
-    /// those of on_rails(). N follows from the load, N cos delta - F_s sin delta, by Newton's method. A point that
-    /// carries less than 1e-100 N carries none; above 1e150 N the status is invalid_load. Does not allocate.
+    /// The forces of one wheel. Lateral shift and yaw of `position` count; vertical speed and roll rate are those that
+    /// the vehicle has, for one that follows its rails those of on_rails(). Normal forces follow from the load, sum of
+    /// N cos delta - F_s sin delta, by Newton's method. Below 1e-100 N a wheel carries nothing; above 1e150 N the
+    /// status is invalid_load. Does not allocate.
     template <std::same_as<double> Scalar = double>  // for rollbem::compiled
     WheelForces look_up(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
-                        const WheelsetSpeeds& speeds, double load, double friction_coefficient) const noexcept;
+                        const WheelsetSpeeds& speeds, const WheelLoad& load,
+                        const WheelFriction& friction) const noexcept;
 
 private:
+    friend class detail::WheelLookUp;
+
     static constexpr const char* name = "ContactTable";
     static constexpr const char* magic = "rollbem contact geometry";
-    static constexpr std::uint32_t version = 1;
+    static constexpr std::uint32_t version = 2;
 
-    /// A cell of the grid, and the weights of its nodes in values and derivatives.
-    struct Cell {
-        Eigen::Index shift, yaw;
-        std::array<double, 4> along, along_rate, across, across_rate;
+    /// Numbers as they are looked up: rows of points over their means in single precision, which halves the memory that
+    /// a look-up touches, filled where zones carry nothing; slopes by the shift.
+    struct Stored {
+        Side given;
+        ContactRow::Values means;
+        Eigen::ArrayXXf points, slopes;
+        Eigen::ArrayXXd on_rails_slopes;
     };
-    Cell cell(double lateral, double yaw) const noexcept;
-    /// Some rows of the table; those of a point with the one behind them, as an even number is quick.
-    static constexpr int whole_packets = static_cast<int>(ContactRow::point_rows) + 1;
+    std::size_t index_of(WheelsetSide side) const { return is_mirrored() ? 0 : std::size_t(side); }
+    Stored stored(Side side) const;
+
+    /// A place on the grid but for the load.
+    struct Cell {
+        std::size_t shift;
+        detail::HermiteWeights along;
+        detail::RowWeights<most_yaws> across;
+    };
+    Cell cell(double lateral, double yaw) const noexcept {
+        const std::size_t i = detail::interval_of(grid_.shifts, lateral);
+        return {i, {lateral, grid_.shifts[i], grid_.shifts[i + 1]}, detail::even_weights<most_yaws>(grid_.yaws, yaw)};
+    }
     template <int Rows>
     struct Sample {
-        using Values = Eigen::Array<double, Rows, 1>;
-        Values value = Values::Zero(), by_shift = value, by_yaw = value;
+        Eigen::Array<double, Rows, 1, Eigen::DontAlign> value, by_shift, by_yaw;
     };
-    template <int Rows>
-    Sample<Rows> sample(const Cell& cell, Eigen::Index first) const noexcept;
+    /// Rows of a field with slopes, at the nodes of one load from `first` on.
+    template <int Rows, class Field>
+    Sample<Rows> sample(const Cell& at, const Field& values, const Field& slopes, Eigen::Index row,
+                        Eigen::Index first) const noexcept;
+    Eigen::Index first_node(std::size_t load) const { return grid_.node(load, 0, 0); }
 
-    // By WheelForces::Input, then by the normal load of the point; the last is 0, for a whole number of packets.
-    static constexpr Eigen::Index by_load = WheelForces::inputs, partials = by_load + 2;
-    using Gradient = Eigen::Matrix<double, partials, 1>;
-    using Dual = Eigen::AutoDiffScalar<Gradient>;
-    template <int Rows>
-    static Dual dual(const Sample<Rows>& at, Eigen::Index row) {
-        Dual found(at.value[row], Gradient::Zero());
-        found.derivatives()[0] = at.by_shift[row];
-        found.derivatives()[1] = at.by_yaw[row];
-        return found;
-    }
+    /// Height of a wheel and roll at a load, with derivatives by shift, yaw and load.
+    struct WheelOnRails {
+        std::array<double, 4> height, roll;
+    };
+    WheelOnRails wheel_on_rails(const Stored& side, double lateral, double yaw, double load) const noexcept;
 
     Grid grid_;
-    double nominal_load_, shear_modulus_, poisson_ratio_;
-    Eigen::ArrayXXd values_, slopes_;  ///< slopes by the shift, over its step
+    Material material_;
+    std::vector<double> roots_;  ///< cube roots of the loads
+    std::vector<Stored> sides_;
 };
 
-inline ContactTable::ContactTable(const Grid& grid, double nominal_load, double shear_modulus, double poisson_ratio,
-                                  Eigen::ArrayXXd values)
-    : grid_(grid),
-      nominal_load_(nominal_load),
-      shear_modulus_(shear_modulus),
-      poisson_ratio_(poisson_ratio),
-      values_(std::move(values)) {
-    detail::require_positive(name, "largest_shift", grid_.largest_shift);
-    detail::require_positive(name, "largest_yaw", grid_.largest_yaw);
-    detail::require(grid_.shifts % 2 == 1 && grid_.shifts >= 5 && grid_.shifts <= 10001, name, "shifts", grid_.shifts,
-                    "be odd, from 5 to 10001");
-    detail::require(grid_.yaws % 2 == 1 && grid_.yaws >= 3 && grid_.yaws <= 1001, name, "yaws", grid_.yaws,
-                    "be odd, from 3 to 1001");
-    detail::require_positive(name, "nominal_load", nominal_load_);
-    detail::require_positive(name, "shear_modulus", shear_modulus_);
-    detail::require_poisson_ratio(name, poisson_ratio_);
-    detail::require(values_.rows() == rows && values_.cols() == grid_.nodes(), name, "number of nodes", values_.cols(),
-                    "be that of the grid");
-    detail::require(values_.isFinite().all(), name, "values", "not finite", "be finite");
-    // central differences, limited to three times the smaller one-sided one: monotone (Fritsch and Carlson 1980)
-    slopes_.resize(rows, grid_.nodes());
-    for (Eigen::Index node = 0; node < grid_.nodes(); ++node) {
-        const Eigen::Index i = node % grid_.shifts;
-        if (i == 0 || i + 1 == grid_.shifts) {
-            const Eigen::Index step = i == 0 ? 1 : -1;
-            slopes_.col(node) = double(step) * (values_.col(node + step) - values_.col(node));
+inline ContactTable::ContactTable(Grid grid, Material material, std::vector<Side> sides)
+    : grid_(std::move(grid)), material_(material) {
+    const auto require_nodes = [](const char* what, const std::vector<double>& nodes, std::size_t least,
+                                  std::size_t most) {
+        const std::string rule = "be " + std::to_string(least) + " to " + std::to_string(most);
+        detail::require(nodes.size() >= least && nodes.size() <= most, name, what, nodes.size(), rule.c_str());
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            detail::require(detail::is_finite(nodes[k]) && (k == 0 || nodes[k] > nodes[k - 1]), name, what, nodes[k],
+                            "ascend");
+        }
+    };
+    require_nodes("number of shifts", grid_.shifts, 5, 10001);
+    require_nodes("number of yaws", grid_.yaws, 2, most_yaws);
+    require_nodes("number of loads", grid_.loads, 1, most_loads);
+    for (std::size_t i = 0; i < grid_.shifts.size(); ++i) {
+        const double opposite = -grid_.shifts[grid_.shifts.size() - 1 - i];
+        detail::require(std::abs(grid_.shifts[i] - opposite) <= 1e-12, name, "shift", grid_.shifts[i],
+                        "have its opposite among the shifts");
+    }
+    detail::require(grid_.yaws[0] == 0, name, "first yaw", grid_.yaws[0], "be 0");
+    detail::require_positive(name, "first load", grid_.loads[0]);
+    detail::require_positive(name, "shear_modulus", material_.shear_modulus);
+    detail::require_poisson_ratio(name, material_.poisson_ratio);
+    detail::require(sides.size() == 1 || sides.size() == 2, name, "number of sides", sides.size(), "be 1 or 2");
+    for (const double load : grid_.loads) roots_.push_back(std::cbrt(load));
+    for (Side& side : sides) {
+        detail::require_positive(name, "radius", side.radius);
+        detail::require(side.on_rails.rows() == 2 && side.on_rails.cols() == grid_.nodes(), name, "number of heights",
+                        side.on_rails.cols(), "be that of the grid's nodes");
+        detail::require(
+            side.points.rows() == ContactRow::rows && side.points.cols() == grid_.nodes() * side.zones.count(), name,
+            "number of points", side.points.cols(), "be that of the grid's nodes times the zones");
+        detail::require(side.on_rails.isFinite().all() && side.points.isFinite().all(), name, "values", "not finite",
+                        "be finite");
+        sides_.push_back(stored(std::move(side)));
+    }
+}
+
+namespace detail {
+
+/// Where a zone carries nothing, its rows but the share are those of the nearest node of its line that carries; lines
+/// without any have those of the nearest line. `points` are the nodes of one zone.
+inline void fill_zone(const ContactTable::Grid& grid, Eigen::Ref<Eigen::ArrayXXd> points) {
+    const auto shifts = Eigen::Index(grid.shifts.size()), yaws = Eigen::Index(grid.yaws.size()),
+               loads = Eigen::Index(grid.loads.size());
+    const auto carries = [&](Eigen::Index node) { return points(ContactRow::share, node) > 0; };
+    const auto copy = [&](Eigen::Index to, Eigen::Index from) {
+        const double share = points(ContactRow::share, to);
+        points.col(to) = points.col(from);
+        points(ContactRow::share, to) = share;
+    };
+    std::vector<bool> known(std::size_t(yaws * loads));
+    for (Eigen::Index line = 0; line < yaws * loads; ++line) {
+        std::vector<Eigen::Index> with;
+        for (Eigen::Index i = 0; i < shifts; ++i) {
+            if (carries(line * shifts + i)) with.push_back(i);
+        }
+        known[std::size_t(line)] = !with.empty();
+        for (Eigen::Index i = 0; i < shifts && !with.empty(); ++i) {
+            const auto nearer = [&](Eigen::Index one, Eigen::Index two) {
+                return std::abs(grid.shifts[std::size_t(one)] - grid.shifts[std::size_t(i)]) <
+                       std::abs(grid.shifts[std::size_t(two)] - grid.shifts[std::size_t(i)]);
+            };
+            if (!carries(line * shifts + i))
+                copy(line * shifts + i, line * shifts + *std::min_element(with.begin(), with.end(), nearer));
+        }
+    }
+    const std::vector<bool> first = known;
+    for (Eigen::Index line = 0; line < yaws * loads; ++line) {
+        if (first[std::size_t(line)]) continue;
+        Eigen::Index nearest = -1;
+        const auto apart = [&](Eigen::Index other) {  // a load nearer first
+            return std::abs(other / yaws - line / yaws) + yaws * std::abs(other % yaws - line % yaws);
+        };
+        for (Eigen::Index other = 0; other < yaws * loads; ++other) {
+            if (first[std::size_t(other)] && (nearest < 0 || apart(other) < apart(nearest))) nearest = other;
+        }
+        for (Eigen::Index i = 0; i < shifts && nearest >= 0; ++i) copy(line * shifts + i, nearest * shifts + i);
+    }
+}
+
+/// Slopes by the shift of each row of each line; of row 0, the share, limited where `limit` is set.
+inline Eigen::ArrayXXd slopes_of(const ContactTable::Grid& grid, const Eigen::ArrayXXd& values, bool limit) {
+    const auto shifts = Eigen::Index(grid.shifts.size());
+    Eigen::ArrayXXd slopes(values.rows(), values.cols());
+    for (Eigen::Index node = 0; node < values.cols(); ++node) {
+        const Eigen::Index i = node % shifts;
+        const auto step = [&](Eigen::Index k) { return grid.shifts[std::size_t(k + 1)] - grid.shifts[std::size_t(k)]; };
+        const auto difference = [&](Eigen::Index k) -> Eigen::ArrayXd {  // from node k of the line
+            return (values.col(node - i + k + 1) - values.col(node - i + k)) / step(k);
+        };
+        if (i == 0 || i + 1 == shifts) {
+            slopes.col(node) = difference(i == 0 ? 0 : i - 1);
             continue;
         }
-        const Eigen::ArrayXd before = values_.col(node) - values_.col(node - 1),
-                             after = values_.col(node + 1) - values_.col(node), mean = (before + after) / 2;
-        const Eigen::ArrayXd most = 3 * before.abs().cwiseMin(after.abs());
-        slopes_.col(node) = (before * after > 0).select(mean.cwiseMin(most).cwiseMax(-most), 0);
+        const Eigen::ArrayXd before = difference(i - 1), after = difference(i);
+        slopes.col(node) = slope_between(before, step(i - 1), after, step(i));
+        if (limit) slopes(0, node) = limited(slopes(0, node), before[0], after[0]);
     }
+    return slopes;
 }
 
-inline auto ContactTable::cell(double lateral, double yaw) const noexcept -> Cell {
-    const double i_at = (lateral / grid_.largest_shift + 1) / 2 * double(grid_.shifts - 1),
-                 k_at = (yaw / grid_.largest_yaw + 1) / 2 * double(grid_.yaws - 1);
-    const auto i = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(i_at), 0, grid_.shifts - 2),
-               k = std::clamp<Eigen::Index>(static_cast<Eigen::Index>(k_at), 0, grid_.yaws - 2);
-    const double t = i_at - double(i), u = k_at - double(k);
-    Cell found{
-        i,
-        k,
-        {(1 + 2 * t) * (1 - t) * (1 - t), t * t * (3 - 2 * t), t * (1 - t) * (1 - t), t * t * (t - 1)},
-        {6 * t * (t - 1), 6 * t * (1 - t), (1 - t) * (1 - 3 * t), t * (3 * t - 2)},
-        {-u * (1 - u) * (1 - u) / 2, 1 + u * u * (1.5 * u - 2.5), u * (0.5 + u * (2 - 1.5 * u)), u * u * (u - 1) / 2},
-        {-(1 - u) * (1 - 3 * u) / 2, u * (4.5 * u - 5), 0.5 + u * (4 - 4.5 * u), u * (1.5 * u - 1)}};
-    for (double& rate : found.along_rate) rate *= double(grid_.shifts - 1) / (2 * grid_.largest_shift);
-    for (double& rate : found.across_rate) rate *= double(grid_.yaws - 1) / (2 * grid_.largest_yaw);
-    for (auto* weights : {&found.across, &found.across_rate}) {  // beyond the ends values go on linearly
-        auto& w = *weights;
-        if (k == 0) {
-            w[1] += 2 * w[0];
-            w[2] -= std::exchange(w[0], 0.0);
-        }
-        if (k + 2 == grid_.yaws) {
-            w[2] += 2 * w[3];
-            w[1] -= std::exchange(w[3], 0.0);
-        }
+}  // namespace detail
+
+inline auto ContactTable::stored(Side side) const -> Stored {
+    Stored made{.given = {}, .means = ContactRow::Values::Zero(), .points = {}, .slopes = {}, .on_rails_slopes = {}};
+    for (Eigen::Index zone = 0; zone < side.zones.count(); ++zone) {
+        detail::fill_zone(grid_, side.points.middleCols(zone * grid_.nodes(), grid_.nodes()));
     }
-    return found;
+    made.means = side.points.rowwise().mean();
+    made.means[ContactRow::share] = 0;
+    made.points = (side.points.colwise() - Eigen::ArrayXd(made.means)).cast<float>();
+    side.points = made.points.cast<double>().colwise() + Eigen::ArrayXd(made.means);
+    made.slopes = detail::slopes_of(grid_, side.points, true).cast<float>();
+    made.on_rails_slopes = detail::slopes_of(grid_, side.on_rails, false);
+    made.given = std::move(side);
+    return made;
 }
 
-template <int Rows>
-auto ContactTable::sample(const Cell& cell, Eigen::Index first) const noexcept -> Sample<Rows> {
-    Sample<Rows> found;
-    const Eigen::Index last = (std::min)(cell.yaw + 2, grid_.yaws - 1);
-    for (Eigen::Index row = (std::max<Eigen::Index>)(cell.yaw - 1, 0); row <= last; ++row) {
-        const Eigen::Index node = row * grid_.shifts + cell.shift;
-        const auto own = static_cast<std::size_t>(row - cell.yaw + 1);
-        const auto blend = [&](const std::array<double, 4>& weights) -> Eigen::Array<double, Rows, 1> {
-            return weights[0] * values_.col(node).segment<Rows>(first) +
-                   weights[1] * values_.col(node + 1).segment<Rows>(first) +
-                   weights[2] * slopes_.col(node).segment<Rows>(first) +
-                   weights[3] * slopes_.col(node + 1).segment<Rows>(first);
-        };
-        const Eigen::Array<double, Rows, 1> at = blend(cell.along);
-        found.value += cell.across[own] * at;
-        found.by_yaw += cell.across_rate[own] * at;
-        found.by_shift += cell.across[own] * blend(cell.along_rate);
-    }
-    return found;
-}
-
-inline auto ContactTable::on_rails(double lateral, double yaw) const noexcept -> OnRails {
-    const Sample<2> at = sample<2>(cell(lateral, yaw), height);
-    return {at.value[0], at.value[1], at.by_shift[0], at.by_shift[1], at.by_yaw[0], at.by_yaw[1]};
-}
-
-template <std::same_as<double> Scalar>
-WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
-                                  const WheelsetSpeeds& speeds, double load,
-                                  double friction_coefficient) const noexcept {
-    using enum ContactRow::Of;
-    WheelForces result;
-    const double mirror = side == WheelsetSide::left ? -1 : 1;
-    std::array<double, WheelForces::inputs> inputs{mirror * position.lateral, mirror * position.yaw,    speeds.forward,
-                                                   speeds.pitch_rate,         mirror * speeds.lateral,  speeds.vertical,
-                                                   mirror * speeds.roll_rate, mirror * speeds.yaw_rate, load,
-                                                   friction_coefficient};
-    for (const double input : inputs) {
-        if (!detail::is_finite(input)) return result;
-    }
-    constexpr double least = 1e-100, most = 1e150;  // [N]: less is none, and under more an ellipse has no size
-    if (!(load >= 0 && load <= most && friction_coefficient >= 0)) {
-        result.status = StepStatus::invalid_load;
-        return result;
-    }
-    if (!covers(position.lateral, position.yaw)) {
-        result.status = StepStatus::wrong_table;
-        return result;
-    }
-    // rolling backwards is the mirror image, across the track, of rolling forward
-    const double tread = sample<1>(cell(inputs[0], inputs[1]), radius).value[0];
-    const double along = speeds.forward - speeds.pitch_rate * tread < 0 ? -1 : 1;
-    for (const auto which : {WheelForces::yaw, WheelForces::forward, WheelForces::pitch_rate, WheelForces::yaw_rate}) {
-        inputs[static_cast<std::size_t>(which)] *= along;
-    }
-    const auto input = [&](WheelForces::Input which) {
-        return Dual(inputs[static_cast<std::size_t>(which)], partials, static_cast<int>(which));
+template <int Rows, class Field>
+auto ContactTable::sample(const Cell& at, const Field& values, const Field& slopes, Eigen::Index row,
+                          Eigen::Index first) const noexcept -> Sample<Rows> {
+    using Values = Eigen::Array<double, Rows, 1, Eigen::DontAlign>;
+    Sample<Rows> found{Values::Zero(), Values::Zero(), Values::Zero()};
+    const auto part = [&](const Field& of, Eigen::Index node) {
+        return of.col(node).template segment<Rows>(row).template cast<double>();
     };
-    const Cell at = cell(inputs[0], inputs[1]);
-    const Dual mu = input(WheelForces::mu);
-    const detail::WheelsetVelocity<Dual> velocity(
-        {input(WheelForces::forward), input(WheelForces::pitch_rate), input(WheelForces::lateral_speed),
-         input(WheelForces::vertical_speed), input(WheelForces::roll_rate), input(WheelForces::yaw_rate)},
-        dual(sample<1>(at, roll), 0), input(WheelForces::yaw));
-    std::array<Dual, 6> sum;
-    sum.fill(Dual(0, Gradient::Zero()));
-    for (std::size_t k = 0; k < 2; ++k) {
-        const auto first = static_cast<Eigen::Index>(k) * point_rows;
-        Dual part = dual(sample<1>(at, first + share), 0);
-        if (part.value() > 1) part = Dual(1, Gradient::Zero());
-        if (!(part.value() > 0) || part.value() * load < least) continue;
-        const auto rows_of = sample<whole_packets>(at, first);
-        const auto point = [&](Eigen::Index row) { return dual(rows_of, row); };
-        WheelForces::Point& found = result.points[k];
-        const Dual r_x = point(arm_x), r_y = point(arm_y), r_z = point(arm_z), delta = point(angle), r = point(radius);
-        const Dual sine = sin(delta), cosine = cos(delta);
-        const Dual reference = (input(WheelForces::forward) - input(WheelForces::pitch_rate) * r) * 0.5;
-        if (!(reference.value() >= (std::numeric_limits<double>::min)())) {
-            result.status = StepStatus::invalid_step;
-            return result;
-        }
-        const std::array<Dual, 3> slip = velocity.slip({r_x, r_y, r_z}, sine, cosine);
-        const Dual xi = slip[0] / reference, eta = slip[1] / reference, phi = slip[2] / reference;
-        const Dual wanted = part * input(WheelForces::load);
-
-        // the creep forces under a normal load
-        std::array<Dual, 3> force;
-        const auto press = [&](double normal_load) {
-            Dual N(normal_load, partials, by_load);
-            const double root = std::cbrt(normal_load);
-            Dual size(root, Gradient::Zero());
-            size.derivatives()[by_load] = root / (3 * normal_load);
-            const Dual a = point(length) * size, b = point(width) * size;
-            const std::array<Dual, 3> own = detail::ellipse_creepages<Dual>(
-                {xi, eta, phi}, a, b, shear_modulus_, mu * N, [&](Eigen::Index row) { return point(row); });
-            found.ellipse = PatchContact<double>({a.value(), b.value(), shear_modulus_, poisson_ratio_});
-            const TabulatedForce now = creep.look_up(found.ellipse, friction_coefficient, normal_load,
-                                                     {own[0].value(), own[1].value(), own[2].value()});
-            const auto combine = [&](auto part_of) {
-                return Dual(part_of(now.force), part_of(now.tangent.by_longitudinal) * own[0].derivatives() +
-                                                    part_of(now.tangent.by_lateral) * own[1].derivatives() +
-                                                    part_of(now.tangent.by_spin) * own[2].derivatives() +
-                                                    part_of(now.tangent_by_load) * N.derivatives() +
-                                                    part_of(now.tangent_by_friction_coefficient) * mu.derivatives() +
-                                                    part_of(now.tangent_by_half_length) * a.derivatives() +
-                                                    part_of(now.tangent_by_half_width) * b.derivatives());
-            };
-            force = {combine([](const TangentialForce<double>& f) { return f.longitudinal; }),
-                     combine([](const TangentialForce<double>& f) { return f.lateral; }),
-                     combine([](const TangentialForce<double>& f) { return f.moment; })};
-            return std::pair(N, now.status);
+    for (std::size_t k = 0; k < grid_.yaws.size(); ++k) {
+        const Eigen::Index node = first + Eigen::Index(k * grid_.shifts.size() + at.shift);
+        const auto blend = [&](const std::array<double, 4>& w) -> Values {
+            return w[0] * part(values, node) + w[1] * part(values, node + 1) + w[2] * part(slopes, node) +
+                   w[3] * part(slopes, node + 1);
         };
-        // 1. nearly: a step of Newton's method without the change of the correction
-        double normal_load = wanted.value() / cosine.value();
-        {
-            const double root = std::cbrt(normal_load), a = root * rows_of.value[length],
-                         b = root * rows_of.value[width];
-            const auto [xi_1, eta_1, phi_1] = detail::ellipse_creepages<double>(
-                {xi.value(), eta.value(), phi.value()}, a, b, shear_modulus_, friction_coefficient * normal_load,
-                [&](Eigen::Index row) { return rows_of.value[row]; });
-            const PatchContact<double> ellipse({a, b, shear_modulus_, poisson_ratio_});
-            const TabulatedForce now = creep.look_up(ellipse, friction_coefficient, normal_load, {xi_1, eta_1, phi_1});
-            const double by_size = a * now.tangent_by_half_length.lateral + b * now.tangent_by_half_width.lateral;
-            const double growth = now.tangent_by_load.lateral + by_size / (3 * normal_load);
-            const double change = now.force.lateral * sine.value() / (cosine.value() - growth * sine.value());
-            if (now.status == StepStatus::ok) normal_load += (std::clamp)(change, -normal_load / 2, normal_load);
-        }
-        // 2. by Newton's method with tangents, whose last step is taken along them
-        bool settled = false;
-        for (int round = 0; round < 30 && !settled; ++round) {
-            if (!(normal_load > 0 && detail::is_finite(normal_load))) break;
-            const auto [N, status] = press(normal_load);
-            if (status != StepStatus::ok) {
-                result.status = status;
-                return result;
-            }
-            const Dual excess = N * cosine - force[1] * sine - wanted;
-            const double slope = excess.derivatives()[by_load], change = excess.value() / slope;
-            settled = std::abs(change) <= 1e-6 * normal_load;
-            normal_load -= (std::clamp)(change, -normal_load, normal_load / 2);
-            if (!settled) continue;
-            // N is the function of the inputs that keeps the excess at 0
-            Gradient by_inputs = -excess.derivatives() / slope;
-            by_inputs[by_load] = 0;
-            for (Dual& one : force) {
-                const double slope_of_one = std::exchange(one.derivatives()[by_load], 0.0);
-                one.value() -= slope_of_one * change;
-                one.derivatives() += slope_of_one * by_inputs;
-            }
-            const Dual carried(normal_load, by_inputs);
-            const Dual f_y = force[1] * cosine + carried * sine, f_z = force[1] * sine - carried * cosine;
-            sum[0] += force[0];
-            sum[1] += f_y;
-            sum[2] += f_z;
-            sum[3] += r_y * f_z - r_z * f_y;
-            sum[4] += r_z * force[0] - r_x * f_z - force[2] * sine;
-            sum[5] += r_x * f_y - r_y * force[0] + force[2] * cosine;
-        }
-        if (!settled) {
-            result.status = StepStatus::no_solution;
-            return result;
-        }
-        found.load_share = part.value();
-        found.arm = {along * r_x.value(), r_y.value(), r_z.value()};
-        found.angle = delta.value();
-        found.rolling_radius = r.value();
-        found.normal_load = normal_load;
-        found.creepage = {along * xi.value(), eta.value(), along * phi.value()};
-        found.force = {along * force[0].value(), force[1].value(), along * force[2].value()};
-        found.heat = -reference.value() *
-                     (found.force.longitudinal * found.creepage.longitudinal +
-                      found.force.lateral * found.creepage.lateral + found.force.moment * found.creepage.spin);
-        result.heat += found.heat;
+        const Values here = blend(at.along.value);
+        found.value += at.across.value[k] * here;
+        found.by_yaw += at.across.rate[k] * here;
+        found.by_shift += at.across.value[k] * blend(at.along.rate);
     }
-    // the left wheel is the mirror image
-    const std::array<double, 6> signs{along, mirror, 1, mirror, along, along * mirror};
-    const std::array<double, WheelForces::inputs> turned{mirror, along * mirror, along,          along, mirror,
-                                                         1,      mirror,         along * mirror, 1,     1};
-    for (Eigen::Index i = 0; i < 6; ++i) {
-        const auto own = static_cast<std::size_t>(i);
-        result.force[i] = signs[own] * sum[own].value();
-        for (Eigen::Index j = 0; j < WheelForces::inputs; ++j) {
-            result.tangent(i, j) = signs[own] * turned[static_cast<std::size_t>(j)] * sum[own].derivatives()[j];
+    return found;
+}
+
+inline auto ContactTable::wheel_on_rails(const Stored& side, double lateral, double yaw, double load) const noexcept
+    -> WheelOnRails {
+    const double root = std::cbrt(load);
+    const auto weights = detail::hermite_weights<most_loads>(roots_, root);
+    const Cell at = cell(lateral, yaw);
+    WheelOnRails found{};
+    for (std::size_t l = 0; l < roots_.size(); ++l) {
+        const Sample<2> own = sample<2>(at, side.given.on_rails, side.on_rails_slopes, 0, first_node(l));
+        for (auto [of, row] : {std::pair(&found.height, 0), {&found.roll, 1}}) {
+            (*of)[0] += weights.value[l] * own.value[row];
+            (*of)[1] += weights.value[l] * own.by_shift[row];
+            (*of)[2] += weights.value[l] * own.by_yaw[row];
+            (*of)[3] += weights.rate[l] * own.value[row] / (3 * root * root);
         }
     }
-    result.status =
-        detail::is_finite(result.force.sum() + result.tangent.sum()) ? StepStatus::ok : StepStatus::not_finite;
-    return result;
+    return found;
+}
+
+inline auto ContactTable::on_rails(double lateral, double yaw, const std::array<double, 2>& loads) const noexcept
+    -> OnRails {
+    // heights of both wheels at the roll of unequal loads, whose profiles meet the rails as after another shift
+    struct Wheel {
+        double height, by_lateral, by_yaw, by_load, by_roll;
+    };
+    const auto wheel = [&](WheelsetSide side, double roll) -> Wheel {
+        const double mirror = side == WheelsetSide::left ? -1 : 1, load = loads[std::size_t(side)];
+        const Stored& own = sides_[index_of(side)];
+        const double u = mirror * lateral, psi = mirror * yaw, radius = own.given.radius;
+        const auto table = wheel_on_rails(own, u, psi, load).roll;
+        const double limit = largest_shift();
+        const double moved = std::clamp(u - radius * (mirror * roll - table[0]), -limit, limit);
+        const auto height = wheel_on_rails(own, moved, psi, load).height;
+        return {height[0], mirror * height[1] * (1 + radius * table[1]),
+                mirror * (height[2] + height[1] * radius * table[2]), height[3] + height[1] * radius * table[3],
+                -mirror * radius * height[1]};
+    };
+    double roll = wheel_on_rails(sides_[index_of(WheelsetSide::right)], lateral, yaw, loads[1]).roll[0];
+    OnRails found;
+    for (int round = 0; round < 4; ++round) {
+        const Wheel left = wheel(WheelsetSide::left, roll), right = wheel(WheelsetSide::right, roll);
+        const double slope = 2 * support_y - (right.by_roll - left.by_roll);
+        const double excess = 2 * support_y * roll - (right.height - left.height);
+        found = {.height = (left.height + right.height) / 2,
+                 .roll = roll,
+                 .roll_by_lateral = (right.by_lateral - left.by_lateral) / slope,
+                 .roll_by_yaw = (right.by_yaw - left.by_yaw) / slope,
+                 .roll_by_load = {-left.by_load / slope, right.by_load / slope}};
+        const double by_roll = (left.by_roll + right.by_roll) / 2;
+        found.height_by_lateral = (left.by_lateral + right.by_lateral) / 2 + by_roll * found.roll_by_lateral;
+        found.height_by_yaw = (left.by_yaw + right.by_yaw) / 2 + by_roll * found.roll_by_yaw;
+        found.height_by_load = {left.by_load / 2 + by_roll * found.roll_by_load[0],
+                                right.by_load / 2 + by_roll * found.roll_by_load[1]};
+        if (std::abs(excess) < 1e-14) break;
+        roll -= excess / slope;
+    }
+    return found;
+}
+
+inline auto ContactTable::support(WheelsetSide side, double lateral, double yaw, double height) const noexcept
+    -> Support {
+    const double mirror = side == WheelsetSide::left ? -1 : 1;
+    const Stored& own = sides_[index_of(side)];
+    const auto at = [&](double load) { return wheel_on_rails(own, mirror * lateral, mirror * yaw, load).height; };
+    const auto result = [&](double load, double by_load, double by_lateral, double by_yaw) -> Support {
+        return {load, 1 / by_load, -mirror * by_lateral / by_load, -mirror * by_yaw / by_load};
+    };
+    // below the first load heights grow with the square of its cube root, from where the wheel touches
+    const double least = grid_.loads.front();
+    const auto first = at(least);
+    if (height < first[0] || grid_.loads.size() == 1) {
+        const double inside = at(least * (1 + 1e-9))[3];
+        const double share = inside > 0 ? 3 * inside * least / 2 : 0, touch = first[0] - share;
+        if (!(height > touch) || !(share > 0)) return {};
+        const double load = least * std::pow((height - touch) / share, 1.5);
+        return result(load, 2 * (height - touch) / (3 * load), first[1], first[2]);
+    }
+    double low = least, high = grid_.loads.back();
+    if (height >= at(high)[0]) {  // beyond the last one as stiff as there
+        const auto last = at(high * (1 - 1e-9));
+        return result(high + (height - last[0]) / last[3], last[3], last[1], last[2]);
+    }
+    double load = (low + high) / 2;
+    for (int round = 0; round < 60; ++round) {
+        const auto here = at(load);
+        (here[0] < height ? low : high) = load;
+        const double next = load - (here[0] - height) / here[3];
+        const double change = next > low && next < high ? next - load : (low + high) / 2 - load;
+        load += change;
+        if (std::abs(change) <= 1e-14 * load) break;
+    }
+    const auto here = at(load);
+    return result(load, here[3], here[1], here[2]);
 }
 
 inline void ContactTable::write(std::ostream& stream) const {
     detail::CheckedWriter writer(stream, magic);
-    for (const Eigen::Index count : {Eigen::Index(version), grid_.shifts, grid_.yaws}) {
+    for (const std::size_t count :
+         {std::size_t(version), grid_.shifts.size(), grid_.yaws.size(), grid_.loads.size(), sides_.size()}) {
         writer.integer(static_cast<std::uint32_t>(count));
     }
-    const Eigen::ArrayXd means = values_.rowwise().mean();
-    for (const double value : {grid_.largest_shift, grid_.largest_yaw, nominal_load_, shear_modulus_, poisson_ratio_}) {
-        writer.number(value);
+    for (const auto* nodes : {&grid_.shifts, &grid_.yaws, &grid_.loads}) {
+        for (const double node : *nodes) writer.number(node);
     }
-    for (const double mean : means) writer.number(mean);
-    for (Eigen::Index node = 0; node < grid_.nodes(); ++node) {
-        for (Eigen::Index row = 0; row < rows; ++row)
-            writer.number(static_cast<float>(values_(row, node) - means[row]));
+    writer.number(material_.shear_modulus);
+    writer.number(material_.poisson_ratio);
+    for (const Stored& side : sides_) {
+        const Side& given = side.given;
+        writer.integer(static_cast<std::uint32_t>(given.zones.cuts().size()));
+        writer.number(given.radius);
+        for (const ContactZones::Cut& cut : given.zones.cuts()) {
+            writer.number(cut.y);
+            writer.number(cut.half_width);
+        }
+        for (const double mean : side.means) writer.number(mean);
+        for (Eigen::Index node = 0; node < grid_.nodes(); ++node) {
+            for (const double value : given.on_rails.col(node)) writer.number(value);
+            std::uint32_t carrying = 0;
+            for (Eigen::Index zone = 0; zone < given.zones.count(); ++zone) {
+                if (side.points(ContactRow::share, zone * grid_.nodes() + node) > 0) carrying |= 1U << unsigned(zone);
+            }
+            writer.integer(carrying);
+            for (Eigen::Index zone = 0; zone < given.zones.count(); ++zone) {
+                if ((carrying >> unsigned(zone) & 1U) == 0) continue;
+                for (const float value : side.points.col(zone * grid_.nodes() + node)) writer.number(value);
+            }
+        }
     }
     writer.finish();
 }
@@ -511,23 +542,51 @@ inline void ContactTable::write(std::ostream& stream) const {
 inline ContactTable ContactTable::read(std::istream& stream) {
     detail::CheckedReader reader(stream, name, magic);
     const auto found = reader.integer<std::uint32_t>();
-    detail::require(found == version, name, "version", found, "be 1");
-    Grid grid;
-    grid.shifts = reader.integer<std::uint32_t>();
-    grid.yaws = reader.integer<std::uint32_t>();
-    detail::require(grid.shifts <= 10001 && grid.yaws <= 1001, name, "number of nodes", grid.nodes(),
-                    "be at most 10001 times 1001");
-    grid.largest_shift = reader.number();
-    grid.largest_yaw = reader.number();
-    const double load = reader.number(), G = reader.number(), nu = reader.number();
-    Eigen::ArrayXd means(rows);
-    for (double& mean : means) mean = reader.number();
-    Eigen::ArrayXXd values(Eigen::Index(rows), grid.nodes());
-    for (Eigen::Index node = 0; node < grid.nodes(); ++node) {
-        for (Eigen::Index row = 0; row < rows; ++row) values(row, node) = means[row] + double(reader.single());
+    detail::require(found == version, name, "version", found, "be 2: make the table again with contact_table");
+    std::array<std::size_t, 4> counts;
+    for (auto [count, most] : {std::pair(&counts[0], 10001U),
+                               {&counts[1], unsigned(most_yaws)},
+                               {&counts[2], unsigned(most_loads)},
+                               {&counts[3], 2U}}) {
+        *count = reader.integer<std::uint32_t>();
+        detail::require(*count >= 1 && *count <= most, name, "number of nodes", *count, "be 1 to that of a table");
+    }
+    Grid grid{std::vector<double>(counts[0]), std::vector<double>(counts[1]), std::vector<double>(counts[2])};
+    for (auto* nodes : {&grid.shifts, &grid.yaws, &grid.loads}) {
+        for (double& node : *nodes) node = reader.number();
+    }
+    detail::require(grid.nodes() <= 200000, name, "number of nodes", grid.nodes(), "be at most 200000");
+    const double G = reader.number(), nu = reader.number();
+    std::vector<Side> sides(counts[3]);
+    for (Side& side : sides) {
+        const auto cut_count = reader.integer<std::uint32_t>();
+        detail::require(cut_count < ContactZones::most, name, "number of cuts", cut_count, "be at most 3");
+        std::vector<ContactZones::Cut> cuts(cut_count);
+        side.radius = reader.number();
+        for (ContactZones::Cut& cut : cuts) {
+            cut.y = reader.number();
+            cut.half_width = reader.number();
+        }
+        side.zones = ContactZones(std::move(cuts));
+        ContactRow::Values means;
+        for (double& mean : means) mean = reader.number();
+        side.on_rails.resize(2, grid.nodes());
+        side.points.setZero(ContactRow::rows, grid.nodes() * side.zones.count());
+        for (Eigen::Index node = 0; node < grid.nodes(); ++node) {
+            for (Eigen::Index row = 0; row < 2; ++row) side.on_rails(row, node) = reader.number();
+            const auto carrying = reader.integer<std::uint32_t>();
+            for (Eigen::Index zone = 0; zone < side.zones.count(); ++zone) {
+                if ((carrying >> unsigned(zone) & 1U) == 0) continue;
+                for (Eigen::Index row = 0; row < ContactRow::rows; ++row) {
+                    side.points(row, zone * grid.nodes() + node) = means[row] + double(reader.single());
+                }
+            }
+        }
     }
     reader.finish();
-    return {grid, load, G, nu, std::move(values)};
+    return {std::move(grid), {G, nu}, std::move(sides)};
 }
 
 }  // namespace rollbem
+
+#include "detail/wheel_look_up.hpp"

@@ -1,4 +1,4 @@
-// make_contact_table: the table of a wheelset's contact geometry from its profiles.
+// make_contact_table: the contact table of a wheelset from its profiles, with zones that fit them.
 #pragma once
 
 #include <algorithm>
@@ -7,283 +7,367 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <mutex>
+#include <numbers>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
-#include "../adhesion/creep_coefficients.hpp"
 #include "../detail/parallel_for.hpp"
-#include "../discretisation/patch_mesh.hpp"
-#include "../discretisation/scheme.hpp"
-#include "../elasticity/rectangle_kernel.hpp"
+#include "../detail/require.hpp"
 #include "contact_table.hpp"
 #include "creep_force_table.hpp"
-#include "wheelset_on_track.hpp"
+#include "detail/wheel_node.hpp"
+#include "wheelset_forces.hpp"
 
 namespace rollbem {
 
-/// An ellipse for the creep forces of a patch.
-struct PatchEllipse {
-    double x = 0, s = 0;                     ///< its middle, from the reference point, in the plane [m]
-    double half_length = 0, half_width = 0;  ///< [m]
-    /// Its rows from c11 on, the others are 0.
-    Eigen::Array<double, ContactRow::point_rows, 1, Eigen::DontAlign> values =
-        Eigen::Array<double, ContactRow::point_rows, 1, Eigen::DontAlign>::Zero();
+/// Equal steps of shift from minus the largest to the largest, and of yaw from 0; loads are 0.4, 0.65, 1 and 1.6 of the
+/// nominal one.
+inline ContactTable::Grid contact_table_grid(double nominal_load = 1e5, double largest_shift = 9e-3,
+                                             std::size_t shifts = 361, double largest_yaw = 15e-3,
+                                             std::size_t yaws = 4) {
+    ContactTable::Grid grid;
+    const auto last_shift = double(shifts) - 1, last_yaw = double(yaws) - 1;
+    for (std::size_t i = 0; i < shifts; ++i) grid.shifts.push_back(largest_shift * (2 * double(i) / last_shift - 1));
+    for (std::size_t k = 0; k < yaws; ++k) grid.yaws.push_back(largest_yaw * double(k) / last_yaw);
+    for (const double share : {0.4, 0.65, 1.0, 1.6}) grid.loads.push_back(share * nominal_load);
+    return grid;
+}
 
-    /// The forces on the patch under the load N [N], by a table; creepages and moment at the reference point.
-    TangentialForce<double> forces(const CreepForceTable& creep, const TrackDimensions& dimensions, double mu,
-                                   double load, const Creepage<double>& at) const {
-        const std::array<double, 3> there{at.longitudinal - at.spin * s, at.lateral + at.spin * x, at.spin};
-        const auto [xi, eta, phi] =
-            detail::ellipse_creepages<double>(there, half_length, half_width, dimensions.shear_modulus, mu * load,
-                                              [&](Eigen::Index row) { return values[row]; });
-        const PatchContact<double> contact(
-            {half_length, half_width, dimensions.shear_modulus, dimensions.poisson_ratio});
-        TangentialForce<double> force = creep.look_up(contact, mu, load, {xi, eta, phi}).force;
-        force.moment += x * force.lateral - s * force.longitudinal;
-        return force;
-    }
+/// What a contact table is made with.
+struct ContactTableMaking {
+    ContactTable::Grid grid = contact_table_grid();
+    WheelOnRail::Options contacts{};
+    /// Of the left and of the right wheel; empty: found.
+    std::array<std::optional<ContactZones>, 2> zones{};
+    std::size_t jobs = 1;
+    std::function<void()> done = [] {};  ///< called after each of lines() lines of positions; must not throw
+    std::size_t lines() const { return grid.yaws.size() * grid.loads.size(); }
 };
 
-/// The ellipse of a patch for which a table of creep forces comes nearest to friction on its own outline under its own
-/// pressures. Its middle and its semi-axes are those of Hertz's pressures with the same first and second moments, a^2/5
-/// and b^2/5. The linear law is the patch's own: creepages are multiplied by E^-1 L, where L are the forces of the
-/// outline per creepage and E those of the ellipse, as far as the contact sticks; see ContactTable::look_up. Where a/b
-/// lies beyond the table, the longer semi-axis stays and the correction is kept in full sliding, too. Throws
-/// std::invalid_argument unless the patch has numbers.
-inline PatchEllipse creep_ellipse(const RailPatch& patch, const TrackDimensions& dimensions,
-                                  const CreepForceTable& creep, Eigen::Index n = 12, Eigen::Index strips = 13) {
-    using enum ContactRow::Of;
-    detail::require(patch.load > 0, "creep_ellipse", "load of the patch", patch.load, "be positive");
-    const CellGrid& grid = patch.grid;
-    double sum = 0;
-    Eigen::Vector2d mean = Eigen::Vector2d::Zero(), square = mean;
-    for (Eigen::Index j = 0; j < grid.ny; ++j) {
-        for (Eigen::Index i = 0; i < grid.nx; ++i) {
-            const Eigen::Vector2d at(grid.x(i), grid.y(j));
-            sum += patch.pressure(i, j);
-            mean += patch.pressure(i, j) * at;
-            square += patch.pressure(i, j) * at.cwiseAbs2();
-        }
-    }
-    mean /= sum;
-    // a cell's own second moment counts where the patch is a cell wide
-    square = square / sum - mean.cwiseAbs2() + Eigen::Vector2d(grid.dx * grid.dx, grid.dy * grid.dy) / 12;
-    PatchEllipse ellipse{
-        .x = mean[0], .s = mean[1], .half_length = std::sqrt(5 * square[0]), .half_width = std::sqrt(5 * square[1])};
-    double &a = ellipse.half_length, &b = ellipse.half_width;
-    const double most = creep.grid().largest_a_over_b(), least = creep.grid().smallest_a_over_b();
-    if (a > most * b || a < least * b) {
-        ellipse.values[kept] = 1;
-        (a > most * b ? b : a) = a > most * b ? a / most : least * b;
-    }
-    // by its tangents at rest; its linear law in units of G c^2, (xi, eta, phi c) and (F_x, F_y, M_z/c)
-    const PatchContact<double> contact({a, b, dimensions.shear_modulus, dimensions.poisson_ratio});
-    const TabulatedForce rest = creep.look_up(contact, 1, patch.load, {0, 0, 0});
-    detail::require(rest.status == StepStatus::ok, "creep_ellipse", "status of the table of creep forces",
-                    name(rest.status), "be ok");
-    const double c = contact.c(), unit = -1 / (contact.shear_modulus() * c * c);
-    const CreepageTangent<double>& t = rest.tangent;
-    Eigen::Matrix3d of_ellipse;
-    for (const auto& [column, by] : {std::pair(0, t.by_longitudinal), {1, t.by_lateral}, {2, (1 / c) * t.by_spin}}) {
-        of_ellipse.col(column) = unit * Eigen::Vector3d(by.longitudinal, by.lateral, by.moment / c);
-    }
-    ellipse.values[c11] = of_ellipse(0, 0);
-    ellipse.values[c22] = of_ellipse(1, 1);
-    ellipse.values[c23] = of_ellipse(1, 2);
-    if (!patch.outline) return ellipse;  // too few cells
-    const PatchContact<double> outline = contact_of(patch, dimensions);
-    for (; strips >= 5; strips -= 2) {  // fewer where rolling would gain energy
-        const Response<double> own =
-            solve_steady(outline, patch_mesh(outline, cosine_mesh(n), uniform_mesh(strips)),
-                         NodeDifference{Nodes::chebyshev}, HalfSpace<double>(outline.poisson_ratio()));
-        const auto& errors = own.error_estimates;  // a rough correction is better than none
-        const bool rough = own.status == Status::not_converged && errors.diagonal().maxCoeff() < 0.25;
-        if (own.status != Status::ok && !rough) continue;
-        const double scale = outline.half_length() / c;
-        const Eigen::Vector3d units(1, 1, scale);
-        Eigen::Matrix3d law = scale * scale * units.asDiagonal() * own.coefficients * units.asDiagonal(), to_middle;
-        to_middle << 1, 0, mean[1] / c, 0, 1, -mean[0] / c, 0, 0,
-            1;  // creepages at the reference point from those there
-        law = (to_middle.transpose() * law * to_middle).eval();
-        Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(ellipse.values.data() + correction) =
-            of_ellipse.inverse() * law - Eigen::Matrix3d::Identity();
-        break;
-    }
-    return ellipse;
-}
+/// A table, and what is to be known of its making.
+struct MadeContactTable {
+    ContactTable table;
+    /// Share of the positions of the grid that wheels do not take under their loads: shifts beyond the first of them on
+    /// either side are not on the table, single ones are filled by those beside them.
+    double missing = 0;
+};
 
 namespace detail {
 
-/// Points of contact of one wheel at one position, before they are told apart.
-struct ContactNode {
-    struct Point {
-        double wheel_y = 0;
-        Eigen::Array<double, ContactRow::point_rows, 1> values;
-    };
-    std::vector<Point> points;  // at most two, by decreasing load; none: not found
-    double height = 0, roll = 0;
+/// Nodes of a side, by ContactTable::Grid::node.
+using WheelNodes = std::vector<WheelNode>;
 
-    ContactNode() = default;
-    ContactNode(const WheelOnRail::Contact& contact, const WheelsetPosition& seen, double nominal_load,
-                const TrackDimensions& dimensions, const CreepForceTable& creep)
-        : height(seen.height), roll(seen.roll) {
-        using enum ContactRow::Of;
-        double carried = 0;
-        for (const RailPatch& patch : contact.patches) {
-            if (points.size() == 2) break;
-            const PatchEllipse ellipse = creep_ellipse(patch, dimensions, creep);
-            const double sine = std::sin(patch.angle), cosine = std::cos(patch.angle), root = std::cbrt(patch.load);
-            Point point;
-            point.wheel_y = patch.wheel_y + ellipse.s * cosine;
-            auto& v = point.values;
-            v = ellipse.values;
-            v[arm_x] = patch.x + ellipse.x;
-            v[arm_y] = patch.y + ellipse.s * cosine - patch.approach * sine - seen.lateral;
-            v[arm_z] = patch.z + ellipse.s * sine + patch.approach * cosine - seen.height + dimensions.radius;
-            v[angle] = patch.angle;
-            v[length] = ellipse.half_length / root;
-            v[width] = ellipse.half_width / root;
-            v[share] = patch.load * cosine / nominal_load;
-            v[radius] = patch.rolling_radius;
-            carried += v[share];
-            points.push_back(point);
+/// Contacts of both wheels along one line of shifts.
+class ContactLine {
+public:
+    ContactLine(const WheelsetOnTrack& track, const ContactTableMaking& making, bool mirrored)
+        : track_(track), making_(making), mirrored_(mirrored) {}
+
+    void solve(std::size_t load, std::size_t yaw, std::array<WheelNodes, 2>& nodes) const {
+        const ContactTable::Grid& grid = making_.grid;
+        const std::size_t count = grid.shifts.size();
+        WheelsetOnTrack::Workspace workspace;
+        WheelsetPosition start;
+        start.yaw = grid.yaws[yaw];
+        for (std::size_t i = mirrored_ ? count / 2 : 0; i < count; ++i) {
+            start.lateral = grid.shifts[i];
+            const double Q = grid.loads[load];
+            const auto contacts = track_.solve(start, {Q, Q}, workspace, {}, making_.contacts);
+            const bool carry = std::all_of(contacts.wheels.begin(), contacts.wheels.end(), [](const auto& wheel) {
+                return !wheel.patches.empty() && (has_numbers(wheel.status) || wheel.status == Status::few_cells);
+            });
+            if (!carry) {
+                workspace = {};
+                start.roll = 0;
+                continue;
+            }
+            start.roll = contacts.position.roll;
+            for (const WheelsetSide side : WheelsetOnTrack::sides) {
+                const bool right = side == WheelsetSide::right;
+                const std::size_t place = right ? i : count - 1 - i;
+                if (!right && mirrored_ && place == i) continue;
+                auto& of = nodes[mirrored_ ? 0 : std::size_t(side)];
+                of[std::size_t(grid.node(load, yaw, place))] = node_of(contacts, side);
+            }
         }
-        for (Point& point : points) point.values[share] /= carried;
     }
+
+private:
+    /// The left wheel, a right one at the opposite shift and yaw, is mirrored across the track.
+    WheelNode node_of(const WheelsetOnTrack::Contacts& contacts, WheelsetSide side) const {
+        const bool right = side == WheelsetSide::right;
+        WheelNode node;
+        node.at = contacts.seen(side);
+        if (!right) node.at = mirrored(node.at, Mirror::along_track());
+        node.at.yaw = std::abs(node.at.yaw);
+        node.pitch_per_metre = free_pitch_rate(track_, contacts, {.forward = 1});
+        node.support = contacts.position.height + ContactTable::support_y * node.at.roll;
+        for (const RailPatch& patch : contacts.wheels[std::size_t(side)].patches) {
+            node.patches.emplace_back(right ? patch : mirrored(patch, Mirror::along_track()),
+                                      track_.wheel(side).dimensions(), node.at.yaw == 0);
+        }
+        return node;
+    }
+
+    const WheelsetOnTrack& track_;
+    const ContactTableMaking& making_;
+    bool mirrored_;
 };
 
-/// Places along the wheel's profile that part the two points of every wheel that has two: as few as possible.
-inline std::vector<double> cuts_between(const std::vector<ContactNode>& nodes) {
-    std::vector<std::pair<double, double>> gaps;  // by their upper ends
-    for (const ContactNode& node : nodes) {
-        if (node.points.size() < 2) continue;
-        const auto [low, high] = std::minmax(node.points[0].wheel_y, node.points[1].wheel_y);
-        gaps.emplace_back(high, low);
+/// Cuts between zones, one after the other: each as lowers most the error of ellipses beside friction on patches and
+/// the price of more points a wheel.
+class ZoneFinder {
+public:
+    ZoneFinder(const WheelNodes& nodes, const TrackDimensions& dimensions, const CreepForceTable& creep,
+               std::size_t jobs)
+        : dimensions_(dimensions), creep_(creep), jobs_(jobs) {
+        for (const WheelNode& node : nodes) {
+            if (!node.patches.empty()) judged_.push_back({&node, node.vertical(), {}});
+        }
+        parallel_for(judged_.size(), jobs_, [&](std::size_t i) {
+            Judged& one = judged_[i];
+            const auto motions = judged_motions(*one.node);
+            for (std::size_t k = 0; k < motions.size(); ++k) {
+                one.friction[k] = forces_of_patches(*one.node, motions[k], dimensions_, mu);
+            }
+        });
     }
-    std::sort(gaps.begin(), gaps.end());
-    std::vector<double> cuts;
-    for (const auto& [high, low] : gaps) {
-        if (cuts.empty() || cuts.back() <= low) cuts.push_back(high);
+
+    ContactZones find() const {
+        ContactZones best;
+        double least = cost(best);
+        while (best.count() < ContactZones::most) {
+            const std::vector<ContactZones> others = candidates(best);
+            std::vector<double> costs(others.size());
+            parallel_for(others.size(), jobs_, [&](std::size_t i) { costs[i] = cost(others[i]); });
+            const auto lowest = std::min_element(costs.begin(), costs.end());
+            constexpr double gain = 2e-4;
+            if (lowest == costs.end() || !(*lowest < least - gain)) break;
+            least = *lowest;
+            best = others[std::size_t(lowest - costs.begin())];
+        }
+        return best;
     }
-    return cuts;
+
+    /// The mean of errors over mu Q, which weighs the largest most, and the price.
+    double cost(const ContactZones& zones) const {
+        constexpr double price = 0.005;
+        double sum = 0;
+        std::size_t points = 0, count = 0;
+        for (const Judged& one : judged_) {
+            const auto rows = zone_rows(*one.node, zones, dimensions_, creep_);
+            for (const auto& v : rows) points += v[ContactRow::share] > 0;
+            const auto motions = judged_motions(*one.node);
+            for (std::size_t k = 0; k < motions.size(); ++k) {
+                if (!one.friction[k].isFinite().all()) continue;
+                const RollingForces own =
+                    forces_of_zones(rows, *one.node, one.vertical, motions[k], dimensions_, creep_, mu);
+                const double error = (own - one.friction[k]).abs().maxCoeff() / (mu * one.vertical);
+                sum += std::pow(error, 4);
+                ++count;
+            }
+        }
+        if (count == 0) return 0;
+        return std::pow(sum / double(count), 0.25) + price * (double(points) / double(judged_.size()) - 1);
+    }
+
+private:
+    static constexpr double mu = 0.3;
+    struct Judged {
+        const WheelNode* node;
+        double vertical;
+        std::array<RollingForces, 3> friction;
+    };
+
+    std::vector<ContactZones> candidates(const ContactZones& from) const {
+        constexpr double step = 2e-3;
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const Judged& one : judged_) {
+            for (const PatchLaws& of : one.node->patches) {
+                low = (std::min)(low, of.patch.y - of.patch.half_width);
+                high = (std::max)(high, of.patch.y + of.patch.half_width);
+            }
+        }
+        std::vector<ContactZones> found;
+        for (double y = step * std::ceil(low / step); y < high; y += step) {
+            for (const double half_width : {2e-3, 4e-3}) {
+                std::vector<ContactZones::Cut> cuts = from.cuts();
+                const ContactZones::Cut own{y, half_width};
+                const auto place = std::find_if(cuts.begin(), cuts.end(), [&](const auto& cut) { return cut.y > y; });
+                const auto apart = [&](const auto& cut) {
+                    return std::abs(cut.y - y) >= (cut.half_width + half_width) * (1 + 1e-9);
+                };
+                if (!std::all_of(cuts.begin(), cuts.end(), apart)) continue;
+                cuts.insert(place, own);
+                found.emplace_back(std::move(cuts));
+            }
+        }
+        return found;
+    }
+
+    const TrackDimensions& dimensions_;
+    const CreepForceTable& creep_;
+    std::size_t jobs_;
+    std::vector<Judged> judged_;
+};
+
+/// Odd rows are over the yaw: at yaw 0 they are those of the polynomial in yaw^2 through the others.
+inline void fill_odd_rows(const ContactTable::Grid& grid, Eigen::Ref<Eigen::ArrayXXd> points) {
+    using enum ContactRow::Of;
+    const auto shifts = Eigen::Index(grid.shifts.size());
+    const std::size_t yaws = grid.yaws.size();
+    for (std::size_t l = 0; l < grid.loads.size(); ++l) {
+        for (Eigen::Index i = 0; i < shifts; ++i) {
+            const auto node = [&](std::size_t k) { return grid.node(l, k, std::size_t(i)); };
+            if (!(points(share, node(0)) > 0)) continue;
+            for (Eigen::Index row = 0; row < ContactRow::rows; ++row) {
+                if (row != arm_x && (row < correction_by_yaw || row >= correction_by_yaw + 9)) continue;
+                // through the first two that carry
+                std::vector<std::size_t> with;
+                for (std::size_t k = 1; k < yaws && with.size() < 2; ++k) {
+                    if (points(share, node(k)) > 0) with.push_back(k);
+                }
+                double value = with.empty() ? 0 : points(row, node(with[0]));
+                if (with.size() == 2) {
+                    const double one = std::pow(grid.yaws[with[0]], 2), two = std::pow(grid.yaws[with[1]], 2);
+                    value -= one * (points(row, node(with[1])) - value) / (two - one);
+                }
+                points(row, node(0)) = value;
+            }
+        }
+    }
+}
+
+/// How many shifts from either end are left out, as at them, or at two in a row, some node is not known.
+inline std::size_t left_out(const ContactTable::Grid& grid, const std::vector<WheelNodes>& sides) {
+    const std::size_t count = grid.shifts.size(), middle = count / 2;
+    const auto known = [&](std::size_t i) {
+        for (const WheelNodes& nodes : sides) {
+            for (std::size_t line = 0; line < nodes.size(); line += count) {
+                if (nodes[line + i].patches.empty() || nodes[line + count - 1 - i].patches.empty()) return false;
+            }
+        }
+        return true;
+    };
+    std::size_t last = middle;
+    for (std::size_t i = middle; i < count; ++i) {
+        if (known(i)) last = i;
+        if (i > last + 1) break;
+    }
+    return count - 1 - last;
+}
+
+/// The rows of one side, and heights and rolls; `out` shifts at either end are left out.
+inline ContactTable::Side side_of(const ContactTable::Grid& grid, const WheelNodes& nodes, std::size_t out,
+                                  const ContactZones& zones, const TrackDimensions& dimensions,
+                                  const CreepForceTable& creep, std::size_t jobs) {
+    const std::size_t all = grid.shifts.size() + 2 * out, lines = nodes.size() / all;
+    const Eigen::Index count = grid.nodes();
+    ContactTable::Side side{.radius = dimensions.radius,
+                            .zones = zones,
+                            .on_rails = Eigen::ArrayXXd::Zero(2, count),
+                            .points = Eigen::ArrayXXd::Zero(ContactRow::rows, count * zones.count())};
+    const auto take = [&](std::size_t line, std::size_t i) {
+        const WheelNode& node = nodes[line * all + out + i];
+        const auto at = Eigen::Index(line * grid.shifts.size() + i);
+        if (node.patches.empty()) return;
+        side.on_rails.col(at) << node.support, node.at.roll;
+        const auto rows = zone_rows(node, zones, dimensions, creep);
+        for (Eigen::Index zone = 0; zone < zones.count(); ++zone) {
+            side.points.col(zone * count + at) = rows[std::size_t(zone)];
+        }
+    };
+    parallel_for(lines, jobs, [&](std::size_t line) {
+        for (std::size_t i = 0; i < grid.shifts.size(); ++i) take(line, i);
+    });
+    for (std::size_t node = 0; node < std::size_t(count); ++node) {  // single ones between known ones
+        const std::size_t line = node / grid.shifts.size(), i = node % grid.shifts.size();
+        if (!nodes[line * all + out + i].patches.empty()) continue;
+        const auto at = Eigen::Index(node);
+        side.on_rails.col(at) = (side.on_rails.col(at - 1) + side.on_rails.col(at + 1)) / 2;
+        for (Eigen::Index zone = 0; zone < zones.count(); ++zone) {
+            const Eigen::Index own = zone * count + at;
+            const ContactRow::Values before = side.points.col(own - 1), after = side.points.col(own + 1);
+            const bool both = before[ContactRow::share] > 0 && after[ContactRow::share] > 0;
+            side.points.col(own) = both ? (before + after) / 2 : before[ContactRow::share] > 0 ? before : after;
+            side.points(ContactRow::share, own) = (before[ContactRow::share] + after[ContactRow::share]) / 2;
+        }
+    }
+    for (Eigen::Index zone = 0; zone < zones.count(); ++zone) {
+        fill_odd_rows(grid, side.points.middleCols(zone * count, count));
+    }
+    return side;
 }
 
 }  // namespace detail
 
-/// The table of a wheelset whose wheels carry `load` each, on `jobs` threads; `creep` is the table that it will be used
-/// with. `missing`, if given, is set to the share of positions in which wheels do not carry the load (no_contact,
-/// load_not_reached, end_of_profile), which are filled by those beside them. Throws std::invalid_argument if the grid
-/// breaks its invariant, or at some yaw fewer than half of the positions carry the load. A position takes some 0.1 s.
-inline ContactTable make_contact_table(
-    const WheelsetOnTrack& track, double load, const CreepForceTable& creep, const ContactTable::Grid& grid = {},
-    std::size_t jobs = 1, const WheelOnRail::Options& options = {}, double* missing = nullptr,
-    const std::function<void()>& done = [] {}) {
-    using enum ContactRow::Of;
-    const TrackDimensions& dimensions = track.wheel().dimensions();
-    const auto table = [&](Eigen::ArrayXXd values) {
-        return ContactTable(grid, load, dimensions.shear_modulus, dimensions.poisson_ratio, std::move(values));
+/// The table of a wheelset whose wheels carry equal loads; `creep` is the table that it will be used with. `mirrored`
+/// says that the left wheel and rail are mirror images of the right ones, which halves the time. A position takes some
+/// 0.1 s. Throws std::invalid_argument if the grid breaks its invariant, the wheels do not carry the loads at five
+/// shifts about 0, or a profile changes along the way.
+inline MadeContactTable make_contact_table(const WheelsetOnTrack& track, const CreepForceTable& creep, bool mirrored,
+                                           const ContactTableMaking& making = {}) {
+    constexpr const char* name = "make_contact_table";
+    ContactTable::Grid grid = making.grid;
+    const std::size_t sides = mirrored ? 1 : 2;
+    const auto dimensions_of = [&](std::size_t k) -> const TrackDimensions& {
+        return track.wheel(mirrored || k == 1 ? WheelsetSide::right : WheelsetSide::left).dimensions();
     };
-    table(Eigen::ArrayXXd::Zero(Eigen::Index(ContactTable::rows), grid.nodes()));  // checks the grid and the load
-    // 1. Both wheels at yaw >= 0: the left one is a right one at the opposite shift and yaw
-    std::vector<detail::ContactNode> nodes(static_cast<std::size_t>(grid.nodes()));
-    const Eigen::Index middle = grid.yaws / 2;
+    const TrackDimensions& dimensions = dimensions_of(1);
+    const ContactTable::Material material{dimensions.shear_modulus, dimensions.poisson_ratio};
+    {  // checks the grid
+        ContactTable::Side none{.radius = dimensions.radius};
+        none.on_rails.setZero(2, grid.nodes());
+        none.points.setZero(ContactRow::rows, grid.nodes());
+        ContactTable(grid, material, {std::move(none)});
+    }
+    // 1. Contacts at all nodes
+    std::array<detail::WheelNodes, 2> found;
+    for (auto& nodes : found) nodes.resize(std::size_t(grid.nodes()));
+    const detail::ContactLine line(track, making, mirrored);
+    const std::size_t loads = grid.loads.size();
     detail::parallel_for(
-        static_cast<std::size_t>(middle + 1), jobs,
-        [&](std::size_t row) {
-            const Eigen::Index k = middle + static_cast<Eigen::Index>(row);
-            WheelsetOnTrack::Workspace workspace;
-            WheelsetPosition start;
-            for (Eigen::Index i = 0; i < grid.shifts; ++i) {
-                start.lateral = grid.shift(i);
-                start.yaw = grid.yaw(k);
-                const auto contacts = track.solve(start, {load, load}, workspace, {}, options);
-                const bool carries = std::all_of(contacts.wheels.begin(), contacts.wheels.end(), [](const auto& wheel) {
-                    return !wheel.patches.empty() && (has_numbers(wheel.status) || wheel.status == Status::few_cells);
-                });
-                if (!carries) {
-                    workspace = {};
-                    continue;
-                }
-                start.roll = contacts.position.roll;
-                for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
-                    const bool right = side == WheelsetSide::right;
-                    const Eigen::Index node =
-                        right ? k * grid.shifts + i : (grid.yaws - 1 - k) * grid.shifts + grid.shifts - 1 - i;
-                    if (!right && row == 0) continue;
-                    nodes[static_cast<std::size_t>(node)] = {contacts.wheels[static_cast<std::size_t>(side)],
-                                                             WheelsetOnTrack::seen_from(side, contacts.position), load,
-                                                             dimensions, creep};
-                }
-            }
-        },
-        done);
-    // 2. Two points a wheel, told apart by where they are on its profile
-    const std::vector<double> cuts = detail::cuts_between(nodes);
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    Eigen::ArrayXXd values = Eigen::ArrayXXd::Constant(Eigen::Index(ContactTable::rows), grid.nodes(), none);
-    constexpr Eigen::Index rows = point_rows;
-    Eigen::Index empty = 0;
-    for (Eigen::Index node = 0; node < grid.nodes(); ++node) {
-        const detail::ContactNode& from = nodes[static_cast<std::size_t>(node)];
-        empty += from.points.empty();
-        if (from.points.empty()) continue;
-        const auto part = [&](double wheel_y) {
-            return static_cast<Eigen::Index>(std::upper_bound(cuts.begin(), cuts.end(), wheel_y) - cuts.begin()) % 2;
-        };
-        const Eigen::Index first = part(from.points[0].wheel_y);
-        values.col(node)[share] = values.col(node)[rows + share] = 0;
-        values.col(node).segment<rows>(first * rows) = from.points[0].values;
-        if (from.points.size() > 1) values.col(node).segment<rows>((1 - first) * rows) = from.points[1].values;
-        values(ContactTable::height, node) = from.height;
-        values(ContactTable::roll, node) = from.roll;
+        making.lines(), making.jobs, [&](std::size_t k) { line.solve(k % loads, k / loads, found); }, making.done);
+    // 2. The shifts that are on the table
+    std::vector<detail::WheelNodes> nodes;
+    for (std::size_t k = 0; k < sides; ++k) nodes.push_back(std::move(found[k]));
+    std::size_t missing = 0;
+    for (const auto& of : nodes) {
+        missing +=
+            std::size_t(std::count_if(of.begin(), of.end(), [](const auto& node) { return node.patches.empty(); }));
     }
-    if (missing) *missing = double(empty) / double(grid.nodes());
-    // 3. What is not known: between the neighbours where there are both, else as the nearest, else as the other point
-    for (Eigen::Index k = 0; k < grid.yaws; ++k) {
-        auto row = values.middleCols(k * grid.shifts, grid.shifts);
-        const auto known = [&](Eigen::Index i) { return !std::isnan(row(ContactTable::height, i)); };
-        Eigen::Index count = 0;
-        for (Eigen::Index i = 0; i < grid.shifts; ++i) count += known(i);
-        detail::require(2 * count > grid.shifts, "make_contact_table",
-                        "number of positions that carry the load at a yaw", count, "be at least half of them");
-        const auto fill = [&](Eigen::Index first, Eigen::Index size, const auto& given, bool between) {
-            Eigen::Index last = -1;
-            for (Eigen::Index i = 0; i <= grid.shifts; ++i) {
-                if (i < grid.shifts && !given(i)) continue;
-                for (Eigen::Index j = last + 1; j < i; ++j) {
-                    const double t = last < 0 ? 1 : i == grid.shifts ? 0 : double(j - last) / double(i - last);
-                    const double weight = between ? t : t < 0.5 ? 0 : 1;
-                    Eigen::ArrayXd filled = Eigen::ArrayXd::Zero(size);
-                    if (weight < 1) filled += (1 - weight) * row.col(last).segment(first, size);
-                    if (weight > 0) filled += weight * row.col(i).segment(first, size);
-                    const double own = row(first + share, j);
-                    row.col(j).segment(first, size) = filled;
-                    if (!between) row(first + share, j) = own;
+    const double share = double(missing) / double(grid.nodes() * Eigen::Index(sides));
+    const std::size_t out = detail::left_out(grid, nodes), all = grid.shifts.size();
+    detail::require(all >= 2 * out + 5, name, "number of shifts about 0 at which wheels carry their loads",
+                    all - std::min(2 * out, all), "be at least 5: does the wheelset fit the track?");
+    grid.shifts = {grid.shifts.begin() + std::ptrdiff_t(out), grid.shifts.end() - std::ptrdiff_t(out)};
+    // 3. Zones and their rows
+    std::vector<ContactTable::Side> made;
+    for (std::size_t k = 0; k < sides; ++k) {
+        const TrackDimensions& own = dimensions_of(k);
+        const auto& given = making.zones[mirrored ? 1 : k];
+        ContactZones zones;
+        if (given) {
+            zones = *given;
+        } else {
+            detail::WheelNodes judged;  // every second one along all coordinates
+            for (std::size_t load = 0; load < loads; load += 2) {
+                for (std::size_t yaw = 0; yaw < grid.yaws.size(); yaw += 2) {
+                    for (std::size_t i = out; i + out < all; i += 2) {
+                        judged.push_back(nodes[k][std::size_t(making.grid.node(load, yaw, i))]);
+                    }
                 }
-                last = i;
             }
-        };
-        for (Eigen::Index point = 0; point < 2; ++point) {
-            const Eigen::Index first = point * rows;
-            bool any = false;
-            for (Eigen::Index i = 0; i < grid.shifts; ++i) any = any || row(first + share, i) > 0;
-            if (!any) {
-                for (Eigen::Index i = 0; i < grid.shifts; ++i) {
-                    const double own = row(first + share, i);
-                    row.col(i).segment(first, rows) = row.col(i).segment((1 - point) * rows, rows);
-                    row(first + share, i) = own;
-                }
-                continue;
-            }
-            fill(
-                first, rows, [&](Eigen::Index i) { return row(first + share, i) > 0; }, false);
+            zones = detail::ZoneFinder(judged, own, creep, making.jobs).find();
         }
-        fill(0, Eigen::Index(ContactTable::rows), known, true);
+        made.push_back(detail::side_of(grid, nodes[k], out, zones, own, creep, making.jobs));
     }
-    return table(std::move(values));
+    return {ContactTable(std::move(grid), material, std::move(made)), share};
 }
 
 }  // namespace rollbem

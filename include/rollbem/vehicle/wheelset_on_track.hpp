@@ -12,11 +12,16 @@
 #include "../normal/pressure_grid.hpp"
 #include "../normal/wheel_on_rail.hpp"
 #include "../scene/creepage.hpp"
+#include "../scene/mirror.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../scene/wheelset.hpp"
 #include "detail/wheelset_velocity.hpp"
 
 namespace rollbem {
+
+/// The place, in track axes, at which the creepages of a patch are taken and the force and moment of its friction act:
+/// the wheel's at the reference point, which lies below the rail's surface.
+inline std::array<double, 3> creepage_place(const RailPatch& patch) { return patch.place(0, 0, patch.approach); }
 
 namespace detail {
 
@@ -28,16 +33,18 @@ public:
         : patch_(patch), at_(at), radius_(radius), velocity_(velocity_of(at, speeds)) {}
 
     Creepage<double> operator()(double x, double s, double n, double tilt) const {
-        const double sine = std::sin(patch_.angle), cosine = std::cos(patch_.angle);
-        const auto slip = velocity_.slip({patch_.x + x, patch_.y + s * cosine - n * sine - at_.lateral,
-                                          patch_.z + s * sine + n * cosine - (at_.height - radius_)},
-                                         std::sin(patch_.angle + tilt), std::cos(patch_.angle + tilt));
-        return {slip[0], slip[1], velocity_.turn()[2] * cosine - velocity_.turn()[1] * sine};
+        return at(patch_.place(x, s, n), patch_.angle + tilt);
     }
-    /// At the reference point, of the wheel's material, which lies below the rail's surface.
-    Creepage<double> at_reference() const { return (*this)(0, 0, patch_.approach, 0); }
+    Creepage<double> at_reference() const { return at(creepage_place(patch_), patch_.angle); }
 
 private:
+    Creepage<double> at(const std::array<double, 3>& place, double angle) const {
+        const std::array<double, 3> arm{place[0], place[1] - at_.lateral, place[2] - (at_.height - radius_)};
+        const auto slip = velocity_.slip(arm, std::sin(angle), std::cos(angle));
+        const double sine = std::sin(patch_.angle), cosine = std::cos(patch_.angle);
+        return {slip[0], slip[1], velocity_.turn()[2] * cosine - velocity_.turn()[1] * sine};
+    }
+
     const RailPatch& patch_;
     const WheelsetPosition& at_;
     double radius_;
@@ -142,13 +149,10 @@ public:
 
     /// A position as the wheel of one side sees it: reversed for the left one.
     static WheelsetPosition seen_from(Side side, const WheelsetPosition& position) {
-        if (side == Side::right) return position;
-        return {-position.lateral, position.height, -position.roll, -position.yaw, position.along, position.pitch};
+        return mirrored(position, Mirror::of(side));
     }
     static WheelsetSpeeds seen_from(Side side, const WheelsetSpeeds& speeds) {
-        if (side == Side::right) return speeds;
-        return {speeds.forward,  speeds.pitch_rate, -speeds.lateral,
-                speeds.vertical, -speeds.roll_rate, -speeds.yaw_rate};
+        return mirrored(speeds, Mirror::of(side));
     }
 
     /// Where normal forces carry the wheels' vertical loads [N], left and right, at this lateral position and yaw.

@@ -15,7 +15,8 @@ namespace rollbem::detail {
 /// Gaps before deformation [m], positive where the surfaces are apart.
 struct Gaps {
     NormalContact::Grid h;  ///< nx x ny; large where a surface has no point
-    Eigen::ArrayXd rail_n;  ///< of the rail's surface in each row, in the middle column where it changes along x
+    /// n of the rail's surface in each row and its derivative by s, in the middle column where the rail changes along x.
+    Eigen::ArrayXd rail_n, rail_slope;
     /// ok, or why a cell has no gap: end_of_profile or undefined_section.
     Eigen::Array<Status, Eigen::Dynamic, Eigen::Dynamic> known;
     bool all_known = true;
@@ -33,6 +34,8 @@ public:
         height_ = height;
         track_x_ = track_x;
         gaps.h.resize(grid.nx, grid.ny);
+        gaps.rail_n.setZero(grid.ny);
+        gaps.rail_slope.setZero(grid.ny);
         gaps.rail_n.resize(grid.ny);
         gaps.known.setConstant(grid.nx, grid.ny, Status::ok);
         gaps.all_known = true;
@@ -64,11 +67,14 @@ private:
     static constexpr int most = 12;                     // steps of Newton's method
     static constexpr double tiny = 1e-8, apart = 1e-2;  // [m]
 
-    // Surfaces may be steeper than 84 degrees in the plane for a while, not where they are found.
+    // ds in the plane along the curve. Surfaces may be steeper than 84 degrees in the plane for a while, not where they
+    // are found.
+    static double rate(const ContactPlane& plane, const CurvePoint& p) {
+        return (std::max)(p.slope[0] * plane.cosine + p.slope[1] * plane.sine, 0.1);
+    }
     static double step(const ContactPlane& plane, const CurvePoint& p, double off) {
         constexpr double largest = 2e-3;
-        const double rate = (std::max)(p.slope[0] * plane.cosine + p.slope[1] * plane.sine, 0.1);
-        return std::clamp(off / rate, -largest, largest);
+        return std::clamp(off / rate(plane, p), -largest, largest);
     }
 
     // One step to s at the point p of a curve: n there by the curve's tangent, so that its error is of the second order
@@ -96,7 +102,10 @@ private:
             const double x = plane_->x + grid.x(i), s = grid.y(j);
             if (c == 0 || !straight) {
                 rail_known = rail_at(x, s, rail_s_[i], n_rail);
-                if (c == 0) gaps.rail_n[j] = n_rail;
+                if (c == 0) {
+                    gaps.rail_n[j] = n_rail;
+                    gaps.rail_slope[j] = rail_slope(x, rail_s_[i]);
+                }
             }
             double n_wheel = 0;
             const Status wheel_known = wheel_at(x, s, wheel_s_[i], n_wheel);
@@ -117,6 +126,11 @@ private:
             if (std::abs(off) < tiny) break;
         }
         return outcome(place, length, off);
+    }
+
+    double rail_slope(double x, double place) const {
+        const CurvePoint p = geometry_->rail_at(plane_->rail_part, place, track_x_ + x);
+        return (p.slope[1] * plane_->cosine - p.slope[0] * plane_->sine) / rate(*plane_, p);
     }
 
     Status wheel_at(double x, double s, double& place, double& n) const {

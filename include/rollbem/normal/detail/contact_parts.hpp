@@ -39,6 +39,7 @@ struct ContactPart {
     CellGrid grid{};
     Gaps gaps{};  // at the height of the plane
     NormalContact::Solution solution{};
+    double vertical = 0;  // what the pressures carry of a vertical load [N]
 };
 
 class ContactParts {
@@ -116,6 +117,7 @@ public:
                 const double depth = lower * part.plane.cosine;
                 const NormalContact::Grid& h = rounds > 1 ? displaced(k) : part.gaps.h;
                 part.solution = normal_[k].approach(part.grid, h, depth, tolerance, warm || round > 0);
+                part.vertical = vertical_load(k);
             }
         }
     }
@@ -128,8 +130,18 @@ public:
             constexpr double wall = 1e-3;  // a cosine: what stands so steep carries nothing
             ContactPart& part = parts_[0];
             if (!(part.plane.cosine > wall)) return std::nullopt;
-            part.solution =
-                normal_[0].carry(part.grid, part.gaps.h, load / part.plane.cosine, settings_.tolerance, true);
+            // normals turn across the patch, so that the vertical share of the pressures depends a little on the load
+            const double share = part.vertical > 0 ? part.vertical / part.solution.load : part.plane.cosine;
+            double normal = load / share, last = 0, before = 0, rate = 1;
+            for (int k = 0; k < 12; ++k) {
+                part.solution = normal_[0].carry(part.grid, part.gaps.h, normal, settings_.tolerance, true);
+                part.vertical = vertical_load(0);
+                const double missing = std::log(load / part.vertical);
+                if (!is_finite(missing) || std::abs(missing) < settings_.tolerance) break;
+                if (k > 0) rate = std::clamp((before - missing) / std::log(normal / last), 0.3, 3.0);
+                before = missing;
+                last = std::exchange(normal, normal * std::exp(missing / rate));
+            }
             return part.solution.approach / part.plane.cosine;
         }
         // the power 2/3 of a load grows nearly linearly
@@ -154,7 +166,7 @@ public:
     /// The vertical load [N].
     double carried() const {
         double sum = 0;
-        for (const ContactPart& part : parts_) sum += part.solution.load * part.plane.cosine;
+        for (const ContactPart& part : parts_) sum += part.vertical;
         return sum;
     }
     double deepest() const {
@@ -203,6 +215,12 @@ public:
 private:
     std::vector<Region> regions(double height) {
         return geometry_->is_plain() ? silhouette_.regions(height) : slices_.regions(height);
+    }
+
+    double vertical_load(std::size_t k) const {
+        const ContactPart& part = parts_[k];
+        if (!(part.solution.load > 0)) return 0;
+        return detail::vertical_load(normal_[k].pressure(), part.grid, part.gaps.rail_slope, part.plane.angle);
     }
 
     void find_gaps(ContactPart& part) {

@@ -1,0 +1,480 @@
+// Where the wheels of a wheelset touch their rails over shift, yaw and load, from their profiles, as a ContactTable for
+// the time loop of a vehicle; and how far forces by it are from those of the patches:
+//
+//     ./contact_table --output s1002_60e1.contact --jobs 2
+//     ./contact_table --check 200 s1002_60e1.contact
+//     ./contact_table --scan 0.006,0.0002 s1002_60e1.contact --output scan.csv
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <mutex>
+#include <numbers>
+#include <optional>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <rollbem/compiled/wheelset.hpp>
+#include <rollbem/detail/parallel_for.hpp>
+#include <rollbem/vehicle/make_contact_table.hpp>
+
+#include "profile/profile.hpp"
+#include "support/csv.hpp"
+#include "support/input.hpp"
+#include "support/options.hpp"
+#include "support/output.hpp"
+#include "support/progress.hpp"
+#include "support/table.hpp"
+
+namespace {
+
+using rollbem::ContactTable, rollbem::CreepForceTable, rollbem::WheelForces, rollbem::WheelsetForces;
+using rollbem::WheelsetRolling, rollbem::WheelsetSide;
+
+constexpr double friction = 0.3;
+
+/// The wheelset, and the tables that say what acts on it.
+struct Scene {
+    rollbem::WheelsetOnTrack wheelset;
+    bool mirrored;
+    CreepForceTable creep;
+    std::size_t jobs;
+};
+
+Scene read_scene(const study::Options& options) {
+    const rollbem::TrackDimensions dimensions = profile::read_dimensions(options);
+    bool mirrored = true;
+    for (const char* name : {"left-wheel", "left-rail", "left-radius"}) mirrored = mirrored && !options.given(name);
+    rollbem::WheelsetOnTrack wheelset = profile::read_wheelset(options, dimensions);
+    for (const WheelsetSide side : rollbem::WheelsetOnTrack::sides) {
+        const auto& geometry = wheelset.wheel(side).geometry();
+        if (geometry.is_plain()) continue;
+        throw study::BadInput(options.said("rail") + " and " + options.said("wheel") +
+                              " must not change along the way: a contact table has no place along it");
+    }
+    std::string path = options.text("creep");
+    for (const char* folder : {ROLLBEM_TABLES, ROLLBEM_INSTALLED_TABLES}) {
+        std::error_code unknown;
+        const std::string steel = std::string(folder) + "/steel.creep";
+        if (path.empty() && std::filesystem::exists(steel, unknown)) path = steel;
+    }
+    options.require(!path.empty(), "creep", "be given, as steel.creep is not where it was installed");
+    try {
+        return {std::move(wheelset), mirrored, CreepForceTable::read(path), study::job_count(options)};
+    } catch (const std::invalid_argument& error) {
+        throw study::BadInput("--creep: " + std::string(error.what()));
+    }
+}
+
+ContactTable read_table(const study::Options& options, const Scene& scene) {
+    const std::string said = options.said("table");
+    options.require(options.given("table"), "table", "be the file of a contact table");
+    try {
+        ContactTable table = ContactTable::read(options.text("table"));
+        const auto& dimensions = scene.wheelset.wheel().dimensions();
+        const bool same =
+            table.is_mirrored() == scene.mirrored && table.side(WheelsetSide::right).radius == dimensions.radius &&
+            table.shear_modulus() == dimensions.shear_modulus && table.poisson_ratio() == dimensions.poisson_ratio;
+        options.require(same, "table", "be of the wheels, radius and material that the other options say");
+        return table;
+    } catch (const study::BadInput&) {
+        throw;
+    } catch (const std::invalid_argument& error) {
+        throw study::BadInput(said + ": " + error.what());
+    }
+}
+
+// --- making ----------------------------------------------------------------------------------------------------------
+
+/// MIN,MAX,N.
+std::vector<double> read_range(const study::Options& options, const std::string& name) {
+    std::vector<double> parts;
+    for (const std::string& cell : study::cells_of(options.text(name))) {
+        const auto number = study::number_of(cell, ',');
+        options.require(number.has_value() && std::isfinite(*number), name, "be MIN,MAX,N");
+        parts.push_back(*number);
+    }
+    options.require(parts.size() == 3 && parts[0] < parts[1], name, "be MIN,MAX,N with MIN below MAX");
+    options.require(parts[2] == std::floor(parts[2]) && parts[2] >= 2 && parts[2] <= 10001, name,
+                    "have an integer N from 2 to 10001");
+    std::vector<double> nodes;
+    for (double k = 0; k < parts[2]; ++k) {
+        const double from_low = k / (parts[2] - 1);
+        nodes.push_back(parts[0] * (1 - from_low) + parts[1] * from_low);
+    }
+    return nodes;
+}
+
+ContactTable::Grid read_grid(const study::Options& options) {
+    ContactTable::Grid grid;
+    grid.shifts = read_range(options, "shift");
+    options.require(grid.shifts.front() == -grid.shifts.back() && grid.shifts.size() >= 5, "shift",
+                    "have MIN = -MAX and N of at least 5: the left wheel has the opposite shift");
+    options.require(grid.shifts.back() <= 0.1, "shift", "be at most 0.1 m");
+    const std::vector<double> yaws = read_range(options, "yaw");
+    const bool both = yaws.front() == -yaws.back() && yaws.size() % 2 == 1;
+    options.require(both || yaws.front() == 0, "yaw",
+                    "have MIN = 0, or MIN = -MAX and N odd: contacts at -yaw are mirror images");
+    grid.yaws = {yaws.begin() + (both ? std::ptrdiff_t(yaws.size() / 2) : 0), yaws.end()};
+    if (both) grid.yaws[0] = 0;
+    options.require(grid.yaws.size() <= ContactTable::most_yaws && grid.yaws.back() <= 0.3, "yaw",
+                    "have at most 8 nodes from 0 on, up to 0.3 rad: values are polynomials in yaw^2 through all");
+    grid.loads = options.numbers("load", study::positive());
+    std::sort(grid.loads.begin(), grid.loads.end());
+    options.require(grid.loads.size() <= ContactTable::most_loads, "load", "be at most 8");
+    return grid;
+}
+
+/// A list of Y,H: the cuts of the zones.
+std::optional<rollbem::ContactZones> read_zones(const study::Options& options, const std::string& name) {
+    if (!options.given(name)) return std::nullopt;
+    const std::vector<double> numbers = options.numbers(name, study::finite());
+    options.require(numbers.size() % 2 == 0, name, "be pairs of y and half-width");
+    std::vector<rollbem::ContactZones::Cut> cuts;
+    for (std::size_t k = 0; k < numbers.size(); k += 2) cuts.push_back({numbers[k], numbers[k + 1]});
+    try {
+        return rollbem::ContactZones(cuts);
+    } catch (const std::invalid_argument& error) {
+        throw study::BadInput(options.said(name) + ": " + error.what());
+    }
+}
+
+/// Seconds of processor time that a position takes, from one on the tread and one towards the flange.
+double position_seconds(const Scene& scene, const rollbem::ContactTableMaking& making) {
+    const auto start = std::clock();
+    rollbem::ContactTableMaking few = making;
+    few.grid.shifts = {-5e-3, -2.5e-3, 0, 2.5e-3, 5e-3};
+    for (double& shift : few.grid.shifts) shift *= std::min(1.0, making.grid.shifts.back() / 5e-3);
+    few.grid.yaws = {0, making.grid.yaws[1]};
+    few.grid.loads = {making.grid.loads[making.grid.loads.size() / 2]};
+    few.zones = {rollbem::ContactZones(), rollbem::ContactZones()};
+    few.jobs = 1;
+    few.done = [] {};
+    try {
+        make_contact_table(scene.wheelset, scene.creep, scene.mirrored, few);
+    } catch (const std::invalid_argument&) {  // said when the whole is made
+    }
+    return double(std::clock() - start) / CLOCKS_PER_SEC / (scene.mirrored ? 6 : 10);
+}
+
+void make(const study::Options& options) {
+    const ContactTable::Grid grid = read_grid(options);
+    const std::string output = options.text("output");
+    options.require(options.given("output") && output != "-", "output", "be a file: a contact table is not text");
+    const Scene scene = read_scene(options);
+    rollbem::ContactTableMaking making{.grid = grid, .jobs = scene.jobs};
+    making.zones = {read_zones(options, "left-zones"), read_zones(options, "zones")};
+    study::OutputFiles files;
+    study::OutputFile& file = files.open(output, "--output");
+    const std::size_t positions = making.lines() * (scene.mirrored ? grid.shifts.size() / 2 + 1 : grid.shifts.size());
+    if (!options.flag("quiet")) {
+        const double seconds = position_seconds(scene, making) * double(positions) * 1.3;  // and zones
+        std::fprintf(stderr, "%s: %zu positions, about %.0f s of processor time\n", options.program().c_str(),
+                     positions, std::max(seconds, 1.0));
+    }
+    study::Progress progress(options.program(), making.lines(), study::shows_progress(options), "lines");
+    std::size_t done = 0;
+    making.done = [&] { progress.update(++done); };
+    std::optional<rollbem::MadeContactTable> made;
+    try {
+        made = make_contact_table(scene.wheelset, scene.creep, scene.mirrored, making);
+    } catch (const std::invalid_argument& error) {
+        throw study::BadInput(error.what());
+    }
+    progress.clear();
+    std::ostringstream bytes;
+    made->table.write(bytes);
+    file.write(bytes.str());
+    files.commit();
+    if (options.flag("quiet")) return;
+    const double reached = made->table.largest_shift(), asked = grid.shifts.back();
+    if (reached < asked) {
+        std::fprintf(stderr, "%s: shifts end at %.4g mm, as beyond it wheels do not carry their loads\n",
+                     options.program().c_str(), 1e3 * reached);
+    }
+    for (const auto& [side, name] : {std::pair(WheelsetSide::left, "left"), {WheelsetSide::right, "right"}}) {
+        if (scene.mirrored && side == WheelsetSide::left) continue;
+        std::string text;
+        for (const auto& cut : made->table.side(side).zones.cuts()) {
+            text += (text.empty() ? "" : ",") + study::Cell(cut.y).text(6) + "," + study::Cell(cut.half_width).text(6);
+        }
+        std::fprintf(stderr, "%s: zones of the %s wheel: %s\n", options.program().c_str(),
+                     scene.mirrored ? "right" : name, text.empty() ? "one" : text.c_str());
+    }
+}
+
+// --- beside patches --------------------------------------------------------------------------------------------------
+
+/// Wheels rolling by patches and by table: F_x, F_y, M_z over support_y, of each wheel.
+struct Compared {
+    std::array<Eigen::Array3d, 2> patches, table;
+    std::array<int, 2> points{};
+    double power = 0, heat = 0;  ///< what forces of the table take from the motion, and what becomes heat [W]
+    std::string status = "ok";
+};
+
+Eigen::Array3d judged(double f_x, double f_y, double m_z) { return {f_x, f_y, m_z / ContactTable::support_y}; }
+
+/// In steady rolling through a curve, where normal forces do no work.
+void add_power(const Scene& scene, const ContactTable& table, const WheelsetRolling& rolling, Compared& result) {
+    constexpr double curve = 300;  // [m]
+    const rollbem::WheelsetSpeeds speeds{.forward = rolling.speeds.forward,
+                                         .pitch_rate = rolling.speeds.pitch_rate,
+                                         .yaw_rate = rolling.speeds.forward / curve};
+    rollbem::WheelsetPosition at = rolling.position;
+    at.roll = table.on_rails(at.lateral, at.yaw, rolling.loads).roll;
+    const auto velocity = rollbem::detail::velocity_of(at, speeds);
+    for (const WheelsetSide side : rollbem::WheelsetOnTrack::sides) {
+        const WheelForces now =
+            table.look_up(scene.creep, side, at, speeds, {rolling.loads[std::size_t(side)], at.roll}, friction);
+        for (std::size_t i = 0; i < 3; ++i) {
+            result.power -=
+                now.force[Eigen::Index(i)] * velocity.middle()[i] + now.force[Eigen::Index(i + 3)] * velocity.turn()[i];
+        }
+        result.heat += now.heat;
+    }
+}
+
+Compared compare(const Scene& scene, const ContactTable& table, WheelsetRolling rolling) {
+    rollbem::WheelsetOnTrack::Workspace workspace;
+    const WheelsetForces patches = rolling_forces(scene.wheelset, rolling, {.coefficient = friction}, workspace);
+    Compared result;
+    if (!has_numbers(patches.contacts.status)) {
+        result.status = name(patches.contacts.status);
+        return result;
+    }
+    rolling.speeds.pitch_rate = patches.pitch_rate;
+    const rollbem::WheelsetPosition& at = rolling.position;
+    const double roll = table.on_rails(at.lateral, at.yaw, rolling.loads).roll;
+    for (const WheelsetSide side : rollbem::WheelsetOnTrack::sides) {
+        const auto k = std::size_t(side);
+        for (const auto& patch : patches.patches[k]) {
+            if (patch.status != rollbem::StepStatus::ok) result.status = name(patch.status);
+        }
+        const bool equal = rolling.loads[0] == rolling.loads[1];
+        const WheelForces now = table.look_up(scene.creep, side, at, rolling.speeds,
+                                              {rolling.loads[k], equal ? std::nullopt : std::optional(roll)}, friction);
+        if (now.status != rollbem::StepStatus::ok) result.status = name(now.status);
+        const auto& wrench = patches.on_wheel[k];
+        result.patches[k] = judged(wrench.force[0], wrench.force[1], wrench.moment[2]);
+        result.table[k] = judged(now.force[0], now.force[1], now.force[5]);
+        for (const auto& point : now.points) result.points[k] += point.load_share > 0;
+    }
+    add_power(scene, table, rolling, result);
+    return result;
+}
+
+/// Mean, largest, and the share below which 95 % are.
+std::string summary(std::vector<double> all) {
+    if (all.empty()) return "none";
+    std::sort(all.begin(), all.end());
+    double sum = 0;
+    for (const double one : all) sum += one;
+    const auto text = [](double value) { return study::Cell(value).text(3); };
+    return "mean " + text(sum / double(all.size())) + ", 95 % below " + text(all[(all.size() - 1) * 95 / 100]) +
+           ", largest " + text(all.back());
+}
+
+/// A random scene: shift to the table's largest or 6.1 mm, yaw to 10 mrad, equal loads within those of the table,
+/// creepages that would need 0.05 to 5 mu N in the linear law, in a random direction.
+WheelsetRolling random_scene(const ContactTable& table, double radius, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> uniform;
+    constexpr double speed = 20, widest = 6.1e-3, turned = 10e-3;
+    WheelsetRolling rolling;
+    rolling.position.lateral = std::min(widest, table.largest_shift()) * (2 * uniform(random) - 1);
+    rolling.position.yaw = std::min(turned, table.largest_yaw()) * (2 * uniform(random) - 1);
+    const auto& loads = table.grid().loads;
+    const double load = loads.front() * std::pow(loads.back() / loads.front(), uniform(random));
+    rolling.loads = {load, load};
+    const double size = 0.05 * std::pow(100, uniform(random)), direction = 2 * std::numbers::pi * uniform(random);
+    const double unit = size * friction * load / (table.shear_modulus() * 3.5e-5 * 4);  // c11, c22 are about 4
+    rolling.free_pitch = false;
+    rolling.speeds = {.forward = speed,
+                      .pitch_rate = -speed / radius * (1 - unit * std::cos(direction)),
+                      .lateral = speed * (rolling.position.yaw + unit * std::sin(direction))};
+    const auto rails = table.on_rails(rolling.position.lateral, rolling.position.yaw, rolling.loads);
+    rolling.speeds.vertical = rails.height_by_lateral * rolling.speeds.lateral;
+    rolling.speeds.roll_rate = rails.roll_by_lateral * rolling.speeds.lateral;
+    return rolling;
+}
+
+int check(const study::Options& options) {
+    const Scene scene = read_scene(options);
+    const ContactTable table = read_table(options, scene);
+    const auto count = std::size_t(options.integer("check", 1, 1'000'000));
+    std::vector<Compared> compared(count);
+    std::vector<double> loads(count);
+    std::size_t done = 0;
+    study::Progress progress(options.program(), count, study::shows_progress(options), "scenes");
+    rollbem::detail::parallel_for(
+        count, scene.jobs,
+        [&](std::size_t i) {
+            const WheelsetRolling rolling = random_scene(table, scene.wheelset.wheel().dimensions().radius, i + 1);
+            loads[i] = rolling.loads[0];
+            compared[i] = compare(scene, table, rolling);
+        },
+        [&] { progress.update(++done); });
+    progress.clear();
+    std::array<std::vector<double>, 3> differences;
+    std::vector<double> powers;
+    std::size_t without = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Compared& one = compared[i];
+        without += one.status != "ok";
+        if (one.status != "ok") continue;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const Eigen::Array3d difference = (one.table[k] - one.patches[k]).abs() / (friction * loads[i]);
+            for (std::size_t row = 0; row < 3; ++row) differences[row].push_back(difference[Eigen::Index(row)]);
+        }
+        powers.push_back(std::abs(one.power / one.heat - 1));
+    }
+    study::OutputFile output = study::OutputFile::standard_output();
+    output.write("scenes " + std::to_string(count) + ", without a result " + std::to_string(without) + "\n");
+    output.write("F_x over mu Q: " + summary(differences[0]) + "\n");
+    output.write("F_y over mu Q: " + summary(differences[1]) + "\n");
+    output.write("M_z over 0.75 m mu Q: " + summary(differences[2]) + "\n");
+    output.write("power of the forces over the creep work, less 1: " + summary(powers) + "\n");
+    output.commit();
+    return powers.empty() ? study::exit_failed : study::exit_ok;
+}
+
+struct Position {
+    double load, yaw, shift;
+    std::string label() const { return "shift = " + study::Cell(shift).text(4) + " m"; }
+};
+
+std::vector<Position> scan_positions(const study::Options& options, const ContactTable& table) {
+    const auto range = options.pair("scan");
+    options.require(range && range->first > 0 && range->second > 0 && range->first / range->second <= 1e6, "scan",
+                    "be SHIFT_MAX,STEP with at most 1e6 steps");
+    options.require(range->first <= table.largest_shift(), "scan",
+                    "end within the table, at " + study::Cell(table.largest_shift()).text(6));
+    std::vector<double> loads;
+    const auto& nodes = table.grid().loads;
+    for (std::size_t l = 0; l < nodes.size(); ++l) {
+        if (l > 0) loads.push_back((nodes[l - 1] + nodes[l]) / 2);
+        loads.push_back(nodes[l]);
+    }
+    std::vector<Position> positions;
+    const auto steps = int(std::floor(range->first / range->second * (1 + 1e-9)));
+    for (const double load : loads) {
+        for (const double yaw : {-8e-3, -3e-3, 0.0, 3e-3, 8e-3}) {
+            if (std::abs(yaw) > table.largest_yaw()) continue;
+            for (int i = 0; i <= steps; ++i) positions.push_back({load, yaw, i * range->second});
+        }
+    }
+    return positions;
+}
+
+void scan(const study::Options& options) {
+    const Scene scene = read_scene(options);
+    const ContactTable table = read_table(options, scene);
+    const std::vector<Position> positions = scan_positions(options, table);
+    study::Table rows = study::table_of(
+        study::cells_of("load,yaw,shift,side,table_force_x,table_force_y,table_moment_z,patch_force_x,patch_force_y,"
+                        "patch_moment_z,points,status"),
+        positions, 2);
+    std::array<double, 3> sum{}, largest{};
+    std::size_t count = 0;
+    std::mutex mutex;
+    rows.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
+        const Position& at = positions[task];
+        WheelsetRolling rolling{.position = {.lateral = at.shift, .yaw = at.yaw}, .loads = {at.load, at.load}};
+        const Compared found = compare(scene, table, rolling);
+        for (std::size_t k = range.first; k < range.last; ++k) {
+            study::Row row{at.load, at.yaw, at.shift, k == 0 ? "left" : "right"};
+            for (const auto& forces : {found.table[k], found.patches[k]}) {
+                for (Eigen::Index i = 0; i < 3; ++i) {
+                    const double value = i == 2 ? forces[i] * ContactTable::support_y : forces[i];
+                    row.push_back(found.status == "ok" ? study::Cell(value) : study::Cell());
+                }
+            }
+            row.emplace_back(found.points[k]);
+            row.emplace_back(found.status);
+            emit(std::move(row));
+            if (found.status != "ok") continue;
+            const std::lock_guard lock(mutex);
+            ++count;
+            for (Eigen::Index i = 0; i < 3; ++i) {
+                const double error = std::abs(found.table[k][i] - found.patches[k][i]) / (friction * at.load);
+                sum[std::size_t(i)] += error;
+                largest[std::size_t(i)] = std::max(largest[std::size_t(i)], error);
+            }
+        }
+    };
+    study::write_table(options, rows);
+    std::fprintf(stderr, "%s: over mu Q, mean and largest: F_x %.4f %.4f, F_y %.4f %.4f, M_z/0.75 m %.4f %.4f\n",
+                 options.program().c_str(), sum[0] / double(count), largest[0], sum[1] / double(count), largest[1],
+                 sum[2] / double(count), largest[2]);
+}
+
+constexpr const char* help = R"(Example: a table of S1002 on 60E1, by two threads; then beside patches
+  contact_table --output s1002_60e1.contact --jobs 2
+  contact_table --check 200 s1002_60e1.contact --jobs 2
+  contact_table --scan 0.006,0.0002 s1002_60e1.contact --output scan.csv
+
+The file is for ContactTable::read, rollbem_contact_table_open and the wheelset FMU. At each node both wheels carry the
+load with normal forces. Along shift and load values are local cubics, over the yaw polynomials in yaw^2, as contacts at
+-yaw are the mirror images of those at yaw. Shifts end where wheels no longer carry their loads.
+The rail is parted into at most four zones by smooth weights; where is found by the program, or said by --zones.
+--check: |shift| <= 6.1 mm, |yaw| <= 10 mrad, equal loads within those of the table, creepages of linear forces from
+0.05 to 5 mu N in a random direction, mu = 0.3; 20 m/s. Prints differences of F_x, F_y and M_z (about the middle of the
+axle, over 0.75 m) from rolling_forces over mu Q, and by how much the power of the table's forces on the rigid motion,
+in a curve of 300 m, differs from the creep work.
+--scan: a row for each load (those of the table and halfway between), yaw (0, 3 and 8 mrad, both signs), shift and side;
+straight track, free pitch, mu = 0.3. Forces and moment act on the wheel, in track axes about the middle of the axle
+[N], [N m]. points counts those with load. At the end one line on standard error has mean and largest differences over
+mu Q.
+)";
+
+void add_options(study::Options& options) {
+    for (const char* group : {"Discretisation", "Contact"}) {
+        options.refuse_group(group, "a table is made from profiles", {"poisson"});
+    }
+    profile::add_profile_options(options);
+    profile::add_track_options(options);
+    options.refuse("rail-origin", "wheelsets stand on rails with a gauge");
+    options.refuse("roller-radius", "wheelsets stand on straight rails");
+    options.group("Table");
+    options.add("load", "LIST", "vertical loads of each wheel, 1 to 8 [N]", "40000,65000,100000,160000");
+    options.add("shift", "MIN,MAX,N", "lateral shifts of the wheelset, MIN = -MAX [m]", "-0.009,0.009,361");
+    options.add("yaw", "MIN,MAX,N", "yaw angles, MIN = 0 or -MAX [rad]", "0,0.015,4");
+    options.add("zones", "LIST", "y and half-width of each cut between zones, in track axes [m]; default: found");
+    options.add("left-zones", "LIST", "the same of the left wheel, as a right one; default: found");
+    options.add_input("creep", "table of creep forces that it will be used with; default: that of steel");
+    options.add("check", "N", "beside patches in N random scenes, 1 to 1000000, instead of making one (dimensionless)");
+    options.add("scan", "SHIFT_MAX,STEP", "beside patches over shift, yaw and load, instead of making one [m]");
+    options.add_argument("table", "the contact table for --check and --scan").only_with({"check", "scan"});
+    options.not_with({"scan"}, "check");
+    options.not_with({"load", "shift", "yaw", "zones", "left-zones"}, "check");
+    options.not_with({"load", "shift", "yaw", "zones", "left-zones"}, "scan");
+    options.only_with({"left-zones"}, {"left-wheel", "left-rail", "left-radius"});
+    options.refuse("plot", "draw contacts with profile_study");
+    options.footer(help);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    study::Options options("contact_table", "Contacts of a wheelset on its rails, as a table for look-up.");
+    add_options(options);
+    return study::run_program(options, argc, argv, [](const study::Options& given) {
+        if (given.given("check")) return check(given);
+        if (given.given("scan")) {
+            scan(given);
+        } else {
+            make(given);
+        }
+        return int(study::exit_ok);
+    });
+}

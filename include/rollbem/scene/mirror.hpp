@@ -1,0 +1,88 @@
+// Mirror: reflections of a wheelset, its motion and its forces, by which a left wheel is a right one, and rolling
+// backwards is rolling forward.
+#pragma once
+
+#include <array>
+
+#include "../types.hpp"
+#include "creepage.hpp"
+#include "force.hpp"
+#include "outline.hpp"
+#include "wheelset.hpp"
+
+namespace rollbem {
+
+/// A reflection that reverses x, y, both or neither of the track's axes, and so x and s of planes of contact. It is its
+/// own inverse. mirrored(value, mirror) is the image of a value.
+class Mirror {
+public:
+    constexpr Mirror() = default;  ///< of which everything is its own image
+
+    static constexpr Mirror along_track() { return {-1, 1}; }   ///< reverses x, and so the direction of rolling
+    static constexpr Mirror across_track() { return {1, -1}; }  ///< reverses y: left and right
+    /// In which a wheel is a right one.
+    static constexpr Mirror of(WheelsetSide side) { return side == WheelsetSide::left ? across_track() : Mirror(); }
+
+    /// Signs of the components along x, y, z of a place, velocity or force, and
+    constexpr std::array<double, 3> of_vector() const { return {x_, y_, 1}; }
+    /// of the turns, rates and moments about them, which are those of a product of two vectors.
+    constexpr std::array<double, 3> of_turn() const { return {y_, x_, x_ * y_}; }
+
+private:
+    constexpr Mirror(double x, double y) : x_(x), y_(y) {}
+
+    double x_ = 1, y_ = 1;
+};
+
+inline WheelsetPosition mirrored(WheelsetPosition position, const Mirror& mirror) {
+    const auto [x, y, z] = mirror.of_vector();
+    const auto [about_x, about_y, about_z] = mirror.of_turn();
+    position.along *= x;
+    position.lateral *= y;
+    position.height *= z;
+    position.roll *= about_x;
+    position.pitch *= about_y;
+    position.yaw *= about_z;
+    return position;
+}
+
+inline WheelsetSpeeds mirrored(WheelsetSpeeds speeds, const Mirror& mirror) {
+    const auto [x, y, z] = mirror.of_vector();
+    const auto [about_x, about_y, about_z] = mirror.of_turn();
+    speeds.forward *= x;
+    speeds.lateral *= y;
+    speeds.vertical *= z;
+    speeds.roll_rate *= about_x;
+    speeds.pitch_rate *= about_y;
+    speeds.yaw_rate *= about_z;
+    return speeds;
+}
+
+template <class Scalar>
+Creepage<Scalar> mirrored(const Creepage<Scalar>& creepage, const Mirror& mirror) {
+    return {mirror.of_vector()[0] * creepage.longitudinal, mirror.of_vector()[1] * creepage.lateral,
+            mirror.of_turn()[2] * creepage.spin};
+}
+
+template <class Scalar>
+TangentialForce<Scalar> mirrored(const TangentialForce<Scalar>& force, const Mirror& mirror) {
+    return {mirror.of_vector()[0] * force.longitudinal, mirror.of_vector()[1] * force.lateral,
+            mirror.of_turn()[2] * force.moment};
+}
+
+template <class Scalar>
+Outline<Scalar> mirrored(const Outline<Scalar>& outline, const Mirror& mirror) {
+    const auto [x, y, z] = mirror.of_vector();
+    ArrayX<Scalar> lines = outline.y(), trailing = lines, leading = lines;
+    const Eigen::Index last = lines.size() - 1;
+    for (Eigen::Index i = 0; i <= last; ++i) {
+        const Scalar from = outline.y()[y < 0 ? last - i : i];
+        const Scalar ends[] = {outline.trailing(from), outline.leading(from)};
+        lines[i] = Scalar(y) * from;
+        trailing[i] = Scalar(x) * ends[x < 0 ? 1 : 0];
+        leading[i] = Scalar(x) * ends[x < 0 ? 0 : 1];
+    }
+    return {lines, trailing, leading};
+}
+
+}  // namespace rollbem

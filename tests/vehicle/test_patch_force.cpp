@@ -1,0 +1,171 @@
+// rollbem/scene/mirror.hpp, vehicle/patch_elements.hpp, vehicle/patch_force.hpp
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <rollbem/compiled/wheelset.hpp>
+#include <rollbem/scene/mirror.hpp>
+#include <rollbem/vehicle/patch_elements.hpp>
+#include <rollbem/vehicle/patch_force.hpp>
+
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace rollbem;
+
+const WheelOnRail& wheel() {
+    static const WheelOnRail standard(s1002(), rail_uic60());
+    return standard;
+}
+
+/// The right wheel at the gauge corner: the outline and the pressures have two lobes.
+struct Scene {
+    WheelsetPosition at;
+    WheelsetSpeeds speeds{2, -4.35, 1e-3, 2e-3, 3e-3, 4e-3};
+    RailPatch patch;
+
+    explicit Scene(double lateral = 5e-3) {
+        WheelsetOnTrack::Workspace workspace;
+        const auto contacts = WheelsetOnTrack(wheel()).solve({.lateral = lateral, .yaw = -3e-3}, {1e5, 1e5}, workspace);
+        REQUIRE(has_numbers(contacts.status));
+        at = contacts.seen(WheelsetSide::right);
+        patch = contacts.wheels[1].patches.at(0);
+    }
+};
+
+TEST_CASE("A mirror image of a mirror image is the original", "[profiles]") {
+    const Scene scene;
+    const Mirror mirror = GENERATE(Mirror::along_track(), Mirror::across_track());
+    const RailPatch twice = mirrored(mirrored(scene.patch, mirror), mirror);
+    CHECK(twice.x == scene.patch.x);
+    CHECK(twice.y == scene.patch.y);
+    CHECK(twice.angle == scene.patch.angle);
+    CHECK((twice.pressure == scene.patch.pressure).all());
+    CHECK((twice.rail_n == scene.patch.rail_n).all());
+    CHECK((twice.rail_slope == scene.patch.rail_slope).all());
+    CHECK(twice.grid.x_0 == Approx(scene.patch.grid.x_0));
+    CHECK(twice.grid.y_0 == Approx(scene.patch.grid.y_0));
+    CHECK((twice.outline->y() == scene.patch.outline->y()).all());
+    for (const double y : scene.patch.outline->y()) {
+        CHECK(twice.outline->leading(y) == scene.patch.outline->leading(y));
+        CHECK(twice.outline->trailing(y) == scene.patch.outline->trailing(y));
+    }
+}
+
+TEST_CASE("Creepages of a mirror image are mirror images of creepages, and forces on them", "[profiles]") {
+    const Scene scene;
+    const Mirror mirror = GENERATE(Mirror::along_track(), Mirror::across_track());
+    const RailPatch patch = mirrored(scene.patch, mirror);
+    const WheelsetPosition at = mirrored(scene.at, mirror);
+    const WheelsetSpeeds speeds = mirrored(scene.speeds, mirror);
+    const Creepage<double> own = mirrored(creepage_of(patch, at, speeds, 0.46), mirror),
+                           expected = creepage_of(scene.patch, scene.at, scene.speeds, 0.46);
+    CHECK(own.longitudinal == Approx(expected.longitudinal));
+    CHECK(own.lateral == Approx(expected.lateral));
+    CHECK(own.spin == Approx(expected.spin));
+
+    const RollingFriction friction{.elements = 6, .strips = 7};
+    const PatchForce force = patch_force(scene.patch, scene.at, scene.speeds, wheel().dimensions(), friction),
+                     image = mirrored(patch_force(patch, at, speeds, wheel().dimensions(), friction), mirror);
+    CHECK(image.force.longitudinal == Approx(force.force.longitudinal).epsilon(1e-9));
+    CHECK(image.force.lateral == Approx(force.force.lateral).epsilon(1e-9));
+    CHECK(image.force.moment == Approx(force.force.moment).epsilon(1e-9));
+    CHECK((image.edges - force.edges).abs().maxCoeff() < 1e-12);
+
+    const Wrench wrench = wrench_of(scene.patch, force, 0.1, 0.2);
+    const double y = mirror.of_vector()[1] * 0.1;
+    const Wrench turned = mirrored(wrench_of(patch, mirrored(force, mirror), y, 0.2), mirror);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(turned.force[i] == Approx(wrench.force[i]));
+        CHECK(turned.moment[i] == Approx(wrench.moment[i]));
+    }
+}
+
+TEST_CASE("Pressures act along the normals of the rail's surface", "[profiles]") {
+    const Scene scene;
+    const RailPatch& patch = scene.patch;
+    Wrench sum;
+    for (Eigen::Index j = 0; j < patch.grid.ny; ++j) {
+        for (Eigen::Index i = 0; i < patch.grid.nx; ++i) {
+            if (!(patch.pressure(i, j) > 0)) continue;
+            // the cell's own part of the rail, by its profile
+            const double angle = patch.angle + std::atan(patch.rail_slope[j]),
+                         area = patch.grid.dx * patch.grid.dy / std::cos(angle - patch.angle);
+            const auto place = patch.place(patch.grid.x(i), patch.grid.y(j), patch.rail_n[j]);
+            double s = patch.rail_s + patch.grid.y(j);
+            CurvePoint rail{};
+            for (int k = 0; k < 10; ++k) {
+                rail = wheel().geometry().rail_at(0, s, 0);
+                s += ((place[1] - rail.y) * rail.slope[0] + (place[2] - rail.z) * rail.slope[1]) /
+                     (rail.slope[0] * rail.slope[0] + rail.slope[1] * rail.slope[1]);
+            }
+            REQUIRE(std::atan2(rail.slope[1], rail.slope[0]) == Approx(angle).margin(1e-6));
+            const double force = patch.pressure(i, j) * area;
+            sum += Wrench::at(place, {0, force * std::sin(angle), -force * std::cos(angle)});
+        }
+    }
+    const Wrench own = pressure_wrench_of(patch, 0, 0);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(own.force[i] == Approx(sum.force[i]).margin(1e-6));
+        CHECK(own.moment[i] == Approx(sum.moment[i]).margin(1e-6));
+    }
+    CHECK(patch.vertical_load() == Approx(1e5).epsilon(1.01e-6));
+}
+
+TEST_CASE("The strips of a patch with two lobes are less than a third of the narrower one", "[profiles]") {
+    struct Lobes {
+        double second, width;  // height over that of the first, which is 0.1 wide, and width
+        Eigen::Index strips;
+    };
+    const Lobes lobes = GENERATE(Lobes{1, 0.9, 25}, Lobes{0.2, 0.9, 25}, Lobes{0.02, 0.9, 13}, Lobes{0, 0.9, 13});
+    RailPatch patch;
+    patch.status = Status::ok;
+    patch.outline.emplace(Eigen::ArrayXd{{0, 1}}, Eigen::ArrayXd{{-1, -1}}, Eigen::ArrayXd{{1, 1}});
+    patch.grid = {1, 200, 0, 0.0025, 1, 0.005};
+    patch.pressure.resize(1, 200);
+    for (Eigen::Index j = 0; j < 200; ++j) {
+        const auto parabola = [&](double low, double width) {
+            const double y = (patch.grid.y(j) - low) / width;
+            return std::max(0.0, 4 * y * (1 - y));
+        };
+        patch.pressure(0, j) = parabola(0, 0.1) + lobes.second * parabola(0.1, lobes.width);
+    }
+    CHECK(elements_for(patch).strips == lobes.strips);
+    CHECK(elements_for(patch).along == 12);
+}
+
+TEST_CASE("Friction of a patch with two lobes is nearer to that on many strips than on 13", "[profiles]") {
+    const Scene scene(4.95e-3);
+    WheelsetSpeeds speeds{.forward = 20};
+    speeds.pitch_rate = -20 / scene.patch.rolling_radius;
+    const auto force = [&](const RollingFriction& friction) {
+        return patch_force(scene.patch, scene.at, speeds, wheel().dimensions(), friction).force.longitudinal /
+               (0.3 * scene.patch.load);
+    };
+    const double fine = force({.elements = 12, .strips = 31});
+    CHECK(std::abs(force({}) - fine) < 3e-3);
+    CHECK(std::abs(force({.elements = 12, .strips = 13}) - fine) > 5e-3);
+}
+
+TEST_CASE("Strips are taken away until friction is solved, down to 5, or once where there are fewer", "[profiles]") {
+    const PatchContact<double> contact({1e-3, 1e-3, 8.2e10, 0.28});
+    std::vector<Eigen::Index> tried;
+    const auto until = [&](Eigen::Index strips, Eigen::Index solved) {
+        tried.clear();
+        return with_fewer_strips(contact, {4, strips}, [&](const PatchMesh<double>& mesh) {
+            tried.push_back(mesh.strip_count());
+            return mesh.strip_count() == solved;
+        });
+    };
+    CHECK(until(9, 7));
+    CHECK(tried == std::vector<Eigen::Index>{9, 7});
+    CHECK_FALSE(until(8, 1));
+    CHECK(tried == std::vector<Eigen::Index>{8, 6});
+    CHECK_FALSE(until(3, 1));
+    CHECK(tried == std::vector<Eigen::Index>{3});
+}
+
+}  // namespace
