@@ -137,7 +137,12 @@ ContactTable::Grid read_grid(const study::Options& options) {
 /// A list of Y,H: the cuts of the zones.
 std::optional<rollbem::ContactZones> read_zones(const study::Options& options, const std::string& name) {
     if (!options.given(name)) return std::nullopt;
-    const std::vector<double> numbers = options.numbers(name, study::finite());
+    std::vector<double> numbers;
+    for (const std::string& cell : study::cells_of(options.text(name))) {
+        const auto number = study::number_of(cell, ',');
+        options.require(number.has_value() && std::isfinite(*number), name, "be pairs of y and half-width");
+        numbers.push_back(*number);
+    }
     options.require(numbers.size() % 2 == 0, name, "be pairs of y and half-width");
     std::vector<rollbem::ContactZones::Cut> cuts;
     for (std::size_t k = 0; k < numbers.size(); k += 2) cuts.push_back({numbers[k], numbers[k + 1]});

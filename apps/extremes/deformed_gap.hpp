@@ -52,12 +52,12 @@ private:
 
 /// What the pressures of a patch displace both surfaces by at (x, y, z), along its normal [m].
 inline double displacement(const rollbem::RailPatch& patch, double compliance, double x, double y, double z) {
-    constexpr double pi = std::numbers::pi;
     const double s = (y - patch.y) * std::cos(patch.angle) + (z - patch.z) * std::sin(patch.angle), here = x - patch.x;
     const rollbem::CellGrid& grid = patch.grid;
     const double beyond = (std::max)(std::abs(here - grid.x(grid.nx / 2)) / (double(grid.nx) * grid.dx),
                                      std::abs(s - grid.y(grid.ny / 2)) / (double(grid.ny) * grid.dy));
-    if (beyond > 1.5) return compliance * patch.load / (pi * std::hypot(x - patch.x, y - patch.y, z - patch.z));
+    if (beyond > 1.5)
+        return compliance * patch.load / (std::numbers::pi * std::hypot(x - patch.x, y - patch.y, z - patch.z));
     const auto corner = [](double a, double b) {
         return (a == 0 ? 0 : a * std::asinh(b / std::abs(a))) + (b == 0 ? 0 : b * std::asinh(a / std::abs(b)));
     };
@@ -74,7 +74,7 @@ inline double displacement(const rollbem::RailPatch& patch, double compliance, d
                               corner(dx + grid.dx / 2, dy - grid.dy / 2) + corner(dx - grid.dx / 2, dy - grid.dy / 2));
         }
     }
-    return sum * compliance / pi;
+    return sum * compliance / std::numbers::pi;
 }
 
 /// The least gap between a round wheel and a straight rail after the displacements of all patches [m], each seen by

@@ -3,7 +3,7 @@
 # that take long have tests of their own. Usage: commands.sh FOLDER-OF-PROGRAMS PAGE...
 pages=$(shift && realpath "$@")
 . "$(dirname "$0")/../apps/functions.sh"
-ln -s "$programs"/*_study "$programs/creep_table" .
+ln -s "$programs"/*_study "$programs"/*_table .
 # shellcheck disable=SC2086 # no page's path has a space
 grep -hE '^(\||- )' $pages | grep -oE '`\./[^`]+`' | tr -d '`' | sort -u >commands
 [ "$(wc -l <commands)" -gt 20 ] || fail "too few commands: $(cat commands)"

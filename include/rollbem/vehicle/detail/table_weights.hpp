@@ -1,6 +1,8 @@
 // Weights of the nodes of a contact table along its three coordinates, with their derivatives. All are C1.
 #pragma once
 
+#include "../../detail/language.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-// The look-up of a wheel's forces in a ContactTable, step by step. Internal; included by contact_table.hpp.
+// The look-up of a wheel's forces in a ContactTable, step by step. Internal; include vehicle/contact_table.hpp.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include <Eigen/Core>
 #include <unsupported/Eigen/AutoDiff>
 
-#include "../contact_table.hpp"
+#include "contact_table.hpp"
 #include "wheelset_velocity.hpp"
 
 namespace rollbem::detail {
@@ -212,6 +212,7 @@ private:
         std::array<Dual, 3> force;  // in the plane, and moment about its normal
         Dual normal, sine, cosine;
         std::array<Dual, 3> arm;
+        double rolling = 0;  // V [m/s]
     };
 
     /// Forces of one zone under its normal load.
@@ -234,6 +235,7 @@ private:
         const double root = std::cbrt(N.value());
         point.peak_pressure = of.value[peak] * root;
         found.force.fill(constant(0));
+        found.rolling = 0;
         if (!(reference.value() >= (std::numeric_limits<double>::min)())) {
             stands_ = true;
             return StepStatus::ok;
@@ -251,7 +253,7 @@ private:
         point.ellipse = PatchContact<double>({a.value(), b.value(), table_.shear_modulus(), table_.poisson_ratio()});
         const StepStatus status = creep_forces(point.ellipse, own, {N, mu, a, b, reference}, found.force);
         point.creepage = {along_ * creepage[0].value(), creepage[1].value(), along_ * creepage[2].value()};
-        rolling_ = reference.value();
+        found.rolling = reference.value();
         return status;
     }
 
@@ -358,13 +360,18 @@ private:
             const StepStatus status = press(zones_[k], point, load, friction_.factor[k], contacts_[k]);
             if (status != StepStatus::ok) return status;
             excess_ -= contacts_[k].force[1] * contacts_[k].sine;
-            point.force = {along_ * contacts_[k].force[0].value(), contacts_[k].force[1].value(),
-                           along_ * contacts_[k].force[2].value()};
-            point.heat =
-                -rolling_ * (point.force.longitudinal * point.creepage.longitudinal +
-                             point.force.lateral * point.creepage.lateral + point.force.moment * point.creepage.spin);
         }
         return StepStatus::ok;
+    }
+
+    /// Forces and heat of a point after the last step.
+    void settle(WheelForces::Point& point, const Contact& of, double change) const {
+        const auto settled = [&](const Dual& one) { return one.value() - one.derivatives()[by_sum] * change; };
+        point.normal_load = settled(of.normal);
+        point.force = {along_ * settled(of.force[0]), settled(of.force[1]), along_ * settled(of.force[2])};
+        point.heat =
+            -of.rolling * (point.force.longitudinal * point.creepage.longitudinal +
+                           point.force.lateral * point.creepage.lateral + point.force.moment * point.creepage.spin);
     }
 
     /// The wrench, with the sum of normal loads as that function of the inputs which keeps the excess at 0; it falls by
@@ -384,6 +391,7 @@ private:
             wrench[3] += r_y * f_z - r_z * f_y;
             wrench[4] += r_z * f_x - r_x * f_z - of.force[2] * of.sine;
             wrench[5] += r_x * f_y - r_y * f_x + of.force[2] * of.cosine;
+            settle(result_.points[k], of, change);
             result_.heat += result_.points[k].heat;
         }
         for (Dual& one : wrench) {
@@ -414,7 +422,7 @@ private:
     const ContactTable::Stored* side_ = nullptr;
     WheelForces result_;
     std::array<double, WheelForces::inputs> inputs_{};
-    double mirror_ = 1, along_ = 1, rolling_ = 0;
+    double mirror_ = 1, along_ = 1;
     bool has_roll_ = false, stands_ = false;
     Dual shift_, excess_;
     ContactTable::Cell cell_{0, {0, 0, 1}, {}};

@@ -1,0 +1,589 @@
+// ContactTable: its numbers, how they are interpolated, and files. Internal; include vehicle/contact_table.hpp.
+#pragma once
+
+#include "../../detail/language.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <istream>
+#include <limits>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../../detail/checked_stream.hpp"
+#include "../../detail/finite.hpp"
+#include "../../detail/require.hpp"
+#include "../../scene/creepage.hpp"
+#include "../../scene/force.hpp"
+#include "../../scene/patch_contact.hpp"
+#include "../../scene/wheelset.hpp"
+#include "../../status.hpp"
+#include "../contact_row.hpp"
+#include "../contact_zones.hpp"
+#include "../creep_force_table.hpp"
+#include "../reduced_friction.hpp"
+#include "table_weights.hpp"
+
+namespace rollbem {
+
+/// Friction of one wheel.
+struct WheelFriction {
+    double coefficient = 0.3;                                   ///< mu [-]
+    std::array<double, ContactZones::most> factor{1, 1, 1, 1};  ///< of mu in each zone [-]
+    const ReducedFriction* reduced = nullptr;                   ///< that of wet or dirty rails, if any
+
+    WheelFriction(double mu = 0.3) : coefficient(mu) {}  // NOLINT: a number is friction
+};
+
+/// What a wheel carries.
+struct WheelLoad {
+    double vertical;  ///< Q [N], of normal forces and friction
+    /// Roll of the wheelset [rad], where loads are not equal: ContactTable::on_rails. Empty: that of equal loads.
+    std::optional<double> roll{};
+
+    WheelLoad(double Q, std::optional<double> rolled = {}) : vertical(Q), roll(rolled) {}  // NOLINT: a number is a load
+};
+
+/// Forces of the rail on one wheel.
+struct WheelForces {
+    /// What a wheel does in one zone of the rail, as on the right wheel.
+    struct Point {
+        double load_share = 0;        ///< of the wheel's vertical load, without friction [-]; 0: no contact, no numbers
+        std::array<double, 3> arm{};  ///< of the point from the middle of the axle, in track axes [m]
+        double angle = 0;             ///< delta, of the pressures' mean normal [rad]
+        double rolling_radius = 0;    ///< [m]
+        double rail_y = 0, wheel_y = 0;              ///< of the point in both profiles [m]
+        double normal_load = 0;                      ///< N [N]
+        double peak_pressure = 0;                    ///< of the zone [Pa]
+        PatchContact<double> ellipse{{1, 1, 1, 0}};  ///< equivalent ellipse used for the creep forces
+        Creepage<double> creepage{};                 ///< wheel minus rail, as creepage_of
+        TangentialForce<double> force{};             ///< on the wheel, in the plane [N], [N m]
+        double heat = 0;                             ///< that friction makes [W]
+    };
+
+    /// What a derivative of the forces is taken with respect to.
+    enum Input : Eigen::Index {
+        lateral,
+        yaw,
+        forward,
+        pitch_rate,
+        lateral_speed,
+        vertical_speed,
+        roll_rate,
+        yaw_rate,
+        load,
+        mu,
+        roll,  ///< 0 unless the load has a roll
+        inputs
+    };
+
+    /// In track axes F_x, F_y, F_z [N], and M_x, M_y, M_z [N m] about the middle of the axle. Those of normal forces
+    /// alone if the status is invalid_step, else NaN unless ok.
+    Eigen::Matrix<double, 6, 1, Eigen::DontAlign> force =
+        Eigen::Matrix<double, 6, 1, Eigen::DontAlign>::Constant(std::numeric_limits<double>::quiet_NaN());
+    /// Their derivatives, a column for each Input in SI units; exact but at jumps of higher derivatives.
+    Eigen::Matrix<double, 6, inputs, Eigen::DontAlign> tangent =
+        Eigen::Matrix<double, 6, inputs, Eigen::DontAlign>::Zero();
+    std::array<Point, ContactZones::most> points;
+    double heat = 0;  ///< of all points [W]
+    /// wrong_table (the position lies beyond the table, or Poisson's ratios differ), invalid_load (load or mu is
+    /// negative), invalid_step (the wheel does not roll: the mean of its speed and the circumferential one is 0),
+    /// not_finite, no_solution (the rail cannot carry the load: friction holds the wheel up)
+    StepStatus status = StepStatus::not_finite;
+
+    auto derivative(Input input) const { return tangent.col(input); }
+};
+
+namespace detail {
+class WheelLookUp;
+}
+
+/// Geometry of contact by look-up. The rail is parted into zones; for each of them the table has the place, mean
+/// normal, rolling radius and share of the load of the pressures in it, and an ellipse for their creep forces. A left
+/// wheel that is the mirror image of the right one has no numbers of its own.
+///
+/// Along the shift and the cube root of the load values follow local cubics, over the yaw polynomials in yaw^2, as
+/// straight rails make the contact at -yaw the mirror image, across the track, of the one at yaw. All are C1, and
+/// shares of the load do not overshoot. Zones have integrals of the pressures, so that forces stay continuous where
+/// patches merge, part or vanish. Beyond its loads the table has the geometry of its border, and ellipses that grow
+/// with N^(1/3). Immutable: threads may share it.
+class ContactTable {
+public:
+    /// Coordinates of the nodes.
+    ///
+    /// Invariant: all ascend and are finite; 5 to 10001 shifts, mirror images of each other; 2 to 8 yaws from 0; 1 to 8
+    /// positive loads.
+    struct Grid {
+        std::vector<double> shifts;  ///< [m]
+        std::vector<double> yaws;    ///< [rad]
+        std::vector<double> loads;   ///< vertical, of each wheel [N]
+
+        Eigen::Index nodes() const { return Eigen::Index(shifts.size() * yaws.size() * loads.size()); }
+        /// For each load in turn all yaws, for each yaw all shifts.
+        Eigen::Index node(std::size_t load, std::size_t yaw, std::size_t shift) const {
+            return Eigen::Index((load * yaws.size() + yaw) * shifts.size() + shift);
+        }
+    };
+    static constexpr std::size_t most_yaws = 8, most_loads = 8;
+
+    /// Of the right wheel, or of the left one as a right wheel.
+    struct Side {
+        double radius = 0;  ///< of the tape circle [m]
+        ContactZones zones{};
+        /// Height of the wheel, z_ws + support_y roll, and roll of the wheelset, of equal loads [m], [rad]: 2 x nodes.
+        Eigen::ArrayXXd on_rails{};
+        /// ContactRow, for each zone all nodes; where a zone carries nothing its share is 0 and the rest does not
+        /// count.
+        Eigen::ArrayXXd points{};
+    };
+    struct Material {
+        double shear_modulus, poisson_ratio;
+    };
+
+    /// Height and roll of a wheelset, and their derivatives.
+    struct OnRails {
+        double height = 0, roll = 0;                             ///< [m], [rad]
+        double height_by_lateral = 0, roll_by_lateral = 0;       ///< [-], [rad/m]
+        double height_by_yaw = 0, roll_by_yaw = 0;               ///< [m/rad], [-]
+        std::array<double, 2> height_by_load{}, roll_by_load{};  ///< left and right [m/N], [rad/N]
+    };
+    /// The load of a wheel at a height, and its derivatives.
+    struct Support {
+        double load = 0;                    ///< Q [N]; 0: lifted
+        double by_height = 0;               ///< stiffness [N/m]
+        double by_lateral = 0, by_yaw = 0;  ///< [N/m], [N/rad]
+    };
+
+    /// Half the distance of the points at which heights of wheels are taken [m].
+    static constexpr double support_y = 0.75;
+
+    /// `sides` are left and right, or one that is both. Throws std::invalid_argument if the grid breaks its invariant,
+    /// numbers of nodes differ, or a value is not finite.
+    ContactTable(Grid grid, Material material, std::vector<Side> sides);
+
+    /// From what write() wrote; throws as CreepForceTable::read does.
+    static ContactTable read(std::istream& stream);
+    static ContactTable read(const std::filesystem::path& path) { return detail::read_file<ContactTable>(path, name); }
+
+    /// Little-endian, version 2: the text "rollbem contact geometry"; version, numbers of shifts, yaws, loads and sides
+    /// (32 bits each); shifts, yaws, loads, G, nu (64 bits each); for each side the number of cuts (32 bits), the
+    /// radius, cuts and half-widths, and the mean of each row of points (64 bits each), then for each node height and
+    /// roll (64 bits each), a bit for each zone that carries (32 bits), and its rows minus their means (32 bits each);
+    /// then the checksum FNV-1a of all bytes before (64 bits).
+    void write(std::ostream& stream) const;
+
+    const Grid& grid() const { return grid_; }
+    double largest_shift() const { return grid_.shifts.back(); }  ///< [m]
+    double largest_yaw() const { return grid_.yaws.back(); }      ///< [rad]
+    double shear_modulus() const { return material_.shear_modulus; }
+    double poisson_ratio() const { return material_.poisson_ratio; }
+    const Side& side(WheelsetSide of) const { return sides_[index_of(of)].given; }
+    bool is_mirrored() const {
+        return sides_.size() == 1;
+    }  ///< Whether the left wheel is the right one's mirror image.
+
+    bool covers(double lateral, double yaw) const {
+        return std::abs(lateral) <= largest_shift() * (1 + 1e-12) && std::abs(yaw) <= largest_yaw() * (1 + 1e-12);
+    }
+
+    /// Where both wheels carry their loads, left and right, which must be positive, with normal forces. The position
+    /// must be covered.
+    OnRails on_rails(double lateral, double yaw, const std::array<double, 2>& loads) const noexcept;
+    /// Under equal loads, the middle one of the table.
+    OnRails on_rails(double lateral, double yaw) const noexcept {
+        const double load = grid_.loads[grid_.loads.size() / 2];
+        return on_rails(lateral, yaw, {load, load});
+    }
+    /// What a wheel carries at a height of its own, z_ws + support_y roll (left: minus), by normal forces. The position
+    /// must be covered.
+    Support support(WheelsetSide side, double lateral, double yaw, double height) const noexcept;
+
+    /// The forces of one wheel. Lateral shift and yaw of `position` count; vertical speed and roll rate are those that
+    /// the vehicle has, for one that follows its rails those of on_rails(). Normal forces follow from the load, sum of
+    /// N cos delta - F_s sin delta, by Newton's method. Below 1e-100 N a wheel carries nothing; above 1e150 N the
+    /// status is invalid_load. Does not allocate.
+    template <std::same_as<double> Scalar = double>  // for rollbem::compiled
+    WheelForces look_up(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
+                        const WheelsetSpeeds& speeds, const WheelLoad& load,
+                        const WheelFriction& friction) const noexcept;
+
+private:
+    friend class detail::WheelLookUp;
+
+    static constexpr const char* name = "ContactTable";
+    static constexpr const char* magic = "rollbem contact geometry";
+    static constexpr std::uint32_t version = 2;
+
+    /// Numbers as they are looked up: rows of points over their means in single precision, which halves the memory that
+    /// a look-up touches, filled where zones carry nothing; slopes by the shift.
+    struct Stored {
+        Side given;
+        ContactRow::Values means;
+        Eigen::ArrayXXf points, slopes;
+        Eigen::ArrayXXd on_rails_slopes;
+    };
+    std::size_t index_of(WheelsetSide side) const { return is_mirrored() ? 0 : std::size_t(side); }
+    Stored stored(Side side) const;
+
+    /// A place on the grid but for the load.
+    struct Cell {
+        std::size_t shift;
+        detail::HermiteWeights along;
+        detail::RowWeights<most_yaws> across;
+    };
+    Cell cell(double lateral, double yaw) const noexcept {
+        const std::size_t i = detail::interval_of(grid_.shifts, lateral);
+        return {i, {lateral, grid_.shifts[i], grid_.shifts[i + 1]}, detail::even_weights<most_yaws>(grid_.yaws, yaw)};
+    }
+    template <int Rows>
+    struct Sample {
+        Eigen::Array<double, Rows, 1, Eigen::DontAlign> value, by_shift, by_yaw;
+    };
+    /// Rows of a field with slopes, at the nodes of one load from `first` on.
+    template <int Rows, class Field>
+    Sample<Rows> sample(const Cell& at, const Field& values, const Field& slopes, Eigen::Index row,
+                        Eigen::Index first) const noexcept;
+    Eigen::Index first_node(std::size_t load) const { return grid_.node(load, 0, 0); }
+
+    /// Height of a wheel and roll at a load, with derivatives by shift, yaw and load.
+    struct WheelOnRails {
+        std::array<double, 4> height, roll;
+    };
+    WheelOnRails wheel_on_rails(const Stored& side, double lateral, double yaw, double load) const noexcept;
+
+    Grid grid_;
+    Material material_;
+    std::vector<double> roots_;  ///< cube roots of the loads
+    std::vector<Stored> sides_;
+};
+
+inline ContactTable::ContactTable(Grid grid, Material material, std::vector<Side> sides)
+    : grid_(std::move(grid)), material_(material) {
+    const auto require_nodes = [](const char* what, const std::vector<double>& nodes, std::size_t least,
+                                  std::size_t most) {
+        const std::string rule = "be " + std::to_string(least) + " to " + std::to_string(most);
+        detail::require(nodes.size() >= least && nodes.size() <= most, name, what, nodes.size(), rule.c_str());
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            detail::require(detail::is_finite(nodes[k]) && (k == 0 || nodes[k] > nodes[k - 1]), name, what, nodes[k],
+                            "ascend");
+        }
+    };
+    require_nodes("number of shifts", grid_.shifts, 5, 10001);
+    require_nodes("number of yaws", grid_.yaws, 2, most_yaws);
+    require_nodes("number of loads", grid_.loads, 1, most_loads);
+    for (std::size_t i = 0; i < grid_.shifts.size(); ++i) {
+        const double opposite = -grid_.shifts[grid_.shifts.size() - 1 - i];
+        detail::require(std::abs(grid_.shifts[i] - opposite) <= 1e-12, name, "shift", grid_.shifts[i],
+                        "have its opposite among the shifts");
+    }
+    detail::require(grid_.yaws[0] == 0, name, "first yaw", grid_.yaws[0], "be 0");
+    detail::require_positive(name, "first load", grid_.loads[0]);
+    detail::require_positive(name, "shear_modulus", material_.shear_modulus);
+    detail::require_poisson_ratio(name, material_.poisson_ratio);
+    detail::require(sides.size() == 1 || sides.size() == 2, name, "number of sides", sides.size(), "be 1 or 2");
+    for (const double load : grid_.loads) roots_.push_back(std::cbrt(load));
+    for (Side& side : sides) {
+        detail::require_positive(name, "radius", side.radius);
+        detail::require(side.on_rails.rows() == 2 && side.on_rails.cols() == grid_.nodes(), name, "number of heights",
+                        side.on_rails.cols(), "be that of the grid's nodes");
+        detail::require(
+            side.points.rows() == ContactRow::rows && side.points.cols() == grid_.nodes() * side.zones.count(), name,
+            "number of points", side.points.cols(), "be that of the grid's nodes times the zones");
+        detail::require(side.on_rails.isFinite().all() && side.points.isFinite().all(), name, "values", "not finite",
+                        "be finite");
+        sides_.push_back(stored(std::move(side)));
+    }
+}
+
+namespace detail {
+
+/// Where a zone carries nothing, its rows but the share are those of the nearest node of its line that carries; lines
+/// without any have those of the nearest line. `points` are the nodes of one zone.
+inline void fill_zone(const ContactTable::Grid& grid, Eigen::Ref<Eigen::ArrayXXd> points) {
+    const auto shifts = Eigen::Index(grid.shifts.size()), yaws = Eigen::Index(grid.yaws.size()),
+               loads = Eigen::Index(grid.loads.size());
+    const auto carries = [&](Eigen::Index node) { return points(ContactRow::share, node) > 0; };
+    const auto copy = [&](Eigen::Index to, Eigen::Index from) {
+        const double share = points(ContactRow::share, to);
+        points.col(to) = points.col(from);
+        points(ContactRow::share, to) = share;
+    };
+    std::vector<bool> known(std::size_t(yaws * loads));
+    for (Eigen::Index line = 0; line < yaws * loads; ++line) {
+        std::vector<Eigen::Index> with;
+        for (Eigen::Index i = 0; i < shifts; ++i) {
+            if (carries(line * shifts + i)) with.push_back(i);
+        }
+        known[std::size_t(line)] = !with.empty();
+        for (Eigen::Index i = 0; i < shifts && !with.empty(); ++i) {
+            const auto nearer = [&](Eigen::Index one, Eigen::Index two) {
+                return std::abs(grid.shifts[std::size_t(one)] - grid.shifts[std::size_t(i)]) <
+                       std::abs(grid.shifts[std::size_t(two)] - grid.shifts[std::size_t(i)]);
+            };
+            if (!carries(line * shifts + i))
+                copy(line * shifts + i, line * shifts + *std::min_element(with.begin(), with.end(), nearer));
+        }
+    }
+    const std::vector<bool> first = known;
+    for (Eigen::Index line = 0; line < yaws * loads; ++line) {
+        if (first[std::size_t(line)]) continue;
+        Eigen::Index nearest = -1;
+        const auto apart = [&](Eigen::Index other) {  // a load nearer first
+            return std::abs(other / yaws - line / yaws) + yaws * std::abs(other % yaws - line % yaws);
+        };
+        for (Eigen::Index other = 0; other < yaws * loads; ++other) {
+            if (first[std::size_t(other)] && (nearest < 0 || apart(other) < apart(nearest))) nearest = other;
+        }
+        for (Eigen::Index i = 0; i < shifts && nearest >= 0; ++i) copy(line * shifts + i, nearest * shifts + i);
+    }
+}
+
+/// Slopes by the shift of each row of each line; of row 0, the share, limited where `limit` is set.
+inline Eigen::ArrayXXd slopes_of(const ContactTable::Grid& grid, const Eigen::ArrayXXd& values, bool limit) {
+    const auto shifts = Eigen::Index(grid.shifts.size());
+    Eigen::ArrayXXd slopes(values.rows(), values.cols());
+    for (Eigen::Index node = 0; node < values.cols(); ++node) {
+        const Eigen::Index i = node % shifts;
+        const auto step = [&](Eigen::Index k) { return grid.shifts[std::size_t(k + 1)] - grid.shifts[std::size_t(k)]; };
+        const auto difference = [&](Eigen::Index k) -> Eigen::ArrayXd {  // from node k of the line
+            return (values.col(node - i + k + 1) - values.col(node - i + k)) / step(k);
+        };
+        if (i == 0 || i + 1 == shifts) {
+            slopes.col(node) = difference(i == 0 ? 0 : i - 1);
+            continue;
+        }
+        const Eigen::ArrayXd before = difference(i - 1), after = difference(i);
+        slopes.col(node) = slope_between(before, step(i - 1), after, step(i));
+        if (limit) slopes(0, node) = limited(slopes(0, node), before[0], after[0]);
+    }
+    return slopes;
+}
+
+}  // namespace detail
+
+inline auto ContactTable::stored(Side side) const -> Stored {
+    Stored made{.given = {}, .means = ContactRow::Values::Zero(), .points = {}, .slopes = {}, .on_rails_slopes = {}};
+    for (Eigen::Index zone = 0; zone < side.zones.count(); ++zone) {
+        detail::fill_zone(grid_, side.points.middleCols(zone * grid_.nodes(), grid_.nodes()));
+    }
+    made.means = side.points.rowwise().mean();
+    made.means[ContactRow::share] = 0;
+    made.points = (side.points.colwise() - Eigen::ArrayXd(made.means)).cast<float>();
+    side.points = made.points.cast<double>().colwise() + Eigen::ArrayXd(made.means);
+    made.slopes = detail::slopes_of(grid_, side.points, true).cast<float>();
+    made.on_rails_slopes = detail::slopes_of(grid_, side.on_rails, false);
+    made.given = std::move(side);
+    return made;
+}
+
+template <int Rows, class Field>
+auto ContactTable::sample(const Cell& at, const Field& values, const Field& slopes, Eigen::Index row,
+                          Eigen::Index first) const noexcept -> Sample<Rows> {
+    using Values = Eigen::Array<double, Rows, 1, Eigen::DontAlign>;
+    Sample<Rows> found{Values::Zero(), Values::Zero(), Values::Zero()};
+    const auto part = [&](const Field& of, Eigen::Index node) {
+        return of.col(node).template segment<Rows>(row).template cast<double>();
+    };
+    for (std::size_t k = 0; k < grid_.yaws.size(); ++k) {
+        const Eigen::Index node = first + Eigen::Index(k * grid_.shifts.size() + at.shift);
+        const auto blend = [&](const std::array<double, 4>& w) -> Values {
+            return w[0] * part(values, node) + w[1] * part(values, node + 1) + w[2] * part(slopes, node) +
+                   w[3] * part(slopes, node + 1);
+        };
+        const Values here = blend(at.along.value);
+        found.value += at.across.value[k] * here;
+        found.by_yaw += at.across.rate[k] * here;
+        found.by_shift += at.across.value[k] * blend(at.along.rate);
+    }
+    return found;
+}
+
+inline auto ContactTable::wheel_on_rails(const Stored& side, double lateral, double yaw, double load) const noexcept
+    -> WheelOnRails {
+    const double root = std::cbrt(load);
+    const auto weights = detail::hermite_weights<most_loads>(roots_, root);
+    const Cell at = cell(lateral, yaw);
+    WheelOnRails found{};
+    for (std::size_t l = 0; l < roots_.size(); ++l) {
+        const Sample<2> own = sample<2>(at, side.given.on_rails, side.on_rails_slopes, 0, first_node(l));
+        for (auto [of, row] : {std::pair(&found.height, 0), {&found.roll, 1}}) {
+            (*of)[0] += weights.value[l] * own.value[row];
+            (*of)[1] += weights.value[l] * own.by_shift[row];
+            (*of)[2] += weights.value[l] * own.by_yaw[row];
+            (*of)[3] += weights.rate[l] * own.value[row] / (3 * root * root);
+        }
+    }
+    return found;
+}
+
+inline auto ContactTable::on_rails(double lateral, double yaw, const std::array<double, 2>& loads) const noexcept
+    -> OnRails {
+    // heights of both wheels at the roll of unequal loads, whose profiles meet the rails as after another shift
+    struct Wheel {
+        double height, by_lateral, by_yaw, by_load, by_roll;
+    };
+    const auto wheel = [&](WheelsetSide side, double roll) -> Wheel {
+        const double mirror = side == WheelsetSide::left ? -1 : 1, load = loads[std::size_t(side)];
+        const Stored& own = sides_[index_of(side)];
+        const double u = mirror * lateral, psi = mirror * yaw, radius = own.given.radius;
+        const auto table = wheel_on_rails(own, u, psi, load).roll;
+        const double limit = largest_shift();
+        const double moved = std::clamp(u - radius * (mirror * roll - table[0]), -limit, limit);
+        const auto height = wheel_on_rails(own, moved, psi, load).height;
+        return {height[0], mirror * height[1] * (1 + radius * table[1]),
+                mirror * (height[2] + height[1] * radius * table[2]), height[3] + height[1] * radius * table[3],
+                -mirror * radius * height[1]};
+    };
+    double roll = wheel_on_rails(sides_[index_of(WheelsetSide::right)], lateral, yaw, loads[1]).roll[0];
+    OnRails found;
+    for (int round = 0; round < 4; ++round) {
+        const Wheel left = wheel(WheelsetSide::left, roll), right = wheel(WheelsetSide::right, roll);
+        const double slope = 2 * support_y - (right.by_roll - left.by_roll);
+        const double excess = 2 * support_y * roll - (right.height - left.height);
+        found = {.height = (left.height + right.height) / 2,
+                 .roll = roll,
+                 .roll_by_lateral = (right.by_lateral - left.by_lateral) / slope,
+                 .roll_by_yaw = (right.by_yaw - left.by_yaw) / slope,
+                 .roll_by_load = {-left.by_load / slope, right.by_load / slope}};
+        const double by_roll = (left.by_roll + right.by_roll) / 2;
+        found.height_by_lateral = (left.by_lateral + right.by_lateral) / 2 + by_roll * found.roll_by_lateral;
+        found.height_by_yaw = (left.by_yaw + right.by_yaw) / 2 + by_roll * found.roll_by_yaw;
+        found.height_by_load = {left.by_load / 2 + by_roll * found.roll_by_load[0],
+                                right.by_load / 2 + by_roll * found.roll_by_load[1]};
+        if (std::abs(excess) < 1e-14) break;
+        roll -= excess / slope;
+    }
+    return found;
+}
+
+inline auto ContactTable::support(WheelsetSide side, double lateral, double yaw, double height) const noexcept
+    -> Support {
+    const double mirror = side == WheelsetSide::left ? -1 : 1;
+    const Stored& own = sides_[index_of(side)];
+    const auto at = [&](double load) { return wheel_on_rails(own, mirror * lateral, mirror * yaw, load).height; };
+    const auto result = [&](double load, double by_load, double by_lateral, double by_yaw) -> Support {
+        return {load, 1 / by_load, -mirror * by_lateral / by_load, -mirror * by_yaw / by_load};
+    };
+    // below the first load heights grow with the square of its cube root, from where the wheel touches
+    const double least = grid_.loads.front();
+    const auto first = at(least);
+    if (height < first[0] || grid_.loads.size() == 1) {
+        const double inside = at(least * (1 + 1e-9))[3];
+        const double share = inside > 0 ? 3 * inside * least / 2 : 0, touch = first[0] - share;
+        if (!(height > touch) || !(share > 0)) return {};
+        const double load = least * std::pow((height - touch) / share, 1.5);
+        return result(load, 2 * (height - touch) / (3 * load), first[1], first[2]);
+    }
+    double low = least, high = grid_.loads.back();
+    if (height >= at(high)[0]) {  // beyond the last one as stiff as there
+        const auto last = at(high * (1 - 1e-9));
+        return result(high + (height - last[0]) / last[3], last[3], last[1], last[2]);
+    }
+    double load = (low + high) / 2;
+    for (int round = 0; round < 60; ++round) {
+        const auto here = at(load);
+        (here[0] < height ? low : high) = load;
+        const double next = load - (here[0] - height) / here[3];
+        const double change = next > low && next < high ? next - load : (low + high) / 2 - load;
+        load += change;
+        if (std::abs(change) <= 1e-14 * load) break;
+    }
+    const auto here = at(load);
+    return result(load, here[3], here[1], here[2]);
+}
+
+inline void ContactTable::write(std::ostream& stream) const {
+    detail::CheckedWriter writer(stream, magic);
+    for (const std::size_t count :
+         {std::size_t(version), grid_.shifts.size(), grid_.yaws.size(), grid_.loads.size(), sides_.size()}) {
+        writer.integer(static_cast<std::uint32_t>(count));
+    }
+    for (const auto* nodes : {&grid_.shifts, &grid_.yaws, &grid_.loads}) {
+        for (const double node : *nodes) writer.number(node);
+    }
+    writer.number(material_.shear_modulus);
+    writer.number(material_.poisson_ratio);
+    for (const Stored& side : sides_) {
+        const Side& given = side.given;
+        writer.integer(static_cast<std::uint32_t>(given.zones.cuts().size()));
+        writer.number(given.radius);
+        for (const ContactZones::Cut& cut : given.zones.cuts()) {
+            writer.number(cut.y);
+            writer.number(cut.half_width);
+        }
+        for (const double mean : side.means) writer.number(mean);
+        for (Eigen::Index node = 0; node < grid_.nodes(); ++node) {
+            for (const double value : given.on_rails.col(node)) writer.number(value);
+            std::uint32_t carrying = 0;
+            for (Eigen::Index zone = 0; zone < given.zones.count(); ++zone) {
+                if (side.points(ContactRow::share, zone * grid_.nodes() + node) > 0) carrying |= 1U << unsigned(zone);
+            }
+            writer.integer(carrying);
+            for (Eigen::Index zone = 0; zone < given.zones.count(); ++zone) {
+                if ((carrying >> unsigned(zone) & 1U) == 0) continue;
+                for (const float value : side.points.col(zone * grid_.nodes() + node)) writer.number(value);
+            }
+        }
+    }
+    writer.finish();
+}
+
+inline ContactTable ContactTable::read(std::istream& stream) {
+    detail::CheckedReader reader(stream, name, magic);
+    const auto found = reader.integer<std::uint32_t>();
+    detail::require(found == version, name, "version", found, "be 2: make the table again with contact_table");
+    std::array<std::size_t, 4> counts;
+    for (auto [count, most] : {std::pair(&counts[0], 10001U),
+                               {&counts[1], unsigned(most_yaws)},
+                               {&counts[2], unsigned(most_loads)},
+                               {&counts[3], 2U}}) {
+        *count = reader.integer<std::uint32_t>();
+        detail::require(*count >= 1 && *count <= most, name, "number of nodes", *count, "be 1 to that of a table");
+    }
+    Grid grid{std::vector<double>(counts[0]), std::vector<double>(counts[1]), std::vector<double>(counts[2])};
+    for (auto* nodes : {&grid.shifts, &grid.yaws, &grid.loads}) {
+        for (double& node : *nodes) node = reader.number();
+    }
+    detail::require(grid.nodes() <= 200000, name, "number of nodes", grid.nodes(), "be at most 200000");
+    const double G = reader.number(), nu = reader.number();
+    std::vector<Side> sides(counts[3]);
+    for (Side& side : sides) {
+        const auto cut_count = reader.integer<std::uint32_t>();
+        detail::require(cut_count < ContactZones::most, name, "number of cuts", cut_count, "be at most 3");
+        std::vector<ContactZones::Cut> cuts(cut_count);
+        side.radius = reader.number();
+        for (ContactZones::Cut& cut : cuts) {
+            cut.y = reader.number();
+            cut.half_width = reader.number();
+        }
+        side.zones = ContactZones(std::move(cuts));
+        ContactRow::Values means;
+        for (double& mean : means) mean = reader.number();
+        side.on_rails.resize(2, grid.nodes());
+        side.points.setZero(ContactRow::rows, grid.nodes() * side.zones.count());
+        for (Eigen::Index node = 0; node < grid.nodes(); ++node) {
+            for (Eigen::Index row = 0; row < 2; ++row) side.on_rails(row, node) = reader.number();
+            const auto carrying = reader.integer<std::uint32_t>();
+            for (Eigen::Index zone = 0; zone < side.zones.count(); ++zone) {
+                if ((carrying >> unsigned(zone) & 1U) == 0) continue;
+                for (Eigen::Index row = 0; row < ContactRow::rows; ++row) {
+                    side.points(row, zone * grid.nodes() + node) = means[row] + double(reader.single());
+                }
+            }
+        }
+    }
+    reader.finish();
+    return {std::move(grid), {G, nu}, std::move(sides)};
+}
+
+}  // namespace rollbem
