@@ -391,19 +391,21 @@ auto ContactTable::sample(const Cell& at, const Field& values, const Field& slop
                           Eigen::Index first) const noexcept -> Sample<Rows> {
     using Values = Eigen::Array<double, Rows, 1, Eigen::DontAlign>;
     Sample<Rows> found{Values::Zero(), Values::Zero(), Values::Zero()};
-    const auto part = [&](const Field& of, Eigen::Index node) {
-        return of.col(node).template segment<Rows>(row).template cast<double>();
-    };
+    const auto& [w, rate] = at.along;
     for (std::size_t k = 0; k < grid_.yaws.size(); ++k) {
         const Eigen::Index node = first + Eigen::Index(k * grid_.shifts.size() + at.shift);
-        const auto blend = [&](const std::array<double, 4>& w) -> Values {
-            return w[0] * part(values, node) + w[1] * part(values, node + 1) + w[2] * part(slopes, node) +
-                   w[3] * part(slopes, node + 1);
-        };
-        const Values here = blend(at.along.value);
-        found.value += at.across.value[k] * here;
-        found.by_yaw += at.across.rate[k] * here;
-        found.by_shift += at.across.value[k] * blend(at.along.rate);
+        const auto* const low = &values(row, node);
+        const auto *const high = &values(row, node + 1), *const low_slope = &slopes(row, node),
+                          *const high_slope = &slopes(row, node + 1);
+        const double across = at.across.value[k], turning = at.across.rate[k];
+        for (int i = 0; i < Rows; ++i) {  // compilers make packets of a plain loop
+            const double one = double(low[i]), two = double(high[i]), three = double(low_slope[i]),
+                         four = double(high_slope[i]);
+            const double here = w[0] * one + w[1] * two + w[2] * three + w[3] * four;
+            found.value[i] += across * here;
+            found.by_yaw[i] += turning * here;
+            found.by_shift[i] += across * (rate[0] * one + rate[1] * two + rate[2] * three + rate[3] * four);
+        }
     }
     return found;
 }
