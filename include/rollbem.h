@@ -75,7 +75,9 @@ enum { ROLLBEM_LEFT = 0, ROLLBEM_RIGHT = 1 };
               of the axle [m], angle [rad], rolling radius [m], normal force [N], peak pressure [Pa], place y in the
               profiles of rail and wheel [m]; as on the right wheel
      heat     1, or NULL: by friction [W]
-   ROLLBEM_FAILED beyond the table, and where the wheel does not roll: then forces are of its normal load alone. */
+   ROLLBEM_FAILED beyond the table's shift or yaw (NaN), also where a roll amounts to such a shift, and where the wheel
+   does not roll: then forces are of its normal load alone. ROLLBEM_OFF_TABLE if the load lies beyond those of the
+   table: contacts are those of its border, with an unknown error. */
 ROLLBEM_API int rollbem_contact_table_look_up(const rollbem_contact_table *table, const rollbem_table *creep, int side,
                                               const double inputs[11], double force[6], double tangent[66],
                                               double points[40], double *heat);

@@ -1,4 +1,5 @@
 // The C interface: what the library has, behind plain numbers, handles and codes. No exception leaves it.
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -255,13 +256,21 @@ int rollbem_contact_table_look_up(const rollbem_contact_table* table, const roll
             load, inputs[WheelForces::mu]);
         std::copy(now.force.begin(), now.force.end(), force);
         if (tangent != nullptr) std::copy_n(now.tangent.data(), now.tangent.size(), tangent);
-        if (heat != nullptr) *heat = now.heat;
+        const bool known = detail::is_finite(now.force[0]);
+        if (heat != nullptr) *heat = known ? now.heat : now.force[0];
+        if (tangent != nullptr && !known) std::fill_n(tangent, now.tangent.size(), now.force[0]);
         for (double* to = points; const WheelForces::Point& point : now.points) {
             if (points == nullptr) break;
             to = put(to, {point.load_share, point.arm[0], point.arm[1], point.arm[2], point.angle, point.rolling_radius,
                           point.normal_load, point.peak_pressure, point.rail_y, point.wheel_y});
         }
-        return now.status == StepStatus::ok ? ROLLBEM_OK : failed(std::string(who) + ": status is " + name(now.status));
+        if (now.status != StepStatus::ok) return failed(std::string(who) + ": status is " + name(now.status));
+        if (now.load_on_table || load.vertical == 0) return static_cast<int>(ROLLBEM_OK);
+        const auto& loads = table->table.grid().loads;
+        return failed(std::string(who) + ": load = " + detail::to_text(load.vertical) + " lies beyond the table, " +
+                          detail::to_text(loads.front()) + " to " + detail::to_text(loads.back()) +
+                          ": contacts are those of its border",
+                      ROLLBEM_OFF_TABLE);
     });
 }
 
@@ -270,8 +279,10 @@ int rollbem_contact_table_on_rails(const rollbem_contact_table* table, double la
     return guarded([&] {
         constexpr const char* who = "rollbem_contact_table_on_rails";
         require_given(who, {{"table", table}, {"loads", loads}, {"height", height}, {"roll", roll}});
-        detail::require(table->table.covers(lateral, yaw), who, "lateral position", lateral,
-                        "lie on the table, as must yaw");
+        std::fill_n(height, 5, std::numeric_limits<double>::quiet_NaN());
+        std::fill_n(roll, 5, std::numeric_limits<double>::quiet_NaN());
+        detail::require(table->table.covers(lateral, 0), who, "lateral position", lateral, "lie on the table");
+        detail::require(table->table.covers(0, yaw), who, "yaw", yaw, "lie on the table");
         for (const double load : {loads[0], loads[1]}) detail::require_positive(who, "load", load);
         const auto at = table->table.on_rails(lateral, yaw, {loads[0], loads[1]});
         put(height, {at.height, at.height_by_lateral, at.height_by_yaw, at.height_by_load[0], at.height_by_load[1]});

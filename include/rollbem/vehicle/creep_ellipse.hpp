@@ -149,14 +149,17 @@ inline ZonePressures pressures_of(const std::vector<PatchLaws>& patches, const C
     return found;
 }
 
-/// The linear law of a zone, (xi, eta, phi) at its place and the moment about it, minus forces [N, N m]; zero if a
-/// patch has none.
+/// The linear law of a zone, (xi, eta, phi) at its place and the moment about it, minus forces [N, N m]. Small
+/// patches without one count as the others; zero if those carry less than nine tenths.
 inline Eigen::Matrix3d law_of(const std::vector<PatchLaws>& patches, const ContactZones& zones, Eigen::Index zone,
                               const ZonePressures& pressed, bool mirrored) {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    double carried = 0, known = 0;
     for (const PatchLaws& of : patches) {
         const StripLaws& laws = mirrored ? of.mirrored : of.own;
-        if (laws.s.empty()) return Eigen::Matrix3d::Zero();
+        carried += of.patch.load;
+        if (laws.s.empty()) continue;
+        known += of.patch.load;
         Eigen::Matrix3d own = Eigen::Matrix3d::Zero();
         for (std::size_t j = 0; j < laws.s.size(); ++j) {
             own += zones.weight(zone, of.patch.y + laws.s[j] * std::cos(of.patch.angle)) * laws.law[j];
@@ -166,7 +169,9 @@ inline Eigen::Matrix3d law_of(const std::vector<PatchLaws>& patches, const Conta
         to_place << 1, 0, from[1], 0, 1, mirrored ? from[0] : -from[0], 0, 0, 1;
         sum += to_place.transpose() * own * to_place;
     }
-    return sum;
+    constexpr double most = 0.9;
+    if (!(known > most * carried)) return Eigen::Matrix3d::Zero();
+    return carried / known * sum;
 }
 
 /// An ellipse's rows of c11, c22, c23, and its linear law as law_of has it.

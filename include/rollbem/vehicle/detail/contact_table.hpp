@@ -96,7 +96,10 @@ struct WheelForces {
         Eigen::Matrix<double, 6, inputs, Eigen::DontAlign>::Zero();
     std::array<Point, ContactZones::most> points;
     double heat = 0;  ///< of all points [W]
-    /// wrong_table (the position lies beyond the table, or Poisson's ratios differ), invalid_load (load or mu is
+    /// The load lies between those of the table. If not, places and shares are those of its border, with an unknown
+    /// error.
+    bool load_on_table = false;
+    /// wrong_table (the position, or the shift that a roll amounts to, lies beyond the table, or Poisson's ratios differ), invalid_load (load or mu is
     /// negative), invalid_step (the wheel does not roll: the mean of its speed and the circumferential one is 0),
     /// not_finite, no_solution (the rail cannot carry the load: friction holds the wheel up)
     StepStatus status = StepStatus::not_finite;
@@ -159,9 +162,11 @@ public:
     };
     /// The load of a wheel at a height, and its derivatives.
     struct Support {
-        double load = 0;                    ///< Q [N]; 0: lifted
-        double by_height = 0;               ///< stiffness [N/m]
-        double by_lateral = 0, by_yaw = 0;  ///< [N/m], [N/rad]
+        double load = std::numeric_limits<double>::quiet_NaN();  ///< Q [N]; 0: lifted
+        double by_height = 0;                                    ///< stiffness [N/m]
+        double by_lateral = 0, by_yaw = 0;                       ///< [N/m], [N/rad]
+        StepStatus status =
+            StepStatus::not_finite;  ///< or wrong_table: the position lies beyond it, or it has one load
     };
 
     /// Half the distance of the points at which heights of wheels are taken [m].
@@ -204,8 +209,7 @@ public:
         const double load = grid_.loads[grid_.loads.size() / 2];
         return on_rails(lateral, yaw, {load, load});
     }
-    /// What a wheel carries at a height of its own, z_ws + support_y roll (left: minus), by normal forces. The position
-    /// must be covered.
+    /// What a wheel carries at a height of its own, z_ws + support_y roll (left: minus), by normal forces.
     Support support(WheelsetSide side, double lateral, double yaw, double height) const noexcept;
 
     /// The forces of one wheel. Lateral shift and yaw of `position` count; vertical speed and roll rate are those that
@@ -472,17 +476,19 @@ inline auto ContactTable::support(WheelsetSide side, double lateral, double yaw,
     -> Support {
     const double mirror = side == WheelsetSide::left ? -1 : 1;
     const Stored& own = sides_[index_of(side)];
+    if (!detail::is_finite(lateral) || !detail::is_finite(yaw) || !detail::is_finite(height)) return {};
+    if (!covers(lateral, yaw) || grid_.loads.size() < 2) return {.status = StepStatus::wrong_table};
     const auto at = [&](double load) { return wheel_on_rails(own, mirror * lateral, mirror * yaw, load).height; };
     const auto result = [&](double load, double by_load, double by_lateral, double by_yaw) -> Support {
-        return {load, 1 / by_load, -mirror * by_lateral / by_load, -mirror * by_yaw / by_load};
+        return {load, 1 / by_load, -mirror * by_lateral / by_load, -mirror * by_yaw / by_load, StepStatus::ok};
     };
     // below the first load heights grow with the square of its cube root, from where the wheel touches
     const double least = grid_.loads.front();
     const auto first = at(least);
-    if (height < first[0] || grid_.loads.size() == 1) {
+    if (height < first[0]) {
         const double inside = at(least * (1 + 1e-9))[3];
         const double share = inside > 0 ? 3 * inside * least / 2 : 0, touch = first[0] - share;
-        if (!(height > touch) || !(share > 0)) return {};
+        if (!(height > touch)) return {.load = 0, .status = StepStatus::ok};
         const double load = least * std::pow((height - touch) / share, 1.5);
         return result(load, 2 * (height - touch) / (3 * load), first[1], first[2]);
     }

@@ -27,7 +27,11 @@ public:
                            const WheelLoad& load) {
         result_.status = take(side, position, speeds, load);
         if (result_.status != StepStatus::ok) return result_;
-        locate();
+        result_.status = locate();
+        if (result_.status != StepStatus::ok) return result_;
+        const auto& loads = table_.grid_.loads;
+        result_.load_on_table = inputs_[WheelForces::load] >= loads.front() * (1 - 1e-12) &&
+                                inputs_[WheelForces::load] <= loads.back() * (1 + 1e-12);
         if (inputs_[WheelForces::load] < least_load) {
             result_.force.setZero();
             return result_;
@@ -79,7 +83,7 @@ private:
     // --- where it is
 
     /// The shift at which the profiles meet, the cell, and whether the wheel rolls forward.
-    void locate() {
+    StepStatus locate() {
         const double radius = side_->given.radius;
         along_ = inputs_[WheelForces::forward] - inputs_[WheelForces::pitch_rate] * radius < 0 ? -1 : 1;
         for (const auto which :
@@ -98,8 +102,7 @@ private:
             equal.derivatives()[WheelForces::yaw] = table[2];
             equal.derivatives()[WheelForces::load] = table[3];
             shift_ = Dual(shift_ - radius * (input(WheelForces::roll) - equal));
-            const double limit = table_.largest_shift();
-            if (std::abs(shift_.value()) > limit) shift_ = constant(std::clamp(shift_.value(), -limit, limit));
+            if (!(std::abs(shift_.value()) <= table_.largest_shift())) return StepStatus::wrong_table;
         }
         cell_ = table_.cell(shift_.value(), inputs_[WheelForces::yaw]);
         loads_ = table_.grid_.loads.size();
@@ -112,6 +115,7 @@ private:
                 of.carries = of.carries || of.share[l].value[0] > 0;
             }
         }
+        return StepStatus::ok;
     }
 
     // --- geometry at a load
