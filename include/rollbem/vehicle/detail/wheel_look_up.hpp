@@ -318,8 +318,8 @@ private:
 
     // --- balance
 
-    /// A sum of normal loads near the balance, from one that is the load: a step of Newton's method without derivatives of
-    /// geometry and correction.
+    /// A sum of normal loads near the balance, from one that is the load: a step of Newton's method without derivatives
+    /// of geometry and correction.
     double nearly_balanced(double load) {
         using enum ContactRow::Of;
         const double root = std::cbrt(load);
