@@ -96,11 +96,12 @@ inline RollingForces forces_of_zones(const std::vector<ContactRow::Values>& poin
         const std::array<double, 3> slip = velocity.slip(arm, sine, cosine);
         const double reference = (speeds.forward - speeds.pitch_rate * v[radius]) / 2;
         const double a = v[length] * root, b = v[width] * root;
-        const auto [xi, eta, phi] = ellipse_creepages<double>(
-            {slip[0] / reference, slip[1] / reference, slip[2] / reference}, a, b, dimensions.shear_modulus, mu * N,
-            [&](Eigen::Index row) {
-                return row >= correction && row < correction + 9 ? v[row] + yaw * v[row + 9] : v[row];
-            });
+        const auto [xi, eta, phi] =
+            ellipse_creepages<double>({slip[0] / reference, slip[1] / reference, slip[2] / reference}, a, b,
+                                      dimensions.shear_modulus, mu * N, [&](Eigen::Index row) {
+                                          const Eigen::Index entry = row - correction;
+                                          return entry >= 0 && entry < 9 ? v[row] + yaw * v[row + 9] : v[row];
+                                      });
         const auto force =
             creep
                 .look_up(PatchContact<double>({a, b, dimensions.shear_modulus, dimensions.poisson_ratio}), mu, N,
