@@ -54,8 +54,7 @@ public:
                            of + on[k] + (i < 3 ? ", along " : " about the middle of the axle, about ") + "xyz"[i % 3]);
             }
         }
-        add_output(&height_, "height", "m",
-                   "z_ws of a wheelset that follows its rails, positive down");
+        add_output(&height_, "height", "m", "z_ws of a wheelset that follows its rails, positive down");
         add_output(&roll_, "roll", "rad", "Its roll, about x");
         add_output(&slip_work_, "slip_work", "J", "Heat by slip since the start");
         add_output(&status_, "status", "", "Status of the last step", &step_statuses);
