@@ -345,7 +345,7 @@ inline MadeContactTable make_contact_table(const WheelsetOnTrack& track, const C
     const double share = double(missing) / double(grid.nodes() * Eigen::Index(sides));
     const std::size_t out = detail::left_out(grid, nodes), all = grid.shifts.size();
     detail::require(all >= 2 * out + 5, name, "number of shifts about 0 at which wheels carry their loads",
-                    all - std::min(2 * out, all), "be at least 5: does the wheelset fit the track?");
+                    all - (std::min)(2 * out, all), "be at least 5: does the wheelset fit the track?");
     grid.shifts = {grid.shifts.begin() + std::ptrdiff_t(out), grid.shifts.end() - std::ptrdiff_t(out)};
     // 3. Zones and their rows
     std::vector<ContactTable::Side> made;

@@ -31,11 +31,11 @@ using RollingForces = Eigen::Array3d;
 
 /// Three motions by which zones are judged: straight on, in a curve, and with small creepages.
 inline std::array<WheelsetSpeeds, 3> judged_motions(const WheelNode& node) {
-    constexpr double speed = 20, curve = 300, small = 2e-4;
+    constexpr double speed = 20, curve = 300, slight = 2e-4;
     const double rolling = speed * node.pitch_per_metre, yaw = node.at.yaw;
     return {WheelsetSpeeds{.forward = speed, .pitch_rate = rolling},
             {.forward = speed, .pitch_rate = rolling, .yaw_rate = speed / curve},
-            {.forward = speed, .pitch_rate = rolling * (1 + small), .lateral = speed * (yaw + small)}};
+            {.forward = speed, .pitch_rate = rolling * (1 + slight), .lateral = speed * (yaw + slight)}};
 }
 
 /// By friction on the patches; not finite where there is no result.
