@@ -45,15 +45,12 @@ constexpr double friction = 0.3;
 /// The wheelset, and the tables that say what acts on it.
 struct Scene {
     rollbem::WheelsetOnTrack wheelset;
-    bool mirrored;
     CreepForceTable creep;
     std::size_t jobs;
 };
 
 Scene read_scene(const study::Options& options) {
     const rollbem::TrackDimensions dimensions = profile::read_dimensions(options);
-    bool mirrored = true;
-    for (const char* name : {"left-wheel", "left-rail", "left-radius"}) mirrored = mirrored && !options.given(name);
     rollbem::WheelsetOnTrack wheelset = profile::read_wheelset(options, dimensions);
     for (const WheelsetSide side : rollbem::WheelsetOnTrack::sides) {
         const auto& geometry = wheelset.wheel(side).geometry();
@@ -75,7 +72,7 @@ Scene read_scene(const study::Options& options) {
         options.require(std::abs(own - dimensions.poisson_ratio) <= 0.01, "poisson",
                         "be that of the table of creep forces, " + study::Cell(own).text(3) +
                             ": make another one by creep_table, and give it as --creep");
-        return {std::move(wheelset), mirrored, std::move(creep), jobs};
+        return {std::move(wheelset), std::move(creep), jobs};
     } catch (const study::BadInput&) {
         throw;
     } catch (const std::invalid_argument& error) {
@@ -105,9 +102,10 @@ ContactTable read_table(const study::Options& options, const Scene& scene) {
     try {
         ContactTable table = ContactTable::read(options.text("table"));
         const auto& dimensions = scene.wheelset.wheel().dimensions();
-        const bool same =
-            table.is_mirrored() == scene.mirrored && table.side(WheelsetSide::right).radius == dimensions.radius &&
-            table.shear_modulus() == dimensions.shear_modulus && table.poisson_ratio() == dimensions.poisson_ratio;
+        const bool same = table.is_mirrored() == scene.wheelset.is_mirrored() &&
+                          table.side(WheelsetSide::right).radius == dimensions.radius &&
+                          table.shear_modulus() == dimensions.shear_modulus &&
+                          table.poisson_ratio() == dimensions.poisson_ratio;
         options.require(same, "table", "be of the wheels, radius and material that the other options say");
         require_same_profiles(options, scene, table);
         return table;
@@ -190,10 +188,10 @@ double position_seconds(const Scene& scene, const rollbem::ContactTableMaking& m
     few.jobs = 1;
     few.done = [] {};
     try {
-        make_contact_table(scene.wheelset, scene.creep, scene.mirrored, few);
+        make_contact_table(scene.wheelset, scene.creep, few);
     } catch (const std::invalid_argument&) {  // said when the whole is made
     }
-    return double(std::clock() - start) / CLOCKS_PER_SEC / (scene.mirrored ? 6 : 10);
+    return double(std::clock() - start) / CLOCKS_PER_SEC / (scene.wheelset.is_mirrored() ? 6 : 10);
 }
 
 void make(const study::Options& options) {
@@ -205,7 +203,8 @@ void make(const study::Options& options) {
     making.zones = {read_zones(options, "left-zones"), read_zones(options, "zones")};
     study::OutputFiles files;
     study::OutputFile& file = files.open(output, "--output");
-    const std::size_t positions = making.lines() * (scene.mirrored ? grid.shifts.size() / 2 + 1 : grid.shifts.size());
+    const std::size_t positions =
+        making.lines() * (scene.wheelset.is_mirrored() ? grid.shifts.size() / 2 + 1 : grid.shifts.size());
     if (!options.flag("quiet")) {
         const double seconds = position_seconds(scene, making) * double(positions) * 1.3;  // and zones
         std::fprintf(stderr, "%s: %zu positions, about %.0f s of processor time\n", options.program().c_str(),
@@ -216,7 +215,7 @@ void make(const study::Options& options) {
     making.done = [&] { progress.update(++done); };
     std::optional<rollbem::MadeContactTable> made;
     try {
-        made = make_contact_table(scene.wheelset, scene.creep, scene.mirrored, making);
+        made = make_contact_table(scene.wheelset, scene.creep, making);
     } catch (const std::invalid_argument& error) {
         throw study::BadInput(error.what());
     }
@@ -232,13 +231,13 @@ void make(const study::Options& options) {
                      options.program().c_str(), 1e3 * reached);
     }
     for (const auto& [side, name] : {std::pair(WheelsetSide::left, "left"), {WheelsetSide::right, "right"}}) {
-        if (scene.mirrored && side == WheelsetSide::left) continue;
+        if (scene.wheelset.is_mirrored() && side == WheelsetSide::left) continue;
         std::string text;
         for (const auto& cut : made->table.side(side).zones.cuts()) {
             text += (text.empty() ? "" : ",") + study::Cell(cut.y).text(6) + "," + study::Cell(cut.half_width).text(6);
         }
         std::fprintf(stderr, "%s: zones of the %s wheel: %s\n", options.program().c_str(),
-                     scene.mirrored ? "right" : name, text.empty() ? "one" : text.c_str());
+                     scene.wheelset.is_mirrored() ? "right" : name, text.empty() ? "one" : text.c_str());
     }
 }
 

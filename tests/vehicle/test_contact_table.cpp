@@ -219,15 +219,27 @@ TEST_CASE("forces have no steps where the load goes over to another point of con
     REQUIRE(most_angle > 1.0);
 }
 
+TEST_CASE("a table of a rail that changes along the way is refused", "[contact_table]") {
+    const Profile rail = rail_60e1();
+    const Sections sections({{-1, rail, {}}, {1, rail, {}}}, Sections::Interpolation::through);
+    const WheelsetOnTrack track(
+        WheelOnRail(rollbem::s1002(), sections, {.rail_origin = TrackDimensions::Origin{0.75, 0}}));
+    CHECK_THAT(refusal([&] { make_contact_table(track, creep()); }),
+               ContainsSubstring("surface = changes along the way"));
+}
+
 TEST_CASE("a table agrees with the patches at its nodes, whichever side and yaw", "[contact_table]") {
-    const WheelsetOnTrack track(WheelOnRail(rollbem::s1002(), rail_60e1()));
+    const WheelOnRail right(rollbem::s1002(), rail_60e1()), left(rollbem::s1002(), rail_54e1(), {.radius = 0.45});
+    const bool both = GENERATE(true, false);
+    const WheelsetOnTrack track = both ? WheelsetOnTrack(right) : WheelsetOnTrack(left, right);
     ContactTableMaking making{.grid = contact_table_grid(1e5, 1e-3, 5, 4e-3, 3),
                               .contacts = {.cells_x = 20, .cells_s = 12}};
     making.grid.loads = {6e4, 1e5};
     making.zones = {ContactZones(), ContactZones()};
     making.jobs = 2;
-    const MadeContactTable made = make_contact_table(track, creep(), true, making);
+    const MadeContactTable made = make_contact_table(track, creep(), making);
     REQUIRE(made.missing == 0);
+    REQUIRE(made.table.is_mirrored() == both);
     REQUIRE(made.table.grid().shifts.size() == 5);
     WheelsetOnTrack::Workspace workspace;
     const WheelsetSpeeds speeds{.forward = 30,
@@ -248,10 +260,11 @@ TEST_CASE("a table agrees with the patches at its nodes, whichever side and yaw"
             REQUIRE(at.status == StepStatus::ok);
             const WheelForces::Point& point = at.points[0];
             const WheelsetPosition seen = contacts.seen(side);
-            const PatchEllipse ellipse = creep_ellipse(patches[0], track.wheel().dimensions(), creep());
+            const TrackDimensions& dimensions = track.wheel(side).dimensions();
+            const PatchEllipse ellipse = creep_ellipse(patches[0], dimensions, creep());
             const Creepage<double> own =
-                creepage_of(patches[0], seen, WheelsetOnTrack::seen_from(side, speeds), radius);
-            CAPTURE(yaw, int(side));
+                creepage_of(patches[0], seen, WheelsetOnTrack::seen_from(side, speeds), dimensions.radius);
+            CAPTURE(both, yaw, int(side));
             CHECK_THAT(point.normal_load, WithinRel(patches[0].load, 1e-4));
             CHECK_THAT(point.peak_pressure, WithinRel(patches[0].peak_pressure, 0.02));
             CHECK_THAT(point.ellipse.half_length(), WithinRel(ellipse.half_length, 1e-5));

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -30,8 +29,8 @@ namespace rollbem {
 
 namespace detail {
 
-/// Forces in steady rolling of full adhesion, minus what they are [N, N m] per (xi, eta, phi) at the reference point,
-/// the moment about it, of each strip.
+/// Linear forces of each strip in full adhesion, reversed [N, N m]: F_x, F_y and M_z about the reference point per xi,
+/// eta, phi there.
 struct StripLaws {
     std::vector<double> s;  ///< middles of the strips [m]
     std::vector<Eigen::Matrix3d> law;
@@ -149,7 +148,7 @@ inline ZonePressures pressures_of(const std::vector<PatchLaws>& patches, const C
     return found;
 }
 
-/// The linear law of a zone, (xi, eta, phi) at its place and the moment about it, minus forces [N, N m]. Small
+/// The linear law of a zone, (xi, eta, phi) at its place and the moment about it, reversed forces [N, N m]. Small
 /// patches without one count as the others; zero if those carry less than nine tenths.
 inline Eigen::Matrix3d law_of(const std::vector<PatchLaws>& patches, const ContactZones& zones, Eigen::Index zone,
                               const ZonePressures& pressed, bool mirrored) {
@@ -187,7 +186,7 @@ inline Eigen::Matrix3d law_of_ellipse(const PatchContact<double>& contact, doubl
     return law;
 }
 
-/// Rows of a zone from its pressures and laws; `yaw` is that of the position, 0 or positive. The arm is from `middle`.
+/// Rows of a zone from its pressures and laws but for share and arm; `yaw` is that of the position, 0 or positive.
 inline ContactRow::Values rows_of(const std::vector<PatchLaws>& patches, const ContactZones& zones, Eigen::Index zone,
                                   const ZonePressures& pressed, const TrackDimensions& dimensions,
                                   const CreepForceTable& creep, double yaw) {

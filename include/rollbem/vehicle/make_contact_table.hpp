@@ -7,10 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <mutex>
-#include <numbers>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -65,16 +62,16 @@ using WheelNodes = std::vector<WheelNode>;
 /// Contacts of both wheels along one line of shifts.
 class ContactLine {
 public:
-    ContactLine(const WheelsetOnTrack& track, const ContactTableMaking& making, bool mirrored)
-        : track_(track), making_(making), mirrored_(mirrored) {}
+    ContactLine(const WheelsetOnTrack& track, const ContactTableMaking& making) : track_(track), making_(making) {}
 
     void solve(std::size_t load, std::size_t yaw, std::array<WheelNodes, 2>& nodes) const {
         const ContactTable::Grid& grid = making_.grid;
         const std::size_t count = grid.shifts.size();
+        const bool mirrored = track_.is_mirrored();
         WheelsetOnTrack::Workspace workspace;
         WheelsetPosition start;
         start.yaw = grid.yaws[yaw];
-        for (std::size_t i = mirrored_ ? count / 2 : 0; i < count; ++i) {
+        for (std::size_t i = mirrored ? count / 2 : 0; i < count; ++i) {
             start.lateral = grid.shifts[i];
             const double Q = grid.loads[load];
             const auto contacts = track_.solve(start, {Q, Q}, workspace, {}, making_.contacts);
@@ -90,8 +87,8 @@ public:
             for (const WheelsetSide side : WheelsetOnTrack::sides) {
                 const bool right = side == WheelsetSide::right;
                 const std::size_t place = right ? i : count - 1 - i;
-                if (!right && mirrored_ && place == i) continue;
-                auto& of = nodes[mirrored_ ? 0 : std::size_t(side)];
+                if (!right && mirrored && place == i) continue;
+                auto& of = nodes[mirrored ? 0 : std::size_t(side)];
                 of[std::size_t(grid.node(load, yaw, place))] = node_of(contacts, side);
             }
         }
@@ -116,18 +113,17 @@ private:
 
     const WheelsetOnTrack& track_;
     const ContactTableMaking& making_;
-    bool mirrored_;
 };
 
 /// Cuts between zones, one after the other: each as lowers most the error of ellipses beside friction on patches and
 /// the price of more points a wheel.
 class ZoneFinder {
 public:
-    ZoneFinder(const WheelNodes& nodes, const TrackDimensions& dimensions, const CreepForceTable& creep,
-               std::size_t jobs)
+    ZoneFinder(const std::vector<const WheelNode*>& nodes, const TrackDimensions& dimensions,
+               const CreepForceTable& creep, std::size_t jobs)
         : dimensions_(dimensions), creep_(creep), jobs_(jobs) {
-        for (const WheelNode& node : nodes) {
-            if (!node.patches.empty()) judged_.push_back({&node, node.vertical(), {}});
+        for (const WheelNode* node : nodes) {
+            if (!node->patches.empty()) judged_.push_back({node, node->vertical(), {}});
         }
         parallel_for(judged_.size(), jobs_, [&](std::size_t i) {
             Judged& one = judged_[i];
@@ -216,7 +212,7 @@ private:
     std::vector<Judged> judged_;
 };
 
-/// Odd rows are over the yaw: at yaw 0 they are those of the polynomial in yaw^2 through the others.
+/// Odd rows are over the yaw: at yaw 0 they lie on the line in yaw^2 through the first two others that carry.
 inline void fill_odd_rows(const ContactTable::Grid& grid, Eigen::Ref<Eigen::ArrayXXd> points) {
     using enum ContactRow::Of;
     const auto shifts = Eigen::Index(grid.shifts.size());
@@ -228,7 +224,6 @@ inline void fill_odd_rows(const ContactTable::Grid& grid, Eigen::Ref<Eigen::Arra
             for (Eigen::Index row = 0; row < ContactRow::rows; ++row) {
                 const Eigen::Index entry = row - correction_by_yaw;
                 if (row != arm_x && (entry < 0 || entry >= 9)) continue;
-                // through the first two that carry
                 std::vector<std::size_t> with;
                 for (std::size_t k = 1; k < yaws && with.size() < 2; ++k) {
                     if (points(share, node(k)) > 0) with.push_back(k);
@@ -307,13 +302,17 @@ inline ContactTable::Side side_of(const ContactTable::Grid& grid, const WheelNod
 
 }  // namespace detail
 
-/// The table of a wheelset whose wheels carry equal loads; `creep` is the table that it will be used with. `mirrored`
-/// says that the left wheel and rail are mirror images of the right ones, which halves the time. A position takes some
-/// 0.1 s. Throws std::invalid_argument if the grid breaks its invariant, the wheels do not carry the loads at five
-/// shifts about 0, or a profile changes along the way.
-inline MadeContactTable make_contact_table(const WheelsetOnTrack& track, const CreepForceTable& creep, bool mirrored,
+/// The table of a wheelset whose wheels carry equal loads; `creep` is the table that it will be used with. One side
+/// stands for both where they are mirror images. Throws std::invalid_argument if the grid breaks its invariant, the
+/// wheels do not carry the loads at five shifts about 0, or a wheel is not round or a rail changes along the way.
+inline MadeContactTable make_contact_table(const WheelsetOnTrack& track, const CreepForceTable& creep,
                                            const ContactTableMaking& making = {}) {
     constexpr const char* name = "make_contact_table";
+    const bool mirrored = track.is_mirrored();
+    for (const WheelsetSide side : WheelsetOnTrack::sides) {
+        detail::require(track.wheel(side).geometry().is_plain(), name, "surface", "changes along the way",
+                        "be a round wheel or a straight rail of one profile");
+    }
     ContactTable::Grid grid = making.grid;
     const std::size_t sides = mirrored ? 1 : 2;
     const auto dimensions_of = [&](std::size_t k) -> const TrackDimensions& {
@@ -330,7 +329,7 @@ inline MadeContactTable make_contact_table(const WheelsetOnTrack& track, const C
     // 1. Contacts at all nodes
     std::array<detail::WheelNodes, 2> found;
     for (auto& nodes : found) nodes.resize(std::size_t(grid.nodes()));
-    const detail::ContactLine line(track, making, mirrored);
+    const detail::ContactLine line(track, making);
     const std::size_t loads = grid.loads.size();
     detail::parallel_for(
         making.lines(), making.jobs, [&](std::size_t k) { line.solve(k % loads, k / loads, found); }, making.done);
@@ -356,11 +355,11 @@ inline MadeContactTable make_contact_table(const WheelsetOnTrack& track, const C
         if (given) {
             zones = *given;
         } else {
-            detail::WheelNodes judged;  // every second one along all coordinates
+            std::vector<const detail::WheelNode*> judged;  // every second one along all coordinates
             for (std::size_t load = 0; load < loads; load += 2) {
                 for (std::size_t yaw = 0; yaw < grid.yaws.size(); yaw += 2) {
                     for (std::size_t i = out; i + out < all; i += 2) {
-                        judged.push_back(nodes[k][std::size_t(making.grid.node(load, yaw, i))]);
+                        judged.push_back(&nodes[k][std::size_t(making.grid.node(load, yaw, i))]);
                     }
                 }
             }

@@ -112,11 +112,13 @@ public:
     static constexpr std::array<Side, 2> sides{Side::left, Side::right};
 
     /// Mirror images of each other.
-    explicit WheelsetOnTrack(const WheelOnRail& both) : WheelsetOnTrack(both, both) {}
+    explicit WheelsetOnTrack(const WheelOnRail& both) : WheelsetOnTrack(both, both) { is_mirrored_ = true; }
     /// The left one as its mirror image, a right wheel on a right rail. Where radii of tape circles differ, heights of
     /// the wheelset are for that of the right wheel, those of a wheel for its own.
     WheelsetOnTrack(WheelOnRail left, WheelOnRail right) : wheels_{std::move(left), std::move(right)} {}
 
+    /// Whether the left wheel and rail are mirror images of the right ones, known by how the wheelset was made.
+    bool is_mirrored() const { return is_mirrored_; }
     const WheelOnRail& wheel(Side side = Side::right) const { return wheels_[std::size_t(side)]; }
     /// By how much a wheel's height exceeds that of the wheelset [m].
     double height_above(Side side) const { return wheel(side).dimensions().radius - wheel().dimensions().radius; }
@@ -166,6 +168,7 @@ public:
 
 private:
     std::array<WheelOnRail, 2> wheels_;
+    bool is_mirrored_ = false;
 };
 
 inline auto WheelsetOnTrack::solve(WheelsetPosition position, const std::array<double, 2>& loads, Workspace& workspace,

@@ -36,7 +36,6 @@ public:
         gaps.h.resize(grid.nx, grid.ny);
         gaps.rail_n.setZero(grid.ny);
         gaps.rail_slope.setZero(grid.ny);
-        gaps.rail_n.resize(grid.ny);
         gaps.known.setConstant(grid.nx, grid.ny, Status::ok);
         gaps.all_known = true;
         const Eigen::Index row =

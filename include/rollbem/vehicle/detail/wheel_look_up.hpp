@@ -296,8 +296,7 @@ private:
 
     /// The wheel's motion; the roll is that of the position, or of equal loads.
     void move(const RowWeights<ContactTable::most_loads>& weights, double root) {
-        Dual& rolled = rolled_;
-        rolled = input(WheelForces::roll);
+        Dual rolled = input(WheelForces::roll);
         if (!has_roll_) {
             rolled = constant(0);
             for (std::size_t l = 0; l < loads_; ++l) {
@@ -318,52 +317,10 @@ private:
 
     // --- balance
 
-    /// A sum of normal loads near the balance, from one that is the load: a step of Newton's method without derivatives
-    /// of geometry and correction.
-    double nearly_balanced(double load) {
-        using enum ContactRow::Of;
-        const double root = std::cbrt(load);
-        const auto weights = hermite_weights<ContactTable::most_loads>(table_.roots_, root);
-        move(weights, root);
-        std::array<double, ContactZones::most> shares{};
-        double total = 0, pull = 0, growth = 0;
-        for (std::size_t k = 0; k < std::size_t(side_->given.zones.count()); ++k) {
-            if (zones_[k].carries) shares[k] = this->share(zones_[k], root).value();
-            total += shares[k];
-        }
-        const WheelsetVelocity<double> velocity(
-            {inputs_[WheelForces::forward], inputs_[WheelForces::pitch_rate], inputs_[WheelForces::lateral_speed],
-             inputs_[WheelForces::vertical_speed], inputs_[WheelForces::roll_rate], inputs_[WheelForces::yaw_rate]},
-            rolled_.value(), inputs_[WheelForces::yaw]);
-        for (std::size_t k = 0; k < shares.size(); ++k) {
-            if (!(shares[k] * load > least_load * total)) continue;
-            sample(zones_[k], Eigen::Index(k));
-            interpolate(zones_[k], weights, root);
-            const Values& v = zones_[k].value;
-            const double sine = std::sin(v[angle]), cosine = std::cos(v[angle]), N = shares[k] / total * load / cosine;
-            const double V = (inputs_[WheelForces::forward] - inputs_[WheelForces::pitch_rate] * v[radius]) / 2;
-            if (!(V >= (std::numeric_limits<double>::min)() && v[length] > 0 && v[width] > 0)) return load;
-            const double size = std::cbrt(N), a = v[length] * size, b = v[width] * size,
-                         mu = friction_.coefficient * friction_.factor[k];
-            const auto [w_x, w_s, w_n] = velocity.slip({v[arm_x], v[arm_y], v[arm_z]}, sine, cosine);
-            const auto [xi, eta, phi] =
-                ellipse_creepages<double>({w_x / V, w_s / V, w_n / V}, a, b, table_.shear_modulus(), mu * N,
-                                          [&](Eigen::Index row) { return v[row]; });
-            const TabulatedForce now = creep_.look_up(
-                PatchContact<double>({a, b, table_.shear_modulus(), table_.poisson_ratio()}), mu, N, {xi, eta, phi});
-            if (now.status != StepStatus::ok) return load;
-            const double by_size = a * now.tangent_by_half_length.lateral + b * now.tangent_by_half_width.lateral;
-            pull += now.force.lateral * sine;
-            growth += (now.tangent_by_load.lateral + by_size / (3 * N)) * sine * N / load;
-        }
-        const double change = pull / (1 - growth);
-        return is_finite(change) ? load + std::clamp(change, -load / 2, load) : load;
-    }
-
     /// Vertical normal loads sum up to the one that carries, with friction, the load: Newton's method, whose last step
     /// is taken along the tangents.
     void balance() {
-        double sum = nearly_balanced(inputs_[WheelForces::load]);
+        double sum = inputs_[WheelForces::load];
         for (int round = 0; round < 30; ++round) {
             result_.status = at_sum(sum);
             if (result_.status != StepStatus::ok) return;
@@ -471,7 +428,7 @@ private:
     std::array<double, WheelForces::inputs> inputs_{};
     double mirror_ = 1, along_ = 1;
     bool has_roll_ = false, stands_ = false;
-    Dual shift_, rolled_, excess_;
+    Dual shift_, excess_;
     ContactTable::Cell cell_{0, {0, 0, 1}, {}};
     std::size_t loads_ = 0;
     std::array<Zone, ContactZones::most> zones_;
