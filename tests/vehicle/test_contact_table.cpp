@@ -165,6 +165,29 @@ TEST_CASE("rolling backwards is the mirror image of rolling forward; at standsti
     }
 }
 
+TEST_CASE("power on a wheel is that of its points: minus heat, and what normal forces do", "[contact_table]") {
+    std::mt19937_64 random(9);
+    for (int scene = 0; scene < 200; ++scene) {
+        const Inputs x = with_roll(random_inputs(random, 8e-3), random);
+        const WheelForces at = look_up(x);
+        REQUIRE(at.status == StepStatus::ok);
+        const auto& f = at.force;
+        const double spin = x[3];
+        const double w_x = x[6] - spin * std::sin(x[1]), w_y = spin * std::cos(x[10]) * std::cos(x[1]),
+                     w_z = x[7] + spin * std::sin(x[10]) * std::cos(x[1]);
+        const double power = f[0] * x[2] + f[1] * x[4] + f[2] * x[5] + f[3] * w_x + f[4] * w_y + f[5] * w_z;
+        double pressed = 0;
+        for (const WheelForces::Point& point : at.points) {
+            if (point.load_share == 0) continue;
+            const auto& r = point.arm;
+            const double v_y = x[4] + w_z * r[0] - w_x * r[2], v_z = x[5] + w_x * r[1] - w_y * r[0];
+            pressed -= point.normal_load * (v_z * std::cos(point.angle) - v_y * std::sin(point.angle));
+        }
+        REQUIRE(at.heat >= 0);
+        REQUIRE_THAT(power, WithinAbs(pressed - at.heat, 1e-9 * (std::abs(pressed) + at.heat + x[8])));
+    }
+}
+
 TEST_CASE("a wheel carries its load, and what forces take from the motion becomes heat", "[contact_table]") {
     std::mt19937_64 random(9);
     for (int scene = 0; scene < 200; ++scene) {

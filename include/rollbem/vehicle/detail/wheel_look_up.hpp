@@ -214,38 +214,36 @@ private:
 
     struct Contact {
         std::array<Dual, 3> force;  // in the plane, and moment about its normal
-        Dual normal, sine, cosine;
-        std::array<Dual, 3> arm;
-        double rolling = 0;  // V [m/s]
+        Dual normal, angle, sine, cosine;
+        std::array<Dual, 3> arm, creepage;
+        Dual rolling;  // V [m/s]
     };
 
     /// Forces of one zone under its normal load.
     StepStatus press(Zone& of, WheelForces::Point& point, const Dual& load, double factor, Contact& found) {
         using enum ContactRow::Of;
         const auto row = [&](Eigen::Index which) { return dual(of, which); };
-        const Dual delta = row(angle);
-        found.sine = sin(delta);
-        found.cosine = cos(delta);
+        found.angle = row(angle);
+        found.sine = sin(found.angle);
+        found.cosine = cos(found.angle);
         found.arm = {row(arm_x), row(arm_y), row(arm_z)};
         found.normal = load / found.cosine;
         const Dual& N = found.normal;
-        const Dual reference = (input(WheelForces::forward) - input(WheelForces::pitch_rate) * row(radius)) * 0.5;
-        point.normal_load = N.value();
-        point.arm = {along_ * found.arm[0].value(), found.arm[1].value(), found.arm[2].value()};
-        point.angle = delta.value();
+        found.rolling = (input(WheelForces::forward) - input(WheelForces::pitch_rate) * row(radius)) * 0.5;
+        const Dual& reference = found.rolling;
         point.rolling_radius = of.value[radius];
         point.rail_y = of.value[rail_y];
         point.wheel_y = of.value[wheel_y];
         const double root = std::cbrt(N.value());
         point.peak_pressure = of.value[peak] * root;
         found.force.fill(constant(0));
-        found.rolling = 0;
+        found.creepage.fill(constant(0));
         if (!(reference.value() >= (std::numeric_limits<double>::min)())) {
             stands_ = true;
             return StepStatus::ok;
         }
         const std::array<Dual, 3> slip = velocity().slip(found.arm, found.sine, found.cosine);
-        const std::array<Dual, 3> creepage{slip[0] / reference, slip[1] / reference, slip[2] / reference};
+        found.creepage = {slip[0] / reference, slip[1] / reference, slip[2] / reference};
         Dual size(root, (root / (3 * N.value())) * N.derivatives());
         const auto positive = [&](Eigen::Index which) {  // cubics may undershoot where a zone begins to carry
             constexpr double least = 1e-9;
@@ -253,12 +251,10 @@ private:
         };
         const Dual a = positive(length) * size, b = positive(width) * size;
         const Dual mu = input(WheelForces::mu) * factor;
-        const std::array<Dual, 3> own = ellipse_creepages<Dual>(creepage, a, b, table_.shear_modulus(), mu * N, row);
+        const std::array<Dual, 3> own =
+            ellipse_creepages<Dual>(found.creepage, a, b, table_.shear_modulus(), mu * N, row);
         point.ellipse = PatchContact<double>({a.value(), b.value(), table_.shear_modulus(), table_.poisson_ratio()});
-        const StepStatus status = creep_forces(point.ellipse, own, {N, mu, a, b, reference}, found.force);
-        point.creepage = {along_ * creepage[0].value(), creepage[1].value(), along_ * creepage[2].value()};
-        found.rolling = reference.value();
-        return status;
+        return creep_forces(point.ellipse, own, {N, mu, a, b, reference}, found.force);
     }
 
     struct Terms {
@@ -368,14 +364,17 @@ private:
         return StepStatus::ok;
     }
 
-    /// Forces and heat of a point after the last step.
+    /// A point after the last step, so that its numbers agree with the wrench.
     void settle(WheelForces::Point& point, const Contact& of, double change) const {
         const auto settled = [&](const Dual& one) { return one.value() - one.derivatives()[by_sum] * change; };
         point.normal_load = settled(of.normal);
+        point.angle = settled(of.angle);
+        point.arm = {along_ * settled(of.arm[0]), settled(of.arm[1]), settled(of.arm[2])};
+        point.creepage = {along_ * settled(of.creepage[0]), settled(of.creepage[1]), along_ * settled(of.creepage[2])};
         point.force = {along_ * settled(of.force[0]), settled(of.force[1]), along_ * settled(of.force[2])};
-        point.heat =
-            -of.rolling * (point.force.longitudinal * point.creepage.longitudinal +
-                           point.force.lateral * point.creepage.lateral + point.force.moment * point.creepage.spin);
+        point.heat = -settled(of.rolling) *
+                     (point.force.longitudinal * point.creepage.longitudinal +
+                      point.force.lateral * point.creepage.lateral + point.force.moment * point.creepage.spin);
     }
 
     /// The wrench, with the sum of normal loads as that function of the inputs which keeps the excess at 0; it falls by
