@@ -49,6 +49,24 @@ struct Scene {
     std::size_t jobs;
 };
 
+/// The wheelset in the middle of its track must stand there as profiles are placed to, not on flanges or beside.
+void require_fit(const study::Options& options, const rollbem::WheelsetOnTrack& wheelset) {
+    constexpr double load = 1e5, most = 5e-3, largest_wheel = 2;  // [N], [m], [m]
+    if (wheelset.wheel().dimensions().radius > largest_wheel) {
+        throw study::BadInput(options.said("radius") + " must be that of a wheel, in m: at most 2");
+    }
+    rollbem::WheelsetOnTrack::Workspace workspace;
+    const auto middle = wheelset.solve({}, {load, load}, workspace);
+    const std::string place = has_numbers(middle.status)
+                                  ? "height " + study::Cell(1e3 * middle.position.height).text(4) + " mm"
+                                  : std::string("status ") + name(middle.status);
+    if (has_numbers(middle.status) && std::abs(middle.position.height) < most) return;
+    throw study::BadInput("the wheelset has " + place +
+                          " in the middle of the track under 100 kN, and must be within 5 mm of 0: do " +
+                          options.said("gauge") + ", " + options.said("flange-back") + ", " +
+                          options.said("tape-offset") + " and " + options.said("radius") + " fit the profiles?");
+}
+
 Scene read_scene(const study::Options& options) {
     const rollbem::TrackDimensions dimensions = profile::read_dimensions(options);
     rollbem::WheelsetOnTrack wheelset = profile::read_wheelset(options, dimensions);
@@ -58,6 +76,7 @@ Scene read_scene(const study::Options& options) {
         throw study::BadInput(options.said("rail") + " and " + options.said("wheel") +
                               " must not change along the way: a contact table has no place along it");
     }
+    require_fit(options, wheelset);
     std::string path = options.text("creep");
     for (const char* folder : {ROLLBEM_TABLES, ROLLBEM_INSTALLED_TABLES}) {
         std::error_code unknown;

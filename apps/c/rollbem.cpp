@@ -1,5 +1,6 @@
 // The C interface: what the library has, behind plain numbers, handles and codes. No exception leaves it.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -239,6 +240,25 @@ rollbem_contact_table* rollbem_contact_table_open(const char* path) {
 
 void rollbem_contact_table_close(rollbem_contact_table* table) { delete table; }
 
+/// Which input of a look-up is wrong; empty if none is of itself.
+static std::string reason_of(const ContactTable& table, const double inputs[11]) {
+    constexpr std::array names{
+        "lateral position", "yaw",       "forward speed", "pitch rate", "lateral speed",
+        "vertical speed",   "roll rate", "yaw rate",      "load",       "coefficient of friction"};
+    const auto says = [&](std::size_t k, const std::string& rule) {
+        return ": " + std::string(names[k]) + " = " + detail::to_text(inputs[k]) + " must " + rule;
+    };
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        if (!detail::is_finite(inputs[k])) return says(k, "be finite");
+    }
+    if (!table.covers(inputs[0], 0)) return says(0, "lie within +-" + detail::to_text(table.largest_shift()));
+    if (!table.covers(0, inputs[1])) return says(1, "lie within +-" + detail::to_text(table.largest_yaw()));
+    for (const std::size_t k : {std::size_t(WheelForces::load), std::size_t(WheelForces::mu)}) {
+        if (inputs[k] < 0) return says(k, "not be negative");
+    }
+    return "";
+}
+
 int rollbem_contact_table_look_up(const rollbem_contact_table* table, const rollbem_table* creep, int side,
                                   const double inputs[11], double force[6], double tangent[66], double points[40],
                                   double* heat) {
@@ -264,7 +284,9 @@ int rollbem_contact_table_look_up(const rollbem_contact_table* table, const roll
             to = put(to, {point.load_share, point.arm[0], point.arm[1], point.arm[2], point.angle, point.rolling_radius,
                           point.normal_load, point.peak_pressure, point.rail_y, point.wheel_y});
         }
-        if (now.status != StepStatus::ok) return failed(std::string(who) + ": status is " + name(now.status));
+        if (now.status != StepStatus::ok) {
+            return failed(std::string(who) + ": status is " + name(now.status) + reason_of(table->table, inputs));
+        }
         if (now.load_on_table || load.vertical == 0) return static_cast<int>(ROLLBEM_OK);
         const auto& loads = table->table.grid().loads;
         return failed(std::string(who) + ": load = " + detail::to_text(load.vertical) + " lies beyond the table, " +

@@ -385,6 +385,7 @@ static void test_contact_table(const char *path, const char *creep_path) {
     motion[0] = 1;
     expect(rollbem_contact_table_look_up(contacts_of_wheels, creep, ROLLBEM_LEFT, motion, other, NULL, NULL, NULL) ==
            ROLLBEM_FAILED && is_nan(other[0]), "off the table");
+    expect(strstr(rollbem_last_error(), "lateral position = 1 must lie within +-") != NULL, "which input, and its range");
     expect(rollbem_contact_table_look_up(contacts_of_wheels, creep, 2, motion, other, NULL, NULL, NULL) ==
            ROLLBEM_INVALID, "no such side");
     rollbem_contact_table_close(contacts_of_wheels);

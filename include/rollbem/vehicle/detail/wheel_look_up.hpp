@@ -322,7 +322,7 @@ private:
             if (result_.status != StepStatus::ok) return;
             const double slope = excess_.derivatives()[by_sum], change = excess_.value() / slope;
             if (!is_finite(change)) break;
-            const bool settled = std::abs(change) <= 1e-6 * sum;
+            const bool settled = std::abs(change) <= 1e-7 * sum;
             if (settled) {
                 Gradient by_inputs = -excess_.derivatives() / slope;
                 by_inputs[by_sum] = 0;
