@@ -13,11 +13,13 @@
 #include <rollbem/studies/kalker_table.hpp>
 
 #include "support/catch.hpp"
+#include "support/moved_mesh.hpp"
 
 namespace patch_steady_tests {
 
 using namespace rollbem;
 using namespace rollbem::studies;
+using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
@@ -291,15 +293,37 @@ TEST_CASE("patch_steady: moving the origin turns spin into creepage") {
     const auto contact = PatchContact<double>::dimensionless(1, 0.25);
     const PatchMesh<double> mesh = patch_mesh(contact, 8, 6);
     const double y0 = 0.3;
-    const PatchMesh<double> moved(
-        {mesh.along(), mesh.edges() + y0, mesh.middles_y() + y0, mesh.middles_x(), mesh.half_lengths()});
-    const auto centred = solved(contact, mesh), off = solved(contact, moved);
+    const auto centred = solved(contact, mesh), off = solved(contact, support::moved(mesh, 0, y0));
     // spin about the new origin is spin about the centre and xi = -y0 phi; M_z = M_z' - y0 F_x
     CHECK_THAT(off.c11, WithinRel(centred.c11, 1e-12));
     CHECK_THAT(off.c22, WithinRel(centred.c22, 1e-12));
     CHECK_THAT(off.c23, WithinRel(centred.c23, 1e-12));
     CHECK_THAT(off.response.coefficients(0, 2), WithinRel(-y0 * centred.c11, 1e-12));
     CHECK_THAT(off.c33, WithinRel(centred.c33 + y0 * y0 * centred.c11, 1e-12));
+}
+
+TEST_CASE("patch_steady: pieces of a plane make the whole, and far from each other stick each for itself") {
+    const auto contact = PatchContact<double>::dimensionless(1, 0.25);
+    const PatchMesh<double> mesh = support::moved(patch_mesh(contact, 8, 6), 0, 0.1);
+    const auto piece = [&](Eigen::Index first, Eigen::Index count) {
+        Eigen::ArrayXd edges(count + 1);
+        edges << mesh.lower().segment(first, count), mesh.upper()[first + count - 1];
+        return PatchMesh<double>({mesh.along(), edges, mesh.middles_y().segment(first, count),
+                                  mesh.middles_x().segment(first, count), mesh.half_lengths().segment(first, count)});
+    };
+    const auto whole = solved(contact, mesh).response.coefficients;
+    // in any order
+    for (const auto& pieces : {std::vector{piece(0, 2), piece(2, 4)}, {piece(3, 3), piece(0, 2), piece(2, 1)}}) {
+        const PatchMesh<double> joined = PatchMesh<double>::joined(pieces);
+        CHECK(joined.height() == mesh.height());
+        CHECK((solved(contact, joined).response.coefficients - whole).cwiseAbs().maxCoeff() < 1e-12);
+    }
+    const PatchMesh<double> apart = PatchMesh<double>::joined({mesh, support::moved(mesh, 0, 1e6)});
+    // the coupling of so wide a mesh is taken over the widths of strips
+    CHECK_THAT(solved(contact, apart).c11, WithinRel(2 * solved(contact, mesh).c11, 1e-4));
+    const PatchMesh<double> finer = patch_mesh(contact, 10, 6);
+    CHECK_THROWS_WITH(PatchMesh<double>::joined({mesh, finer}),
+                      ContainsSubstring("number of elements of a piece's strips = 10"));
 }
 
 #ifdef ROLLBEM_SLOW_CHECKS

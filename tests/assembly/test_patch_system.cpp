@@ -9,6 +9,7 @@
 #include <rollbem/detail/gauss_legendre.hpp>
 
 #include "support/catch.hpp"
+#include "support/moved_mesh.hpp"
 #include "support/refusal.hpp"
 
 namespace patch_system_tests {
@@ -40,12 +41,6 @@ static_assert(RectangleKernel<OwnKernel> && RectangleKernel<HalfSpace<double>>);
 RectangleInfluence<double> point_force(double nu, double x, double y) {
     const double r = std::hypot(x, y), cube = std::numbers::pi * r * r * r;
     return {((1 - nu) * r * r + nu * x * x) / cube, nu * x * y / cube, ((1 - nu) * r * r + nu * y * y) / cube};
-}
-
-/// The patch moved by y0, whose strips are no longer mirrored.
-PatchMesh<double> moved(const PatchMesh<double>& mesh, double y0) {
-    return PatchMesh<double>(
-        {mesh.along(), mesh.edges() + y0, mesh.middles_y() + y0, mesh.middles_x(), mesh.half_lengths()});
 }
 
 }  // namespace
@@ -143,7 +138,7 @@ TEST_CASE("patch_system: the coupling of wide strips is its mean over their widt
         CHECK(wide == (a_over_b < 0.1));
         // the mean over y of a quantity in strip j by elements of strip k, as their middle or their width sees it
         const auto expected = [&](const auto& of, Eigen::Index j, Eigen::Index k) {
-            const auto at = [&](double y) { return of(y - mesh.edges()[k]) - of(y - mesh.edges()[k + 1]); };
+            const auto at = [&](double y) { return of(y - mesh.lower()[k]) - of(y - mesh.upper()[k]); };
             if (!wide) return at(mesh.middles_y()[j]);
             double mean = 0;
             for (Eigen::Index i = 0; i < 40; ++i) {  // close to the edges, where slopes change rapidly
@@ -205,8 +200,9 @@ TEST_CASE("patch_system: mirrored strips are computed once, and moving the patch
     for (const Eigen::Index m : {4, 5}) {
         const PatchMesh<double> mesh = ellipse_mesh<double>(0.7, cosine_mesh(6), cosine_mesh(m));
         const ElementSystem<double, 2> mirrored = rolling_system(mesh, chebyshev, HalfSpace<double>(0.4));
-        const ElementSystem<double, 2> whole = rolling_system(moved(mesh, 0.25), chebyshev, HalfSpace<double>(0.4));
-        CHECK_FALSE(moved(mesh, 0.25).is_mirrored());
+        const ElementSystem<double, 2> whole =
+            rolling_system(support::moved(mesh, 0, 0.25), chebyshev, HalfSpace<double>(0.4));
+        CHECK_FALSE(support::moved(mesh, 0, 0.25).is_mirrored());
         for (const std::size_t d : {0, 1}) {
             for (const std::size_t e : {0, 1}) {
                 CHECK(largest(mirrored.G(d, e) - whole.G(d, e)) < 1e-13);
@@ -274,7 +270,7 @@ TEST_CASE("patch_system: the parts of a mirrored patch respond as the whole") {
         }
         CHECK((joined - whole.coefficients).cwiseAbs().maxCoeff() < 1e-12);
     }
-    CHECK(patch_parts(moved(ellipse_mesh<double>(1, cosine_mesh(3), cosine_mesh(3)), 0.1), chebyshev,
+    CHECK(patch_parts(support::moved(ellipse_mesh<double>(1, cosine_mesh(3), cosine_mesh(3)), 0, 0.1), chebyshev,
                       HalfSpace<double>(0.3))
               .size() == 1);
 }

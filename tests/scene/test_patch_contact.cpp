@@ -81,8 +81,8 @@ TEST_CASE("patch_mesh: the strips of an ellipse end on it at the middle of their
     const PatchMesh<double> mesh = ellipse_mesh<double>(2, cosine_mesh(5), cosine_mesh(8));
     CHECK(mesh.size() == 40);
     CHECK(mesh.is_mirrored());
-    CHECK(mesh.edges()[0] == -0.5);
-    CHECK(mesh.edges()[8] == 0.5);
+    CHECK(mesh.lower()[0] == -0.5);
+    CHECK(mesh.upper()[7] == 0.5);
     for (Eigen::Index j = 0; j < 8; ++j) {
         const double y = mesh.middles_y()[j] * 2, x = mesh.half_lengths()[j];
         CHECK_THAT(x * x + y * y, WithinRel(1.0, 1e-14));
@@ -104,7 +104,7 @@ TEST_CASE("patch_mesh: an outline is cut as given, in units of c, and mirrored o
     const Outline<double> trapezium = outline({1, 3}, {-1, -2}, {1, 2});
     const Array edges = array({-1, 0.5, 1});
     const PatchMesh<double> mesh = outline_mesh<double>(trapezium, 2, uniform_mesh(3), mesh_from_edges(edges));
-    CHECK(mesh.edges().isApprox(array({0.5, 1.25, 1.5})));
+    CHECK(mesh.upper().isApprox(array({1.25, 1.5})));
     CHECK(mesh.middles_y().isApprox(array({0.875, 1.375})));
     CHECK(mesh.half_lengths().isApprox(array({0.6875, 0.9375})));
     CHECK_FALSE(mesh.is_mirrored());

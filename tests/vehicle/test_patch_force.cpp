@@ -150,14 +150,53 @@ TEST_CASE("Friction of a patch with two lobes is nearer to that on many strips t
     CHECK(std::abs(force({.elements = 12, .strips = 13}) - fine) > 5e-3);
 }
 
+TEST_CASE("The load of a lobe grows from nothing as the wheelset shifts", "[profiles]") {
+    double before = 0;
+    for (double lateral = 4.36e-3; lateral < 4.6e-3; lateral += 2e-5) {
+        CAPTURE(lateral);
+        WheelsetOnTrack::Workspace workspace;
+        const auto contacts = WheelsetOnTrack(wheel()).solve({.lateral = lateral}, {1e5, 1e5}, workspace);
+        CHECK(contacts.status == Status::ok);
+        const auto& patches = contacts.wheels[1].patches;
+        const double load = patches.size() > 1 ? patches[1].load : 0;
+        CHECK(load >= before);
+        CHECK(load - before < 1500);
+        before = load;
+    }
+    CHECK(before > 1e4);
+}
+
+TEST_CASE("Pieces of one plane rub as the outline into which they grow together", "[profiles]") {
+    const auto sum = [](double lateral, bool together, std::size_t count) {
+        WheelsetOnTrack::Workspace workspace;
+        const auto contacts = WheelsetOnTrack(wheel()).solve({.lateral = lateral, .yaw = -3e-3}, {1e5, 1e5}, workspace);
+        const auto& patches = contacts.wheels[1].patches;
+        REQUIRE(patches.size() == count);
+        REQUIRE(pieces_of_planes(patches).size() == 1);
+        WheelsetSpeeds speeds{.forward = 20};
+        speeds.pitch_rate = -20 / patches[0].rolling_radius;
+        const auto at = contacts.seen(WheelsetSide::right);
+        const auto all = patch_forces(patches, at, speeds, wheel().dimensions(), {});
+        double lateral_force = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            const PatchForce own = together ? all[k] : patch_force(patches[k], at, speeds, wheel().dimensions(), {});
+            REQUIRE(own.status == StepStatus::ok);
+            lateral_force += own.force.lateral / (0.3 * 1e5);
+        }
+        return lateral_force;
+    };
+    const double before = sum(4.82e-3, true, 2), after = sum(4.84e-3, true, 1), alone = sum(4.82e-3, false, 2);
+    CHECK(std::abs(after - before) < 0.01);
+    CHECK(std::abs(after - alone) > 0.02);
+}
+
 TEST_CASE("Strips are taken away until friction is solved, down to 5, or once where there are fewer", "[profiles]") {
-    const PatchContact<double> contact({1e-3, 1e-3, 8.2e10, 0.28});
     std::vector<Eigen::Index> tried;
     const auto until = [&](Eigen::Index strips, Eigen::Index solved) {
         tried.clear();
-        return with_fewer_strips(contact, {4, strips}, [&](const PatchMesh<double>& mesh) {
-            tried.push_back(mesh.strip_count());
-            return mesh.strip_count() == solved;
+        return with_fewer_strips({{4, strips}}, [&](const std::vector<PatchElements>& elements) {
+            tried.push_back(elements[0].strips);
+            return elements[0].strips == solved;
         });
     };
     CHECK(until(9, 7));

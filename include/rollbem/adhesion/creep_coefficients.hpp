@@ -122,7 +122,7 @@ template <class Scalar, RectangleKernel Kernel>
 std::vector<std::pair<Eigen::Index, Eigen::Index>> other_meshes(const PatchMesh<Scalar>& mesh, bool ellipse) {
     constexpr Eigen::Index enough = 8, least = 12, most = 16;
     const Eigen::Index n = mesh.elements_per_strip(), m = mesh.strip_count();
-    const Scalar width = mesh.edges()[m] - mesh.edges()[0];
+    const Scalar width = mesh.height();
     const auto finer = [&](Eigen::Index count) {
         return count < enough ? (std::max)(2 * count, least) : (std::min)(count, most);
     };

@@ -77,8 +77,7 @@ DirectionBlocks<Scalar> patch_blocks(const PatchMesh<Scalar>& mesh, const Scheme
 template <class Scalar, RollingScheme<Scalar> Scheme>
 ElementSystem<Scalar, 2> system_of(const PatchMesh<Scalar>& mesh, const Scheme& scheme, DirectionBlocks<Scalar> G,
                                    DirectionBlocks<Scalar> G_prime) {
-    const Scalar height = mesh.edges()[mesh.strip_count()] - mesh.edges()[0];
-    return {std::move(G), std::move(G_prime), patch_elements(mesh, scheme), nullptr, 2 / height};
+    return {std::move(G), std::move(G_prime), patch_elements(mesh, scheme), nullptr, 2 / mesh.height()};
 }
 
 /// What tractions of the strips at y <= 0 and their mirror images cause in the strips at y <= 0: `count` strips of rows

@@ -1,6 +1,6 @@
 // PatchMesh: a contact patch cut into strips along the rolling direction, each of which has the same mesh along x,
 // stretched to end exactly on the outline. Elements are rectangles, numbered from trailing to leading in each strip,
-// and strip by strip from small to large y.
+// and strip by strip from small to large y, piece by piece where several patches are one mesh.
 #pragma once
 
 #include <type_traits>
@@ -40,39 +40,53 @@ public:
     };
 
     /// Throws std::invalid_argument if the data break the invariant.
-    explicit PatchMesh(Data data) : data_(std::move(data)) {
-        const Eigen::Index m = data_.half_lengths.size();
+    explicit PatchMesh(Data data)
+        : along_(std::move(data.along)),
+          middles_y_(std::move(data.middles_y)),
+          middles_x_(std::move(data.middles_x)),
+          half_lengths_(std::move(data.half_lengths)) {
+        const Eigen::Index m = half_lengths_.size();
         detail::require(m >= 1, "PatchMesh", "number of strips", m, "be at least 1");
-        detail::require(data_.edges.size() == m + 1, "PatchMesh", "number of edges of strips", data_.edges.size(),
+        detail::require(data.edges.size() == m + 1, "PatchMesh", "number of edges of strips", data.edges.size(),
                         "be one more than that of strips");
-        detail::require(data_.middles_y.size() == m && data_.middles_x.size() == m, "PatchMesh",
-                        "number of middles of strips", data_.middles_x.size(), "equal that of strips");
-        widths_.resize(m);
-        for (Eigen::Index j = 0; j < m; ++j) {
-            widths_[j] = data_.edges[j + 1] - data_.edges[j];
-            detail::require_positive("PatchMesh", "width of a strip", widths_[j]);
-            detail::require_positive("PatchMesh", "half-length of a strip", data_.half_lengths[j]);
-            detail::require(data_.middles_y[j] > data_.edges[j] && data_.middles_y[j] < data_.edges[j + 1], "PatchMesh",
-                            "y of the middle of a strip", data_.middles_y[j], "lie between its edges");
-            detail::require_finite("PatchMesh", "x of the middle of a strip", data_.middles_x[j]);
+        lower_ = data.edges.head(m);
+        upper_ = data.edges.tail(m);
+        check();
+    }
+
+    /// Pieces of one plane, in one unit and with the same elements along x, as one mesh: the strips of all in turn,
+    /// whether they touch or not. Throws std::invalid_argument if there are none, or the elements along x differ.
+    static PatchMesh joined(const std::vector<PatchMesh>& pieces) {
+        detail::require(!pieces.empty(), "PatchMesh", "number of pieces", pieces.size(), "be at least 1");
+        PatchMesh whole = pieces.front();
+        for (std::size_t k = 1; k < pieces.size(); ++k) {
+            const PatchMesh& piece = pieces[k];
+            detail::require(
+                piece.along().size() == whole.along().size() && (piece.along().edges() == whole.along().edges()).all(),
+                "PatchMesh", "number of elements of a piece's strips", piece.elements_per_strip(),
+                "be that of the others, with the same edges");
+            for (const auto part : {&PatchMesh::lower_, &PatchMesh::upper_, &PatchMesh::middles_y_,
+                                    &PatchMesh::middles_x_, &PatchMesh::half_lengths_}) {
+                Array both((whole.*part).size() + (piece.*part).size());
+                both << whole.*part, piece.*part;
+                whole.*part = std::move(both);
+            }
         }
-        mirrored_ = true;
-        for (Eigen::Index j = 0; j < m && mirrored_; ++j) {
-            const Eigen::Index k = m - 1 - j;
-            mirrored_ = data_.edges[j] == -data_.edges[m - j] && data_.middles_y[j] == -data_.middles_y[k] &&
-                        data_.middles_x[j] == data_.middles_x[k] && data_.half_lengths[j] == data_.half_lengths[k];
-        }
+        whole.check();
+        return whole;
     }
 
     Eigen::Index strip_count() const { return widths_.size(); }                 ///< m
-    Eigen::Index elements_per_strip() const { return data_.along.size(); }      ///< n
+    Eigen::Index elements_per_strip() const { return along_.size(); }           ///< n
     Eigen::Index size() const { return strip_count() * elements_per_strip(); }  ///< N = n m
-    const Mesh<Scalar>& along() const { return data_.along; }
-    const Array& edges() const { return data_.edges; }
+    const Mesh<Scalar>& along() const { return along_; }
+    const Array& lower() const { return lower_; }  ///< edges of the strips, y
+    const Array& upper() const { return upper_; }
     const Array& widths() const { return widths_; }
-    const Array& middles_y() const { return data_.middles_y; }
-    const Array& middles_x() const { return data_.middles_x; }
-    const Array& half_lengths() const { return data_.half_lengths; }
+    const Array& middles_y() const { return middles_y_; }
+    const Array& middles_x() const { return middles_x_; }
+    const Array& half_lengths() const { return half_lengths_; }
+    Scalar height() const { return upper_.maxCoeff() - lower_.minCoeff(); }  ///< between the outermost edges
 
     /// Whether the strips at y and -y are mirror images, exactly: then problems fall apart into halves.
     bool is_mirrored() const { return mirrored_; }
@@ -84,15 +98,33 @@ public:
         for (Eigen::Index j = 0; j < strip_count(); ++j) {
             const auto x = [&](Eigen::Index i) { return unit * (middles_x()[j] + half_lengths()[j] * edges[i]); };
             for (Eigen::Index i = 0; i < elements_per_strip(); ++i) {
-                elements.push_back({x(i), x(i + 1), unit * data_.edges[j], unit * data_.edges[j + 1]});
+                elements.push_back({x(i), x(i + 1), unit * lower_[j], unit * upper_[j]});
             }
         }
         return elements;
     }
 
 private:
-    Data data_;
-    Array widths_;
+    void check() {
+        const Eigen::Index m = half_lengths_.size();
+        detail::require(middles_y_.size() == m && middles_x_.size() == m, "PatchMesh", "number of middles of strips",
+                        middles_x_.size(), "equal that of strips");
+        widths_ = upper_ - lower_;
+        mirrored_ = true;
+        for (Eigen::Index j = 0; j < m; ++j) {
+            detail::require_positive("PatchMesh", "width of a strip", widths_[j]);
+            detail::require_positive("PatchMesh", "half-length of a strip", half_lengths_[j]);
+            detail::require(middles_y_[j] > lower_[j] && middles_y_[j] < upper_[j], "PatchMesh",
+                            "y of the middle of a strip", middles_y_[j], "lie between its edges");
+            detail::require_finite("PatchMesh", "x of the middle of a strip", middles_x_[j]);
+            const Eigen::Index k = m - 1 - j;
+            mirrored_ = mirrored_ && lower_[j] == -upper_[k] && middles_y_[j] == -middles_y_[k] &&
+                        middles_x_[j] == middles_x_[k] && half_lengths_[j] == half_lengths_[k];
+        }
+    }
+
+    Mesh<Scalar> along_;
+    Array lower_, upper_, middles_y_, middles_x_, half_lengths_, widths_;
     bool mirrored_ = false;
 };
 

@@ -24,12 +24,15 @@ namespace rollbem {
 /// load, b from that of the mesh to 0.38 of it; to 0.05 they double.
 template <class Scalar>
 SemiAxes<Scalar> least_resolved(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh) {
-    const auto half_of_three = [](const ArrayX<Scalar>& edges) {
-        const Eigen::Index count = edges.size() - 1, first = std::max<Eigen::Index>((count - 3) / 2, 0);
-        return (edges[(std::min)(first + 3, count)] - edges[first]) / 2;
+    const auto half_of_three = [](const auto& lower, const auto& upper) {
+        const Eigen::Index count = lower.size(), first = std::max<Eigen::Index>((count - 3) / 2, 0);
+        return (upper[(std::min)(first + 3, count) - 1] - lower[first]) / 2;
     };
+    const ArrayX<Scalar> edges = mesh.along().edges();
+    const Eigen::Index n = mesh.elements_per_strip();
     const Scalar a = contact.half_length(), rounding = 1 - 8 * std::numeric_limits<Scalar>::epsilon();
-    return {a * rounding * half_of_three(mesh.along().edges()), a * rounding * half_of_three(mesh.edges())};
+    return {a * rounding * half_of_three(edges.head(n), edges.tail(n)),
+            a * rounding * half_of_three(mesh.lower(), mesh.upper())};
 }
 
 /// Makes the NormalLoad of a load N [N] for the bodies of a HertzEllipse, whose axes must lie along x and y, as those

@@ -36,34 +36,53 @@ struct StripLaws {
     std::vector<Eigen::Matrix3d> law;
 };
 
-/// None where rolling would gain energy on all meshes.
-inline StripLaws strip_laws(const RailPatch& patch, const TrackDimensions& dimensions) {
+/// Of a piece, from p/G of all elements in its plane for creepages xi, eta, phi unit.
+inline StripLaws strip_laws_of(const PieceMeshes& meshes, std::size_t piece, const MatrixX<double>& unknowns,
+                               double shear_modulus) {
+    const PatchMesh<double>& mesh = meshes.pieces[piece];
+    const std::vector<Rectangle<double>> elements = mesh.rectangles(meshes.unit);
+    const Eigen::Index n = mesh.elements_per_strip(), first = meshes.first(piece), count = unknowns.rows() / 2;
     StripLaws laws;
-    if (!patch.outline) return laws;
-    const PatchContact<double> contact = contact_of(patch, dimensions);
-    const HalfSpace<double> half_space(contact.poisson_ratio());
-    with_fewer_strips(contact, elements_for(patch), [&](const PatchMesh<double>& mesh) {
-        const Response<double> own = solve_steady(mesh, NodeDifference{Nodes::chebyshev}, half_space);
-        if (own.status != Status::ok) return false;
-        const double unit = contact.half_length();  // unknowns are p/G for creepages xi, eta, phi unit
-        const std::vector<Rectangle<double>> elements = mesh.rectangles(unit);
-        const Eigen::Index n = mesh.elements_per_strip(), count = mesh.size();
-        for (Eigen::Index j = 0; j < mesh.strip_count(); ++j) {
-            Eigen::Matrix3d law = Eigen::Matrix3d::Zero();
-            for (Eigen::Index i = j * n; i < (j + 1) * n; ++i) {
-                const auto& [x_1, x_2, y_1, y_2] = elements[std::size_t(i)];
-                const double area = -contact.shear_modulus() * (x_2 - x_1) * (y_2 - y_1);
-                const Eigen::RowVector3d x = area * own.unknowns.row(i), y = area * own.unknowns.row(count + i);
-                law.row(0) += x;
-                law.row(1) += y;
-                law.row(2) += (x_1 + x_2) / 2 * y - (y_1 + y_2) / 2 * x;
-            }
-            law.col(2) *= unit;
-            laws.law.push_back(law);
-            laws.s.push_back(unit * mesh.middles_y()[j]);
+    for (Eigen::Index j = 0; j < mesh.strip_count(); ++j) {
+        Eigen::Matrix3d law = Eigen::Matrix3d::Zero();
+        for (Eigen::Index i = j * n; i < (j + 1) * n; ++i) {
+            const auto& [x_1, x_2, y_1, y_2] = elements[std::size_t(i)];
+            const double area = -shear_modulus * (x_2 - x_1) * (y_2 - y_1);
+            const Eigen::RowVector3d x = area * unknowns.row(first + i), y = area * unknowns.row(count + first + i);
+            law.row(0) += x;
+            law.row(1) += y;
+            law.row(2) += (x_1 + x_2) / 2 * y - (y_1 + y_2) / 2 * x;
         }
-        return true;
-    });
+        law.col(2) *= meshes.unit;
+        laws.law.push_back(law);
+        laws.s.push_back(meshes.unit * mesh.middles_y()[j]);
+    }
+    return laws;
+}
+
+/// Of all patches of a wheel: pieces of one plane stick together. None where there is no outline, or rolling would gain
+/// energy on all meshes.
+inline std::vector<StripLaws> strip_laws(const std::vector<RailPatch>& patches, const TrackDimensions& dimensions) {
+    std::vector<StripLaws> laws(patches.size());
+    const HalfSpace<double> half_space(dimensions.poisson_ratio);
+    for (const std::vector<std::size_t>& plane : pieces_of_planes(patches)) {
+        std::vector<const RailPatch*> pieces;
+        std::vector<PatchElements> elements;
+        for (const std::size_t k : plane) {
+            pieces.push_back(&patches[k]);
+            elements.push_back(elements_for(patches[k]));
+        }
+        const double unit = contact_of(*pieces[0], dimensions).half_length();
+        with_fewer_strips(elements, [&](const std::vector<PatchElements>& fewer) {
+            const PieceMeshes meshes = friction_meshes(pieces, fewer, unit);
+            const Response<double> own = solve_steady(meshes.joined(), NodeDifference{Nodes::chebyshev}, half_space);
+            if (own.status != Status::ok) return false;
+            for (std::size_t i = 0; i < plane.size(); ++i) {
+                laws[plane[i]] = strip_laws_of(meshes, i, own.unknowns, dimensions.shear_modulus);
+            }
+            return true;
+        });
+    }
     return laws;
 }
 
@@ -72,12 +91,22 @@ inline StripLaws strip_laws(const RailPatch& patch, const TrackDimensions& dimen
 struct PatchLaws {
     RailPatch patch;
     StripLaws own, mirrored;
-
-    PatchLaws(RailPatch of, const TrackDimensions& dimensions, bool symmetric) : patch(std::move(of)) {
-        own = strip_laws(patch, dimensions);
-        mirrored = symmetric ? own : strip_laws(rollbem::mirrored(patch, Mirror::along_track()), dimensions);
-    }
 };
+
+/// Of all patches of a wheel; `symmetric` ones are their own mirror images.
+inline std::vector<PatchLaws> patch_laws(const std::vector<RailPatch>& patches, const TrackDimensions& dimensions,
+                                         bool symmetric) {
+    const std::vector<StripLaws> own = strip_laws(patches, dimensions);
+    std::vector<StripLaws> other = own;
+    if (!symmetric) {
+        std::vector<RailPatch> images;
+        for (const RailPatch& patch : patches) images.push_back(mirrored(patch, Mirror::along_track()));
+        other = strip_laws(images, dimensions);
+    }
+    std::vector<PatchLaws> laws;
+    for (std::size_t k = 0; k < patches.size(); ++k) laws.push_back({patches[k], own[k], other[k]});
+    return laws;
+}
 
 /// The pressures of a zone: their resultant, and what an ellipse is made of.
 struct ZonePressures {
@@ -261,7 +290,7 @@ inline PatchEllipse creep_ellipse(const RailPatch& patch, const TrackDimensions&
                                   const CreepForceTable& creep) {
     using enum ContactRow::Of;
     detail::require(patch.load > 0, "creep_ellipse", "load of the patch", patch.load, "be positive");
-    const std::vector<detail::PatchLaws> one{{patch, dimensions, true}};
+    const std::vector<detail::PatchLaws> one = detail::patch_laws({patch}, dimensions, true);
     const detail::ZonePressures pressed = detail::pressures_of(one, {}, 0);
     PatchEllipse ellipse{.values = detail::rows_of(one, {}, 0, pressed, dimensions, creep, 0)};
     const Eigen::Vector2d from = pressed.from(patch);

@@ -104,10 +104,11 @@ private:
         node.at.yaw = std::abs(node.at.yaw);
         node.pitch_per_metre = free_pitch_rate(track_, contacts, {.forward = 1});
         node.support = contacts.position.height + ContactTable::support_y * node.at.roll;
-        for (const RailPatch& patch : contacts.wheels[std::size_t(side)].patches) {
-            node.patches.emplace_back(right ? patch : mirrored(patch, Mirror::along_track()),
-                                      track_.wheel(side).dimensions(), node.at.yaw == 0);
+        std::vector<RailPatch> patches = contacts.wheels[std::size_t(side)].patches;
+        if (!right) {
+            for (RailPatch& patch : patches) patch = mirrored(std::move(patch), Mirror::along_track());
         }
+        node.patches = patch_laws(patches, track_.wheel(side).dimensions(), node.at.yaw == 0);
         return node;
     }
 

@@ -67,20 +67,67 @@ inline PatchElements elements_for(const RailPatch& patch) {
     return elements;
 }
 
-/// The outline's mesh for friction with NodeDifference{Nodes::chebyshev}.
-inline PatchMesh<double> friction_mesh(const PatchContact<double>& contact, const PatchElements& elements) {
-    return patch_mesh(contact, cosine_mesh(elements.along), uniform_mesh(elements.strips));
+/// Patches of a wheel, by their index, that lie in one plane: pieces of one contact, of which each displaces the surface
+/// below the others. Those without an outline are left out.
+inline std::vector<std::vector<std::size_t>> pieces_of_planes(const std::vector<RailPatch>& patches) {
+    std::vector<std::vector<std::size_t>> planes;
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+        const RailPatch& patch = patches[k];
+        if (!patch.outline) continue;
+        const auto place = std::find_if(planes.begin(), planes.end(), [&](const auto& plane) {
+            const RailPatch& other = patches[plane[0]];
+            return other.x == patch.x && other.y == patch.y && other.z == patch.z && other.angle == patch.angle;
+        });
+        if (place == planes.end()) {
+            planes.push_back({k});
+        } else {
+            place->push_back(k);
+        }
+    }
+    return planes;
 }
 
-/// Calls solve(mesh) on the outline's mesh, then with two strips less each time, down to 5, until it returns true: on
-/// some flanges rolling would gain energy on many strips. Returns whether it did.
-template <class Solve>
-bool with_fewer_strips(const PatchContact<double>& contact, PatchElements elements, const Solve& solve) {
-    constexpr Eigen::Index least = 5;
-    for (;; elements.strips -= 2) {
-        if (solve(friction_mesh(contact, elements))) return true;
-        if (elements.strips - 2 < least) return false;
+/// The pieces of one plane, as one mesh for friction with NodeDifference{Nodes::chebyshev}.
+struct PieceMeshes {
+    double unit;                            ///< of length [m]: half_length() of the first piece's contact
+    std::vector<PatchMesh<double>> pieces;  ///< in the order of the patches
+
+    /// Elements of piece k, which has its place in those of joined(): the first, and how many.
+    Eigen::Index first(std::size_t k) const {
+        Eigen::Index sum = 0;
+        for (std::size_t before = 0; before < k; ++before) sum += pieces[before].size();
+        return sum;
     }
+    Eigen::Index size(std::size_t k) const { return pieces[k].size(); }
+    PatchMesh<double> joined() const { return PatchMesh<double>::joined(pieces); }
+};
+
+/// Calls solve(elements) with those of each piece, then with two strips less of each that has more than 6, until it
+/// returns true: on some flanges rolling would gain energy on many strips. Returns whether it did.
+template <class Solve>
+bool with_fewer_strips(std::vector<PatchElements> elements, const Solve& solve) {
+    constexpr Eigen::Index least = 5;
+    while (true) {
+        if (solve(elements)) return true;
+        bool fewer = false;
+        for (PatchElements& piece : elements) {
+            if (piece.strips - 2 < least) continue;
+            piece.strips -= 2;
+            fewer = true;
+        }
+        if (!fewer) return false;
+    }
+}
+
+/// Meshes of outlines in one plane. All have the first one's elements along x.
+inline PieceMeshes friction_meshes(const std::vector<const RailPatch*>& pieces,
+                                   const std::vector<PatchElements>& elements, double unit) {
+    PieceMeshes meshes{unit, {}};
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        meshes.pieces.push_back(outline_mesh<double>(*pieces[k]->outline, unit, cosine_mesh(elements[0].along),
+                                                     uniform_mesh(elements[k].strips)));
+    }
+    return meshes;
 }
 
 /// Mean pressures of a patch on elements [Pa], which together carry its load.

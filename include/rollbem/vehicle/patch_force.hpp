@@ -86,73 +86,148 @@ inline Wrench mirrored(Wrench wrench, const Mirror& mirror) {
 
 namespace detail {
 
-/// A patch that rolls forward with known creepages.
-struct RollingPatch {
-    const RailPatch& patch;
+/// Pieces of one plane that roll forward.
+struct RollingPieces {
+    std::vector<const RailPatch*> pieces;
     const WheelsetPosition& at;
     const WheelsetSpeeds& speeds;
     const TrackDimensions& dimensions;
-    Creepage<double> creepage;
+
+    Creepage<double> creepage(std::size_t k) const { return creepage_of(*pieces[k], at, speeds, dimensions.radius); }
 };
 
-/// Steady rolling on one mesh of the patch's outline.
-inline PatchForce friction_on(const PatchMesh<double>& mesh, const PatchContact<double>& contact,
-                              const RollingPatch& rolling, const RollingFriction& friction) {
-    const double unit = contact.half_length();
-    const ElementSystem<double, 2> system =
-        steady_system(mesh, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(contact.poisson_ratio()));
-    ElementVectors<double> rows = ElementVectors<double>::Zero(system.elements().size(), 2);
-    if (friction.curved_slip) {
-        rows = curved_slip_of(rolling.patch, rolling.at, rolling.speeds, rolling.dimensions.radius,
-                              unit * system.elements().x, unit * system.elements().y);
+/// Rigid slip of the elements of all pieces besides that by the creepages of the first: those of the others differ a
+/// little, as they lie at other depths.
+inline ElementVectors<double> slip_besides(const PieceMeshes& meshes, const Elements<double>& elements,
+                                           const RollingPieces& rolling, const RollingFriction& friction) {
+    ElementVectors<double> rows = ElementVectors<double>::Zero(elements.size(), 2);
+    const Creepage<double> first = rolling.creepage(0);
+    for (std::size_t k = 0; k < meshes.pieces.size(); ++k) {
+        const Eigen::ArrayXd x = meshes.unit * elements.x.segment(meshes.first(k), meshes.size(k)),
+                             s = meshes.unit * elements.y.segment(meshes.first(k), meshes.size(k));
+        auto own = rows.middleRows(meshes.first(k), meshes.size(k));
+        if (friction.curved_slip) {
+            own = curved_slip_of(*rolling.pieces[k], rolling.at, rolling.speeds, rolling.dimensions.radius, x, s);
+        }
+        const Creepage<double> here = rolling.creepage(k);
+        const double spin = here.spin - first.spin;
+        own.col(0).array() += here.longitudinal - first.longitudinal - spin * s;
+        own.col(1).array() += here.lateral - first.lateral + spin * x;
     }
-    const FrictionModel model(contact, system,
-                              {friction.coefficient, pressures_on(mesh.rectangles(unit), rolling.patch)});
+    return rows;
+}
+
+/// What the tractions [Pa] of a piece's elements do.
+inline TangentialForce<double> force_of(const std::vector<Rectangle<double>>& elements,
+                                        const ElementVectors<double>& tractions) {
+    TangentialForce<double> force{0, 0, 0};
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        const auto& [x_1, x_2, y_1, y_2] = elements[i];
+        const double area = (x_2 - x_1) * (y_2 - y_1), f_x = area * tractions(Eigen::Index(i), 0),
+                     f_y = area * tractions(Eigen::Index(i), 1);
+        force.longitudinal += f_x;
+        force.lateral += f_y;
+        force.moment += (x_1 + x_2) / 2 * f_y - (y_1 + y_2) / 2 * f_x;
+    }
+    return force;
+}
+
+/// Steady rolling on one mesh of all outlines.
+inline std::vector<PatchForce> friction_on(const PieceMeshes& meshes, const PatchContact<double>& contact,
+                                           const RollingPieces& rolling, const RollingFriction& friction) {
+    const ElementSystem<double, 2> system =
+        steady_system(meshes.joined(), NodeDifference{Nodes::chebyshev}, HalfSpace<double>(contact.poisson_ratio()));
+    Eigen::ArrayXd pressures(system.size());
+    for (std::size_t k = 0; k < meshes.pieces.size(); ++k) {
+        pressures.segment(meshes.first(k), meshes.size(k)) =
+            pressures_on(meshes.pieces[k].rectangles(meshes.unit), *rolling.pieces[k]);
+    }
+    const FrictionModel model(contact, system, {friction.coefficient, pressures});
     auto workspace = model.workspace();
     auto state = model.at_rest();
-    const RigidMotion<Creepage<double>> motion(rolling.creepage);
+    const ElementVectors<double> rows = slip_besides(meshes, system.elements(), rolling, friction);
+    const RigidMotion<Creepage<double>> motion(rolling.creepage(0));
     const FrictionStep<2> step = model.steady(model.at_rest(), motion.with_rows(rows), 1, state, workspace);
-    PatchForce result{.creepage = rolling.creepage,
-                      .force = step.force,
-                      .slip_work = step.slip_work,
-                      .elements = mesh.size(),
-                      .status = step.status};
-    if (step.status == StepStatus::assists_creepage) return result;
-    result.edges = unit * mesh.edges();
-    result.strip_work =
-        workspace.slip_work().reshaped(mesh.elements_per_strip(), mesh.strip_count()).colwise().sum().transpose();
-    return result;
+    std::vector<PatchForce> found;
+    for (std::size_t k = 0; k < meshes.pieces.size(); ++k) {
+        const PatchMesh<double>& mesh = meshes.pieces[k];
+        PatchForce& piece = found.emplace_back();
+        piece.creepage = rolling.creepage(k);
+        piece.elements = mesh.size();
+        piece.status = step.status;
+        piece.force = step.force;  // not finite without a result
+        if (step.status == StepStatus::assists_creepage || !is_finite(step.force)) continue;
+        piece.force = force_of(mesh.rectangles(meshes.unit), state.traction.middleRows(meshes.first(k), mesh.size()));
+        piece.edges.resize(mesh.strip_count() + 1);
+        piece.edges << meshes.unit * mesh.lower(), meshes.unit * mesh.upper().tail(1);
+        piece.strip_work = workspace.slip_work()
+                               .segment(meshes.first(k), mesh.size())
+                               .reshaped(mesh.elements_per_strip(), mesh.strip_count())
+                               .colwise()
+                               .sum()
+                               .transpose();
+        piece.slip_work = piece.strip_work.sum();
+    }
+    return found;
+}
+
+/// Friction on the pieces of one plane, which may also roll backwards or stand still.
+inline std::vector<PatchForce> plane_forces(const std::vector<RailPatch>& pieces, const WheelsetPosition& at,
+                                            const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
+                                            const RollingFriction& friction) {
+    const double rolls = rolling_velocity_of(pieces[0], speeds);
+    if (rolls < 0) {
+        constexpr Mirror mirror = Mirror::along_track();
+        std::vector<RailPatch> images;
+        for (const RailPatch& piece : pieces) images.push_back(mirrored(piece, mirror));
+        std::vector<PatchForce> found =
+            plane_forces(images, mirrored(at, mirror), mirrored(speeds, mirror), dimensions, friction);
+        for (PatchForce& piece : found) piece = mirrored(std::move(piece), mirror);
+        return found;
+    }
+    RollingPieces rolling{{}, at, speeds, dimensions};
+    std::vector<PatchElements> elements;
+    for (const RailPatch& piece : pieces) {
+        rolling.pieces.push_back(&piece);
+        PatchElements& own = elements.emplace_back(elements_for(piece));
+        if (friction.elements > 0) own.along = friction.elements;
+        if (friction.strips > 0) own.strips = friction.strips;
+    }
+    const bool known = rolls >= (std::numeric_limits<double>::min)() && is_finite(rolling.creepage(0));
+    if (is_finite(speeds) && !known) {
+        return std::vector<PatchForce>(pieces.size(),
+                                       {.force = {0, 0, 0}, .slip_work = 0, .status = StepStatus::invalid_step});
+    }
+    const PatchContact<double> contact = contact_of(pieces[0], dimensions);
+    std::vector<PatchForce> found;
+    with_fewer_strips(elements, [&](const std::vector<PatchElements>& fewer) {
+        found = friction_on(friction_meshes(rolling.pieces, fewer, contact.half_length()), contact, rolling, friction);
+        return found[0].status != StepStatus::assists_creepage;
+    });
+    return found;
 }
 
 }  // namespace detail
 
-/// Steady rolling on the patch's own outline, under its own pressures, with the slip of both surfaces; backwards as the
-/// mirror image of rolling forward. A patch that does not roll, V = 0, has the status invalid_step, no creepage and no
-/// force. The patch must have numbers; position and speeds are those that the right wheel sees.
+/// Steady rolling of the patches of a wheel, each on its own outline, under its own pressures, with the slip of both
+/// surfaces; backwards as the mirror image of rolling forward. Patches in one plane displace each other and are solved
+/// together. A patch that does not roll, V = 0, has the status invalid_step, no creepage and no force. The patches must
+/// have numbers; position and speeds are those that the right wheel sees.
+inline std::vector<PatchForce> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
+                                            const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
+                                            const RollingFriction& friction) {
+    std::vector<PatchForce> found(patches.size());
+    for (const std::vector<std::size_t>& plane : pieces_of_planes(patches)) {
+        std::vector<RailPatch> pieces;
+        for (const std::size_t k : plane) pieces.push_back(patches[k]);
+        std::vector<PatchForce> own = detail::plane_forces(pieces, at, speeds, dimensions, friction);
+        for (std::size_t i = 0; i < plane.size(); ++i) found[plane[i]] = std::move(own[i]);
+    }
+    return found;
+}
 inline PatchForce patch_force(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
                               const TrackDimensions& dimensions, const RollingFriction& friction) {
-    const double rolling = rolling_velocity_of(patch, speeds);
-    if (rolling < 0) {
-        constexpr Mirror mirror = Mirror::along_track();
-        return mirrored(
-            patch_force(mirrored(patch, mirror), mirrored(at, mirror), mirrored(speeds, mirror), dimensions, friction),
-            mirror);
-    }
-    const Creepage<double> creepage = creepage_of(patch, at, speeds, dimensions.radius);
-    const bool rolls = rolling >= (std::numeric_limits<double>::min)() && detail::is_finite(creepage);
-    if (detail::is_finite(speeds) && !rolls) {
-        return {.force = {0, 0, 0}, .slip_work = 0, .status = StepStatus::invalid_step};
-    }
-    const PatchContact<double> contact = contact_of(patch, dimensions);
-    PatchElements elements = elements_for(patch);
-    if (friction.elements > 0) elements.along = friction.elements;
-    if (friction.strips > 0) elements.strips = friction.strips;
-    PatchForce result;
-    with_fewer_strips(contact, elements, [&](const PatchMesh<double>& mesh) {
-        result = detail::friction_on(mesh, contact, {patch, at, speeds, dimensions, creepage}, friction);
-        return result.status != StepStatus::assists_creepage;
-    });
-    return result;
+    return patch_forces({patch}, at, speeds, dimensions, friction)[0];
 }
 
 /// What the pressures of a patch do to its wheel, as on the right; the moment is about (0, y, z). They act along the

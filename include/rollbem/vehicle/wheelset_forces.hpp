@@ -177,10 +177,8 @@ private:
         found.clear();
         if (!has_numbers(wheel(side).status)) return;
         result_.pitch_rate = speeds_.pitch_rate;
-        for (const RailPatch& patch : wheel(side).patches) {
-            found.push_back(patch_force(patch, result_.contacts.seen(side), WheelsetOnTrack::seen_from(side, speeds_),
-                                        wheelset_.wheel(side).dimensions(), friction_));
-        }
+        found = patch_forces(wheel(side).patches, result_.contacts.seen(side),
+                             WheelsetOnTrack::seen_from(side, speeds_), wheelset_.wheel(side).dimensions(), friction_);
     }
 
     /// Whether a wheel needs no further round: it carries its load, it has none, or the search ends, which its status

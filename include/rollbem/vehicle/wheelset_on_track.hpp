@@ -194,7 +194,9 @@ inline auto WheelsetOnTrack::solve(WheelsetPosition position, const std::array<d
     // contacts, and with them heights, jump a little where grids change
     constexpr double precise = 1e-10, jump = 1e-6;  // of the height [m]
     detail::RisingRoot root(wheels_[0].wheel_origin() + wheels_[1].wheel_origin(), 5e-3);
-    for (int k = 0; k < 40 && has_numbers(contacts.status) && std::abs(excess) > precise; ++k) {
+    // a piece with few cells at one roll need not have few at the next
+    const auto goes_on = [&] { return has_numbers(contacts.status) || contacts.status == Status::few_cells; };
+    for (int k = 0; k < 40 && goes_on() && std::abs(excess) > precise; ++k) {
         roll = root.next(roll, -excess);
         if (root.width() < 1e-10 && std::abs(excess) < jump) break;
         excess = gap(roll);

@@ -108,7 +108,7 @@ private:
 /// A patch's width over its mean length.
 template <class Scalar>
 Scalar width_over_length(const PatchMesh<Scalar>& mesh) {
-    const Scalar width = mesh.edges()[mesh.strip_count()] - mesh.edges()[0];
+    const Scalar width = mesh.height();
     return width / (2 * (mesh.widths() * mesh.half_lengths()).sum()) * width;
 }
 
@@ -142,10 +142,10 @@ public:
           scale_(mesh.half_lengths()[column]),
           offset_(mesh.middles_x()[row] - mesh.middles_x()[column]),
           row_width_(mesh.widths()[row]),
-          y0_(mesh.middles_y()[row] - mesh.edges()[column]),
-          y1_(mesh.middles_y()[row] - mesh.edges()[column + 1]),
-          row_edges_{mesh.edges()[row], mesh.edges()[row + 1]},
-          edges_{mesh.edges()[column], mesh.edges()[column + 1]},
+          y0_(mesh.middles_y()[row] - mesh.lower()[column]),
+          y1_(mesh.middles_y()[row] - mesh.upper()[column]),
+          row_edges_{mesh.lower()[row], mesh.upper()[row]},
+          edges_{mesh.lower()[column], mesh.upper()[column]},
           beside_(row == column ? Scalar(0) : (std::min)(std::abs(y0_), std::abs(y1_))),
           gap_((std::max)({Scalar(0), row_edges_[0] - edges_[1], edges_[0] - row_edges_[1]})) {}
 

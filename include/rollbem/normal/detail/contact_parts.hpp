@@ -278,9 +278,9 @@ private:
         // lines across the track end where profiles have edges
         constexpr double line = 10;
         const bool lobes = top - bottom > line * (right - left) || has_lobes(parts_[k].plane);
-        const Eigen::Index cells_x = settings_.cells_x * cells_, cells_s = settings_.cells_s * cells_,
-                           nx = lobes ? (std::max)(cells_x, most) : cells_x,
-                           ny = lobes ? (std::max)(cells_s, most) : cells_s;
+        // pieces with too few cells are those that few lines across the track cut
+        const Eigen::Index cells_x = settings_.cells_x * cells_, nx = lobes ? (std::max)(cells_x, most) : cells_x,
+                           ny = (lobes ? (std::max)(settings_.cells_s, most) : settings_.cells_s) * cells_;
         const double dx = (right - left) / double(nx - 2 * margin), dy = (top - bottom) / double(ny - 2 * margin);
         return {nx, ny, left + (0.5 - margin) * dx, bottom + (0.5 - margin) * dy, dx, dy};
     }

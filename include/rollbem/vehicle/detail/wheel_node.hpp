@@ -42,15 +42,17 @@ inline std::array<WheelsetSpeeds, 3> judged_motions(const WheelNode& node) {
 inline RollingForces forces_of_patches(const WheelNode& node, const WheelsetSpeeds& speeds,
                                        const TrackDimensions& dimensions, double mu) {
     RollingForces sum = RollingForces::Zero();
-    for (const PatchLaws& of : node.patches) {
-        if (!of.patch.outline) return RollingForces::Constant(std::nan(""));
-        const PatchForce own = patch_force(of.patch, node.at, speeds, dimensions, {.coefficient = mu});
+    std::vector<RailPatch> patches;
+    for (const PatchLaws& of : node.patches) patches.push_back(of.patch);
+    const std::vector<PatchForce> forces = patch_forces(patches, node.at, speeds, dimensions, {.coefficient = mu});
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+        const PatchForce& own = forces[k];  // without an outline of no status
         if (own.status != StepStatus::ok) return RollingForces::Constant(std::nan(""));
-        const std::array<double, 3> place = creepage_place(of.patch);
-        const double across = own.force.lateral * std::cos(of.patch.angle);
+        const std::array<double, 3> place = creepage_place(patches[k]);
+        const double across = own.force.lateral * std::cos(patches[k].angle);
         sum += RollingForces(own.force.longitudinal, across,
                              (place[0] * across - (place[1] - node.at.lateral) * own.force.longitudinal +
-                              own.force.moment * std::cos(of.patch.angle)) /
+                              own.force.moment * std::cos(patches[k].angle)) /
                                  ContactTable::support_y);
     }
     return sum;
