@@ -87,6 +87,16 @@ ROLLBEM_API int rollbem_contact_table_look_up(const rollbem_contact_table *table
 ROLLBEM_API int rollbem_contact_table_on_rails(const rollbem_contact_table *table, double lateral, double yaw,
                                                const double loads[2], double height[5], double roll[5]);
 
+/* What a wheel carries by normal forces at a height of its own, that of the wheelset plus 0.75 m times its roll (left:
+   minus) [m]: load [N], and its derivatives with respect to height, lateral position and yaw. 0 where it does not
+   touch. Profiles are taken to meet as they do under equal loads. */
+ROLLBEM_API int rollbem_contact_table_support(const rollbem_contact_table *table, int side, double lateral, double yaw,
+                                              double height, double load[4]);
+
+/* What a table covers: the largest lateral position [m] and yaw [rad], in both directions, the smallest and the largest
+   load [N]. */
+ROLLBEM_API int rollbem_contact_table_range(const rollbem_contact_table *table, double range[4]);
+
 /* --- Hertz and Kalker --------------------------------------------------------------------------------------------- */
 
 /* Two smooth bodies under a load [N].

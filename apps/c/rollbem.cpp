@@ -296,6 +296,34 @@ int rollbem_contact_table_look_up(const rollbem_contact_table* table, const roll
     });
 }
 
+int rollbem_contact_table_support(const rollbem_contact_table* table, int side, double lateral, double yaw,
+                                  double height, double load[4]) {
+    return guarded([&] {
+        constexpr const char* who = "rollbem_contact_table_support";
+        require_given(who, {{"table", table}, {"load", load}});
+        std::fill_n(load, 4, std::numeric_limits<double>::quiet_NaN());
+        detail::require(side == ROLLBEM_LEFT || side == ROLLBEM_RIGHT, who, "side", side,
+                        "be ROLLBEM_LEFT or ROLLBEM_RIGHT");
+        detail::require_finite(who, "height", height);
+        detail::require(table->table.covers(lateral, 0), who, "lateral position", lateral, "lie on the table");
+        detail::require(table->table.covers(0, yaw), who, "yaw", yaw, "lie on the table");
+        const auto now =
+            table->table.support(side == ROLLBEM_LEFT ? WheelsetSide::left : WheelsetSide::right, lateral, yaw, height);
+        if (now.status != StepStatus::ok) return failed(std::string(who) + ": status is " + name(now.status));
+        put(load, {now.load, now.by_height, now.by_lateral, now.by_yaw});
+        return static_cast<int>(ROLLBEM_OK);
+    });
+}
+
+int rollbem_contact_table_range(const rollbem_contact_table* table, double range[4]) {
+    return guarded([&] {
+        require_given("rollbem_contact_table_range", {{"table", table}, {"range", range}});
+        const auto& loads = table->table.grid().loads;
+        put(range, {table->table.largest_shift(), table->table.largest_yaw(), loads.front(), loads.back()});
+        return ROLLBEM_OK;
+    });
+}
+
 int rollbem_contact_table_on_rails(const rollbem_contact_table* table, double lateral, double yaw,
                                    const double loads[2], double height[5], double roll[5]) {
     return guarded([&] {

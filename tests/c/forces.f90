@@ -1,5 +1,5 @@
 ! Creep forces from Fortran: forces TABLE [A] prints the forces of a contact of half-length A, and the derivative of F_x
-! by the creepage, and a patch of a wheel.
+! by the creepage, a patch of a wheel, and the forces of a wheel by the contact table beside TABLE.
 program forces
     use, intrinsic :: iso_c_binding
     use, intrinsic :: iso_fortran_env, only: error_unit
@@ -57,13 +57,42 @@ program forces
             import :: c_ptr
             type(c_ptr), value :: table
         end subroutine
+        function contacts_open(path) bind(c, name="rollbem_contact_table_open") result(contacts)
+            import :: c_ptr, c_char
+            character(kind=c_char), intent(in) :: path(*)
+            type(c_ptr) :: contacts
+        end function
+        function contacts_on_rails(contacts, shift, yaw, loads, height, roll) &
+            bind(c, name="rollbem_contact_table_on_rails") result(code)
+            import :: c_ptr, c_double, c_int
+            type(c_ptr), value :: contacts
+            real(c_double), value :: shift, yaw
+            real(c_double), intent(in) :: loads(2)
+            real(c_double), intent(out) :: height(5), roll(5)
+            integer(c_int) :: code
+        end function
+        function contacts_look_up(contacts, creep, side, inputs, wrench, tangent, points, heat) &
+            bind(c, name="rollbem_contact_table_look_up") result(code)
+            import :: c_ptr, c_double, c_int
+            type(c_ptr), value :: contacts, creep
+            integer(c_int), value :: side
+            real(c_double), intent(in) :: inputs(11)
+            real(c_double), intent(out) :: wrench(6), tangent(6, 11), points(10, 4), heat
+            integer(c_int) :: code
+        end function
+        subroutine contacts_close(contacts) bind(c, name="rollbem_contact_table_close")
+            import :: c_ptr
+            type(c_ptr), value :: contacts
+        end subroutine
     end interface
     character(len=1024) :: path, a
     integer(c_int) :: code
-    type(c_ptr) :: table, wheel
+    integer(c_int), parameter :: rollbem_right = 1
+    type(c_ptr) :: table, wheel, contacts
     type(wheel_options) :: options
     integer(c_size_t) :: count
     real(c_double) :: contact(9), force(3), tangent(3, 7), position(6), patch(12, 1)
+    real(c_double) :: height(5), roll(5), inputs(11), wrench(6), by_inputs(6, 11), points(10, 4), heat
 
     call get_command_argument(1, path)
     table = table_open(trim(path)//c_null_char)
@@ -77,7 +106,6 @@ program forces
     if (code /= rollbem_ok .and. code /= rollbem_off_table) stop 2
     print '(3es25.16)', force
     print '(es25.16)', tangent(1, 1)
-    call table_close(table)
 
     if (wheel_defaults(options, c_sizeof(options)) /= rollbem_ok) stop 3
     wheel = wheel_open('s1002'//c_null_char, '60e1'//c_null_char, options)
@@ -87,4 +115,14 @@ program forces
     if (wheel_for_load(wheel, position, 1d5, 1_c_size_t, patch, count) /= rollbem_ok) stop 5
     print '(a, 12es25.16)', 'wheel ', patch
     call wheel_free(wheel)
+
+    contacts = contacts_open(path(:index(path, '/', back=.true.))//'s1002_60e1.contact'//c_null_char)
+    if (.not. c_associated(contacts)) stop 6
+    if (contacts_on_rails(contacts, 2d-3, 1d-3, [8d4, 9d4], height, roll) /= rollbem_ok) stop 7
+    ! shift, yaw, forward speed, pitch rate, lateral and vertical speed, roll rate, yaw rate, load, mu, roll
+    inputs = [2d-3, 1d-3, 2d1, -43.5d0, 0.01d0, 0d0, 0d0, 0.02d0, 8d4, 0.3d0, roll(1)]
+    if (contacts_look_up(contacts, table, rollbem_right, inputs, wrench, by_inputs, points, heat) /= rollbem_ok) stop 8
+    print '(a, 7es25.16)', 'rolls ', wrench, height(1)
+    call contacts_close(contacts)
+    call table_close(table)
 end program

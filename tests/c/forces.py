@@ -1,5 +1,7 @@
-"""forces.py LIBRARY TABLE [A]: creep forces by ctypes; prints the forces of a contact of half-length A, and a patch."""
+"""forces.py LIBRARY TABLE [A]: creep forces by ctypes; prints the forces of a contact of half-length A, a patch, and the
+forces of a wheel by the contact table beside TABLE."""
 import ctypes
+import os
 import sys
 
 rollbem = ctypes.CDLL(sys.argv[1])
@@ -19,7 +21,6 @@ if code != ok:
 if code not in (ok, off_table):
     sys.exit(1)
 print(*forces)
-rollbem.rollbem_table_close(table)
 
 
 class WheelOptions(ctypes.Structure):
@@ -47,3 +48,23 @@ if rollbem.rollbem_wheel_solve_for_load(wheel, position, ctypes.c_double(1e5), c
     sys.exit(rollbem.rollbem_last_error().decode())
 print("wheel", *patch)
 rollbem.rollbem_wheel_free(wheel)
+
+rollbem.rollbem_contact_table_open.restype = ctypes.c_void_p
+rails = os.path.join(os.path.dirname(sys.argv[2]), "s1002_60e1.contact")
+contacts = ctypes.c_void_p(rollbem.rollbem_contact_table_open(rails.encode()))
+if not contacts:
+    sys.exit(rollbem.rollbem_last_error().decode())
+loads = (ctypes.c_double * 2)(8e4, 9e4)
+height, roll = (ctypes.c_double * 5)(), (ctypes.c_double * 5)()
+if rollbem.rollbem_contact_table_on_rails(contacts, ctypes.c_double(2e-3), ctypes.c_double(1e-3), loads, height,
+                                          roll) != ok:
+    sys.exit(rollbem.rollbem_last_error().decode())
+# shift, yaw, forward speed, pitch rate, lateral and vertical speed, roll rate, yaw rate, load, mu, roll
+inputs = (ctypes.c_double * 11)(2e-3, 1e-3, 20, -43.5, 0.01, 0, 0, 0.02, 8e4, 0.3, roll[0])
+wrench = (ctypes.c_double * 6)()
+right = 1  # ROLLBEM_RIGHT
+if rollbem.rollbem_contact_table_look_up(contacts, table, right, inputs, wrench, None, None, None) != ok:
+    sys.exit(rollbem.rollbem_last_error().decode())
+print("rolls", *wrench, height[0])
+rollbem.rollbem_contact_table_close(contacts)
+rollbem.rollbem_table_close(table)

@@ -357,14 +357,35 @@ static void test_contact_table(const char *path, const char *creep_path) {
     contacts_of_wheels = rollbem_contact_table_open(path);
     rollbem_table *const creep = rollbem_table_open(creep_path);
     expect(contacts_of_wheels != NULL, "contact table");
-    expect(rollbem_contact_table_on_rails(contacts_of_wheels, 2e-3, 1e-3, loads, height, roll) == ROLLBEM_OK,
-           "on rails");
     expect(rollbem_contact_table_on_rails(contacts_of_wheels, 1, 0, loads, height, roll) == ROLLBEM_INVALID,
            "a position off the table");
+    expect(rollbem_contact_table_on_rails(contacts_of_wheels, 2e-3, 1e-3, loads, height, roll) == ROLLBEM_OK,
+           "on rails");
+    double range[4], load[4];
+    expect(rollbem_contact_table_range(contacts_of_wheels, range) == ROLLBEM_OK && range[0] > 8e-3 && range[2] < 8e4 &&
+           range[3] > 9e4, "what the table covers");
+    expect(rollbem_contact_table_on_rails(contacts_of_wheels, range[0], range[1], loads, other, points) == ROLLBEM_OK,
+           "its border");
+    const double equal[2] = {9e4, 9e4};
+    expect(rollbem_contact_table_on_rails(contacts_of_wheels, 2e-3, 1e-3, equal, other, points) == ROLLBEM_OK,
+           "equal loads");
+    expect(rollbem_contact_table_support(contacts_of_wheels, ROLLBEM_RIGHT, 2e-3, 1e-3, other[0] + 0.75 * points[0],
+                                         load) == ROLLBEM_OK && fabs(load[0] / equal[1] - 1) < 1e-9,
+           "the right wheel carries its load at its height");
+    expect(rollbem_contact_table_support(contacts_of_wheels, ROLLBEM_LEFT, 2e-3, 1e-3, other[0] - 0.75 * points[0],
+                                         load) == ROLLBEM_OK && fabs(load[0] / equal[0] - 1) < 1e-9 && load[1] > 1e8,
+           "and the left one, stiffly");
+    expect(rollbem_contact_table_support(contacts_of_wheels, ROLLBEM_LEFT, 2e-3, 1e-3, -1e-2, load) == ROLLBEM_OK &&
+           load[0] == 0, "a lifted wheel carries nothing");
+    expect(rollbem_contact_table_support(contacts_of_wheels, ROLLBEM_LEFT, 2e-3, 1e-3, NAN, load) == ROLLBEM_INVALID,
+           "no height");
     motion[10] = roll[0];
     expect(rollbem_contact_table_look_up(contacts_of_wheels, creep, ROLLBEM_RIGHT, motion, force, tangent, points,
                                          &heat) == ROLLBEM_OK, "a wheel");
     expect(fabs(force[2] + motion[8]) < 1e-6 * motion[8] && heat > 0, "a wheel carries its load");
+    printf("rolls");  /* for the other languages */
+    for (int i = 0; i < 6; ++i) printf(" %.17g", force[i]);
+    printf(" %.17g\n", height[0]);
     double share = 0;
     for (int i = 0; i < 4; ++i) share += points[10 * i];
     expect(fabs(share - 1) < 1e-12, "shares of zones");
@@ -385,7 +406,7 @@ static void test_contact_table(const char *path, const char *creep_path) {
     motion[0] = 1;
     expect(rollbem_contact_table_look_up(contacts_of_wheels, creep, ROLLBEM_LEFT, motion, other, NULL, NULL, NULL) ==
            ROLLBEM_FAILED && is_nan(other[0]), "off the table");
-    expect(strstr(rollbem_last_error(), "lateral position = 1 must lie within +-") != NULL, "which input, and its range");
+    expect(strstr(rollbem_last_error(), "lateral position = 1 must lie within +-") != NULL, "which input, its range");
     expect(rollbem_contact_table_look_up(contacts_of_wheels, creep, 2, motion, other, NULL, NULL, NULL) ==
            ROLLBEM_INVALID, "no such side");
     rollbem_contact_table_close(contacts_of_wheels);

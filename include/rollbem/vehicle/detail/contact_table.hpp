@@ -210,7 +210,8 @@ public:
         const double load = grid_.loads[grid_.loads.size() / 2];
         return on_rails(lateral, yaw, {load, load});
     }
-    /// What a wheel carries at a height of its own, z_ws + support_y roll (left: minus), by normal forces.
+    /// What a wheel carries at a height of its own, z_ws + support_y roll (left: minus), by normal forces. Profiles are
+    /// taken to meet as they do under equal loads.
     Support support(WheelsetSide side, double lateral, double yaw, double height) const noexcept;
 
     /// The forces of one wheel. Lateral shift and yaw of `position` count; vertical speed and roll rate are those that
