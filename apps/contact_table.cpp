@@ -283,7 +283,7 @@ void add_power(const Scene& scene, const ContactTable& table, const WheelsetRoll
     const auto velocity = rollbem::detail::velocity_of(at, speeds);
     for (const WheelsetSide side : rollbem::WheelsetOnTrack::sides) {
         const WheelForces now =
-            table.look_up(scene.creep, side, at, speeds, {rolling.loads[std::size_t(side)], at.roll}, friction);
+            table.forces(scene.creep, side, at, speeds, {rolling.loads[std::size_t(side)], at.roll}, friction);
         for (std::size_t i = 0; i < 3; ++i) {
             result.power -=
                 now.force[Eigen::Index(i)] * velocity.middle()[i] + now.force[Eigen::Index(i + 3)] * velocity.turn()[i];
@@ -309,8 +309,8 @@ Compared compare(const Scene& scene, const ContactTable& table, WheelsetRolling 
             if (patch.status != rollbem::StepStatus::ok) result.status = name(patch.status);
         }
         const bool equal = rolling.loads[0] == rolling.loads[1];
-        const WheelForces now = table.look_up(scene.creep, side, at, rolling.speeds,
-                                              {rolling.loads[k], equal ? std::nullopt : std::optional(roll)}, friction);
+        const WheelForces now = table.forces(scene.creep, side, at, rolling.speeds,
+                                             {rolling.loads[k], equal ? std::nullopt : std::optional(roll)}, friction);
         if (now.status != rollbem::StepStatus::ok) result.status = name(now.status);
         const auto& wrench = patches.on_wheel[k];
         result.patches[k] = judged(wrench.force[0], wrench.force[1], wrench.moment[2]);

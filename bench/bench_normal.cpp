@@ -60,6 +60,7 @@ void BM_ProfilePatch(benchmark::State& state) {
 }
 BENCHMARK(BM_ProfilePatch)->Arg(0)->Arg(10)->Arg(20)->Arg(40)->Unit(benchmark::kMillisecond);
 
+/// With tangents if the argument is 1.
 void BM_WheelsetLookUp(benchmark::State& state) {
     const CreepForceTable creep = CreepForceTable::read(ROLLBEM_TABLES "/steel.creep");
     const ContactTable contact = ContactTable::read(ROLLBEM_TABLES "/s1002_60e1.contact");
@@ -68,14 +69,15 @@ void BM_WheelsetLookUp(benchmark::State& state) {
         const double lateral = 6e-3 * ((k++ * 7919 % 1001) / 500.0 - 1);
         const WheelsetSpeeds speeds{.forward = 30, .pitch_rate = -30 / 0.46, .lateral = 0.01, .yaw_rate = 0.01};
         for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
-            const WheelForces now =
-                contact.look_up(creep, side, {.lateral = lateral, .yaw = lateral / 2}, speeds, 1e5, 0.3);
+            const WheelsetPosition at{.lateral = lateral, .yaw = lateral / 2};
+            const WheelForces now = state.range(0) == 1 ? contact.look_up(creep, side, at, speeds, 1e5, 0.3)
+                                                        : contact.forces(creep, side, at, speeds, 1e5, 0.3);
             if (now.status != StepStatus::ok) state.SkipWithError(name(now.status));
             benchmark::DoNotOptimize(now.force[1]);
         }
     }
 }
-BENCHMARK(BM_WheelsetLookUp)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_WheelsetLookUp)->Arg(1)->Arg(0)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 

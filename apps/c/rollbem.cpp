@@ -268,12 +268,14 @@ int rollbem_contact_table_look_up(const rollbem_contact_table* table, const roll
         detail::require(side == ROLLBEM_LEFT || side == ROLLBEM_RIGHT, who, "side", side, "be 0 (left) or 1 (right)");
         WheelLoad load(inputs[WheelForces::load]);
         if (!std::isnan(inputs[WheelForces::roll])) load.roll = inputs[WheelForces::roll];
-        const WheelForces now = table->table.look_up(
-            creep->table, side == ROLLBEM_LEFT ? WheelsetSide::left : WheelsetSide::right,
-            {.lateral = inputs[WheelForces::lateral], .yaw = inputs[WheelForces::yaw]},
-            {inputs[WheelForces::forward], inputs[WheelForces::pitch_rate], inputs[WheelForces::lateral_speed],
-             inputs[WheelForces::vertical_speed], inputs[WheelForces::roll_rate], inputs[WheelForces::yaw_rate]},
-            load, inputs[WheelForces::mu]);
+        const WheelsetPosition at{.lateral = inputs[WheelForces::lateral], .yaw = inputs[WheelForces::yaw]};
+        const WheelsetSpeeds speeds{inputs[WheelForces::forward],       inputs[WheelForces::pitch_rate],
+                                    inputs[WheelForces::lateral_speed], inputs[WheelForces::vertical_speed],
+                                    inputs[WheelForces::roll_rate],     inputs[WheelForces::yaw_rate]};
+        const WheelsetSide of = side == ROLLBEM_LEFT ? WheelsetSide::left : WheelsetSide::right;
+        const double mu = inputs[WheelForces::mu];
+        const WheelForces now = tangent == nullptr ? table->table.forces(creep->table, of, at, speeds, load, mu)
+                                                   : table->table.look_up(creep->table, of, at, speeds, load, mu);
         std::copy(now.force.begin(), now.force.end(), force);
         if (tangent != nullptr) std::copy_n(now.tangent.data(), now.tangent.size(), tangent);
         const bool known = detail::is_finite(now.force[0]);

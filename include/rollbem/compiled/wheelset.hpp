@@ -19,6 +19,9 @@ extern template WheelOnRail::Contact WheelOnRail::solve_at_height<double>(const 
 extern template WheelForces ContactTable::look_up<double>(const CreepForceTable&, WheelsetSide, const WheelsetPosition&,
                                                           const WheelsetSpeeds&, const WheelLoad&,
                                                           const WheelFriction&) const noexcept;
+extern template WheelForces ContactTable::forces<double>(const CreepForceTable&, WheelsetSide, const WheelsetPosition&,
+                                                         const WheelsetSpeeds&, const WheelLoad&,
+                                                         const WheelFriction&) const noexcept;
 extern template WheelsetForces rolling_forces<double>(const WheelsetOnTrack&, const WheelsetRolling&,
                                                       const RollingFriction&, WheelsetOnTrack::Workspace&,
                                                       const WheelOnRail::Options&);

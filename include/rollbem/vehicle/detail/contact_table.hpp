@@ -222,6 +222,11 @@ public:
     WheelForces look_up(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
                         const WheelsetSpeeds& speeds, const WheelLoad& load,
                         const WheelFriction& friction) const noexcept;
+    /// The same without tangents, whose matrix is zero, in less time.
+    template <std::same_as<double> Scalar = double>
+    WheelForces forces(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
+                       const WheelsetSpeeds& speeds, const WheelLoad& load,
+                       const WheelFriction& friction) const noexcept;
 
 private:
     friend class detail::WheelLookUp;
@@ -255,8 +260,8 @@ private:
     struct Sample {
         Eigen::Array<double, Rows, 1, Eigen::DontAlign> value, by_shift, by_yaw;
     };
-    /// Rows of a field with slopes, at the nodes of one load from `first` on.
-    template <int Rows, class Field>
+    /// Rows of a field with slopes, at the nodes of one load from `first` on. Derivatives are 0 unless asked for.
+    template <int Rows, bool derivatives = true, class Field>
     Sample<Rows> sample(const Cell& at, const Field& values, const Field& slopes, Eigen::Index row,
                         Eigen::Index first) const noexcept;
     Eigen::Index first_node(std::size_t load) const { return grid_.node(load, 0, 0); }
@@ -392,7 +397,7 @@ inline auto ContactTable::stored(Side side) const -> Stored {
     return made;
 }
 
-template <int Rows, class Field>
+template <int Rows, bool derivatives, class Field>
 auto ContactTable::sample(const Cell& at, const Field& values, const Field& slopes, Eigen::Index row,
                           Eigen::Index first) const noexcept -> Sample<Rows> {
     using Values = Eigen::Array<double, Rows, 1, Eigen::DontAlign>;
@@ -409,6 +414,7 @@ auto ContactTable::sample(const Cell& at, const Field& values, const Field& slop
                          four = double(high_slope[i]);
             const double here = w[0] * one + w[1] * two + w[2] * three + w[3] * four;
             found.value[i] += across * here;
+            if constexpr (!derivatives) continue;
             found.by_yaw[i] += turning * here;
             found.by_shift[i] += across * (rate[0] * one + rate[1] * two + rate[2] * three + rate[3] * four);
         }

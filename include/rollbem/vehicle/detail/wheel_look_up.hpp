@@ -20,8 +20,8 @@ namespace rollbem::detail {
 /// One look-up. Lengths and loads are those of the right wheel; a left one, and rolling backwards, are mirror images.
 class WheelLookUp {
 public:
-    WheelLookUp(const ContactTable& table, const CreepForceTable& creep, const WheelFriction& friction)
-        : table_(table), creep_(creep), friction_(friction) {}
+    WheelLookUp(const ContactTable& table, const CreepForceTable& creep, const WheelFriction& friction, bool tangents)
+        : table_(table), creep_(creep), friction_(friction), tangents_(tangents) {}
 
     WheelForces operator()(WheelsetSide side, const WheelsetPosition& position, const WheelsetSpeeds& speeds,
                            const WheelLoad& load) {
@@ -36,7 +36,7 @@ public:
             result_.force.setZero();
             return result_;
         }
-        balance();
+        tangents_ ? balance<all>() : balance<one>();
         return result_;
     }
 
@@ -44,13 +44,26 @@ private:
     static constexpr double least_load = 1e-100, most_load = 1e150;  // [N]; under more an ellipse has no size
     static constexpr double least_share = 1e-3;
 
-    // By WheelForces::Input, then by the sum of the vertical normal loads.
-    static constexpr int by_sum = WheelForces::inputs, partials = by_sum + 1;
+    // A number with its derivatives by all of WheelForces::Input, where tangents are asked for, and, last, by the sum of
+    // the vertical normal loads.
+    template <int partials>
     using Gradient = Eigen::Matrix<double, partials, 1>;
-    using Dual = Eigen::AutoDiffScalar<Gradient>;
-    static Dual constant(double value) { return {value, Gradient::Zero()}; }
-    Dual input(WheelForces::Input which) const {
-        return {inputs_[std::size_t(which)], partials, static_cast<int>(which)};
+    template <int partials>
+    using Dual = Eigen::AutoDiffScalar<Gradient<partials>>;
+    static constexpr int one = 1, all = WheelForces::inputs + 1;
+    template <int partials>
+    static constexpr bool by_inputs = partials == all;
+    template <int partials>
+    static constexpr int by_sum = partials - 1;
+    template <int partials>
+    static Dual<partials> constant(double value) {
+        return {value, Gradient<partials>::Zero()};
+    }
+    template <int partials>
+    Dual<partials> input(WheelForces::Input which) const {
+        const double value = inputs_[std::size_t(which)];
+        if constexpr (by_inputs<partials>) return {value, partials, static_cast<int>(which)};
+        return constant<partials>(value);
     }
 
     // --- what is asked
@@ -71,8 +84,8 @@ private:
                    load.vertical,
                    friction_.coefficient,
                    has_roll_ ? mirror_ * *load.roll : 0};
-        for (const double one : inputs_) {
-            if (!is_finite(one)) return StepStatus::not_finite;
+        for (const double input : inputs_) {
+            if (!is_finite(input)) return StepStatus::not_finite;
         }
         bool valid = load.vertical >= 0 && load.vertical <= most_load && friction_.coefficient >= 0;
         for (const double factor : friction_.factor) valid = valid && factor >= 0 && is_finite(factor);
@@ -90,18 +103,18 @@ private:
              {WheelForces::yaw, WheelForces::forward, WheelForces::pitch_rate, WheelForces::yaw_rate}) {
             inputs_[std::size_t(which)] *= along_;
         }
-        shift_ = input(WheelForces::lateral);
+        shift_ = input<all>(WheelForces::lateral);
         if (has_roll_ && inputs_[WheelForces::load] > 0) {
             // a roll beyond that of equal loads moves the wheel's profile on the rail
             const auto table = table_
                                    .wheel_on_rails(*side_, inputs_[WheelForces::lateral], inputs_[WheelForces::yaw],
                                                    inputs_[WheelForces::load])
                                    .roll;
-            Dual equal = constant(table[0]);
+            Dual<all> equal = constant<all>(table[0]);
             equal.derivatives()[WheelForces::lateral] = table[1];
             equal.derivatives()[WheelForces::yaw] = table[2];
             equal.derivatives()[WheelForces::load] = table[3];
-            shift_ = Dual(shift_ - radius * (input(WheelForces::roll) - equal));
+            shift_ = Dual<all>(shift_ - radius * (input<all>(WheelForces::roll) - equal));
             if (!(std::abs(shift_.value()) <= table_.largest_shift())) return StepStatus::wrong_table;
         }
         cell_ = table_.cell(shift_.value(), inputs_[WheelForces::yaw]);
@@ -128,140 +141,173 @@ private:
         Values value, by_shift, by_yaw, by_sum;  // at the present sum of loads
     };
 
+    template <int partials>
     void sample(Zone& of, Eigen::Index zone) {
+        constexpr int rows = static_cast<int>(ContactRow::rows);
         if (std::exchange(of.is_sampled, true)) return;
         for (std::size_t l = 0; l < loads_; ++l) {
             const Eigen::Index first = zone * table_.grid_.nodes() + table_.first_node(l);
-            of.rows[l] =
-                table_.sample<static_cast<int>(ContactRow::rows)>(cell_, side_->points, side_->slopes, 0, first);
+            of.rows[l] = table_.sample<rows, by_inputs<partials>>(cell_, side_->points, side_->slopes, 0, first);
         }
     }
     /// The rows of a zone at a sum of loads. Odd parts are over the yaw.
+    template <int partials>
     void interpolate(Zone& of, const RowWeights<ContactTable::most_loads>& weights, double root) const {
+        using enum ContactRow::Of;
+        const double yaw = inputs_[WheelForces::yaw];
+        const auto times_yaw = [&](Values& values) {
+            values[arm_x] *= yaw;
+            values.segment<9>(correction) += yaw * values.segment<9>(correction_by_yaw);
+        };
         of.value = side_->means;
-        of.by_shift.setZero();
-        of.by_yaw.setZero();
         of.by_sum.setZero();
         for (std::size_t l = 0; l < loads_; ++l) {
             of.value += weights.value[l] * of.rows[l].value;
-            of.by_shift += weights.value[l] * of.rows[l].by_shift;
-            of.by_yaw += weights.value[l] * of.rows[l].by_yaw;
             of.by_sum += weights.rate[l] / (3 * root * root) * of.rows[l].value;
         }
-        using enum ContactRow::Of;
-        const double yaw = inputs_[WheelForces::yaw];
-        of.by_yaw[arm_x] = of.value[arm_x] + yaw * of.by_yaw[arm_x];
-        of.by_yaw.segment<9>(correction) +=
-            of.value.segment<9>(correction_by_yaw) + yaw * of.by_yaw.segment<9>(correction_by_yaw);
-        for (Values* each : {&of.value, &of.by_shift, &of.by_sum}) {
-            (*each)[arm_x] *= yaw;
-            each->segment<9>(correction) += yaw * each->segment<9>(correction_by_yaw);
+        if constexpr (by_inputs<partials>) {
+            of.by_shift.setZero();
+            of.by_yaw.setZero();
+            for (std::size_t l = 0; l < loads_; ++l) {
+                of.by_shift += weights.value[l] * of.rows[l].by_shift;
+                of.by_yaw += weights.value[l] * of.rows[l].by_yaw;
+            }
+            times_yaw(of.by_yaw);
+            of.by_yaw[arm_x] += of.value[arm_x];
+            of.by_yaw.segment<9>(correction) += of.value.segment<9>(correction_by_yaw);
+            times_yaw(of.by_shift);
         }
+        times_yaw(of.value);
+        times_yaw(of.by_sum);
     }
-    Dual dual(const Zone& of, Eigen::Index row) const {
-        Dual found(of.value[row], Gradient::Zero());
-        if (has_roll_) {
-            found.derivatives() = of.by_shift[row] * shift_.derivatives();
-        } else {
-            found.derivatives()[WheelForces::lateral] = of.by_shift[row];
+    template <int partials>
+    Dual<partials> dual(const Zone& of, Eigen::Index row) const {
+        Dual<partials> found = constant<partials>(of.value[row]);
+        if constexpr (by_inputs<partials>) {
+            if (has_roll_) {
+                found.derivatives() = of.by_shift[row] * shift_.derivatives();
+            } else {
+                found.derivatives()[WheelForces::lateral] = of.by_shift[row];
+            }
+            found.derivatives()[WheelForces::yaw] += of.by_yaw[row];
         }
-        found.derivatives()[WheelForces::yaw] += of.by_yaw[row];
-        found.derivatives()[by_sum] = of.by_sum[row];
+        found.derivatives()[by_sum<partials>] = of.by_sum[row];
         return found;
     }
 
     /// The share of a zone, not negative, before they are divided by their sum: by limited cubics over the loads.
-    Dual share(const Zone& of, double root) const {
+    template <int partials>
+    Dual<partials> share(const Zone& of, double root) const {
+        using Number = Dual<partials>;
         const auto& nodes = table_.roots_;
         const auto at = [&](std::size_t l) {
-            Dual found(of.share[l].value[0], Gradient::Zero());
-            found.derivatives() = of.share[l].by_shift[0] * shift_.derivatives();
-            found.derivatives()[WheelForces::yaw] += of.share[l].by_yaw[0];
+            Number found = constant<partials>(of.share[l].value[0]);
+            if constexpr (by_inputs<partials>) {
+                found.derivatives() = of.share[l].by_shift[0] * shift_.derivatives();
+                found.derivatives()[WheelForces::yaw] += of.share[l].by_yaw[0];
+            }
             return found;
         };
-        Dual found = constant(0);
+        Number found = constant<partials>(0);
         if (loads_ == 1 || root <= nodes.front() || root >= nodes.back()) {
             found = at(loads_ > 1 && root >= nodes.back() ? loads_ - 1 : 0);
         } else {
             const std::size_t i = interval_of(nodes, root);
             const HermiteWeights w(root, nodes[i], nodes[i + 1]);
-            const auto slope = [&](std::size_t l) -> Dual {
-                const auto difference = [&](std::size_t k) -> Dual {
+            const auto slope = [&](std::size_t l) -> Number {
+                const auto difference = [&](std::size_t k) -> Number {
                     return (at(k + 1) - at(k)) * (1 / (nodes[k + 1] - nodes[k]));
                 };
                 if (l == 0 || l + 1 == loads_) return difference(l == 0 ? 0 : l - 1);
-                const Dual before = difference(l - 1), after = difference(l);
-                const Dual middle = slope_between(before, nodes[l] - nodes[l - 1], after, nodes[l + 1] - nodes[l]);
+                const Number before = difference(l - 1), after = difference(l);
+                const Number middle = slope_between(before, nodes[l] - nodes[l - 1], after, nodes[l + 1] - nodes[l]);
                 const double most = limited(middle.value(), before.value(), after.value());
                 if (most == middle.value()) return middle;
-                if (most == 0) return constant(0);
-                const Dual& lesser = std::abs(before.value()) < std::abs(after.value()) ? before : after;
+                if (most == 0) return constant<partials>(0);
+                const Number& lesser = std::abs(before.value()) < std::abs(after.value()) ? before : after;
                 return lesser * 3;
             };
-            const Dual low = at(i), high = at(i + 1), low_slope = slope(i), high_slope = slope(i + 1);
+            const Number low = at(i), high = at(i + 1), low_slope = slope(i), high_slope = slope(i + 1);
             found = w.value[0] * low + w.value[1] * high + w.value[2] * low_slope + w.value[3] * high_slope;
-            found.derivatives()[by_sum] = (w.rate[0] * low.value() + w.rate[1] * high.value() +
-                                           w.rate[2] * low_slope.value() + w.rate[3] * high_slope.value()) /
-                                          (3 * root * root);
+            found.derivatives()[by_sum<partials>] = (w.rate[0] * low.value() + w.rate[1] * high.value() +
+                                                     w.rate[2] * low_slope.value() + w.rate[3] * high_slope.value()) /
+                                                    (3 * root * root);
         }
         constexpr double e = least_share;
-        if (!(found.value() > 0)) return constant(0);
+        if (!(found.value() > 0)) return constant<partials>(0);
         if (found.value() < 2 * e) return found * found * (1 / (4 * e));
-        return found - constant(e);
+        return found - constant<partials>(e);
     }
 
     // --- forces
 
+    template <int partials>
     struct Contact {
-        std::array<Dual, 3> force;  // in the plane, and moment about its normal
-        Dual normal, angle, sine, cosine;
-        std::array<Dual, 3> arm, creepage;
-        Dual rolling;  // V [m/s]
+        std::array<Dual<partials>, 3> force;  // in the plane, and moment about its normal
+        Dual<partials> normal, angle, sine, cosine;
+        std::array<Dual<partials>, 3> arm, creepage;
+        Dual<partials> rolling;  // V [m/s]
+    };
+    /// All zones at one sum of loads.
+    template <int partials>
+    struct Pass {
+        Dual<partials> excess;  // of what the zones carry over the load
+        bool stands = false;
+        std::optional<WheelsetVelocity<Dual<partials>>> velocity;
+        std::array<Contact<partials>, ContactZones::most> contacts;
     };
 
     /// Forces of one zone under its normal load.
-    StepStatus press(Zone& of, WheelForces::Point& point, const Dual& load, double factor, Contact& found) {
+    template <int partials>
+    StepStatus press(Pass<partials>& pass, std::size_t zone, const Dual<partials>& load) {
+        using Number = Dual<partials>;
         using enum ContactRow::Of;
-        const auto row = [&](Eigen::Index which) { return dual(of, which); };
+        const Zone& of = zones_[zone];
+        WheelForces::Point& point = result_.points[zone];
+        Contact<partials>& found = pass.contacts[zone];
+        const auto row = [&](Eigen::Index which) { return dual<partials>(of, which); };
         found.angle = row(angle);
         found.sine = sin(found.angle);
         found.cosine = cos(found.angle);
         found.arm = {row(arm_x), row(arm_y), row(arm_z)};
         found.normal = load / found.cosine;
-        const Dual& N = found.normal;
-        found.rolling = (input(WheelForces::forward) - input(WheelForces::pitch_rate) * row(radius)) * 0.5;
-        const Dual& reference = found.rolling;
+        const Number& N = found.normal;
+        found.rolling =
+            (input<partials>(WheelForces::forward) - input<partials>(WheelForces::pitch_rate) * row(radius)) * 0.5;
+        const Number& reference = found.rolling;
         point.rolling_radius = of.value[radius];
         point.rail_y = of.value[rail_y];
         point.wheel_y = of.value[wheel_y];
         const double root = std::cbrt(N.value());
         point.peak_pressure = of.value[peak] * root;
-        found.force.fill(constant(0));
-        found.creepage.fill(constant(0));
+        found.force.fill(constant<partials>(0));
+        found.creepage.fill(constant<partials>(0));
         if (!(reference.value() >= (std::numeric_limits<double>::min)())) {
-            stands_ = true;
+            pass.stands = true;
             return StepStatus::ok;
         }
-        const std::array<Dual, 3> slip = velocity().slip(found.arm, found.sine, found.cosine);
+        const std::array<Number, 3> slip = pass.velocity->slip(found.arm, found.sine, found.cosine);
         found.creepage = {slip[0] / reference, slip[1] / reference, slip[2] / reference};
-        Dual size(root, (root / (3 * N.value())) * N.derivatives());
+        Number size(root, (root / (3 * N.value())) * N.derivatives());
         const auto positive = [&](Eigen::Index which) {  // cubics may undershoot where a zone begins to carry
             constexpr double least = 1e-9;
-            return of.value[which] > least ? row(which) : constant(least);
+            return of.value[which] > least ? row(which) : constant<partials>(least);
         };
-        const Dual a = positive(length) * size, b = positive(width) * size;
-        const Dual mu = input(WheelForces::mu) * factor;
-        const std::array<Dual, 3> own =
-            ellipse_creepages<Dual>(found.creepage, a, b, table_.shear_modulus(), mu * N, row);
+        const Number a = positive(length) * size, b = positive(width) * size;
+        const Number mu = input<partials>(WheelForces::mu) * friction_.factor[zone];
+        const std::array<Number, 3> own =
+            ellipse_creepages<Number>(found.creepage, a, b, table_.shear_modulus(), mu * N, row);
         point.ellipse = PatchContact<double>({a.value(), b.value(), table_.shear_modulus(), table_.poisson_ratio()});
-        return creep_forces(point.ellipse, own, {N, mu, a, b, reference}, found.force);
+        return creep_forces<partials>(point.ellipse, own, {N, mu, a, b, reference}, found.force);
     }
 
+    template <int partials>
     struct Terms {
-        const Dual &N, &mu, &a, &b, &speed;
+        const Dual<partials>&N, &mu, &a, &b, &speed;
     };
-    StepStatus creep_forces(const PatchContact<double>& ellipse, const std::array<Dual, 3>& own, const Terms& terms,
-                            std::array<Dual, 3>& force) const {
+    template <int partials>
+    StepStatus creep_forces(const PatchContact<double>& ellipse, const std::array<Dual<partials>, 3>& own,
+                            const Terms<partials>& terms, std::array<Dual<partials>, 3>& force) const {
         const Creepage<double> creepage{own[0].value(), own[1].value(), own[2].value()};
         TabulatedForce now;
         TangentialForce<double> by_speed{0, 0, 0};
@@ -274,99 +320,107 @@ private:
             now = creep_.look_up(ellipse, terms.mu.value(), terms.N.value(), creepage);
         }
         const auto combine = [&](auto part) {
-            return Dual(part(now.force), part(now.tangent.by_longitudinal) * own[0].derivatives() +
-                                             part(now.tangent.by_lateral) * own[1].derivatives() +
-                                             part(now.tangent.by_spin) * own[2].derivatives() +
-                                             part(now.tangent_by_load) * terms.N.derivatives() +
-                                             part(now.tangent_by_friction_coefficient) * terms.mu.derivatives() +
-                                             part(now.tangent_by_half_length) * terms.a.derivatives() +
-                                             part(now.tangent_by_half_width) * terms.b.derivatives() +
-                                             part(by_speed) * terms.speed.derivatives());
+            return Dual<partials>(part(now.force),
+                                  part(now.tangent.by_longitudinal) * own[0].derivatives() +
+                                      part(now.tangent.by_lateral) * own[1].derivatives() +
+                                      part(now.tangent.by_spin) * own[2].derivatives() +
+                                      part(now.tangent_by_load) * terms.N.derivatives() +
+                                      part(now.tangent_by_friction_coefficient) * terms.mu.derivatives() +
+                                      part(now.tangent_by_half_length) * terms.a.derivatives() +
+                                      part(now.tangent_by_half_width) * terms.b.derivatives() +
+                                      part(by_speed) * terms.speed.derivatives());
         };
         force = {combine([](const TangentialForce<double>& f) { return f.longitudinal; }),
                  combine([](const TangentialForce<double>& f) { return f.lateral; }),
                  combine([](const TangentialForce<double>& f) { return f.moment; })};
         return now.status;
     }
-    const WheelsetVelocity<Dual>& velocity() const { return *velocity_; }
 
     /// The wheel's motion; the roll is that of the position, or of equal loads.
-    void move(const RowWeights<ContactTable::most_loads>& weights, double root) {
-        Dual rolled = input(WheelForces::roll);
+    template <int partials>
+    void move(Pass<partials>& pass, const RowWeights<ContactTable::most_loads>& weights, double root) const {
+        using Number = Dual<partials>;
+        Number rolled = input<partials>(WheelForces::roll);
         if (!has_roll_) {
-            rolled = constant(0);
+            rolled = constant<partials>(0);
             for (std::size_t l = 0; l < loads_; ++l) {
                 const auto own =
                     table_.sample<1>(cell_, side_->given.on_rails, side_->on_rails_slopes, 1, table_.first_node(l));
                 rolled.value() += weights.value[l] * own.value[0];
-                rolled.derivatives()[WheelForces::lateral] += weights.value[l] * own.by_shift[0];
-                rolled.derivatives()[WheelForces::yaw] += weights.value[l] * own.by_yaw[0];
-                rolled.derivatives()[by_sum] += weights.rate[l] * own.value[0] / (3 * root * root);
+                if constexpr (by_inputs<partials>) {
+                    rolled.derivatives()[WheelForces::lateral] += weights.value[l] * own.by_shift[0];
+                    rolled.derivatives()[WheelForces::yaw] += weights.value[l] * own.by_yaw[0];
+                }
+                rolled.derivatives()[by_sum<partials>] += weights.rate[l] * own.value[0] / (3 * root * root);
             }
         }
-        velocity_.emplace(
-            WheelsetVelocity<Dual>::Speeds{input(WheelForces::forward), input(WheelForces::pitch_rate),
-                                           input(WheelForces::lateral_speed), input(WheelForces::vertical_speed),
-                                           input(WheelForces::roll_rate), input(WheelForces::yaw_rate)},
-            rolled, input(WheelForces::yaw));
+        pass.velocity.emplace(
+            typename WheelsetVelocity<Number>::Speeds{
+                input<partials>(WheelForces::forward), input<partials>(WheelForces::pitch_rate),
+                input<partials>(WheelForces::lateral_speed), input<partials>(WheelForces::vertical_speed),
+                input<partials>(WheelForces::roll_rate), input<partials>(WheelForces::yaw_rate)},
+            rolled, input<partials>(WheelForces::yaw));
     }
 
     // --- balance
 
     /// Vertical normal loads sum up to the one that carries, with friction, the load: Newton's method, whose last step
     /// is taken along the tangents.
+    template <int partials>
     void balance() {
+        // errors are as the square of the last step: in values, but in tangents as the step
+        constexpr double settled = by_inputs<partials> ? 1e-7 : 1e-5;
+        Pass<partials> pass;
         double sum = inputs_[WheelForces::load];
         for (int round = 0; round < 30; ++round) {
-            result_.status = at_sum(sum);
+            result_.status = at_sum(pass, sum);
             if (result_.status != StepStatus::ok) return;
-            const double slope = excess_.derivatives()[by_sum], change = excess_.value() / slope;
+            const double change = pass.excess.value() / pass.excess.derivatives()[by_sum<partials>];
             if (!is_finite(change)) break;
-            const bool settled = std::abs(change) <= 1e-7 * sum;
-            if (settled) {
-                Gradient by_inputs = -excess_.derivatives() / slope;
-                by_inputs[by_sum] = 0;
-                return finish(change, by_inputs);
-            }
+            if (std::abs(change) <= settled * sum) return finish(pass, change);
             sum -= std::clamp(change, -sum, sum / 2);
         }
         result_.status = StepStatus::no_solution;
     }
 
     /// Forces of all zones whose vertical normal loads sum up to `sum`, and what they carry beyond the load.
-    StepStatus at_sum(double sum) {
+    template <int partials>
+    StepStatus at_sum(Pass<partials>& pass, double sum) {
+        using Number = Dual<partials>;
         const double root = std::cbrt(sum);
         const auto weights = hermite_weights<ContactTable::most_loads>(table_.roots_, root);
-        move(weights, root);
+        move(pass, weights, root);
         const auto count = std::size_t(side_->given.zones.count());
-        std::array<Dual, ContactZones::most> shares;
-        Dual total = constant(0);
+        std::array<Number, ContactZones::most> shares;
+        Number total = constant<partials>(0);
         for (std::size_t k = 0; k < count; ++k) {
-            shares[k] = zones_[k].carries ? share(zones_[k], root) : constant(0);
+            shares[k] = zones_[k].carries ? share<partials>(zones_[k], root) : constant<partials>(0);
             total += shares[k];
         }
-        const Dual whole(sum, partials, by_sum);
-        excess_ = whole - input(WheelForces::load);
-        stands_ = false;
+        const Number whole(sum, partials, by_sum<partials>);
+        pass.excess = whole - input<partials>(WheelForces::load);
+        pass.stands = false;
         for (std::size_t k = 0; k < count; ++k) {
-            WheelForces::Point& point = result_.points[k];
-            point = {};
+            result_.points[k] = {};
             if (!(shares[k].value() > 0)) continue;
-            const Dual part = shares[k] / total, load = part * whole;
+            const Number part = shares[k] / total, load = part * whole;
             if (load.value() < least_load) continue;
-            sample(zones_[k], Eigen::Index(k));
-            interpolate(zones_[k], weights, root);
-            point.load_share = part.value();
-            const StepStatus status = press(zones_[k], point, load, friction_.factor[k], contacts_[k]);
+            sample<partials>(zones_[k], Eigen::Index(k));
+            interpolate<partials>(zones_[k], weights, root);
+            result_.points[k].load_share = part.value();
+            const StepStatus status = press(pass, k, load);
             if (status != StepStatus::ok) return status;
-            excess_ -= contacts_[k].force[1] * contacts_[k].sine;
+            pass.excess -= pass.contacts[k].force[1] * pass.contacts[k].sine;
         }
         return StepStatus::ok;
     }
 
     /// A point after the last step, so that its numbers agree with the wrench.
-    void settle(WheelForces::Point& point, const Contact& of, double change) const {
-        const auto settled = [&](const Dual& one) { return one.value() - one.derivatives()[by_sum] * change; };
+    template <int partials>
+    void settle(WheelForces::Point& point, const Contact<partials>& of, double change) const {
+        const auto settled = [&](const Dual<partials>& number) {
+            return number.value() - number.derivatives()[by_sum<partials>] * change;
+        };
         point.normal_load = settled(of.normal);
         point.angle = settled(of.angle);
         point.arm = {along_ * settled(of.arm[0]), settled(of.arm[1]), settled(of.arm[2])};
@@ -379,15 +433,17 @@ private:
 
     /// The wrench, with the sum of normal loads as that function of the inputs which keeps the excess at 0; it falls by
     /// `change`.
-    void finish(double change, const Gradient& by_inputs) {
-        std::array<Dual, 6> wrench;
-        wrench.fill(constant(0));
+    template <int partials>
+    void finish(const Pass<partials>& pass, double change) {
+        using Number = Dual<partials>;
+        std::array<Number, 6> wrench;
+        wrench.fill(constant<partials>(0));
         for (std::size_t k = 0; k < std::size_t(side_->given.zones.count()); ++k) {
             if (!(result_.points[k].load_share > 0)) continue;
-            const Contact& of = contacts_[k];
+            const Contact<partials>& of = pass.contacts[k];
             const auto& [r_x, r_y, r_z] = of.arm;
-            const Dual f_x = of.force[0], f_y = of.force[1] * of.cosine + of.normal * of.sine,
-                       f_z = of.force[1] * of.sine - of.normal * of.cosine;
+            const Number f_x = of.force[0], f_y = of.force[1] * of.cosine + of.normal * of.sine,
+                         f_z = of.force[1] * of.sine - of.normal * of.cosine;
             wrench[0] += f_x;
             wrench[1] += f_y;
             wrench[2] += f_z;
@@ -397,25 +453,38 @@ private:
             settle(result_.points[k], of, change);
             result_.heat += result_.points[k].heat;
         }
-        for (Dual& one : wrench) {
-            const double slope = std::exchange(one.derivatives()[by_sum], 0.0);
-            one.value() -= slope * change;
-            one.derivatives() += slope * by_inputs;
-        }
         const std::array<double, 6> signs{along_, mirror_, 1, mirror_, along_, along_ * mirror_};
-        const std::array<double, WheelForces::inputs> turned{mirror_, along_ * mirror_, along_, along_, mirror_, 1,
-                                                             mirror_, along_ * mirror_, 1,      1,      mirror_};
         for (Eigen::Index i = 0; i < 6; ++i) {
-            result_.force[i] = signs[std::size_t(i)] * wrench[std::size_t(i)].value();
-            for (Eigen::Index j = 0; j < WheelForces::inputs; ++j) {
-                result_.tangent(i, j) =
-                    signs[std::size_t(i)] * turned[std::size_t(j)] * wrench[std::size_t(i)].derivatives()[j];
+            const Number& component = wrench[std::size_t(i)];
+            const double slope = component.derivatives()[by_sum<partials>];
+            result_.force[i] = signs[std::size_t(i)] * (component.value() - slope * change);
+            if constexpr (by_inputs<partials>) {
+                const Gradient<partials> gradient =
+                    component.derivatives() -
+                    slope / pass.excess.derivatives()[by_sum<partials>] * pass.excess.derivatives();
+                for (Eigen::Index j = 0; j < WheelForces::inputs; ++j) {
+                    result_.tangent(i, j) = signs[std::size_t(i)] * sign_of(j) * gradient[j];
+                }
             }
         }
         if (!is_finite(result_.force.sum() + result_.tangent.sum())) result_.status = StepStatus::not_finite;
-        if (stands_ && result_.status == StepStatus::ok) {
+        if (pass.stands && result_.status == StepStatus::ok) {
             result_.status = StepStatus::invalid_step;
             result_.tangent.setZero();
+        }
+    }
+    /// Of an input in the mirror images.
+    double sign_of(Eigen::Index input) const {
+        switch (input) {
+            case WheelForces::lateral:
+            case WheelForces::lateral_speed:
+            case WheelForces::roll_rate:
+            case WheelForces::roll: return mirror_;
+            case WheelForces::yaw:
+            case WheelForces::yaw_rate: return along_ * mirror_;
+            case WheelForces::forward:
+            case WheelForces::pitch_rate: return along_;
+            default: return 1;
         }
     }
 
@@ -426,13 +495,11 @@ private:
     WheelForces result_;
     std::array<double, WheelForces::inputs> inputs_{};
     double mirror_ = 1, along_ = 1;
-    bool has_roll_ = false, stands_ = false;
-    Dual shift_, excess_;
+    bool tangents_, has_roll_ = false;
+    Dual<all> shift_;
     ContactTable::Cell cell_{0, {0, 0, 1}, {}};
     std::size_t loads_ = 0;
     std::array<Zone, ContactZones::most> zones_;
-    std::optional<WheelsetVelocity<Dual>> velocity_;
-    std::array<Contact, ContactZones::most> contacts_;
 };
 
 }  // namespace rollbem::detail
@@ -443,7 +510,14 @@ template <std::same_as<double> Scalar>
 WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
                                   const WheelsetSpeeds& speeds, const WheelLoad& load,
                                   const WheelFriction& friction) const noexcept {
-    return detail::WheelLookUp(*this, creep, friction)(side, position, speeds, load);
+    return detail::WheelLookUp(*this, creep, friction, true)(side, position, speeds, load);
+}
+
+template <std::same_as<double> Scalar>
+WheelForces ContactTable::forces(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
+                                 const WheelsetSpeeds& speeds, const WheelLoad& load,
+                                 const WheelFriction& friction) const noexcept {
+    return detail::WheelLookUp(*this, creep, friction, false)(side, position, speeds, load);
 }
 
 }  // namespace rollbem
