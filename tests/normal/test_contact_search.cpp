@@ -47,6 +47,11 @@ const Profile& cylinder() {
 /// z of a crown of radius R [m].
 double crown(double y, double R) { return R - std::sqrt(R * R - y * y); }
 
+const WheelOnRail& s1002_on_uic60() {
+    static const WheelOnRail of(s1002(), rail_uic60());
+    return of;
+}
+
 /// The wheel's tape circle above the rail's origin.
 constexpr TrackDimensions above{.radius = 0.46, .rail_origin = TrackDimensions::Origin{0.75, 0}};
 
@@ -374,6 +379,46 @@ TEST_CASE("contact_search: near contacts whose normals differ by more than 20 de
             }
         }
     }
+}
+
+TEST_CASE("contact_search: a wheel that yaws touches with the flange and the gauge corner far apart along x",
+          "[profiles]") {
+    const WheelsetPosition at{.lateral = 5.2e-3, .roll = -2.8e-3, .yaw = -24e-3};
+    const RailPoints points(s1002_on_uic60());
+    WheelOnRail::Workspace workspace;
+    const auto contact = s1002_on_uic60().solve_for_load(at, 5e4, workspace);
+    CAPTURE(name(contact.status));
+    REQUIRE(contact.patches.size() == 2);
+    const RailPatch &flange = contact.patches[0], &corner = contact.patches[1];
+    CHECK(corner.angle - flange.angle > pi / 9);
+    CHECK(corner.x - flange.x > 0.02);
+    CHECK(least_gap(s1002_on_uic60(), points, at, contact) > -1e-6);
+}
+
+TEST_CASE("contact_search: contacts that part a run of depths do not overlap, and their planes are doubtful",
+          "[profiles]") {
+    WheelOnRail::Workspace workspace;
+    const auto contact =
+        s1002_on_uic60().solve_for_load({.lateral = 6.5e-3, .roll = -0.1e-3, .yaw = 28e-3}, 4e5, workspace);
+    REQUIRE(contact.patches.size() == 2);
+    double flange_end = 0, corner_end = 1;
+    for (const RailPatch& patch : contact.patches) {
+        CHECK(patch.status == Status::doubtful_plane);
+        for (Eigen::Index j = 0; j < patch.grid.ny; ++j) {
+            if (!(patch.pressure.col(j) > 0).any()) continue;
+            const double y = patch.place(0, patch.grid.y(j), patch.rail_n[j])[1];
+            if (patch.angle < -pi / 4) flange_end = std::max(flange_end, y);
+            if (patch.angle > -pi / 4) corner_end = std::min(corner_end, y);
+        }
+    }
+    CHECK(flange_end < corner_end);
+}
+
+TEST_CASE("contact_search: one contact round a gauge corner stays one where depths hardly fall between two maxima",
+          "[profiles]") {
+    WheelOnRail::Workspace workspace;
+    const WheelsetPosition at{.lateral = 6.17e-3, .roll = -0.9e-3, .yaw = -22e-3};
+    CHECK(s1002_on_uic60().solve_for_load(at, 3.6e5, workspace).patches.size() == 1);
 }
 
 TEST_CASE("contact_search: what contacts displace each other falls with their distance in space", "[profiles]") {
