@@ -421,6 +421,25 @@ TEST_CASE("contact_search: one contact round a gauge corner stays one where dept
     CHECK(s1002_on_uic60().solve_for_load(at, 3.6e5, workspace).patches.size() == 1);
 }
 
+TEST_CASE("contact_search: a contact that another one lifts is none, and no failure", "[profiles]") {
+    // two crowns, one of which lies 60 um lower
+    const Profile crowns =
+        piece(-0.05, 0.05, 401, [](double y) { return std::pow(std::abs(y) - 0.03, 2) / 0.6 + (y > 0 ? 6e-5 : 0); });
+    const WheelOnRail wheel(cylinder(), crowns, above);
+    detail::ContactParts parts;
+    const detail::ContactSettings settings{
+        .cells_x = 24, .cells_s = 16, .tolerance = 1e-6, .cell_size = 0, .interaction = true};
+    REQUIRE(parts.locate(wheel.geometry(), {}, settings) == Status::ok);
+    const double touching = parts.touch() + 9e-5, lifted = parts.touch() + 6.05e-5;
+    parts.divide(touching);
+    for (const int round : {0, 1, 2}) {
+        parts.refine(lifted, round, false, true);
+        parts.settle(0, 1e-6, false);
+        CHECK(parts.failure() == Status::ok);
+        CHECK(parts.patches(0).size() == 1);
+    }
+}
+
 TEST_CASE("contact_search: what contacts displace each other falls with their distance in space", "[profiles]") {
     // both sides of a groove touch a ball that yaws ahead of and behind its middle
     const Profile ball = piece(-0.0199, 0.0199, 801, [](double y) { return std::sqrt(4e-4 - y * y) - 0.02; });
