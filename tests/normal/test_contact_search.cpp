@@ -55,6 +55,9 @@ const WheelOnRail& s1002_on_uic60() {
 /// The wheel's tape circle above the rail's origin.
 constexpr TrackDimensions above{.radius = 0.46, .rail_origin = TrackDimensions::Origin{0.75, 0}};
 
+constexpr detail::ContactSettings coarse{
+    .cells_x = 24, .cells_s = 16, .tolerance = 1e-6, .cell_size = 0, .interaction = true};
+
 const ElasticBody<double>& steel() {
     static const ElasticBody<double> of{2 * 8.2e10 * 1.28, 0.28};
     return of;
@@ -427,9 +430,7 @@ TEST_CASE("contact_search: a contact that another one lifts is none, and no fail
         piece(-0.05, 0.05, 401, [](double y) { return std::pow(std::abs(y) - 0.03, 2) / 0.6 + (y > 0 ? 6e-5 : 0); });
     const WheelOnRail wheel(cylinder(), crowns, above);
     detail::ContactParts parts;
-    const detail::ContactSettings settings{
-        .cells_x = 24, .cells_s = 16, .tolerance = 1e-6, .cell_size = 0, .interaction = true};
-    REQUIRE(parts.locate(wheel.geometry(), {}, settings) == Status::ok);
+    REQUIRE(parts.locate(wheel.geometry(), {}, coarse) == Status::ok);
     const double touching = parts.touch() + 9e-5, lifted = parts.touch() + 6.05e-5;
     parts.divide(touching);
     for (const int round : {0, 1, 2}) {
@@ -437,6 +438,37 @@ TEST_CASE("contact_search: a contact that another one lifts is none, and no fail
         parts.settle(0, 1e-6, false);
         CHECK(parts.failure() == Status::ok);
         CHECK(parts.patches(0).size() == 1);
+    }
+}
+
+TEST_CASE("contact_search: a part whose pressures overflow has its status beside one with numbers", "[profiles]") {
+    // two crowns, one of which lies 99 um lower and barely touches: its cells are smaller
+    const Profile crowns =
+        piece(-0.05, 0.05, 401, [](double y) { return std::pow(std::abs(y) - 0.03, 2) / 0.6 + (y > 0 ? 9.9e-5 : 0); });
+    const WheelOnRail wheel(cylinder(), crowns, above);
+    detail::ContactParts parts;
+    detail::ContactSettings settings = coarse;
+    settings.interaction = false;
+    REQUIRE(parts.locate(wheel.geometry(), {}, settings) == Status::ok);
+    parts.divide(parts.touch() + 1e-4);
+    parts.settle(0, 1e-6, false);
+    CHECK(parts.failure() == Status::ok);
+    CHECK(parts.patches(0).size() == 2);
+    parts.settle(1e292, 1e-6, false);
+    CHECK(parts.failure() == Status::not_finite);
+    CHECK(parts.patches(0).size() == 1);
+}
+
+TEST_CASE("contact_search: cells become smaller where too few touch, for a load and at a height", "[profiles]") {
+    const Profile crowned = piece(-0.05, 0.05, 401, [](double y) { return y * y / 0.6; });
+    const WheelOnRail wheel(cylinder(), crowned, above);
+    const WheelOnRail::Options options{.cell_size = 5e-3};
+    WheelOnRail::Workspace workspace;
+    for (const auto& contact : {wheel.solve_for_load({}, 4e4, workspace, options),
+                                wheel.solve_at_height({.height = 6e-5}, workspace, options)}) {
+        CHECK(contact.status == Status::ok);
+        REQUIRE(contact.patches.size() == 1);
+        CHECK(contact.patches[0].grid.dx == 2.5e-3);
     }
 }
 
