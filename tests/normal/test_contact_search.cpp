@@ -47,8 +47,16 @@ const Profile& cylinder() {
 /// z of a crown of radius R [m].
 double crown(double y, double R) { return R - std::sqrt(R * R - y * y); }
 
+const WheelOnRail& s1002_on_uic60() {
+    static const WheelOnRail of(s1002(), rail_uic60());
+    return of;
+}
+
 /// The wheel's tape circle above the rail's origin.
 constexpr TrackDimensions above{.radius = 0.46, .rail_origin = TrackDimensions::Origin{0.75, 0}};
+
+constexpr detail::ContactSettings coarse{
+    .cells_x = 24, .cells_s = 16, .tolerance = 1e-6, .cell_size = 0, .interaction = true};
 
 const ElasticBody<double>& steel() {
     static const ElasticBody<double> of{2 * 8.2e10 * 1.28, 0.28};
@@ -373,6 +381,94 @@ TEST_CASE("contact_search: near contacts whose normals differ by more than 20 de
                 CHECK(patch.load * std::cos(patch.angle) == Approx(5).epsilon(1e-3));
             }
         }
+    }
+}
+
+TEST_CASE("contact_search: a wheel that yaws touches with the flange and the gauge corner far apart along x",
+          "[profiles]") {
+    const WheelsetPosition at{.lateral = 5.2e-3, .roll = -2.8e-3, .yaw = -24e-3};
+    const RailPoints points(s1002_on_uic60());
+    WheelOnRail::Workspace workspace;
+    const auto contact = s1002_on_uic60().solve_for_load(at, 5e4, workspace);
+    CAPTURE(name(contact.status));
+    REQUIRE(contact.patches.size() == 2);
+    const RailPatch &flange = contact.patches[0], &corner = contact.patches[1];
+    CHECK(corner.angle - flange.angle > pi / 9);
+    CHECK(corner.x - flange.x > 0.02);
+    CHECK(least_gap(s1002_on_uic60(), points, at, contact) > -1e-6);
+}
+
+TEST_CASE("contact_search: contacts that part a run of depths do not overlap, and their planes are doubtful",
+          "[profiles]") {
+    WheelOnRail::Workspace workspace;
+    const auto contact =
+        s1002_on_uic60().solve_for_load({.lateral = 6.5e-3, .roll = -0.1e-3, .yaw = 28e-3}, 4e5, workspace);
+    REQUIRE(contact.patches.size() == 2);
+    double flange_end = 0, corner_end = 1;
+    for (const RailPatch& patch : contact.patches) {
+        CHECK(patch.status == Status::doubtful_plane);
+        for (Eigen::Index j = 0; j < patch.grid.ny; ++j) {
+            if (!(patch.pressure.col(j) > 0).any()) continue;
+            const double y = patch.place(0, patch.grid.y(j), patch.rail_n[j])[1];
+            if (patch.angle < -pi / 4) flange_end = std::max(flange_end, y);
+            if (patch.angle > -pi / 4) corner_end = std::min(corner_end, y);
+        }
+    }
+    CHECK(flange_end < corner_end);
+}
+
+TEST_CASE("contact_search: one contact round a gauge corner stays one where depths hardly fall between two maxima",
+          "[profiles]") {
+    WheelOnRail::Workspace workspace;
+    const WheelsetPosition at{.lateral = 6.17e-3, .roll = -0.9e-3, .yaw = -22e-3};
+    CHECK(s1002_on_uic60().solve_for_load(at, 3.6e5, workspace).patches.size() == 1);
+}
+
+TEST_CASE("contact_search: a contact that another one lifts is none, and no failure", "[profiles]") {
+    // two crowns, one of which lies 60 um lower
+    const Profile crowns =
+        piece(-0.05, 0.05, 401, [](double y) { return std::pow(std::abs(y) - 0.03, 2) / 0.6 + (y > 0 ? 6e-5 : 0); });
+    const WheelOnRail wheel(cylinder(), crowns, above);
+    detail::ContactParts parts;
+    REQUIRE(parts.locate(wheel.geometry(), {}, coarse) == Status::ok);
+    const double touching = parts.touch() + 9e-5, lifted = parts.touch() + 6.05e-5;
+    parts.divide(touching);
+    for (const int round : {0, 1, 2}) {
+        parts.refine(lifted, round, false, true);
+        parts.settle(0, 1e-6, false);
+        CHECK(parts.failure() == Status::ok);
+        CHECK(parts.patches(0).size() == 1);
+    }
+}
+
+TEST_CASE("contact_search: a part whose pressures overflow has its status beside one with numbers", "[profiles]") {
+    // two crowns, one of which lies 99 um lower and barely touches: its cells are smaller
+    const Profile crowns =
+        piece(-0.05, 0.05, 401, [](double y) { return std::pow(std::abs(y) - 0.03, 2) / 0.6 + (y > 0 ? 9.9e-5 : 0); });
+    const WheelOnRail wheel(cylinder(), crowns, above);
+    detail::ContactParts parts;
+    detail::ContactSettings settings = coarse;
+    settings.interaction = false;
+    REQUIRE(parts.locate(wheel.geometry(), {}, settings) == Status::ok);
+    parts.divide(parts.touch() + 1e-4);
+    parts.settle(0, 1e-6, false);
+    CHECK(parts.failure() == Status::ok);
+    CHECK(parts.patches(0).size() == 2);
+    parts.settle(1e292, 1e-6, false);
+    CHECK(parts.failure() == Status::not_finite);
+    CHECK(parts.patches(0).size() == 1);
+}
+
+TEST_CASE("contact_search: cells become smaller where too few touch, for a load and at a height", "[profiles]") {
+    const Profile crowned = piece(-0.05, 0.05, 401, [](double y) { return y * y / 0.6; });
+    const WheelOnRail wheel(cylinder(), crowned, above);
+    const WheelOnRail::Options options{.cell_size = 5e-3};
+    WheelOnRail::Workspace workspace;
+    for (const auto& contact : {wheel.solve_for_load({}, 4e4, workspace, options),
+                                wheel.solve_at_height({.height = 6e-5}, workspace, options)}) {
+        CHECK(contact.status == Status::ok);
+        REQUIRE(contact.patches.size() == 1);
+        CHECK(contact.patches[0].grid.dx == 2.5e-3);
     }
 }
 

@@ -14,10 +14,11 @@ namespace rollbem::detail {
 
 /// Gaps before deformation [m], positive where the surfaces are apart.
 struct Gaps {
-    NormalContact::Grid h;  ///< nx x ny; large where a surface has no point
+    NormalContact::Grid h;  ///< nx x ny; large where there is none
     /// n of the rail's surface in each row and its derivative by s, in the middle column where the rail changes along x.
     Eigen::ArrayXd rail_n, rail_slope;
-    /// ok, or why a cell has no gap: end_of_profile or undefined_section.
+    /// ok, or why a cell has no gap: end_of_profile, undefined_section, or doubtful_plane where the rail belongs to
+    /// another region.
     Eigen::Array<Status, Eigen::Dynamic, Eigen::Dynamic> known;
     bool all_known = true;
 };
@@ -101,6 +102,7 @@ private:
             const double x = plane_->x + grid.x(i), s = grid.y(j);
             if (c == 0 || !straight) {
                 rail_known = rail_at(x, s, rail_s_[i], n_rail);
+                if (!plane_->rail.contains(rail_s_[i])) rail_known = (std::max)(rail_known, Status::doubtful_plane);
                 if (c == 0) {
                     gaps.rail_n[j] = n_rail;
                     gaps.rail_slope[j] = rail_slope(x, rail_s_[i]);

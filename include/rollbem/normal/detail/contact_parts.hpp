@@ -91,7 +91,8 @@ public:
         if (same) match(found);
         for (std::size_t k = 0; k < parts_.size(); ++k) {
             ContactPart& part = parts_[k];
-            if (round < 2 || anew || outgrown(k)) part.grid = finer(k);
+            const bool touches = part.solution.load > 0;
+            if (touches && (round < 2 || anew || outgrown(k))) part.grid = finer(k);
             if (same) {
                 const ContactPlane before = std::exchange(part.plane, plane_of(*geometry_, found[k], at_.along));
                 part.grid.x_0 += before.x - part.plane.x;  // the grid stays where it is

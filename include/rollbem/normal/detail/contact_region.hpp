@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -51,12 +52,20 @@ struct SurfaceCut {
     double width;  ///< the part of the track's y that it stands for [m], times that of x between slices
 };
 
+/// From and to along the rail's curve [m].
+struct RailStretch {
+    double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+
+    bool contains(double s) const { return s >= low && s < high; }
+};
+
 /// Cuts of one region, those beside the rail's surface with a depth of 0.
 struct Region {
     std::size_t wheel_part = 0, rail_part = 0;
     std::vector<SurfaceCut> cuts;
     double x_low = 0, x_high = 0;  ///< of what lies below the rail, where that changes along x [m]
     double power = 2.5;            ///< of the depth in the weights of cuts
+    RailStretch rail{};            ///< what is beyond belongs to other regions
 };
 
 /// The plane of contact: its origin on the rail, s along y turned by the angle, n into the rail; and the region in it.
@@ -67,6 +76,7 @@ struct ContactPlane {
     double deepest = 0;              ///< the largest depth [m]
     double low = 0, high = 0;        ///< ends of the region along s [m]
     double x_low = 0, x_high = 0;    ///< and along x, from the origin; 0 where the silhouette does not tell
+    RailStretch rail{};              ///< that of the region
 
     double s(double y_track, double z_track) const { return (y_track - y) * cosine + (z_track - z) * sine; }
     double n(double y_track, double z_track) const { return (z_track - z) * cosine - (y_track - y) * sine; }
@@ -119,6 +129,7 @@ inline ContactPlane plane_of(const ContactGeometry& geometry, const Region& regi
     plane.cosine = std::cos(plane.angle);
     plane.wheel_part = region.wheel_part;
     plane.rail_part = region.rail_part;
+    plane.rail = region.rail;
     // the rail's point at y, but on a wall
     CurvePoint on_rail = geometry.rail_at(region.rail_part, rail_s, track_x + plane.x);
     for (int k = 0; k < 8 && on_rail.slope[0] > 0.05; ++k) {

@@ -65,9 +65,10 @@ public:
             if (goes_on) {
                 runs.back().last = i;
             } else {
-                runs.push_back({i, i});
+                runs.push_back({.first = i, .last = i});
             }
         }
+        part(runs);
         join(runs);
         std::vector<Region> found;
         for (const Run& run : runs) found.push_back(region(run, height));
@@ -87,6 +88,7 @@ private:
     };
     struct Run {
         std::size_t first, last;
+        RailStretch rail{};
     };
 
     void trace() {
@@ -139,6 +141,46 @@ private:
                           Region{}.power);
     }
 
+    // Where a wheel yaws, contacts with different normals lie far apart along x, but one run holds them.
+    void part(std::vector<Run>& runs) {
+        for (std::size_t k = 0; k < runs.size();) {
+            const std::optional<std::size_t> next = parting(runs[k]);
+            if (!next) {
+                ++k;
+                continue;
+            }
+            Run beyond = runs[k];
+            beyond.first = *next;
+            beyond.rail.low = samples_[*next].foot.s;
+            runs[k].last = *next - 1;
+            runs[k].rail.high = beyond.rail.low;
+            runs.insert(runs.begin() + std::ptrdiff_t(k) + 1, beyond);
+        }
+    }
+
+    // The least deep sample between two maxima whose surroundings have different normals, if it is that much less deep
+    // than both.
+    std::optional<std::size_t> parting(const Run& run) {
+        // depth over the largest at the long edges of an ellipse twelve times as long as wide, as flanges have
+        constexpr double edge = 0.75;
+        const auto depth = [this](std::size_t i) { return samples_[i].foot.depth; };
+        beyond_.resize(samples_.size());
+        beyond_[run.last] = depth(run.last);
+        for (std::size_t i = run.last; i-- > run.first;) beyond_[i] = (std::max)(beyond_[i + 1], depth(i));
+        std::optional<std::size_t> found;
+        double before = depth(run.first);
+        for (std::size_t i = run.first + 1; i < run.last; ++i) {
+            const bool lowest =
+                depth(i) < depth(i - 1) && depth(i) <= depth(i + 1) && depth(i) < edge * (std::min)(before, beyond_[i]);
+            if (lowest && (!found || depth(i) < depth(*found)) &&
+                std::abs(mean_angle_of({run.first, i - 1}) - mean_angle_of({i, run.last})) >= joined_angle) {
+                found = i;
+            }
+            before = (std::max)(before, depth(i));
+        }
+        return found;
+    }
+
     void join(std::vector<Run>& runs) const {
         for (std::size_t k = 1; k < runs.size();) {
             const Sample &here = samples_[runs[k - 1].last], &next = samples_[runs[k].first];
@@ -146,6 +188,7 @@ private:
                 next.s - here.s < joined_distance && std::abs(next.foot.s - here.foot.s) < joined_distance;
             if (close && std::abs(mean_angle_of(runs[k]) - mean_angle_of(runs[k - 1])) < joined_angle) {
                 runs[k - 1].last = runs[k].last;
+                runs[k - 1].rail.high = runs[k].rail.high;
                 runs.erase(runs.begin() + std::ptrdiff_t(k));
             } else {
                 ++k;
@@ -158,6 +201,7 @@ private:
                      &two = samples_[(std::min)(run.last + 1, samples_.size() - 1)];
         constexpr int count = 160;
         Region region;
+        region.rail = run.rail;
         double rail_s = samples_[run.first].foot.s;
         for (int k = 0; k <= count; ++k) {
             const double s = one.s + (two.s - one.s) * k / count;
@@ -179,7 +223,8 @@ private:
     const ContactGeometry* geometry_ = nullptr;
     std::optional<PlacedWheel> placed_;
     std::vector<Sample> samples_;
-    bool is_whole_ = true;  // the silhouette is defined everywhere
+    std::vector<double> beyond_;  // the largest depth from a sample to the end of its run
+    bool is_whole_ = true;        // the silhouette is defined everywhere
     double touch_ = 0, height_ = 0, searched_at_ = std::numeric_limits<double>::quiet_NaN();
 };
 
