@@ -69,8 +69,8 @@ enum { ROLLBEM_LEFT = 0, ROLLBEM_RIGHT = 1 };
               (negative when rolling forward [rad/s]), along y and z [m/s], about x and z [rad/s]; vertical load of the
               wheel [N], coefficient of friction, roll of the wheelset [rad] (NaN: that of equal loads)
      force    6: F_x, F_y, F_z [N], M_x, M_y, M_z about the middle of the axle [N m]
-     tangent  66, or NULL, which takes less time: the derivatives of the 6 with respect to each of the 11 inputs, exact ones of the
-              interpolation; by the roll 0 where it is NaN
+     tangent  66, or NULL, which takes less time: the derivatives of the 6 with respect to each of the 11 inputs, exact
+              ones of the interpolation; by the roll 0 where it is NaN
      points   4 x 10, or NULL, a row for each zone of the rail: share of the load (0: no contact), place from the middle
               of the axle [m], angle [rad], rolling radius [m], normal force [N], peak pressure [Pa], place y in the
               profiles of rail and wheel [m]; as on the right wheel
