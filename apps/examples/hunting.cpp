@@ -41,8 +41,8 @@ enum { y, yaw, track, lateral_speed, yaw_rate, track_speed, pitch_rate, motion, 
 using State = Eigen::Matrix<double, states, 1>;
 
 WheelForces wheel(double side, double shift, double yaw, const WheelsetSpeeds& speeds, const WheelLoad& carried) {
-    return geometry.forces(steel, side < 0 ? WheelsetSide::left : WheelsetSide::right, {.lateral = shift, .yaw = yaw},
-                           speeds, carried, friction);
+    return geometry.look_up(steel, side < 0 ? WheelsetSide::left : WheelsetSide::right, {.lateral = shift, .yaw = yaw},
+                            speeds, carried, friction);
 }
 
 struct Vehicle {
