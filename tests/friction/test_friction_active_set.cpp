@@ -19,7 +19,7 @@ namespace {
 
 using namespace rollbem;
 
-TEST_CASE("A solution is found whatever the matrix", "[friction]") {
+TEST_CASE("An active set finds a solution whatever the matrix", "[friction]") {
     support::Draw draw(7);
     int fallbacks = 0;
     for (int trial = 0; trial < 3000; ++trial) {
@@ -72,7 +72,7 @@ bool is_singular_circulant(const VectorX<double>& first) {
     return false;
 }
 
-TEST_CASE("A solution is found if all elements are alike", "[friction]") {
+TEST_CASE("An active set finds a solution if all elements are alike", "[friction]") {
     // Circulant matrices under one creepage and one bound: every condition is met by several elements at once.
     support::Draw draw(1);
     int fallbacks = 0, unsolved = 0;

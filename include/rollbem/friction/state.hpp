@@ -67,7 +67,7 @@ struct FrictionState {
 namespace detail {
 
 /// Where a solution is sought: at tractions in G and the zones that go with them. One direction needs the zones alone.
-/// `plain_traction`: for slip that is not turned, if its equations are others (BothSolver::plain_constant).
+/// `plain_traction`: for slip that is not turned, if its equations are others (StickSlip::plain_constant).
 template <int directions, class Scalar>
 struct SolutionStart {
     const ElementVectors<Scalar, directions>& traction;

@@ -237,7 +237,10 @@ private:
         scratch.start = from.traction / units_.shear_modulus;
         scratch.plain_start = scratch.start;
         if (from.plain_traction.rows() > 0) scratch.plain_start = from.plain_traction / units_.shear_modulus;
-        if constexpr (directions == 2) scratch.solver.turn_slip(behind_, friction_.with_tangents);
+        if constexpr (directions == 2) {
+            scratch.solver.turn_slip(behind_);
+            scratch.solver.want_tangents(friction_.with_tangents || slip_dependent);
+        }
     }
 
     // Whether the matrices of a stage have to be filled.
@@ -245,6 +248,7 @@ private:
         if (scratch.system == system_ && scratch.stage == stage) return false;
         scratch.system = system_;
         scratch.stage = stage;
+        if constexpr (directions == 2) scratch.solver.use_once(stage.growth != 0 || stage.widening != 0);
         return true;
     }
     template <class Fill>

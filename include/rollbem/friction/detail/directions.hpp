@@ -15,7 +15,7 @@
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "active_set.hpp"
-#include "both_solver.hpp"
+#include "stick_slip.hpp"
 
 namespace rollbem::detail {
 
@@ -116,65 +116,55 @@ private:
     Vector unit_, response_;
 };
 
-/// The same for two directions; d|s| of an element is the change of its slip against its traction.
+/// The same for two directions.
 template <class Scalar>
 class BothSlip : public SlippingElements<Scalar> {
 public:
     using typename SlippingElements<Scalar>::Index, typename SlippingElements<Scalar>::Vector;
     using Vectors = ElementVectors<Scalar>;
-    using Solver = BothSolver<Scalar>;
+    using Solver = StickSlip<2, Scalar>;
     using Outcome = typename Solver::Outcome;
     using Start = SolutionStart<2, Scalar>;
     static constexpr int directions = 2;
 
     explicit BothSlip(Index n)
-        : SlippingElements<Scalar>(n), traction_(Vectors::Zero(n, 2)), plain_traction_(Vectors::Zero(n, 2)) {}
+        : SlippingElements<Scalar>(n), start_(nullptr), compact_(n, n), across_(n, n), aside_(n, n) {}
 
     static Vectors zero(Index n) { return Vectors::Zero(n, 2); }
 
-    void begin(const Start& start) {
-        traction_ = start.traction;
-        has_plain_ = start.plain_traction != nullptr;
-        if (has_plain_) plain_traction_ = *start.plain_traction;
-        this->zones_ = start.zones;
-    }
+    void begin(const Start& start) { start_ = &start; }
     Outcome solve(const Vector& bound, Solver& solver) {
-        const Outcome outcome = solver.solve(bound, {traction_, this->zones_, has_plain_ ? &plain_traction_ : nullptr});
-        traction_ = solver.traction();
-        if (has_plain_) plain_traction_ = solver.plain_traction();
-        this->zones_ = solver.zones();
+        if (start_ != nullptr) solver.begin(*start_);
+        start_ = nullptr;
+        const Outcome outcome = solver.solve(bound);
         is_regular_ = outcome.tangent_exists;
-        ++solution_;
         return outcome;
     }
     static void add(const Outcome& before, Outcome& outcome) { outcome.rounds += before.rounds; }
 
-    static Scalar size(const Solver& solver, Index i) { return std::hypot(solver.slip()(i, 0), solver.slip()(i, 1)); }
+    static Scalar size(const Solver& solver, Index i) { return solver.slip_size(i); }
     static const Vector& sense(const Solver& solver) { return solver.slides(); }
 
     /// If there is no tangent, the derivatives are those without slip. Angles of turned slip follow if it has to be
     /// `exact`.
     void linearise(Solver& solver, bool exact) {
-        const unsigned long revision = 2 * solution_ + (exact && solver.angles_follow() ? 1 : 0);
+        const auto revision =
+            static_cast<unsigned long>(2 * solver.revision() + (exact && solver.angles_follow() ? 1 : 0));
         if (this->revision_ == revision) return;
         this->revision_ = revision;
-        BothEquations<Scalar>& equations = solver.equations();
-        this->count_ = is_regular_ ? equations.slipping_count() : 0;
-        for (Index k = 0; k < this->count_; ++k) {
-            this->slipping_[static_cast<std::size_t>(k)] = equations.slipping(k);
-        }
-        this->by_traction_.leftCols(this->count_).setZero();
+        this->count_ = is_regular_ ? solver.slipping_count() : 0;
+        for (Index k = 0; k < this->count_; ++k) this->slipping_[static_cast<std::size_t>(k)] = solver.slipping(k);
         if (!is_regular_) return;
-        if (exact) {
-            solver.couple(this->by_traction_);
-        } else {
-            equations.couple(this->by_traction_);
+        solver.couple(exact, compact_, across_, aside_);
+        this->by_traction_.leftCols(this->count_).setZero();
+        for (Index k = 0; k < this->count_; ++k) {
+            for (Index l = 0; l < this->count_; ++l) this->by_traction_(this->slipping(l), k) = compact_(l, k);
         }
     }
 
     static void respond(Solver& solver, const Vectors& change, const Vector* bound_change, Vectors& traction_change,
                         Vector& size_change) {
-        solver.respond(&change, traction_change, bound_change, 1, &size_change);
+        solver.respond(change, traction_change, bound_change, 1, &size_change);
     }
     static void add_response(Solver& solver, const Vectors&, const Vector*, const Vector& more,
                              Vectors& traction_change) {
@@ -182,15 +172,15 @@ public:
     }
 
 private:
-    Vectors traction_, plain_traction_;
-    bool has_plain_ = false, is_regular_ = false;
-    unsigned long solution_ = 0;
+    const Start* start_;
+    MatrixX<Scalar> compact_, across_, aside_;
+    bool is_regular_ = false;
 };
 
 template <int directions, class Scalar>
 struct Directions {
     static_assert(directions == 1 || directions == 2);
-    using Solver = ByDirections<directions, ActiveSet<Scalar>, BothSolver<Scalar>>;
+    using Solver = ByDirections<directions, ActiveSet<Scalar>, StickSlip<2, Scalar>>;
     using Slip = ByDirections<directions, ActiveSetSlip<Scalar>, BothSlip<Scalar>>;
     using Value = ByDirections<directions, Scalar, Creepage<Scalar>>;
     using System = ElementSystem<Scalar, directions>;
