@@ -246,12 +246,21 @@ private:
     }
     // v_S + B_SK s_K
     void stick_by_inverse(const M& matrix, std::size_t g, const Base& base) {
+        const Index others = lists_.others(), count = depth_ * others;
+        const auto column = [&](Index k) {
+            return matrix.inverse(g).col(unpacked(lists_.other(k % others), k / others));
+        };
+        const auto slip = slip_.tail(count);
         packed_.setZero();  // in the order of B
-        for_unknowns(g, lists_.sticking(), lists_.size(),
-                     [&](Index k, Index i, Index d) { packed_ += slip_[k] * matrix.inverse(g).col(unpacked(i, d)); });
+        Index k = 0;
+        for (; k + 4 <= count; k += 4) {
+            packed_ += slip[k] * column(k) + slip[k + 1] * column(k + 1) + slip[k + 2] * column(k + 2) +
+                       slip[k + 3] * column(k + 3);
+        }
+        for (; k < count; ++k) packed_ += slip[k] * column(k);
         slip_ = packed_;
-        for_unknowns(g, 0, lists_.sticking(), [&](Index k, Index i, Index d) {
-            packed_[k] = slip_[unpacked(i, d)] + base.packed(place(g) + k);
+        for_unknowns(g, 0, lists_.sticking(), [&](Index to, Index i, Index d) {
+            packed_[to] = slip_[unpacked(i, d)] + base.packed(place(g) + to);
         });
     }
 

@@ -215,7 +215,7 @@ private:
     }
 
     // The second solution starts from the first, shifted by the difference of their starts.
-    void start_turned(const Vector& bound) {
+    void start_turned(const Vector& bound) requires(directions == 2) {
         Point& point = points_[1];
         point.roles = points_[0].roles;
         point.slip = points_[0].slip;
@@ -227,7 +227,7 @@ private:
             if (norm > 0) point.roles.slide(i, p / norm);
         }
     }
-    bool solve_turned(const Vector& bound, typename Search::Tally& tally) {
+    bool solve_turned(const Vector& bound, typename Search::Tally& tally) requires(directions == 2) {
         const auto never = [](const Point&) { return false; };
         if (has_turned_) {
             adapt(bound, points_[1]);
@@ -267,7 +267,7 @@ private:
 
     void respond(Change change, Vectors& traction_change, Vector* size_change);
     void answer(std::size_t which, const Change& change, Vectors& dp, Vectors& ds);
-    void add_angles(Matrix& aside);
+    void add_angles(Matrix& aside) requires(directions == 2);
 
     Equations equations_;
     Search search_;
@@ -465,7 +465,7 @@ void StickSlip<directions, Scalar>::couple(bool exact, Matrix& coupling, Matrix&
 
 // Adds to the slip across by each bound what turning it by the angles that follow adds.
 template <int directions, class Scalar>
-void StickSlip<directions, Scalar>::add_angles(Matrix& aside) {
+void StickSlip<directions, Scalar>::add_angles(Matrix& aside) requires(directions == 2) {
     unit_.setZero();
     response_base_.forget();
     for (Index l = 0; l < slipping_count(); ++l) {
