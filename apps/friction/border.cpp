@@ -33,7 +33,7 @@ void solve_by_border(const Curve& curve, const study::Scene& scene, study::RowRa
                           .x = mesh.centres(),
                           .bound = pressure(mesh),
                           .full = mu_N,
-                          .pivots = 0,
+                          .path_points = 0,
                           .traction = Eigen::MatrixXd::Zero(scene.n(), 2),
                           .slip = Eigen::MatrixXd::Zero(scene.n(), 2),
                           .time_us = time_us,

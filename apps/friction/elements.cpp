@@ -117,7 +117,7 @@ void solve_by_elements(const Curve& curve, const study::Scene& scene, study::Row
         };
         solution.time_us = study::time_us_if(curve.timed, solve);
         solution.status = name(solution.step.status);
-        if (!curve.line.both) solution.pivots = solution.step.pivots;
+        solution.path_points = solution.step.path_points;
         fill(state, workspace.slip(), solution);
         see(i, solution);
     }

@@ -68,7 +68,8 @@ const study::Sheet<CreepRow>& creep_sheet() {
              {"relative_error", "force_ratio/exact - 1",
               [](const R& r) { return relative_error(r.force_ratio(), r.exact().longitudinal); }},
              {"stick_count", "elements that stick", [](const R& r) { return r.of.step.stick_count; }},
-             {"rounds", "iterations of the active set", [](const R& r) { return r.of.step.rounds; }},
+             {"rounds", "Newton steps; with one direction of an active set",
+              [](const R& r) { return r.of.step.rounds; }},
              {"complementarity_residual",
               "the largest violation of |p| <= mu p_n (over mu p0) and of the direction of slip (over |xi|)",
               [](const R& r) { return r.of.step.complementarity_residual; }},
@@ -83,7 +84,8 @@ const study::Sheet<CreepRow>& creep_sheet() {
              {"slip_work",
               "for each distance a rolled, in mu N mu p0 a/G, summed over the elements (second order in 1/n)",
               if_ok([](const R& r) { return r.of.step.slip_work / r.of.full; })},
-             {"pivots", "of the fallback, used where rounds did not settle", [](const R& r) { return r.of.pivots; }},
+             {"path_points", "of the fallback, used where rounds did not settle",
+              [](const R& r) { return r.of.path_points; }},
              {"status",
               "where it is not ok, force_ratio, tangent_ratio and slip_work are empty. It is assists_creepage where "
               "some tractions of the same scheme in full adhesion assist the creepage, so that the scheme does not "

@@ -29,7 +29,7 @@ struct Solution {
     Eigen::ArrayXd bound;             ///< of every element [mu p0]
     double full = 1;                  ///< force of full sliding, in the unit of the step's
     rollbem::FrictionStep<2> step{};  ///< without numbers where there is no solution
-    std::optional<int> pivots{};
+    std::optional<int> path_points{};
     Eigen::MatrixXd traction{}, slip{};  ///< in both directions [mu p0, V mu p0/G]
     std::vector<bool> sticks{};
     Eigen::ArrayXd friction{};  ///< mu/mu_0; empty where it is constant

@@ -157,8 +157,8 @@ const study::Sheet<TimeRow>& time_sheet() {
               if_valid([](const R& r) { return relative_error(r.force_ratio(), r.exact()); })},
              {"complementarity_residual", "as in steady rolling",
               if_computed([](const R& r) { return r.moment.step.complementarity_residual; })},
-             {"pivots", "as in steady rolling",
-              if_valid([](const R& r) { return r.line.both ? study::Cell() : study::Cell(r.moment.step.pivots); })},
+             {"path_points", "as in steady rolling",
+              if_valid([](const R& r) { return study::Cell(r.moment.step.path_points); })},
              {"status",
               "unchecked instead of ok with --unchecked; unresolved, with empty results, with fewer than six steps in "
               "a period of --sine (OMEGA --dq > 1) or of --load-sine (2 pi --dq > LENGTH); why a step failed; "

@@ -48,4 +48,43 @@ TEMPLATE_TEST_CASE("in_place_lu: solution and inverse of a permuted matrix", "",
     }
 }
 
+TEMPLATE_TEST_CASE("in_place_lu: elimination of the first unknowns leaves the Schur complement", "", SCALARS) {
+    using Matrix = Eigen::Matrix<TestType, Eigen::Dynamic, Eigen::Dynamic>;
+    using Vector = Eigen::Matrix<TestType, Eigen::Dynamic, 1>;
+    support::Draw draw(2);
+    for (Index n = 1; n <= 14; ++n) {
+        Matrix A(n, n);
+        for (TestType& entry : A.reshaped()) entry = static_cast<TestType>(draw.uniform(-0.5, 0.5));
+        for (Index i = 0; i < n; ++i) A(i, i) += static_cast<TestType>(n);
+        for (Index count = 0; count <= n; ++count) {
+            CAPTURE(n, count);
+            const Index rest = n - count;
+            Matrix table = A;
+            std::vector<Index> swaps(static_cast<std::size_t>(n));
+            rollbem::detail::eliminate_in_place<TestType>(table, swaps.data(), count);
+            Matrix factors = A.topLeftCorner(count, count), across = A.topRightCorner(count, rest);
+            if (count > 0) {
+                rollbem::detail::factorise_in_place<TestType>(factors, swaps.data());
+                for (Index k = 0; k < rest; ++k) {
+                    rollbem::detail::solve_in_place<TestType>(factors, swaps.data(), across.col(k));
+                }
+            }
+            const TestType rounding = 100 * Eigen::NumTraits<TestType>::epsilon();
+            const Matrix schur = A.bottomRightCorner(rest, rest) - A.bottomLeftCorner(rest, count) * across;
+            const auto largest = [](const Matrix& of) {
+                return of.size() == 0 ? TestType(0) : of.cwiseAbs().maxCoeff();
+            };
+            CHECK(largest(table.bottomRightCorner(rest, rest) - schur) < rounding * static_cast<TestType>(n));
+            // a solution with the rest given: x_2, and x_1 from it
+            const Vector x = Vector::LinSpaced(n, 1, 2), right = A * x;
+            Vector y = right;
+            rollbem::detail::eliminate_vector_in_place<TestType>(table, swaps.data(), count, y);
+            CHECK(largest(y.tail(rest) - schur * x.tail(rest)) < rounding * static_cast<TestType>(n * n));
+            y.head(count) -= table.topRightCorner(count, rest) * x.tail(rest);
+            rollbem::detail::substitute_in_place<TestType>(table, count, y);
+            CHECK(largest(y.head(count) - x.head(count)) < rounding);
+        }
+    }
+}
+
 }  // namespace in_place_lu_tests

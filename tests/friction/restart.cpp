@@ -43,7 +43,6 @@ void for_numbers(State& state, const Each& each) {
         for (auto& p : state.normal_pressure) each(p);
         for (auto& mu : state.friction_coefficient) each(mu);
         for (auto& mu : state.solver.stage_coefficient) each(mu);
-        each(state.solver.unchanged_distance);
     } else {
         each(state.distance);
     }
@@ -54,7 +53,6 @@ void write_state(std::ostream& file, const State& state) {
     file << state.system << '\n';
     if constexpr (requires { state.zones; }) {
         for (const Zone zone : state.zones) file << static_cast<int>(zone) << '\n';
-        file << state.solver.unchanged_steps << '\n';
     }
 }
 template <class State>
@@ -67,7 +65,6 @@ void read_state(std::istream& file, State& state) {
             file >> value;
             zone = static_cast<Zone>(value);
         }
-        file >> state.solver.unchanged_steps;
     }
 }
 

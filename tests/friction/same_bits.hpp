@@ -32,8 +32,6 @@ bool same(const rollbem::FrictionState<directions>& one, const rollbem::Friction
            one.zones == other.zones && same(one.normal_pressure, other.normal_pressure) &&
            same(one.half_length, other.half_length) && same(one.half_width, other.half_width) &&
            one.system == other.system && same(one.friction_coefficient, other.friction_coefficient) &&
-           one.solver.unchanged_steps == other.solver.unchanged_steps &&
-           same(one.solver.unchanged_distance, other.solver.unchanged_distance) &&
            same(one.solver.stage_coefficient, other.solver.stage_coefficient);
 }
 template <int directions>
@@ -42,7 +40,7 @@ bool same(const rollbem::FrictionStep<directions>& one, const rollbem::FrictionS
            same(one.tangent_by_load, other.tangent_by_load) &&
            same(one.tangent_by_half_length, other.tangent_by_half_length) && same(one.slip_work, other.slip_work) &&
            same(one.jump_work, other.jump_work) && same(one.complementarity_residual, other.complementarity_residual) &&
-           one.stick_count == other.stick_count && one.rounds == other.rounds && one.pivots == other.pivots &&
+           one.stick_count == other.stick_count && one.rounds == other.rounds && one.path_points == other.path_points &&
            one.status == other.status;
 }
 

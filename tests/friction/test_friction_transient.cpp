@@ -8,7 +8,6 @@
 #include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/steady.hpp>
 
-#include "friction/same_bits.hpp"
 #include "scene.hpp"
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
@@ -155,65 +154,6 @@ TEST_CASE("Matrices that are not those of elements are rejected by name", "[fric
     const FrictionModel<> gap = scene.transient();
     CHECK(gap.advance(gap.at_rest(), 0.1, 1e-3, next, workspace).status == StepStatus::ok);
     CHECK(next.traction[5] == 0);
-}
-
-using State = FrictionState<>;
-using Step = FrictionStep<>;
-using Workspace = FrictionWorkspace<>;
-using same_bits::same;
-
-TEST_CASE("Invalid counts in a state do not change the solution", "[friction]") {
-    const Scene scene(cosine_mesh<double>(20), half, 1, 10);
-    constexpr int high = std::numeric_limits<int>::max(), low = std::numeric_limits<int>::min();
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        const FrictionModel<> model = scene.transient(integrator);
-        Workspace workspace = model.workspace();
-        State now = model.at_rest(), next = now, expected = now;
-        for (int k = 0; k < 60; ++k) {
-            REQUIRE(model.advance(now, 0.1, creepage(0.5), next, workspace).status == StepStatus::ok);
-            std::swap(now, next);
-        }
-        const State rolled = now;
-        REQUIRE(rolled.solver.unchanged_steps > 10);
-        now.solver.unchanged_steps = 0;
-        const Step step = model.advance(now, 0.1, creepage(0.5), expected, workspace);
-        REQUIRE(step.status == StepStatus::ok);
-        CHECK(expected.solver.unchanged_steps == 1);
-        for (const int steps : {high, low, -1, 75}) {
-            now.solver.unchanged_steps = steps;
-            CAPTURE(name(integrator), steps);
-            CHECK(same(model.advance(now, 0.1, creepage(0.5), next, workspace), step));
-            CHECK(same(next, expected));
-        }
-        for (const double distance :
-             {nan, 0.0, -rolled.solver.unchanged_distance, 2 * rolled.solver.unchanged_distance}) {
-            now = rolled;
-            now.solver.unchanged_distance = distance;
-            CAPTURE(name(integrator), distance);
-            CHECK(same(model.advance(now, 0.1, creepage(0.5), next, workspace), step));
-            CHECK(same(next, expected));
-        }
-        // possible, but untrue counts
-        for (const int steps : {1, 11, 12, 74}) {
-            for (const double xi : {0.5, 1.2, -0.4}) {
-                now = rolled;
-                now.solver.unchanged_steps = 0;
-                const Step found = model.advance(now, 0.1, creepage(xi), expected, workspace);
-                now.solver.unchanged_steps = steps;
-                const Step claimed = model.advance(now, 0.1, creepage(xi), next, workspace);
-                CAPTURE(name(integrator), steps, xi);
-                CHECK(claimed.status == StepStatus::ok);
-                CHECK(claimed.force == Approx(found.force).epsilon(1e-12));
-                CHECK(next.zones == expected.zones);
-            }
-        }
-        // a step of the other integrator has another matrix
-        const FrictionModel<> other =
-            scene.transient(integrator == Integrator::sdirk2 ? Integrator::implicit_euler : Integrator::sdirk2);
-        CHECK(other.advance(rolled, 0.1, creepage(0.5), next, workspace).status == StepStatus::ok);
-        CHECK(next.solver.unchanged_steps <= 1);
-    }
 }
 
 TEST_CASE("Fingerprints distinguish systems but not friction laws", "[friction]") {

@@ -20,7 +20,7 @@
     keyword template decltype(detail::factorise<Scalar, Scalar>) detail::factorise<Scalar, Scalar>; \
     keyword template decltype(detail::judge<Scalar, Scalar>) detail::judge<Scalar, Scalar>;         \
     keyword template class AdhesionModel<1, Scalar>;                                                \
-    keyword template class detail::ActiveSet<Scalar>;                                               \
+    keyword template class detail::StickSlip<1, Scalar>;                                            \
     keyword template class detail::FrictionCore<ConstantFriction<Scalar>, 1, Scalar>;               \
     keyword template decltype(rolled_and_steady<Scalar>) rolled_and_steady<Scalar>;
 

@@ -19,9 +19,11 @@
 
 namespace rollbem {
 
-extern template void detail::factorise_in_place<double>(detail::MatrixRef<double>, Eigen::Index*);
-extern template void detail::solve_in_place<double>(const detail::MatrixRef<double>&, const Eigen::Index*,
-                                                    detail::VectorRef<double>);
+extern template void detail::eliminate_in_place<double>(detail::MatrixRef<double>, Eigen::Index*, Eigen::Index);
+extern template void detail::eliminate_vector_in_place<double>(const detail::MatrixRef<double>&, const Eigen::Index*,
+                                                               Eigen::Index, detail::VectorRef<double>);
+extern template void detail::substitute_in_place<double>(const detail::MatrixRef<double>&, Eigen::Index,
+                                                         detail::VectorRef<double>);
 extern template void detail::solve_columns_in_place<double>(const detail::MatrixRef<double>&, const Eigen::Index*,
                                                             detail::MatrixRef<double>);
 extern template void detail::invert_factors<double>(const detail::MatrixRef<double>&, const Eigen::Index*,
@@ -40,13 +42,14 @@ extern template ArrayX<double> hertz_pressures<double>(const PatchContact<double
 extern template MatrixX<double> detail::rigid_slip<double>(const Elements<double>&);
 extern template MatrixX<double> detail::force_weights<double>(const Elements<double>&);
 extern template class ElementSystem<double, 2>;
-extern template class detail::ActiveSet<double>;
-extern template class detail::BothEquations<double>;
-extern template class detail::BothSolver<double>;
-extern template class detail::SlipDependentSet<detail::ActiveSetSlip<double>>;
-extern template class detail::SlipDependentSet<detail::BothSlip<double>>;
-extern template struct detail::SlipDependentScratch<detail::ActiveSetSlip<double>>;
-extern template struct detail::SlipDependentScratch<detail::BothSlip<double>>;
+extern template class detail::SlipPath<1, double>;
+extern template class detail::SlipPath<2, double>;
+extern template class detail::StickSlip<1, double>;
+extern template class detail::StickSlip<2, double>;
+extern template class detail::SlipDependentSet<1, double>;
+extern template class detail::SlipDependentSet<2, double>;
+extern template struct detail::SlipDependentScratch<1, double>;
+extern template struct detail::SlipDependentScratch<2, double>;
 extern template struct detail::FrictionScratch<1, double>;
 extern template struct detail::FrictionScratch<2, double>;
 extern template class detail::FrictionCore<ConstantFriction<double>, 1, double>;

@@ -38,23 +38,29 @@ void subtract_four(const Scalar* from, Eigen::Index stride, const Eigen::Matrix<
     }
 }
 
-/// Overwrites the n x n matrix A with its factors; whole rows are swapped, row k with row swaps[k] >= k. If A is
-/// singular, solutions contain infinities or NaN.
+/// Eliminates the first `count` of n unknowns in the n x n matrix A; rows are swapped whole, row k < count with row
+/// k <= swaps[k] < count. With A = [A_11 A_12; A_21 A_22] this leaves the factors of P A_11 = L U, L^-1 P A_12, A_21
+/// U^-1 and A_22 - A_21 A_11^-1 A_12, which contain infinities or NaN if A_11 is singular.
 template <class Scalar>
-void factorise_in_place(MatrixRef<Scalar> A, Eigen::Index* swaps) {
+void eliminate_in_place(MatrixRef<Scalar> A, Eigen::Index* swaps, Eigen::Index count) {
     const Eigen::Index n = A.rows();
-    for (Eigen::Index first = 0, last = 0; first < n; first = last) {
-        last = (std::min)(first + 4, n);
+    for (Eigen::Index first = 0, last = 0; first < count; first = last) {
+        last = (std::min)(first + 4, count);
         for (Eigen::Index k = first; k < last; ++k) {
             const Eigen::Index rest = n - k - 1;
             Eigen::Index pivot = 0;
-            A.col(k).tail(rest + 1).cwiseAbs().maxCoeff(&pivot);
+            A.col(k).segment(k, count - k).cwiseAbs().maxCoeff(&pivot);
             swaps[k] = k + pivot;
             if (pivot != 0) A.row(k).swap(A.row(k + pivot));
             A.col(k).tail(rest) /= A(k, k);
             for (Eigen::Index j = k + 1; j < last; ++j) A.col(j).tail(rest) -= A(k, j) * A.col(k).tail(rest);
         }
-        for (Eigen::Index j = last; j < n; ++j) {  // then last - first is 4
+        for (Eigen::Index j = last; j < n; ++j) {
+            if (last - first < 4) {
+                for (Eigen::Index k = first; k < last; ++k)
+                    A.col(j).tail(n - k - 1) -= A(k, j) * A.col(k).tail(n - k - 1);
+                continue;
+            }
             Eigen::Matrix<Scalar, 4, 1> u = A.col(j).template segment<4>(first);
             for (Eigen::Index k = 0; k < 3; ++k) u.tail(3 - k) -= u[k] * A.col(first + k).segment(first + k + 1, 3 - k);
             A.col(j).template segment<4>(first) = u;
@@ -63,16 +69,48 @@ void factorise_in_place(MatrixRef<Scalar> A, Eigen::Index* swaps) {
     }
 }
 
+/// Overwrites the n x n matrix A with its factors. If A is singular, solutions contain infinities or NaN.
+template <class Scalar>
+void factorise_in_place(MatrixRef<Scalar> A, Eigen::Index* swaps) {
+    eliminate_in_place<Scalar>(A, swaps, A.rows());
+}
+
+/// Overwrites the parts of x with L^-1 P x_1 and x_2 - A_21 A_11^-1 x_1, after eliminate_in_place.
+template <class Scalar>
+void eliminate_vector_in_place(const MatrixRef<Scalar>& A, const Eigen::Index* swaps, Eigen::Index count,
+                               VectorRef<Scalar> x) {
+    const Eigen::Index n = A.rows();
+    for (Eigen::Index k = 0; k < count; ++k) std::swap(x[k], x[swaps[k]]);
+    for (Eigen::Index first = 0, last = 0; first < count; first = last) {
+        last = (std::min)(first + 4, count);
+        const bool whole = last - first == 4;
+        for (Eigen::Index k = first; k < last; ++k) {
+            const Eigen::Index rest = (whole ? last : n) - k - 1;
+            x.segment(k + 1, rest) -= x[k] * A.col(k).segment(k + 1, rest);
+        }
+        if (!whole || last == n) continue;
+        subtract_four<Scalar>(&A(last, first), A.outerStride(), x.template segment<4>(first), &x[last], n - last);
+    }
+}
+
+/// Overwrites the first part of x with U^-1 x_1, after eliminate_in_place.
+template <class Scalar>
+void substitute_in_place(const MatrixRef<Scalar>& A, Eigen::Index count, VectorRef<Scalar> x) {
+    for (Eigen::Index last = count, first = 0; last > 0; last = first) {
+        first = std::max<Eigen::Index>(last - 4, 0);
+        for (Eigen::Index k = last - 1; k >= first; --k) {
+            x[k] /= A(k, k);
+            x.segment(first, k - first) -= x[k] * A.col(k).segment(first, k - first);
+        }
+        if (first > 0) subtract_four<Scalar>(&A(0, first), A.outerStride(), x.template segment<4>(first), &x[0], first);
+    }
+}
+
 /// Overwrites x with the solution y of A y = x, where A and swaps come from factorise_in_place.
 template <class Scalar>
 void solve_in_place(const MatrixRef<Scalar>& A, const Eigen::Index* swaps, VectorRef<Scalar> x) {
-    const Eigen::Index n = A.rows();
-    for (Eigen::Index k = 0; k < n; ++k) std::swap(x[k], x[swaps[k]]);
-    for (Eigen::Index k = 0; k < n; ++k) x.tail(n - k - 1) -= x[k] * A.col(k).tail(n - k - 1);
-    for (Eigen::Index k = n - 1; k >= 0; --k) {
-        x[k] /= A(k, k);
-        x.head(k) -= x[k] * A.col(k).head(k);
-    }
+    eliminate_vector_in_place<Scalar>(A, swaps, A.rows(), x);
+    substitute_in_place<Scalar>(A, A.rows(), x);
 }
 
 /// The same for each column of X, in pieces: Eigen's products copy parts of their arguments, and those above 128 kB to

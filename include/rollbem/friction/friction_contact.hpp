@@ -264,7 +264,7 @@ private:
             step.complementarity_residual = own.complementarity_residual;
             step.stick_count = own.stick_count;
             step.rounds = own.rounds;
-            step.pivots = own.pivots;
+            step.path_points = own.path_points;
             step.status = own.status;
             return step;
         }

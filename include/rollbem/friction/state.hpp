@@ -25,15 +25,9 @@ using ElementVectors = Eigen::Matrix<Scalar, Eigen::Dynamic, directions>;
 
 namespace detail {
 
-/// What makes the next step cheaper; it changes results by round-off only, unless there are several solutions. Do not
-/// edit; reset to {} to force a full check.
+/// What makes the next step cheaper; it changes results by round-off only, unless there are several solutions.
 template <class Scalar>
 struct SolverRecord {
-    /// Number of consecutive steps in which no element changed its zone, and the distance [m] rolled in each of their
-    /// stages; counted in one direction. After about n/2 of them a step becomes cheaper, and its slip is checked
-    /// against the equations only once in 64 steps, after which the count starts again from there.
-    int unchanged_steps = 0;
-    Scalar unchanged_distance = 0;
     /// mu [-] in the first of two stages, from which the search for that of the next step starts; empty if mu is
     /// constant.
     ArrayX<Scalar> stage_coefficient;
@@ -66,8 +60,8 @@ struct FrictionState {
 
 namespace detail {
 
-/// Where a solution is sought: at tractions in G and the zones that go with them. One direction needs the zones alone.
-/// `plain_traction`: for slip that is not turned, if its equations are others (BothSolver::plain_constant).
+/// Where a solution is sought: at tractions in G and the zones that go with them, in one direction at these alone.
+/// `plain_traction`: for slip that is not turned, if its equations are others (StickSlip::plain_constant).
 template <int directions, class Scalar>
 struct SolutionStart {
     const ElementVectors<Scalar, directions>& traction;
@@ -142,12 +136,11 @@ struct FrictionStep {
     /// Largest violation of the law. Of the traction, relative to the largest mu p_n: |p| above mu p_n, or, in two
     /// directions, below it where an element slips. Of the slip, relative to the largest slip without traction: slip of
     /// an element that sticks, along the traction or across it. If mu depends on slip, it is at least the error of a
-    /// coefficient. It is 0 in a step whose slip is not checked (see FrictionState::solver): tractions and slip satisfy
-    /// the law exactly there, and the equations up to a round-off error that is not measured.
+    /// coefficient. The error of the equations is included, with two directions by an estimate.
     Scalar complementarity_residual = detail::unknown<Scalar>;
     Eigen::Index stick_count = 0;  ///< elements that stick
-    int rounds = 0;                ///< rounds of the active set; in two directions Newton steps
-    int pivots = 0;                ///< pivots of the active set's fallback; 0 if the rounds converged
+    int rounds = 0;                ///< Newton steps; in one direction rounds of an active set
+    int path_points = 0;           ///< points of the path that is followed where these do not converge; 0 if they do
     StepStatus status = StepStatus::not_finite;
 };
 

@@ -13,9 +13,9 @@
 #include "../../types.hpp"
 #include "../law.hpp"
 #include "../state.hpp"
-#include "directions.hpp"
 #include "scratch.hpp"
 #include "slip_dependent_set.hpp"
+#include "stick_slip.hpp"
 
 namespace rollbem::detail {
 
@@ -58,7 +58,7 @@ private:
 template <int directions, class Scalar>
 class ConstantBounds {
 public:
-    using Solver = typename Directions<directions, Scalar>::Solver;
+    using Solver = StickSlip<directions, Scalar>;
     using Vectors = ElementVectors<Scalar, directions>;
     using Start = SolutionStart<directions, Scalar>;
     static constexpr bool are_given = true;
@@ -66,11 +66,7 @@ public:
     /// Called before each stage is solved.
     void enter(const StagePlace<Scalar>&, const RollingStage<Scalar>&) noexcept {}
     auto solve(Solver& solver, const VectorX<Scalar>& bound, const Start& start) noexcept {
-        if constexpr (directions == 1) {
-            return solver.solve(bound, start.zones);
-        } else {
-            return solver.solve(bound, start);
-        }
+        return solver.solve(bound, start);
     }
     /// dp in the stage solved last caused by a change dc and by a change of the bounds, `progress` times bound_change.
     void respond(Solver& solver, const Vectors& change, Vectors& traction_change, std::size_t,
@@ -90,17 +86,15 @@ public:
 
 /// Bounds of one step or steady solution if mu depends on slip; `bound` is then p_n/G. In a step, the equation for
 /// mu is integrated along the path of each particle by the same stages as the tractions, implicit Euler or sdirk2.
-/// For one direction or two, depending on `Slip`.
-template <class Slip>
+template <int directions, class Scalar>
 class SlipDependentBounds {
 public:
-    using Scalar = typename Slip::Scalar;
-    using Solver = typename Slip::Solver;
-    using Vectors = typename Slip::Vectors;
+    using Solver = StickSlip<directions, Scalar>;
+    using Vectors = ElementVectors<Scalar, directions>;
     using Vector = VectorX<Scalar>;
     using Law = AnySlipLaw<Scalar>;
-    using Scratch = SlipDependentScratch<Slip>;
-    using State = FrictionState<Slip::directions, Scalar>;
+    using Scratch = SlipDependentScratch<directions, Scalar>;
+    using State = FrictionState<directions, Scalar>;
     static constexpr bool are_given = false;
 
     /// A step; lengths in a_0 = `unit` [m]. `points` are the collocation points, used if there is a memory. Keeps
@@ -166,9 +160,10 @@ public:
         }
     }
 
-    typename Slip::Outcome solve(Solver& solver, const Vector& pressure, const typename Slip::Start& from) noexcept {
-        typename SlipDependentSet<Slip>::Outcome outcome =
-            scratch_.set.solve(law_, memory_, passage(pressure), from, solver, scratch_.friction);
+    typename Solver::Outcome solve(Solver& solver, const Vector& pressure,
+                                   const typename Solver::Start& from) noexcept {
+        typename SlipDependentSet<directions, Scalar>::Outcome outcome =
+            scratch_.set.solve(passage(pressure), from, solver, scratch_.friction);
         outcome.solution.residual = (std::max)(outcome.solution.residual, outcome.change);
         if (!is_finite(outcome.change)) outcome.solution.residual = outcome.change;
         is_easy_ = outcome.solutions <= 4 && (is_easy_ || !is_second());
@@ -181,7 +176,7 @@ public:
     /// pressure_change, and in the second stage by the response of the first, kept by carry_response().
     void respond(Solver& solver, const Vectors& change, Vectors& traction_change, std::size_t parameter,
                  const Vector* pressure_change = nullptr, Scalar progress = 1) noexcept {
-        SlipDependentChange<Slip> changes{change};
+        SlipDependentChange<directions, Scalar> changes{change};
         if (is_second() && points_ != nullptr) {
             scratch_.before_change.setZero();
             add_carried(parameter);
@@ -199,7 +194,7 @@ public:
     /// paths of the particles.
     void respond_to_half_length(Solver& solver, const Vectors& change, Vectors& traction_change,
                                 std::size_t parameter) noexcept {
-        SlipDependentChange<Slip> changes{change};
+        SlipDependentChange<directions, Scalar> changes{change};
         moves_paths_ = points_ != nullptr;
         if (moves_paths_) {
             find_path_change();
@@ -258,13 +253,12 @@ private:
         }
     }
 
-    void respond(Solver& solver, const SlipDependentChange<Slip>& changes, Vectors& traction_change) {
-        scratch_.set.respond(law_, memory_, passage(*pressure_), solver, scratch_.friction, changes, traction_change,
-                             scratch_.change);
+    void respond(Solver& solver, const SlipDependentChange<directions, Scalar>& changes, Vectors& traction_change) {
+        scratch_.set.respond(passage(*pressure_), solver, scratch_.friction, changes, traction_change, scratch_.change);
     }
 
     FrictionPassage<Scalar> passage(const Vector& pressure) const {
-        return {pressure, scratch_.duration, steady_ ? nullptr : &scratch_.before, velocity_per_slip_};
+        return {law_, memory_, pressure, scratch_.duration, steady_ ? nullptr : &scratch_.before, velocity_per_slip_};
     }
 
     const Law& law_;

@@ -154,7 +154,7 @@ public:
         step.complementarity_residual = solved.complementarity_residual;
         step.stick_count = solved.stick_count;
         step.rounds = solved.rounds;
-        step.pivots = solved.pivots;
+        step.path_points = solved.path_points;
         return step;
     }
 
@@ -175,8 +175,8 @@ private:
     using Stage = RollingStage<Scalar>;
     using Place = StagePlace<Scalar>;
     using Shape = ShapeEquations<Scalar>;
-    using Slip = typename Directions<directions, Scalar>::Slip;
-    using Bounds = std::conditional_t<slip_dependent, SlipDependentBounds<Slip>, ConstantBounds<directions, Scalar>>;
+    using Bounds =
+        std::conditional_t<slip_dependent, SlipDependentBounds<directions, Scalar>, ConstantBounds<directions, Scalar>>;
     using By = TangentBy<directions>;
     using Tangent = StageTangent<directions, Scalar, Bounds>;
 
@@ -187,7 +187,7 @@ private:
     /// Summary of the stages of a step.
     struct Summary {
         Scalar residual = 0;
-        int rounds = 0, pivots = 0;
+        int rounds = 0, path_points = 0;
         bool tangent_exists = true, solved = true, finite = true;
     };
     /// Derivatives in addition to those by the creepages.
@@ -237,7 +237,8 @@ private:
         scratch.start = from.traction / units_.shear_modulus;
         scratch.plain_start = scratch.start;
         if (from.plain_traction.rows() > 0) scratch.plain_start = from.plain_traction / units_.shear_modulus;
-        if constexpr (directions == 2) scratch.solver.turn_slip(behind_, friction_.with_tangents);
+        if constexpr (directions == 2) scratch.solver.turn_slip(behind_);
+        scratch.solver.want_tangents(friction_.with_tangents || slip_dependent);
     }
 
     // Whether the matrices of a stage have to be filled.
@@ -245,13 +246,15 @@ private:
         if (scratch.system == system_ && scratch.stage == stage) return false;
         scratch.system = system_;
         scratch.stage = stage;
+        scratch.solver.use_once(stage.growth != 0 || stage.widening != 0);
         return true;
     }
+    // Calls fill(slip, by, M) for the blocks of M.
     template <class Fill>
-    static void for_blocks(const Scratch& scratch, const Fill& fill) {
-        for (std::size_t d = 0; d < 2; ++d) {
-            for (std::size_t e = 0; e < 2; ++e) {
-                if (d == e || scratch.solver.coupled()) fill(d, e);
+    static void for_blocks(Scratch& scratch, const Fill& fill) {
+        for (std::size_t d = 0; d < directions; ++d) {
+            for (std::size_t e = 0; e < directions; ++e) {
+                if (d == e || scratch.solver.coupled()) fill(d, e, scratch.solver.new_matrix(d, e));
             }
         }
     }
@@ -259,8 +262,7 @@ private:
         if constexpr (directions == 1) {
             scratch.solver.new_matrix() = -G_prime;
         } else {
-            for_blocks(scratch, [&](std::size_t d, std::size_t e) {
-                auto& M = scratch.solver.new_matrix(d, e);
+            for_blocks(scratch, [&](std::size_t d, std::size_t e, MatrixX<Scalar>& M) {
                 if (shapes == nullptr) {
                     M = -G_prime[d][e];
                 } else {
@@ -272,13 +274,7 @@ private:
     void enter(const System& system, const Place& place, const Stage& stage, Bounds& bounds, Scratch& scratch) const {
         if (needs_matrix(stage, scratch)) {
             with_equations(system, stage, [&](const auto& equations) {
-                if constexpr (directions == 1) {
-                    equations.fill(0, 0, scratch.solver.new_matrix());
-                } else {
-                    for_blocks(scratch, [&](std::size_t d, std::size_t e) {
-                        equations.fill(d, e, scratch.solver.new_matrix(d, e));
-                    });
-                }
+                for_blocks(scratch, [&](std::size_t d, std::size_t e, MatrixX<Scalar>& M) { equations.fill(d, e, M); });
             });
         }
         bounds.enter(place, stage);
@@ -335,27 +331,20 @@ private:
         auto& solver = scratch.solver;
         impose(motion, progress, factor, axes, scratch.displacement, solver.constant());
         const bool has_plain = behind_.size() > 0 && scratch.stage.distance != steadily;
-        if constexpr (directions == 2) {
-            if (has_plain) impose(motion, progress, factor, axes, scratch.plain_displacement, solver.plain_constant());
-        }
+        if (has_plain) impose(motion, progress, factor, axes, scratch.plain_displacement, solver.plain_constant());
         const auto outcome =
             bounds.solve(solver, scratch.bound, {scratch.start, zones, has_plain ? &scratch.plain_start : nullptr});
         summary.residual = (std::max)(summary.residual, outcome.residual);
         summary.rounds += outcome.rounds;
-        if constexpr (directions == 1) summary.pivots += outcome.pivots;
+        summary.path_points += outcome.path_points;
         summary.tangent_exists = summary.tangent_exists && outcome.tangent_exists;
         summary.solved = summary.solved && outcome.status == StepStatus::ok;
         summary.finite = summary.finite && outcome.status != StepStatus::not_finite && is_finite(outcome.residual) &&
                          all_finite(solver.slip());  // std::max may drop a NaN
-        if constexpr (directions == 1) {  // without the round-off of sticking elements and at the border of slip
-            const auto& signs = solver.signs();
-            scratch.stage_slip = weight * signs.cwiseProduct(signs.cwiseProduct(solver.slip()).cwiseMax(Scalar(0)));
-        } else {
-            scratch.stage_slip = weight * solver.slip();
-        }
+        scratch.stage_slip = weight * solver.slip();
         scratch.slip += scratch.stage_slip;
         scratch.start = solver.traction();
-        if constexpr (directions == 2) scratch.plain_start = solver.plain_traction();
+        scratch.plain_start = solver.plain_traction();
         for (Eigen::Index d = 0; d < directions; ++d) {
             slip_work_.add(scratch.start.col(d), scratch.stage_slip.col(d), scratch.work,
                            axes.half_length * axes.half_width);
@@ -389,11 +378,6 @@ private:
         to.half_length = load.half_length;
         to.half_width = load.half_width;
         bounds.finish(to);
-        if constexpr (directions == 1) {
-            const Stage& last = scratch.stage;
-            const bool steady_length = last.distance != steadily && last.growth == 0;
-            unchanged_steps_.count(from.solver, last.distance, steady_length && scratch.solver.unchanged(), to.solver);
-        }
         Step step;
         step.force = force;
         step.slip_work = work;
@@ -401,7 +385,7 @@ private:
         step.complementarity_residual = summary.residual;
         step.stick_count = scratch.solver.stick_count();
         step.rounds = summary.rounds;
-        step.pivots = summary.pivots;
+        step.path_points = summary.path_points;
         step.status = summary.solved ? StepStatus::ok : StepStatus::no_solution;
         return step;
     }
@@ -461,11 +445,11 @@ private:
     void carry_tangents(Bounds& bounds, const System& system, const Place& place, Scalar imposed, Scalar spin,
                         const Asked& asked, Scratch& scratch) const {
         if constexpr (keeps_tangents) {
-            if (scratch.carried_revision != scratch.solver.revision()) {
+            if (scratch.carried_revision != scratch.solver.roles_revision()) {
                 Tangent tangent(bounds, scratch, 0, false);
                 tangent.by_creepage(1);
                 tangent.carry(system, place);
-                scratch.carried_revision = scratch.solver.revision();
+                scratch.carried_revision = scratch.solver.roles_revision();
                 scratch.tangent_revision = Scratch::never;
             }
         }
@@ -482,12 +466,12 @@ private:
         const Scalar unit = units_.width * a * b * units_.shear_modulus;
         const Arms arm = arms(a, present);
         if constexpr (keeps_tangents) {
-            if (scratch.tangent_revision != scratch.solver.revision()) {
+            if (scratch.tangent_revision != scratch.solver.roles_revision()) {
                 scratch.solver.respond(ones_, scratch.response);
                 scratch.unit_tangent = areas_.dot(scratch.response);
                 scratch.solver.respond(scratch.carried[0], scratch.response);
                 scratch.carried_tangent = areas_.dot(scratch.response);
-                scratch.tangent_revision = scratch.solver.revision();
+                scratch.tangent_revision = scratch.solver.roles_revision();
             }
             // without a first stage, carried_tangent is that of an earlier step
             const Scalar last = imposed * scratch.unit_tangent;
@@ -553,7 +537,6 @@ private:
     Vectors spin_, moments_;
     std::vector<Eigen::Index> behind_;  // the row behind each; empty if slip is not turned
     SlipWork<Scalar> slip_work_;
-    UnchangedSteps<Scalar> unchanged_steps_;
     VectorX<Scalar> ones_;
     Friction<Law, Scalar> friction_;
     bool coupled_;
@@ -570,7 +553,6 @@ FrictionCore<Law, directions, Scalar>::FrictionCore(const char* who, const Conta
       intervals_(elements.intervals.size() > 0 ? elements.intervals.matrix() : elements.areas.matrix()),
       points_(elements.x),
       slip_work_(elements, turns(elements)),
-      unchanged_steps_(elements.size(), units_.length),
       ones_(VectorX<Scalar>::Ones(elements.size())),
       friction_(friction),
       coupled_(is_coupled(G_prime)),
@@ -654,7 +636,6 @@ auto FrictionCore<Law, directions, Scalar>::solve_steady(const Gradient& G_prime
     }();
     begin(from, scratch);
     scratch.displacement.setZero();
-    if constexpr (directions == 1) scratch.solver.begin(Effort::equations);
     set_bounds(load.pressure, scratch);
     Summary summary;
     solve_stage(bounds, creepage, 1, 1, from.zones, 1, present, scratch, summary);
@@ -691,9 +672,6 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, const Sta
         }
     }();
     begin(from, scratch);
-    if constexpr (directions == 1) {
-        scratch.solver.begin(start != end ? Effort::equations : unchanged_steps_.effort(from.solver, part * dq));
-    }
     find_displacements(system, start, scratch.start, scratch.displacement);
     if (behind_.size() > 0) find_displacements(system, start, scratch.plain_start, scratch.plain_displacement);
     Summary summary;

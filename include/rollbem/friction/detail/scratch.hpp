@@ -11,9 +11,9 @@
 #include "../../rolling/stage.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
-#include "directions.hpp"
 #include "slip_dependent_set.hpp"
 #include "slip_work.hpp"
+#include "stick_slip.hpp"
 
 namespace rollbem::detail {
 
@@ -25,15 +25,14 @@ struct TangentBy {
     static constexpr std::size_t count = directions == 1 ? half_width : half_width + 1;
 };
 
-/// For a coefficient that depends on slip; for one direction or two, depending on `Slip`. All memory is allocated by
-/// the constructor.
-template <class Slip>
+/// For a coefficient that depends on slip. All memory is allocated by the constructor.
+template <int directions, class Scalar>
 struct SlipDependentScratch {
-    using Vector = VectorX<typename Slip::Scalar>;
+    using Vector = VectorX<Scalar>;
 
     explicit SlipDependentScratch(Eigen::Index n);
 
-    SlipDependentSet<Slip> set;
+    SlipDependentSet<directions, Scalar> set;
     Vector friction;  // mu in the present stage
     Vector duration, before;
     Vector rise;            // change of mu in the first stage along the paths of the particles
@@ -42,7 +41,7 @@ struct SlipDependentScratch {
     Vector bound;           // d bound of the last tangent at constant mu
     Vector path_change;     // d before by the half-length, on which the paths of the particles depend
     Vector before_change;   // d before of the last tangent
-    std::array<Vector, TangentBy<Slip::directions>::count> carried_change;  // d rise of each tangent
+    std::array<Vector, TangentBy<directions>::count> carried_change;  // d rise of each tangent
 };
 
 /// Dimensionless: tractions in G, lengths in a_0, the contact's half-length. All memory is allocated by the
@@ -52,12 +51,11 @@ template <int directions, class Scalar>
 struct FrictionScratch {
     using Vector = VectorX<Scalar>;
     using Vectors = ElementVectors<Scalar, directions>;
-    using Solver = typename Directions<directions, Scalar>::Solver;
 
     FrictionScratch(Eigen::Index n, bool slip_dependent, bool coupled);
 
-    Solver solver;
-    SlipDependentScratch<typename Directions<directions, Scalar>::Slip> falling;
+    StickSlip<directions, Scalar> solver;
+    SlipDependentScratch<directions, Scalar> falling;
     std::uint64_t system = 0;  // the solver's matrices are those of this system and stage
     RollingStage<Scalar> stage{.distance = std::numeric_limits<Scalar>::quiet_NaN()};
     Vectors slip, stage_slip;                 // of all stages so far; of the present one
@@ -75,13 +73,13 @@ struct FrictionScratch {
 
     // One direction with a constant coefficient: what follows depends on M and the sticking elements alone. `carried`
     // then belongs to a unit dc of the first stage.
-    static constexpr unsigned long never = (std::numeric_limits<unsigned long>::max)();
-    unsigned long tangent_revision = never, carried_revision = never;
+    static constexpr std::uint64_t never = (std::numeric_limits<std::uint64_t>::max)();
+    std::uint64_t tangent_revision = never, carried_revision = never;
     Scalar unit_tangent = 0, carried_tangent = 0;  // sum of areas times dp, by dc of the last stage and of the first
 };
 
-template <class Slip>
-SlipDependentScratch<Slip>::SlipDependentScratch(Eigen::Index n)
+template <int directions, class Scalar>
+SlipDependentScratch<directions, Scalar>::SlipDependentScratch(Eigen::Index n)
     : set(n),
       friction(Vector::Zero(n)),
       duration(friction),
@@ -97,7 +95,7 @@ SlipDependentScratch<Slip>::SlipDependentScratch(Eigen::Index n)
 
 template <int directions, class Scalar>
 FrictionScratch<directions, Scalar>::FrictionScratch(Eigen::Index n, bool slip_dependent, bool coupled)
-    : solver(Directions<directions, Scalar>::solver(n, coupled)),
+    : solver(n, coupled),
       falling(slip_dependent ? n : 0),
       slip(Vectors::Zero(n, directions)),
       stage_slip(slip),

@@ -17,12 +17,16 @@
 #include "../../status.hpp"
 #include "../../types.hpp"
 #include "../law.hpp"
+#include "../state.hpp"
+#include "stick_slip.hpp"
 
 namespace rollbem::detail {
 
 /// What determines the coefficient of an element: that of the arriving particles before a period of slip.
 template <class Scalar>
 struct FrictionPassage {
+    const AnySlipLaw<Scalar>& law;
+    const FrictionMemory<Scalar>& memory;
     const VectorX<Scalar>& pressure;  ///< p_n/G; without pressure the coefficient is mu_s(0)
     const VectorX<Scalar>& duration;  ///< duration of the period [s]
     const VectorX<Scalar>* before;    ///< mu before it; null in steady rolling, where it is that of the element ahead
@@ -30,13 +34,11 @@ struct FrictionPassage {
 };
 
 /// Derivatives with respect to the parameter of a tangent.
-template <class Slip>
+template <int directions, class Scalar>
 struct SlipDependentChange {
-    using Vector = VectorX<typename Slip::Scalar>;
-
-    const typename Slip::Vectors& constant;  ///< dc
-    const Vector* before = nullptr;          ///< d mu_before of each particle; null for zero
-    const Vector* bound = nullptr;           ///< d bound at constant mu; null for zero
+    const ElementVectors<Scalar, directions>& constant;  ///< dc
+    const VectorX<Scalar>* before = nullptr;             ///< d mu_before of each particle; null for zero
+    const VectorX<Scalar>* bound = nullptr;              ///< d bound at constant mu; null for zero
 };
 
 /// Solves mu = kept(v) mu_before + (1 - kept(v)) mu_s(v), where v is the slip velocity for the bounds mu p_n.
@@ -45,28 +47,24 @@ struct SlipDependentChange {
 /// stagnates, the solution has usually vanished in a fold and the next one is far away: fixed-point iterations from the
 /// initial mu then pass the bottleneck and approach it, followed by Newton's method. All iterations are bounded. If
 /// several solutions exist, the one found depends on the initial mu.
-///
-/// `Slip` represents the solver, in one direction or two: see ActiveSetSlip.
-template <class Slip>
+template <int directions, class Scalar>
 class SlipDependentSet {
 public:
-    using Scalar = typename Slip::Scalar;
-    using Solver = typename Slip::Solver;
-    using Vectors = typename Slip::Vectors;
+    using Solver = StickSlip<directions, Scalar>;
+    using Vectors = ElementVectors<Scalar, directions>;
+    using Change = SlipDependentChange<directions, Scalar>;
     using Index = Eigen::Index;
     using Vector = VectorX<Scalar>;
     using Matrix = MatrixX<Scalar>;
-    using Law = AnySlipLaw<Scalar>;
 
     struct Outcome {
-        typename Slip::Outcome solution;  ///< of the last solution; rounds and pivots are those of all
-        int solutions = 0;                ///< number of solutions for stick and slip
-        Scalar change = 0;                ///< largest residual of the equation above
+        typename Solver::Outcome solution;  ///< of the last solution; rounds and path points are those of all
+        int solutions = 0;                  ///< number of solutions for stick and slip
+        Scalar change = 0;                  ///< largest residual of the equation above
     };
 
     explicit SlipDependentSet(Index n)
-        : slip_(n),
-          start_(n),
+        : start_(n),
           residual_(n),
           tried_(n),
           step_(n),
@@ -74,6 +72,7 @@ public:
           slope_(n),
           kept_(n),
           response_(n),
+          coupling_(n, n),
           by_friction_(n, n),
           newton_(n, n),
           right_(n),
@@ -81,7 +80,7 @@ public:
           newton_gain_(n),
           newton_kept_(n),
           swaps_(static_cast<std::size_t>(n)),
-          asked_(Slip::zero(n)),
+          asked_(Vectors::Zero(n, directions)),
           answer_(asked_),
           friction_answer_(n) {}
 
@@ -89,28 +88,30 @@ public:
 
     /// Starts from `start` and `friction`, finite and not negative, and overwrites `friction` with the result. Matrices
     /// and constants of the solver must be set.
-    Outcome solve(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
-                  const typename Slip::Start& start, Solver& solver, Vector& friction) noexcept {
+    Outcome solve(const FrictionPassage<Scalar>& passage, const typename Solver::Start& start, Solver& solver,
+                  Vector& friction) noexcept {
         Outcome outcome;
         start_ = friction;
-        slip_.begin(start);
+        solver.begin(start);
         const Scalar rounding = 64 * static_cast<Scalar>(friction.size() + 10) * std::numeric_limits<Scalar>::epsilon();
-        const Scalar largest = (std::max)(law(0), friction.maxCoeff());
+        const Scalar largest = (std::max)(passage.law(0), friction.maxCoeff());
         Scalar settled = 0;  // what rounding explains; a law that rises may lead far above where it starts
         const auto find = [&](const Vector& mu) {
             tried_ = mu.cwiseProduct(passage.pressure);
-            typename Slip::Outcome found = slip_.solve(tried_, solver);
-            Slip::add(outcome.solution, found);
+            typename Solver::Outcome found = solver.solve(tried_);
+            found.rounds += outcome.solution.rounds;
+            found.path_points += outcome.solution.path_points;
             outcome.solution = found;
+            is_regular_ = found.tangent_exists;
             ++outcome.solutions;
-            evaluate(law, memory, passage, solver, mu);
+            evaluate(passage, solver, mu);
             outcome.change = largest_difference();
             settled = rounding * (std::max)(largest, mu.maxCoeff());
         };
         find(friction);
         Scalar scale = residual_.norm();
         for (int restart = 0;; ++restart) {
-            if (newton(law, memory, passage, solver, settled, find, outcome, friction)) break;
+            if (newton(passage, solver, settled, find, outcome, friction)) break;
             if (restart == most_restarts || !is_finite(outcome.change)) break;
             if (restart == 0) friction = start_;
             find(friction);
@@ -125,28 +126,27 @@ public:
 
     /// dp and d mu in the last solution caused by a change, while no element changes its zone. `friction_change` and
     /// `traction_change` must not be vectors in `change`.
-    void respond(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
-                 Solver& solver, const Vector& friction, const SlipDependentChange<Slip>& change,
+    void respond(const FrictionPassage<Scalar>& passage, Solver& solver, const Vector& friction, const Change& change,
                  Vectors& traction_change, Vector& friction_change) {
-        factorise(law, memory, passage, solver, friction, true);
-        const bool constant_only = Slip::directions == 1 && change.before == nullptr && change.bound == nullptr;
+        factorise(passage, solver, friction, true);
+        const bool constant_only = directions == 1 && change.before == nullptr && change.bound == nullptr;
         if (constant_only && answered_ && same_bits(change.constant, asked_)) {
             traction_change = answer_;
             friction_change = friction_answer_;
             return;
         }
-        slip_.respond(solver, change.constant, change.bound, traction_change, response_);
+        solver.respond(change.constant, traction_change, change.bound, 1, &response_);
         Scalar ahead = 0;
         for (Index i = size() - 1; i >= 0; --i) {
             ahead = slope_[i] * passage.velocity_per_slip * response_[i] + kept_[i] * ahead;
             if (change.before != nullptr && passage.pressure[i] > 0) {
-                ahead += memory.kept(rounded(velocity_[i]), passage.duration[i]) * (*change.before)[i];
+                ahead += passage.memory.kept(rounded(velocity_[i]), passage.duration[i]) * (*change.before)[i];
             }
             friction_change[i] = ahead;
         }
-        spread(friction_change);
+        spread(solver, friction_change);
         tried_ = friction_change.cwiseProduct(passage.pressure);
-        slip_.add_response(solver, change.constant, change.bound, tried_, traction_change);
+        solver.add_response(tried_, traction_change);
         if (!constant_only) return;
         answered_ = true;
         asked_ = change.constant;
@@ -158,17 +158,16 @@ private:
     static constexpr int most_steps = 30, most_halvings = 8, most_restarts = 6, most_rounds = 600;
 
     // Slip velocities and residual.
-    void evaluate(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
-                  const Solver& solver, const Vector& mu) {
-        const auto at_rest = law(0);
+    void evaluate(const FrictionPassage<Scalar>& passage, const Solver& solver, const Vector& mu) {
+        const auto at_rest = passage.law(0);
         Scalar ahead = at_rest;
         for (Index i = mu.size() - 1; i >= 0; --i) {
-            const Scalar v = passage.velocity_per_slip * slip_.size(solver, i);
+            const Scalar v = passage.velocity_per_slip * solver.slip_size(i);
             velocity_[i] = v;
             if (passage.pressure[i] > 0) {
-                const Scalar kept = memory.kept(v, passage.duration[i]);
+                const Scalar kept = passage.memory.kept(v, passage.duration[i]);
                 const Scalar before = passage.before == nullptr ? ahead : (*passage.before)[i];
-                ahead = kept * before + (1 - kept) * (v == 0 ? at_rest : law(v));
+                ahead = kept * before + (1 - kept) * (v == 0 ? at_rest : passage.law(v));
             } else {
                 ahead = at_rest;
             }
@@ -181,20 +180,19 @@ private:
         return all_finite(residual_) ? residual_.cwiseAbs().maxCoeff() : std::numeric_limits<Scalar>::quiet_NaN();
     }
 
-    static Scalar passed(const Law& law, const FrictionMemory<Scalar>& memory, Scalar duration, Scalar before,
-                         Scalar v) {
-        const Scalar kept = memory.kept(v, duration), now = law(v);
+    static Scalar passed(const FrictionPassage<Scalar>& passage, Scalar duration, Scalar before, Scalar v) {
+        const Scalar kept = passage.memory.kept(v, duration), now = passage.law(v);
         return kept * before + (1 - kept) * now;
     }
 
     // Newton steps until the residual is small enough (true) or cannot be reduced.
     template <class Find>
-    bool newton(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
-                Solver& solver, const Scalar& settled, const Find& find, const Outcome& outcome, Vector& friction) {
+    bool newton(const FrictionPassage<Scalar>& passage, Solver& solver, const Scalar& settled, const Find& find,
+                const Outcome& outcome, Vector& friction) {
         for (int step = 0; step < most_steps; ++step) {
             if (outcome.change <= settled) return true;
             if (!is_finite(outcome.change)) return false;
-            linearise(law, memory, passage, solver, friction);
+            linearise(passage, solver, friction);
             const Scalar size = residual_.norm();
             bool better = false;
             Scalar part = 1;
@@ -237,11 +235,10 @@ private:
 
     // Newton's step: (1 - d right-hand side / d mu) step = residual. The coefficients of sticking elements have no
     // influence.
-    void linearise(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
-                   Solver& solver, const Vector& mu) {
-        factorise(law, memory, passage, solver, mu, false);
+    void linearise(const FrictionPassage<Scalar>& passage, Solver& solver, const Vector& mu) {
+        factorise(passage, solver, mu, false);
         step_ = residual_;
-        spread(step_);
+        spread(solver, step_);
     }
 
     // Rounds to 30 bits, which is within the accuracy of the difference quotients. While quantities change by round-off
@@ -259,90 +256,96 @@ private:
     // The derivatives of the right-hand side by the slip velocity and by the coefficient of the element ahead, and
     // Newton's matrix, which is factorised only if it has changed. The slip of sticking elements remains zero. Tangents
     // need the `exact` derivatives; Newton's method does without those of the angles of turned slip.
-    void factorise(const Law& law, const FrictionMemory<Scalar>& memory, const FrictionPassage<Scalar>& passage,
-                   Solver& solver, const Vector& mu, bool exact) {
-        slip_.linearise(solver, exact);
+    void factorise(const FrictionPassage<Scalar>& passage, Solver& solver, const Vector& mu, bool exact) {
+        couple(solver, exact);
         const bool steady = passage.before == nullptr;
         // differences of a width that also suits elements that hardly slip, and not that of a least velocity which is
         // far above any slip
         const Scalar fastest = rounded(velocity_.maxCoeff());
-        const Scalar unit = (std::min)(memory.least_velocity, fastest) + fastest / 1000;
+        const Scalar unit = (std::min)(passage.memory.least_velocity, fastest) + fastest / 1000;
         const Scalar share = std::cbrt(std::numeric_limits<Scalar>::epsilon());
-        Scalar ahead = law(0);
+        Scalar ahead = passage.law(0);
         for (Index i = size() - 1; i >= 0; --i) {
             slope_[i] = kept_[i] = 0;
             const Scalar before = rounded(steady ? ahead : (*passage.before)[i]);
             if (steady) ahead = residual_[i] + mu[i];
-            const bool slips = slip_.sense(solver)[i] != 0;
+            const bool slips = solver.slides()[i] != 0;
             if (!(passage.pressure[i] > 0) || !(slips || steady)) continue;
             const Scalar v = rounded(velocity_[i]), duration = passage.duration[i];
-            if (steady) kept_[i] = memory.kept(v, duration);
+            if (steady) kept_[i] = passage.memory.kept(v, duration);
             if (!slips) continue;
             const Scalar nearby = share * (v + unit) + (std::numeric_limits<Scalar>::min)();
             const Scalar low = (std::max)(v - nearby, Scalar(0)), high = v + nearby;
-            slope_[i] = (passed(law, memory, duration, before, high) - passed(law, memory, duration, before, low)) /
-                        (high - low);
+            slope_[i] =
+                (passed(passage, duration, before, high) - passed(passage, duration, before, low)) / (high - low);
         }
-        step_ = passage.velocity_per_slip * slip_.sense(solver).cwiseProduct(slope_);
-        right_ = -slip_.sense(solver).cwiseProduct(passage.pressure);
-        if (newton_revision_ == slip_.revision() && is_steady_ == steady && same_bits(newton_slope_, step_) &&
+        step_ = passage.velocity_per_slip * solver.slides().cwiseProduct(slope_);
+        right_ = -solver.slides().cwiseProduct(passage.pressure);
+        if (newton_revision_ == coupling_revision_ && is_steady_ == steady && same_bits(newton_slope_, step_) &&
             same_bits(newton_gain_, right_) && (!steady || same_bits(newton_kept_, kept_))) {
             return;
         }
         answered_ = false;
         is_steady_ = steady;
-        newton_revision_ = slip_.revision();
+        newton_revision_ = coupling_revision_;
         newton_slope_ = step_;
         newton_gain_ = right_;
         newton_kept_ = kept_;
-        const Matrix& slip_by_traction = slip_.by_traction();
-        const Index count = slip_.slipping_count();
-        for (Index k = 0; k < count; ++k) {
-            const Scalar gain = right_[slip_.slipping(k)];
+        for (Index k = 0; k < count_; ++k) {
+            const Scalar gain = right_[solver.slipping(k)];
             if (!steady) {  // independent of the element ahead
-                for (Index l = 0; l < count; ++l) {
-                    const Index i = slip_.slipping(l);
-                    newton_(l, k) = (k == l ? 1 : 0) - step_[i] * gain * slip_by_traction(i, k);
+                for (Index l = 0; l < count_; ++l) {
+                    newton_(l, k) = (k == l ? 1 : 0) - step_[solver.slipping(l)] * gain * coupling_(l, k);
                 }
                 continue;
             }
             Scalar leading = 0;
+            Index next = count_ - 1;
             for (Index i = size() - 1; i >= 0; --i) {
-                leading = step_[i] * gain * slip_by_traction(i, k) + kept_[i] * leading;
+                leading *= kept_[i];
+                if (next >= 0 && solver.slipping(next) == i) leading += step_[i] * gain * coupling_(next--, k);
                 by_friction_(i, k) = leading;
             }
-            for (Index l = 0; l < count; ++l) {
-                newton_(l, k) = (k == l ? 1 : 0) - by_friction_(slip_.slipping(l), k);
-            }
+            for (Index l = 0; l < count_; ++l) newton_(l, k) = (k == l ? 1 : 0) - by_friction_(solver.slipping(l), k);
         }
-        factorise_in_place<Scalar>(newton_.topLeftCorner(count, count), swaps_.data());
+        factorise_in_place<Scalar>(newton_.topLeftCorner(count_, count_), swaps_.data());
+    }
+
+    // The slip of the elements that slide by their bounds, in coupling_. If there is no tangent, the derivatives are
+    // those without slip. Angles of turned slip follow if it has to be `exact`.
+    void couple(Solver& solver, bool exact) {
+        const std::uint64_t kind = is_regular_ ? exact && solver.angles_follow() ? 2 : 1 : 0;
+        const std::uint64_t revision = 3 * solver.revision() + kind;
+        if (coupling_revision_ == revision) return;
+        coupling_revision_ = revision;
+        count_ = is_regular_ ? solver.slipping_count() : 0;
+        if (is_regular_) solver.couple(exact, coupling_, newton_, by_friction_);
     }
 
     // Overwrites direct changes of the coefficients with the total changes that they cause.
-    void spread(Vector& change) {
-        const Index count = slip_.slipping_count();
-        for (Index k = 0; k < count; ++k) response_[k] = change[slip_.slipping(k)];
-        solve_in_place<Scalar>(newton_.topLeftCorner(count, count), swaps_.data(), response_.head(count));
+    void spread(const Solver& solver, Vector& change) {
+        for (Index k = 0; k < count_; ++k) response_[k] = change[solver.slipping(k)];
+        solve_in_place<Scalar>(newton_.topLeftCorner(count_, count_), swaps_.data(), response_.head(count_));
         if (is_steady_) {
-            change.noalias() += by_friction_.leftCols(count) * response_.head(count);
+            change.noalias() += by_friction_.leftCols(count_) * response_.head(count_);
         } else {
-            for (Index k = 0; k < count; ++k) change[slip_.slipping(k)] = response_[k];
+            for (Index k = 0; k < count_; ++k) change[solver.slipping(k)] = response_[k];
         }
     }
 
-    static constexpr unsigned long never = (std::numeric_limits<unsigned long>::max)();
+    static constexpr std::uint64_t never = (std::numeric_limits<std::uint64_t>::max)();
 
-    Slip slip_;
     Vector start_, residual_, tried_, step_;
     Vector velocity_, slope_, kept_;  // v; d right-hand side / d v and / d mu of the element ahead
     Vector response_;
-    Matrix by_friction_, newton_;
+    Matrix coupling_, by_friction_, newton_;
     Vector right_;
     Vector newton_slope_, newton_gain_, newton_kept_;  // for which by_friction_ and newton_ were computed
-    unsigned long newton_revision_ = never;
-    bool is_steady_ = false;
+    std::uint64_t coupling_revision_ = never, newton_revision_ = never;
+    Index count_ = 0;  // of the elements that slide
+    bool is_regular_ = false, is_steady_ = false;
     std::vector<Index> swaps_;
-    typename Slip::Vectors asked_, answer_;  // last argument and result of respond()
+    Vectors asked_, answer_;  // last argument and result of respond()
     Vector friction_answer_;
     bool answered_ = false;  // with the present newton_
 };

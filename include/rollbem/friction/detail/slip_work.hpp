@@ -21,7 +21,7 @@ namespace rollbem::detail {
 /// the collocation point of an element is its leading edge, this is the mean of the slips at its two edges. The slip of
 /// the element's own equation would give an error of first order.
 ///
-/// Where slip is turned, the slip at a centre is m_i/2 of SlipTurn:
+/// Where slip is turned, the slip at a centre is m_i/2 of TurnedSlip:
 /// with the traction against it, elements that slip never gain energy. One that sticks ahead of one that slips gets
 /// -p_i . s_(i-1)/2, of either sign, which the sum needs.
 ///

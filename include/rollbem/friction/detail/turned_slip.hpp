@@ -13,6 +13,7 @@
 #include "../../detail/length.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
+#include "roles.hpp"
 
 namespace rollbem::detail {
 
@@ -25,12 +26,13 @@ namespace rollbem::detail {
 /// Angles are at most 60 degrees, and 0 where an element does not slip, or s_i or m_i vanishes, or a trailing element
 /// has none ahead. All memory is allocated by the constructor.
 template <class Scalar>
-class SlipTurn {
+class TurnedSlip {
 public:
     using Index = Eigen::Index;
     using Vectors = ElementVectors<Scalar>;
+    using Row = ElementVector<2, Scalar>;
 
-    explicit SlipTurn(Index n)
+    explicit TurnedSlip(Index n)
         : behind_(static_cast<std::size_t>(n)),
           ahead_(behind_),
           rotation_(Vectors::Zero(n, 2)),
@@ -54,36 +56,18 @@ public:
     /// Whether any angle changes with the slip that find() was called with.
     bool follows() const { return follows_; }
     void stop() { turns_ = follows_ = false; }
-    /// Finds the angles of a solution whose slip has not been turned; `stick` is 1 for elements that stick, `slide` for
-    /// those that slip. False if there is nothing to turn.
-    bool find(const Vectors& slip, const VectorX<Scalar>& stick, const VectorX<Scalar>& slide) {
+    /// Finds the angles of a solution whose slip has not been turned. False if there is nothing to turn.
+    bool find(const Vectors& slip, const Roles<2, Scalar>& roles) {
         stop();
         if (!is_known_) return false;
         rotation_.col(0).setOnes();
         rotation_.col(1).setZero();
         rate_.setZero();
-        for (std::size_t k = 0; k < behind_.size(); ++k) {
-            const auto i = static_cast<Index>(k);
-            if (slide[i] == 0) continue;
-            const Index other = partner(k);
-            if (other < 0) continue;
-            share_[i] = stick[other] != 0 ? 0 : behind_[k] < 0 ? -1 : 1;
-            const auto [x, y] = at_centre(i, slip);
-            const Scalar size = length(slip(i, 0), slip(i, 1)), centre = length(x, y);
-            if (!(size > 0) || !(centre > 0)) continue;
-            // unit vectors, as products of large slips overflow
-            const Scalar along = slip(i, 0) / size, across = slip(i, 1) / size;
-            const Scalar cosine = (along * x + across * y) / centre, sine = (along * y - across * x) / centre;
-            if (!is_finite(cosine)) continue;
-            along_slip_.row(i) << along / size, across / size;
-            along_centre_.row(i) << x / centre / centre, y / centre / centre;
-            const bool cut = cosine < Scalar(0.5);
-            rate_[i] = cut ? 0 : 1;
-            follows_ = follows_ || !cut;
-            if (!(sine != 0)) continue;
-            rotation_(i, 0) = cut ? Scalar(0.5) : cosine;
-            rotation_(i, 1) = cut ? std::copysign(std::sqrt(Scalar(0.75)), sine) : sine;
-            turns_ = true;
+        for (Index i = 0; i < rate_.size(); ++i) {
+            const Index other = partner(at(i));
+            if (roles[i] != Role::slides || other < 0) continue;
+            share_[i] = roles[other] == Role::sticks ? 0 : behind_[at(i)] < 0 ? -1 : 1;
+            find_angle(i, slip);
         }
         return turns_;
     }
@@ -110,24 +94,40 @@ public:
         }
     }
 
-    /// Turns the vectors of all elements, if slip turns.
-    void apply(Vectors& vectors) const {
-        for (Index i = 0; turns_ && i < vectors.rows(); ++i) {
-            const Scalar x = vectors(i, 0), y = vectors(i, 1);
-            vectors(i, 0) = rotation_(i, 0) * x - rotation_(i, 1) * y;
-            vectors(i, 1) = rotation_(i, 1) * x + rotation_(i, 0) * y;
-        }
+    /// R_i v, and v turned back.
+    Row turned(Index i, const Row& v) const {
+        if (!turns_) return v;
+        const Scalar cosine = rotation_(i, 0), sine = rotation_(i, 1);
+        return {cosine * v[0] - sine * v[1], sine * v[0] + cosine * v[1]};
     }
-    /// Turns row k of `vectors` back by the angle of element i.
-    void take_back(Index i, Vectors& vectors, Index k) const {
-        if (!turns_) return;
-        const Scalar x = vectors(k, 0), y = vectors(k, 1);
-        vectors(k, 0) = rotation_(i, 0) * x + rotation_(i, 1) * y;
-        vectors(k, 1) = rotation_(i, 0) * y - rotation_(i, 1) * x;
+    Row turned_back(Index i, const Row& v) const {
+        if (!turns_) return v;
+        const Scalar cosine = rotation_(i, 0), sine = rotation_(i, 1);
+        return {cosine * v[0] + sine * v[1], cosine * v[1] - sine * v[0]};
     }
 
 private:
     static std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+    // The angle from s_i to m_i.
+    void find_angle(Index i, const Vectors& slip) {
+        const auto [x, y] = at_centre(i, slip);
+        const Scalar size = length(slip(i, 0), slip(i, 1)), centre = length(x, y);
+        if (!(size > 0) || !(centre > 0)) return;
+        // unit vectors, as products of large slips overflow
+        const Scalar along = slip(i, 0) / size, across = slip(i, 1) / size;
+        const Scalar cosine = (along * x + across * y) / centre, sine = (along * y - across * x) / centre;
+        if (!is_finite(cosine)) return;
+        along_slip_.row(i) << along / size, across / size;
+        along_centre_.row(i) << x / centre / centre, y / centre / centre;
+        const bool cut = cosine < Scalar(0.5);
+        rate_[i] = cut ? 0 : 1;
+        follows_ = follows_ || !cut;
+        if (!(sine != 0)) return;
+        rotation_(i, 0) = cut ? Scalar(0.5) : cosine;
+        rotation_(i, 1) = cut ? std::copysign(std::sqrt(Scalar(0.75)), sine) : sine;
+        turns_ = true;
+    }
 
     // The element whose slip counts for the direction at the centre of element k; -1 if none does.
     Index partner(std::size_t k) const { return behind_[k] < 0 ? ahead_[k] : behind_[k]; }
@@ -145,5 +145,25 @@ private:
     VectorX<Scalar> rate_;               // 0 for angles that do not follow the slip, half for those that are halved
     bool is_known_ = false, turns_ = false, follows_ = false;
 };
+
+/// The same with one direction: slip is what it is.
+struct UnturnedSlip {
+    explicit UnturnedSlip(Eigen::Index) {}
+
+    static constexpr bool turns() { return false; }
+    static constexpr bool follows() { return false; }
+    void stop() {}
+    template <class Row>
+    const Row& turned(Eigen::Index, const Row& v) const {
+        return v;
+    }
+    template <class Row>
+    const Row& turned_back(Eigen::Index, const Row& v) const {
+        return v;
+    }
+};
+
+template <int directions, class Scalar>
+using SlipTurn = ByDirections<directions, UnturnedSlip, TurnedSlip<Scalar>>;
 
 }  // namespace rollbem::detail

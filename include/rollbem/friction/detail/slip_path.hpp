@@ -1,4 +1,4 @@
-// Friction in two directions followed from zero friction: the way to a solution where Newton's method has failed.
+// A friction problem followed from zero friction: the way to a solution where Newton's method has failed.
 #pragma once
 
 #include <algorithm>
@@ -13,69 +13,61 @@
 #include "../../detail/length.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
-#include "both_equations.hpp"
-#include "slip_turn.hpp"
+#include "roles.hpp"
+#include "slip_problem.hpp"
 
 namespace rollbem::detail {
 
 /// Follows the solutions (z, t) of
 ///     z - p + rho R (M p + c + (1 - t) d) = 0,   p = P_t(z),
-/// from t = 0, where p = 0, to t = 1, where p is a solution of the problem that BothSolver describes. P_t projects
-/// onto circles of t times the bounds and is rounded off in proportion to 1 - t, so that it is smooth below t = 1.
+/// from t = 0, where p = 0, to t = 1, where p is a solution of the problem. P_t projects onto circles of t times the
+/// bounds and is rounded off in proportion to 1 - t, so that it is smooth below t = 1.
 ///
 /// As p is bounded, for almost every d the path is one smooth curve that ends at t = 1, whatever M (Chow, Mallet-Paret
 /// and Yorke 1978). It may turn back in t, and is therefore followed by its length. Where M with its rows weighted by
 /// the elements' areas is positive definite, each t has one solution, and the path does not turn back. d points in
 /// directions that differ by an irrational angle from element to element. All memory is allocated by the constructor.
-template <class Scalar>
-class BothPath {
+template <int directions, class Scalar>
+class SlipPath {
 public:
     using Index = Eigen::Index;
     using Vector = VectorX<Scalar>;
-    using Vectors = ElementVectors<Scalar>;
+    using Vectors = ElementVectors<Scalar, directions>;
+    using Row = ElementVector<directions, Scalar>;
+    using Problem = SlipProblem<directions, Scalar>;
 
-    struct Problem {
-        const BothEquations<Scalar>& equations;  ///< M
-        const Vectors& constant;                 ///< c
-        const Vector& bound;
-        const Vector& reach;  ///< rho
-        const SlipTurn<Scalar>& turn;
-    };
-
-    explicit BothPath(Index n)
-        : matrix_(2 * n + 1, 2 * n + 1),
-          swaps_(static_cast<std::size_t>(2 * n + 1)),
-          at_(2 * n + 1),
-          forward_(2 * n + 1),
-          trial_(2 * n + 1),
-          change_(2 * n + 1),
+    explicit SlipPath(Index n)
+        : matrix_(directions * n + 1, directions * n + 1),
+          swaps_(static_cast<std::size_t>(directions * n + 1)),
+          at_(directions * n + 1),
+          forward_(at_.size()),
+          trial_(at_.size()),
+          change_(at_.size()),
           scale_(n),
-          offset_(n, 2),
-          traction_(n, 2),
-          growth_(n, 2),
-          column_(n, 2),
-          slope_(n, 3) {}
+          offset_(n, directions),
+          traction_(n, directions),
+          growth_(n, directions),
+          column_(n, directions),
+          slope_(n, directions * directions) {}
 
-    /// To t = 0. `size`: the largest |c|.
-    void begin(const Problem& problem, Scalar size) {
-        const Index n = scale_.size();
+    /// To t = 0, of another path for each `number`.
+    void begin(const Problem& problem, int number) {
+        const Index n = scale_.size(), last = at_.size() - 1;
         for (Index i = 0; i < n; ++i) {
-            const Scalar angle = golden_angle * static_cast<Scalar>(i);
-            offset_(i, 0) = size / 50 * std::cos(angle);
-            offset_(i, 1) = size / 50 * std::sin(angle);
+            const Scalar angle = golden_angle * static_cast<Scalar>(i + number * (n + 1));
+            offset_(i, 0) = problem.imposed / 50 * std::cos(angle);
+            if constexpr (directions == 2) offset_(i, 1) = problem.imposed / 50 * std::sin(angle);
         }
         column_ = problem.constant + offset_;
-        problem.turn.apply(column_);
         for (Index i = 0; i < n; ++i) {
-            const Scalar x = -problem.reach[i] * column_(i, 0), y = -problem.reach[i] * column_(i, 1);
-            scale_[i] = std::sqrt(static_cast<Scalar>(n)) * (problem.bound[i] + length(x, y));
+            const Row z = -problem.reach[i] * problem.turn.turned(i, Row(column_.row(i)));
+            scale_[i] = std::sqrt(static_cast<Scalar>(n)) * (problem.bound[i] + length(z));
             if (!(scale_[i] > 0)) scale_[i] = 1;
-            trial_[i] = x / scale_[i];
-            trial_[n + i] = y / scale_[i];
+            for (Index d = 0; d < directions; ++d) trial_[d * n + i] = z[d] / scale_[i];
         }
-        trial_[2 * n] = 0;
+        trial_[last] = 0;
         forward_.setZero();
-        forward_[2 * n] = 1;
+        forward_[last] = 1;
         linearise(problem);
         at_ = trial_;
         forward_ = change_ / change_.norm();
@@ -110,6 +102,7 @@ public:
 
     /// P_1(z) after advance(): near a solution if the rest of t is small.
     const Vectors& traction() const { return traction_; }
+    int points() const { return points_; }  ///< so far
 
 private:
     static constexpr Scalar golden_angle = Scalar(2.39996322972865332L);
@@ -152,53 +145,61 @@ private:
         return size;
     }
 
+    // rho R times the vectors in column_, over the elements' scales and times `factor`, and nothing for t.
+    template <class Target>
+    void put(const Problem& problem, Scalar factor, Target&& target) const {
+        const Index n = scale_.size();
+        for (Index i = 0; i < n; ++i) {
+            const Row turned = problem.turn.turned(i, Row(column_.row(i)));
+            const Scalar share = factor * problem.reach[i] / scale_[i];
+            for (Index d = 0; d < directions; ++d) target[d * n + i] = share * turned[d];
+        }
+        target[directions * n] = 0;
+    }
+
     // The equations' residual at trial_ into change_, their derivatives into matrix_.
     void set_up(const Problem& problem) {
-        const BothEquations<Scalar>& equations = problem.equations;
-        const Index n = scale_.size();
+        const Index n = scale_.size(), last = directions * n;
         find_tractions(problem);
-        const auto put_into = [&](auto target, Scalar factor) {  // rho R column_
-            problem.turn.apply(column_);
-            for (Index d = 0; d < 2; ++d) {
-                target.segment(d * n, n) = factor * column_.col(d).cwiseProduct(problem.reach).cwiseQuotient(scale_);
-            }
-            target[2 * n] = 0;
-        };
-        equations.multiply(traction_, column_);
-        column_ += problem.constant + (1 - trial_[2 * n]) * offset_;
-        put_into(change_.head(2 * n + 1), 1);
-        equations.multiply(growth_, column_);
+        problem.equations.matrix.multiply(traction_, column_);
+        column_ += problem.constant + (1 - trial_[last]) * offset_;
+        put(problem, 1, change_);
+        problem.equations.matrix.multiply(growth_, column_);
         column_ -= offset_;
-        put_into(matrix_.col(2 * n), 1);
-        for (Index d = 0; d < 2; ++d) {
+        put(problem, 1, matrix_.col(last));
+        for (Index d = 0; d < directions; ++d) {
             change_.segment(d * n, n) += trial_.segment(d * n, n) - traction_.col(d).cwiseQuotient(scale_);
-            matrix_.col(2 * n).segment(d * n, n) -= growth_.col(d).cwiseQuotient(scale_);
+            matrix_.col(last).segment(d * n, n) -= growth_.col(d).cwiseQuotient(scale_);
         }
-        for (Index d = 0; d < 2; ++d) {
-            for (Index i = 0; i < n; ++i) {
-                const Scalar x = slope_(i, d), y = slope_(i, d + 1);
-                column_.col(0) = x * equations.matrix(0, 0).col(i);
-                column_.col(1) = y * equations.matrix(1, 1).col(i);
-                if (equations.coupled()) {
-                    column_.col(0) += y * equations.matrix(0, 1).col(i);
-                    column_.col(1) += x * equations.matrix(1, 0).col(i);
-                }
-                put_into(matrix_.col(d * n + i), scale_[i]);
-                matrix_(i, d * n + i) -= x;
-                matrix_(n + i, d * n + i) -= y;
-                matrix_(d * n + i, d * n + i) += 1;
-            }
+        for (Index e = 0; e < directions; ++e) {
+            for (Index i = 0; i < n; ++i) set_up_column(problem, e, i);
         }
-        matrix_.row(2 * n) = forward_.transpose();
+        matrix_.row(last) = forward_.transpose();
+    }
+    // By z of element i in direction e.
+    void set_up_column(const Problem& problem, Index e, Index i) {
+        const Index n = scale_.size();
+        const SlipMatrix<directions, Scalar>& M = problem.equations.matrix;
+        for (Index d = 0; d < directions; ++d) {
+            const auto own = static_cast<std::size_t>(d);
+            column_.col(d) = slope_(i, directions * e + d) * M.block(own, own).col(i);
+            if (M.coupled()) column_.col(d) += slope_(i, directions * e + 1 - d) * M.block(own, 1 - own).col(i);
+        }
+        auto target = matrix_.col(e * n + i);
+        put(problem, scale_[i], target);
+        for (Index d = 0; d < directions; ++d) target[d * n + i] -= slope_(i, directions * e + d);
+        target[e * n + i] += 1;
     }
 
     // P_t(z) = 2 g z/(|r - g, w| + |r + g, w|), r = |z|, g the bound and w the rounding, and its derivatives.
     void find_tractions(const Problem& problem) {
         const Index n = scale_.size();
-        const Scalar t = trial_[2 * n];
+        const Scalar t = trial_[directions * n];
         for (Index i = 0; i < n; ++i) {
-            const Scalar x = scale_[i] * trial_[i], y = scale_[i] * trial_[n + i], r = length(x, y);
-            const Scalar g = t * problem.bound[i], w = 2 * (1 - t) * g;
+            Row z;
+            for (Index d = 0; d < directions; ++d) z[d] = scale_[i] * trial_[d * n + i];
+            const Scalar g_t = problem.bound[i], w_t = 2 * (1 - 2 * t) * problem.bound[i];
+            const Scalar r = length(z), g = t * problem.bound[i], w = 2 * (1 - t) * g;
             const Scalar low = length(r - g, w), high = length(r + g, w), sum = low + high;
             if (!(sum > 0) || problem.bound[i] == 0) {
                 traction_.row(i).setZero();
@@ -207,30 +208,29 @@ private:
                 continue;
             }
             const Scalar share = 2 * g / sum;
-            const Scalar g_t = problem.bound[i], w_t = 2 * (1 - 2 * t) * problem.bound[i];
             const Scalar sum_r = over(r - g, low) + over(r + g, high);
             const Scalar sum_t = over((g - r) * g_t + w * w_t, low) + over((g + r) * g_t + w * w_t, high);
             const Scalar share_t = (2 * g_t - share * sum_t) / sum, bend = -share * over(sum_r / sum, r);
-            traction_(i, 0) = share * x;
-            traction_(i, 1) = share * y;
-            growth_(i, 0) = share_t * x;
-            growth_(i, 1) = share_t * y;
-            slope_(i, 0) = share + bend * x * x;
-            slope_(i, 1) = bend * x * y;
-            slope_(i, 2) = share + bend * y * y;
+            traction_.row(i) = share * z;
+            growth_.row(i) = share_t * z;
+            for (Index d = 0; d < directions; ++d) {
+                for (Index e = 0; e < directions; ++e) {
+                    slope_(i, directions * e + d) = bend * z[d] * z[e] + (d == e ? share : Scalar(0));
+                }
+            }
         }
     }
 
     MatrixX<Scalar> matrix_;
     std::vector<Index> swaps_;
-    Vector at_, forward_, trial_, change_;  // longitudinal, then lateral z over scale_; t
+    Vector at_, forward_, trial_, change_;  // z over scale_, direction by direction; t
     Vector scale_;
     Vectors offset_;             // d
     Vectors traction_, growth_;  // p, dp/dt
     Vectors column_;
-    Eigen::Matrix<Scalar, Eigen::Dynamic, 3> slope_;  // dp/dz: xx, xy, yy
-    Scalar length_ = 0;                               // of the next step
-    Scalar rest_ = 0;                                 // of t, where to stop
+    Eigen::Matrix<Scalar, Eigen::Dynamic, directions * directions> slope_;  // dp/dz
+    Scalar length_ = 0;                                                     // of the next step
+    Scalar rest_ = 0;                                                       // of t, where to stop
     int points_ = 0;
 };
 

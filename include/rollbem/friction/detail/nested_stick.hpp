@@ -1,0 +1,216 @@
+// The equations of a friction problem in one direction with the sticking elements eliminated, for a set of these that
+// changes by few elements at a time.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../../detail/array_functions.hpp"
+#include "../../detail/finite.hpp"
+#include "../../detail/in_place_lu.hpp"
+#include "../../types.hpp"
+#include "../state.hpp"
+#include "roles.hpp"
+#include "slip_matrix.hpp"
+
+namespace rollbem::detail {
+
+/// s = M p + c with s_S = 0, where S are the elements that stick, listed from the leading edge to the trailing edge.
+/// Normally M_SS is eliminated without pivoting, one element at a time, and the inverses of both triangles are stored.
+/// The factors of a list are the leading part of those of any longer list that begins with it: a border that moves at
+/// the end of the list costs O(n^2) per element, and the result is the same as that of a new factorisation. If a pivot
+/// is small or a multiplier large, LU with pivoting takes over. Results depend on M and the roles alone, to the last
+/// bit. All memory is allocated by the constructor.
+template <class Scalar>
+class NestedStick {
+public:
+    using Index = Eigen::Index;
+    using Vector = VectorX<Scalar>;
+    using Vectors = ElementVectors<Scalar, 1>;
+    using Matrix = MatrixX<Scalar>;
+    using M = SlipMatrix<1, Scalar>;
+
+    /// The constants c themselves; null: zero.
+    struct Base {
+        explicit Base(Index) {}
+        void forget() { constant = nullptr; }
+
+        const Vectors* constant = nullptr;
+    };
+
+    explicit NestedStick(const M& matrix)
+        : lists_(matrix.size()),
+          lower_(Matrix::Zero(matrix.size(), matrix.size())),
+          upper_(lower_),
+          pivoted_(lower_),
+          right_(matrix.size()),
+          half_(matrix.size()),
+          solution_(matrix.size()),
+          row_(matrix.size()),
+          stuck_(Vector::Zero(matrix.size())),
+          placed_(Vectors::Zero(matrix.size())),
+          product_(placed_),
+          swaps_(static_cast<std::size_t>(matrix.size())),
+          nested_(swaps_.size()) {}
+
+    const RoleLists& lists() const { return lists_; }
+    bool holds(const M& matrix, const std::vector<Role>& roles) const {
+        return matrix_revision_ == matrix.revision() && lists_.are_of(roles);
+    }
+    /// Changes whenever M or the roles do.
+    std::uint64_t revision() const { return revision_; }
+    /// Whether M_SS is not singular to working precision.
+    bool is_regular() const { return is_regular_; }
+
+    /// Where M_SS is singular, a nearby matrix takes its place. False if there is none.
+    bool condense(M& matrix, const std::vector<Role>& roles) {
+        if (holds(matrix, roles)) return is_usable_;
+        if (matrix_revision_ != matrix.revision()) {
+            nested_count_ = 0;
+            placed_.setZero();
+            product_.setZero();
+        }
+        matrix_revision_ = matrix.revision();
+        revision_ = matrix.next_serial();
+        for (Index k = 0; k < count(); ++k) stuck_[listed(k)] = 0;
+        lists_.take(roles);
+        uses_pivoted_ = !extend(matrix.block(0, 0));
+        is_regular_ = !uses_pivoted_ || pivot(matrix, false);
+        is_usable_ = is_regular_ || pivot(matrix, true);
+        return is_usable_;
+    }
+
+    void find_base(const M&, const Vectors* c, Base& base) const { base.constant = c; }
+
+    /// The tractions of S and all slip, by products with M itself: that of S is the error of its tractions.
+    void complete(const M& matrix, const Base& base, Vectors& p, Vectors& s) {
+        const Matrix& A = matrix.block(0, 0);
+        for (Index k = 0; k < count(); ++k) p[listed(k)] = 0;
+        s.setZero();
+        if (base.constant != nullptr) s = *base.constant;
+        if (!p.isZero(0)) s += product(A, p);
+        if (count() == 0) return;
+        for (Index k = 0; k < count(); ++k) right_[k] = s[listed(k)];
+        solve();
+        for (Index k = 0; k < count(); ++k) p[listed(k)] = stuck_[listed(k)] = -solution_[k];
+        multiply_stuck(A, s);
+    }
+
+    /// X_k C_kl Y_l of the elements k and l that slide.
+    template <class Target>
+    void form(const M& matrix, const Vectors& X, const Vectors& Y, Target&& target) {
+        const Matrix& A = matrix.block(0, 0);
+        for (Index l = 0; l < lists_.sliding(); ++l) {
+            const Index own = lists_.other(l);
+            row_ = A.col(own);
+            if (count() > 0) {
+                for (Index k = 0; k < count(); ++k) right_[k] = row_[listed(k)];
+                solve();
+                for (Index k = 0; k < count(); ++k) stuck_[listed(k)] = -solution_[k];
+                multiply_stuck(A, row_);
+            }
+            for (Index k = 0; k < lists_.sliding(); ++k) target(k, l) = X[k] * row_[lists_.other(k)] * Y[l];
+        }
+    }
+
+private:
+    static std::size_t at(Index k) { return static_cast<std::size_t>(k); }
+
+    Index count() const { return lists_.sticking(); }
+    Index listed(Index k) const { return lists_.sticking(count() - 1 - k); }
+
+    // M p, usually of neither new roles nor new bounds
+    const Vectors& product(const Matrix& A, const Vectors& p) {
+        if (same_bits(p, placed_)) return product_;
+        placed_ = p;
+        product_.noalias() = A * p;
+        return product_;
+    }
+    // M_SS^-1 right_ into solution_
+    void solve() {
+        if (uses_pivoted_) {
+            solution_.head(count()) = right_.head(count());
+            solve_in_place<Scalar>(pivoted_.topLeftCorner(count(), count()), swaps_.data(), solution_.head(count()));
+            return;
+        }
+        multiply(lower_, count(), right_, half_);
+        multiply(upper_, count(), half_, solution_);
+    }
+    // s += M_S p_S, with the columns from the first to the last element of S
+    template <class Slip>
+    void multiply_stuck(const Matrix& A, Slip& s) const {
+        const Index first = listed(count() - 1), length = listed(0) - first + 1;
+        s.noalias() += A.middleCols(first, length) * stuck_.segment(first, length);
+    }
+    static void multiply(const Matrix& A, Index count, const Vector& x, Vector& y) {
+        y.head(count).noalias() = A.topLeftCorner(count, count) * x.head(count);
+    }
+
+    // Extends the nested factors to the present list. With M = [A u; l a] and A = L U: y = L^-1 u, z = l U^-1,
+    // d = a - z y; the inverse of L gains the row [-z L^-1, 1], that of U the column [-U^-1 y; 1] / d.
+    bool extend(const Matrix& A) {
+        Index k = 0;
+        while (k < count() && k < nested_count_ && nested_[at(k)] == listed(k)) ++k;
+        for (nested_count_ = k; k < count(); ++k) {
+            const Index own = listed(k);
+            for (Index j = 0; j < k; ++j) right_[j] = A(nested_[at(j)], own);
+            multiply(lower_, k, right_, solution_);  // y
+            for (Index j = 0; j < k; ++j) right_[j] = A(own, nested_[at(j)]);
+            row_.head(k).noalias() = upper_.topLeftCorner(k, k).transpose() * right_.head(k);  // z
+            Scalar pivot = A(own, own), scale = std::abs(pivot), multiplier = 0;
+            for (Index j = 0; j < k; ++j) {
+                pivot -= row_[j] * solution_[j];
+                scale = (std::max)(scale, std::abs(right_[j]));
+                multiplier = (std::max)(multiplier, std::abs(row_[j]));
+            }
+            const bool sound = std::abs(pivot) > least_pivot * scale && multiplier < largest_multiplier;
+            if (!sound || !is_finite(pivot)) return false;
+            right_.head(k).noalias() = lower_.topLeftCorner(k, k).transpose() * row_.head(k);
+            multiply(upper_, k, solution_, row_);
+            for (Index j = 0; j < k; ++j) {
+                lower_(k, j) = -right_[j];
+                upper_(j, k) = row_[j] / -pivot;
+            }
+            lower_(k, k) = 1;
+            upper_(k, k) = 1 / pivot;
+            nested_[at(k)] = own;
+            nested_count_ = k + 1;
+        }
+        return true;
+    }
+    bool pivot(M& matrix, bool shifts) {
+        const Matrix& A = matrix.block(0, 0);
+        for (Index k = 0; k < count(); ++k) {
+            for (Index j = 0; j < count(); ++j) pivoted_(j, k) = A(listed(j), listed(k));
+            if (shifts) pivoted_(k, k) += matrix.shift(listed(k));
+        }
+        factorise_in_place<Scalar>(pivoted_.topLeftCorner(count(), count()), swaps_.data());
+        for (Index k = 0; k < count(); ++k) {
+            if (!is_finite(pivoted_(k, k)) || pivoted_(k, k) == 0) return false;
+        }
+        return true;
+    }
+
+    // Bounds on the loss of accuracy of elimination without pivoting; its results are also verified against M.
+    static constexpr Scalar least_pivot = Scalar(1e-3);
+    static constexpr Scalar largest_multiplier = 10;
+
+    RoleLists lists_;
+    Matrix lower_, upper_;  // inverse triangles of the nested factors, zero outside
+    Matrix pivoted_;
+    Vector right_, half_, solution_, row_;
+    Vector stuck_;              // tractions of S, and zeros
+    Vectors placed_, product_;  // the last tractions of all others, with zeros, and M times it
+    std::vector<Index> swaps_;
+    std::vector<Index> nested_;  // the elements in the nested factors
+    Index nested_count_ = 0;
+    std::uint64_t matrix_revision_ = 0, revision_ = 0;
+    bool uses_pivoted_ = false, is_regular_ = false, is_usable_ = false;
+};
+
+}  // namespace rollbem::detail

@@ -1,0 +1,371 @@
+// The search for stick and slip: Newton's method on the natural map, and what takes over where it fails.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include <Eigen/Core>
+
+#include "../../detail/finite.hpp"
+#include "../../types.hpp"
+#include "../state.hpp"
+#include "roles.hpp"
+#include "slip_path.hpp"
+#include "slip_problem.hpp"
+
+namespace rollbem::detail {
+
+/// Newton's method on the natural map p_i = P(p_i - rho_i R_i s_i), P the projection onto the ball of the bound
+/// (semismooth: Qi and Sun 1993; for friction Alart and Curnier 1991; with one direction a primal-dual active set). An
+/// element with |p - rho R s| within its bound sticks in the next step, without any slip; any other keeps its traction
+/// at the bound and turns it. A step is halved while the residual of the map would grow.
+///
+/// That can get stuck, first from where the search begins, then from full sliding. SlipPath then leads to a point near
+/// a solution, from which Newton's method finishes. If that fails, too, the best point is the result. The result
+/// depends on the problem and the starting point alone, to the last bit. All memory is allocated by the constructor.
+template <int directions, class Scalar>
+class SlipSearch {
+public:
+    using Index = Eigen::Index;
+    using Vector = VectorX<Scalar>;
+    using Vectors = ElementVectors<Scalar, directions>;
+    using Row = ElementVector<directions, Scalar>;
+    using Problem = SlipProblem<directions, Scalar>;
+    using Point = SlipPoint<directions, Scalar>;
+
+    struct Tally {
+        int steps = 0;        ///< of Newton's method
+        int path_points = 0;  ///< of SlipPath
+    };
+
+    explicit SlipSearch(Index n)
+        : trial_(Vectors::Zero(n, directions)),
+          trial_slip_(trial_),
+          change_(trial_),
+          slip_change_(trial_),
+          best_(trial_),
+          refined_(trial_),
+          right_(n),
+          path_(n) {}
+
+    /// From the roles of `point` and the directions of its tractions. A point near a solution is enough if
+    /// `is_enough(point)`. False if there is no success.
+    template <class Enough>
+    bool find(const Problem& problem, const Enough& is_enough, Point& point, Tally& tally) {
+        least_ = (std::numeric_limits<Scalar>::max)();
+        if (settle(problem, is_enough, {longest, true, true}, point, tally)) return true;
+        slide_fully(problem, point);
+        if (settle(problem, is_enough, {longest, true, false}, point, tally)) return true;
+        for (int number = 0; number < most_paths; ++number) {
+            if (follow_path(problem, is_enough, number, point, tally)) return true;
+        }
+        return_to_best(problem, point);
+        return false;
+    }
+
+    /// That of M p + c - s in the last point found; estimated with two directions.
+    Scalar error() const { return error_; }
+
+    /// The roles for a point by the natural map; an element without traction yet slips from `share` of its bound on.
+    static void place(const Problem& problem, Scalar share, Point& point) {
+        const Scalar factor = share * (1 + 4 * rounding(point.roles.size()));
+        for (Index i = 0; i < point.roles.size(); ++i) {
+            const Scalar bound = problem.bound[i];
+            if (bound == 0) {
+                point.roles.release(i);
+                continue;
+            }
+            const Row slip = point.slip.row(i);
+            const Row x = point.traction.row(i) - problem.reach[i] * problem.turn.turned(i, slip);
+            const Scalar size = length(x);
+            if (size > factor * bound) {
+                point.roles.slide(i, x / size);
+            } else {
+                point.roles.stick(i);
+            }
+        }
+    }
+
+    static Scalar rounding(Index n) { return static_cast<Scalar>(n + 10) * epsilon; }
+
+private:
+    static constexpr int longest = 60;    // Newton steps; rolling takes at most 16
+    static constexpr int from_path = 20;  // Newton steps
+    static constexpr int most_paths = 3, most_refinements = 3;
+    static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
+    // Full adhesion underestimates the zone of slip.
+    static constexpr Scalar eager = Scalar(0.7);
+
+    // Residual over the sum of bounds from which on another step would not change the angles of turned slip.
+    inline static const Scalar nearly = std::cbrt(epsilon) * std::cbrt(epsilon);
+
+    struct Manner {
+        int most_steps;
+        bool careful;   // steps are halved
+        bool is_eager;  // if all elements stick before the first step
+    };
+
+    template <class Enough>
+    bool settle(const Problem& problem, const Enough& is_enough, const Manner& manner, Point& point, Tally& tally) {
+        refinements_ = 0;
+        const bool settled = iterate(problem, is_enough, manner, point, tally);
+        if (refinements_ > 0) problem.base.forget();
+        return settled;
+    }
+    template <class Enough>
+    bool iterate(const Problem& problem, const Enough& is_enough, const Manner& manner, Point& point, Tally& tally);
+
+    template <class Enough>
+    bool follow_path(const Problem& problem, const Enough& is_enough, int number, Point& point, Tally& tally) {
+        path_.begin(problem, number);
+        int before = 0;
+        while (path_.advance(problem)) {
+            tally.path_points += path_.points() - before;
+            before = path_.points();
+            for (const bool careful : {true, false}) {
+                point.traction = path_.traction();
+                find_slip(problem, point);
+                place(problem, 1, point);
+                if (settle(problem, is_enough, {from_path, careful, false}, point, tally)) return true;
+            }
+        }
+        return false;
+    }
+
+    // M p + c
+    static void find_slip(const Problem& problem, Point& point) {
+        problem.equations.matrix.multiply(point.traction, point.slip);
+        point.slip += problem.constant;
+    }
+
+    void slide_fully(const Problem& problem, Point& point) const {
+        for (Index i = 0; i < point.roles.size(); ++i) {
+            const Row against = -problem.turn.turned(i, Row(problem.constant.row(i)));
+            const Scalar size = length(against);
+            if (problem.bound[i] == 0) {
+                point.roles.release(i);
+            } else if (size > 0) {
+                point.roles.slide(i, against / size);
+            } else {
+                point.roles.stick(i);
+            }
+        }
+    }
+
+    void return_to_best(const Problem& problem, Point& point) {
+        if (least_ < (std::numeric_limits<Scalar>::max)()) point.traction = best_;
+        find_slip(problem, point);
+        place(problem, 1, point);
+        for (Index i = 0; i < point.roles.size(); ++i) {
+            const Scalar size = length(Row(point.traction.row(i)));
+            if (!(size > problem.bound[i]) && point.roles[i] != Role::slides) continue;
+            point.traction.row(i) *= size > 0 ? problem.bound[i] / size : Scalar(0);
+        }
+        find_slip(problem, point);
+        error_ = 0;
+    }
+
+    // The full step, into trial_: tractions that slide return to their bounds. False if there is none.
+    template <class Condensed>
+    bool take_step(const Problem& problem, Condensed& at, const Point& point) {
+        auto& equations = problem.equations;
+        const RoleLists& lists = at.lists();
+        for (Index k = 0; k < lists.others(); ++k) {
+            const Index i = lists.other(k);
+            trial_.row(i) = problem.bound[i] * point.roles.direction.row(i);
+        }
+        if constexpr (directions == 2) {
+            if (lists.sliding() > 0 && !turn(problem, at, point)) return false;
+        }
+        at.complete(equations.matrix, problem.base, trial_, trial_slip_);
+        return true;
+    }
+    // The tractions that slide.
+    template <class Condensed>
+    bool turn(const Problem& problem, Condensed& at, const Point& point) {
+        auto& equations = problem.equations;
+        const RoleLists& lists = at.lists();
+        Sliding<Scalar>& sliding = equations.sliding[problem.which];
+        at.find_slip(equations.matrix, problem.base, trial_, trial_slip_);
+        sliding.aim(lists, point.roles.direction, trial_slip_, problem.bound, problem.turn);
+        if (!sliding.factorise(equations.matrix, at)) return false;
+        for (Index l = 0; l < sliding.count(); ++l) {
+            right_[l] = -sliding.aside(l).dot(trial_slip_.row(lists.other(l)));
+        }
+        sliding.solve(right_);
+        for (Index l = 0; l < sliding.count(); ++l) {
+            const Index i = lists.other(l);
+            const Row turned = trial_.row(i) + right_[l] * sliding.across(l);
+            trial_.row(i) = problem.bound[i] / length(turned) * turned;
+        }
+        return true;
+    }
+
+    // How far the trial is from a solution.
+    struct Fit {
+        Scalar residual = 0;  // of the natural map: sum of |p - P(p - rho R s)|
+        Scalar excess = 0;    // of sticking tractions, relative to their bounds
+        Scalar creep = 0;     // slip across tractions, and along them
+    };
+    Fit measure(const Problem& problem, const Point& point) {
+        Fit fit;
+        Scalar largest = 0;  // of M p
+        error_ = 0;
+        for (Index i = 0; i < point.roles.size(); ++i) {
+            const Role role = point.roles[i];
+            const Scalar bound = problem.bound[i];
+            if (role == Role::sticks) {
+                const Scalar size = length(Row(trial_.row(i)));
+                if (size > bound) {
+                    fit.residual += size - bound;
+                    fit.excess = (std::max)(fit.excess, size / bound - 1);
+                } else if (!(size <= bound)) {
+                    fit.residual = size;  // NaN
+                }
+                if constexpr (directions == 1) {
+                    error_ = (std::max)(error_, std::abs(trial_slip_[i] - shift(problem, i)));
+                }
+                continue;
+            }
+            const Row slip = trial_slip_.row(i);
+            largest = (std::max)(largest, (slip - problem.constant.row(i)).cwiseAbs().maxCoeff());
+            if (role == Role::is_free) continue;
+            const Row turned = problem.turn.turned(i, slip), p = trial_.row(i);
+            fit.creep = (std::max)(fit.creep, p.dot(turned) / bound);
+            if constexpr (directions == 2) {
+                fit.creep = (std::max)(fit.creep, std::abs(p[0] * turned[1] - p[1] * turned[0]) / bound);
+            }
+            fit.residual += rest(p, turned, problem.reach[i], bound);
+        }
+        slip_scale_ = rounding(point.roles.size()) * ((std::max)(largest, problem.imposed) + problem.imposed);
+        return fit;
+    }
+    // |p - P(p - rho s)| of an element.
+    static Scalar rest(const Row& p, const Row& turned_slip, Scalar reach, Scalar bound) {
+        const Row x = p - reach * turned_slip;
+        const Scalar size = length(x);
+        return length(Row(p - (size > bound ? bound / size : Scalar(1)) * x));
+    }
+    // c' - c, whose slip is the error that is repaired.
+    Scalar shift(const Problem& problem, Index i) const {
+        return refinements_ > 0 ? refined_(i, 0) - problem.constant(i, 0) : Scalar(0);
+    }
+    // Whether the trial is a solution for the assumed roles, to `factor` times round-off.
+    bool holds(const Fit& fit, Scalar factor) const {
+        return fit.excess <= 4 * factor * rounding(trial_.rows()) && fit.creep <= 4 * factor * slip_scale_;
+    }
+
+    // Halves the step until the residual is below the previous one, or the step is as short as it may get. Tractions
+    // and slip are affine in its length.
+    Scalar shorten(const Problem& problem, const Point& point, Scalar before) {
+        change_ = trial_ - point.traction;
+        slip_change_ = trial_slip_ - point.slip;
+        Scalar residual = before;
+        for (Scalar part = Scalar(0.5); part > Scalar(1) / 300; part /= 2) {
+            trial_ = point.traction + part * change_;
+            trial_slip_ = point.slip + part * slip_change_;
+            residual = 0;
+            for (Index i = 0; i < trial_.rows(); ++i) {
+                if (problem.bound[i] == 0) continue;
+                const Row turned = problem.turn.turned(i, Row(trial_slip_.row(i)));
+                residual += rest(trial_.row(i), turned, problem.reach[i], problem.bound[i]);
+            }
+            if (residual <= (1 - Scalar(1e-4) * part) * before) break;
+        }
+        return residual;
+    }
+
+    // Whether s = M p + c, to round-off or, at last, to some more.
+    bool verify(const Problem& problem, const Point& point) {
+        if constexpr (directions == 2) {
+            auto& matrix = problem.equations.matrix;
+            if (matrix.serves_once()) {
+                find_error(problem, point);
+                error_ = change_.cwiseAbs().maxCoeff();
+            } else {
+                error_ = matrix.error(point.traction, problem.constant, point.slip);
+            }
+        }
+        return error_ <= (refinements_ < most_refinements ? 4 : 1000) * slip_scale_;
+    }
+    void find_error(const Problem& problem, const Point& point) {
+        problem.equations.matrix.multiply(point.traction, change_);
+        change_ += problem.constant - point.slip;
+    }
+    // With one direction slip of sticking elements is the error.
+    static void clear(Point& point) {
+        for (Index i = 0; directions == 1 && i < point.roles.size(); ++i) {
+            if (point.roles[i] == Role::sticks) point.slip.row(i).setZero();
+        }
+    }
+    // c' with which the error repeats itself, and is thereby repaired. False if there were enough of these.
+    bool refine(const Problem& problem, const Point& point) {
+        if (refinements_ == most_refinements || !is_finite(error_)) return false;
+        if (refinements_++ == 0) refined_ = problem.constant;
+        if constexpr (directions == 2) {
+            find_error(problem, point);
+            refined_ += change_;
+        } else {
+            for (Index i = 0; i < refined_.rows(); ++i) {
+                if (point.roles[i] == Role::sticks) refined_[i] = problem.constant[i] + point.slip[i];
+            }
+        }
+        problem.base.forget();
+        return true;
+    }
+
+    void note(const Vectors& p, Scalar residual) {
+        if (!(residual < least_)) return;
+        least_ = residual;
+        best_ = p;
+    }
+
+    Vectors trial_, trial_slip_, change_, slip_change_, best_;
+    Vectors refined_;  // c'
+    Vector right_;
+    SlipPath<directions, Scalar> path_;
+    Scalar slip_scale_ = 0;  // rounding of the slip
+    Scalar error_ = 0;
+    Scalar least_ = 0;  // residual of the natural map at best_
+    int refinements_ = 0;
+};
+
+template <int directions, class Scalar>
+template <class Enough>
+bool SlipSearch<directions, Scalar>::iterate(const Problem& problem, const Enough& is_enough, const Manner& manner,
+                                             Point& point, Tally& tally) {
+    auto& equations = problem.equations;
+    Scalar before = (std::numeric_limits<Scalar>::max)();
+    for (int step = 0; step < manner.most_steps; ++step) {
+        auto* at = equations.condense(problem.which, point.roles);
+        if (at == nullptr) return false;
+        at->find_base(equations.matrix, refinements_ > 0 ? &refined_ : &problem.constant, problem.base);
+        ++tally.steps;
+        if (!take_step(problem, *at, point)) return false;
+        const Fit fit = measure(problem, point);
+        Scalar residual = fit.residual;
+        const bool done = holds(fit, 1), stalls = !(residual < before), nearly_done = stalls && holds(fit, 1000);
+        if (!done && !nearly_done && stalls && manner.careful) residual = shorten(problem, point, before);
+        if (!is_finite(residual)) return false;
+        point.traction = trial_;
+        point.slip = trial_slip_;
+        note(point.traction, residual);
+        if (done || nearly_done) {
+            if (verify(problem, point)) {
+                clear(point);
+                return true;
+            }
+            if (!refine(problem, point)) return false;
+            before = (std::numeric_limits<Scalar>::max)();
+            continue;
+        }
+        if (residual < nearly * problem.bound.sum() && is_enough(point)) return true;
+        place(problem, step == 0 && manner.is_eager && !point.roles.any_slides() ? eager : Scalar(1), point);
+        before = residual;
+    }
+    return false;
+}
+
+}  // namespace rollbem::detail

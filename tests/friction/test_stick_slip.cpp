@@ -1,0 +1,331 @@
+// rollbem/friction/detail/stick_slip.hpp, slip_search.hpp, slip_path.hpp, condensed_slip.hpp, nested_stick.hpp,
+// sliding.hpp, turned_slip.hpp
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include <rollbem/compiled/friction.hpp>
+
+#include "support/catch.hpp"
+#include "support/dense.hpp"
+#include "support/draw.hpp"
+
+namespace stick_slip_tests {
+namespace {
+
+using namespace rollbem;
+
+std::vector<Zone> all_stick(Eigen::Index n) { return std::vector<Zone>(static_cast<std::size_t>(n), Zone::stick); }
+
+/// M as a whole, of both directions where there are two.
+template <int directions>
+struct Problem {
+    using Solver = detail::StickSlip<directions, double>;
+    using Vectors = ElementVectors<double, directions>;
+
+    Eigen::Index size() const { return bound.size(); }
+    MatrixX<double> block(Eigen::Index d, Eigen::Index e) const {
+        return matrix.block(d * size(), e * size(), size(), size());
+    }
+    void put_into(Solver& solver) const {
+        for (Eigen::Index d = 0; d < directions; ++d) {
+            for (Eigen::Index e = 0; e < directions; ++e) {
+                if (d != e && !coupled) continue;
+                solver.new_matrix(static_cast<std::size_t>(d), static_cast<std::size_t>(e)) = block(d, e);
+            }
+        }
+        solver.constant() = constant;
+    }
+    typename Solver::Outcome solve_from_rest(Solver& solver) const {
+        return solver.solve(bound, {Vectors::Zero(size(), directions), all_stick(size())});
+    }
+    Vectors slip(const Vectors& p) const {
+        return Vectors(dense::product(matrix, p.reshaped()).reshaped(size(), directions)) + constant;
+    }
+    /// The largest violation of the conditions, from the definition.
+    double violation(const Vectors& p) const {
+        const Vectors s = slip(p);
+        double worst = 0;
+        for (Eigen::Index i = 0; i < size(); ++i) {
+            const double norm = p.row(i).norm(), slip = s.row(i).norm();
+            worst = std::max(worst, norm - bound[i]);
+            if (bound[i] == 0) continue;
+            // below the bound there is no slip; at the bound slip opposes the traction
+            const double inside = std::min(1 - norm / bound[i], slip), along = p.row(i).dot(s.row(i)) / bound[i];
+            worst = std::max({worst, inside, along});
+            if (norm > bound[i] / 2) worst = std::max(worst, (s.row(i) - along / norm * p.row(i)).norm());
+        }
+        return worst;
+    }
+
+    bool coupled;
+    MatrixX<double> matrix;
+    Vectors constant;
+    VectorX<double> bound;
+};
+
+enum class Kind { singular, definite, any };
+
+VectorX<double> random_vector(support::Draw& draw, Eigen::Index n) {
+    return VectorX<double>::NullaryExpr(n, [&] { return draw.normal(); });
+}
+MatrixX<double> random_matrix(support::Draw& draw, Eigen::Index n, Kind kind) {
+    const MatrixX<double> any = MatrixX<double>::NullaryExpr(n, n, [&] { return draw.normal(); });
+    if (kind == Kind::any) return any;
+    if (kind == Kind::singular) return dense::product(random_vector(draw, n), random_vector(draw, n).transpose());
+    // definite, and far from symmetric
+    MatrixX<double> result = dense::product(any, any.transpose()) + 2 * (any.transpose() - any);
+    result.diagonal().array() += 1;
+    return result;
+}
+template <int directions>
+Problem<directions> random_problem(support::Draw& draw, Eigen::Index n, Kind kind, bool coupled = false) {
+    Problem<directions> problem{coupled, MatrixX<double>::Zero(directions * n, directions * n), {}, {}};
+    if (coupled) {
+        problem.matrix = random_matrix(draw, directions * n, kind);
+    } else {
+        for (Eigen::Index d = 0; d < directions; ++d) {
+            problem.matrix.block(d * n, d * n, n, n) = random_matrix(draw, n, kind);
+        }
+    }
+    problem.constant = random_vector(draw, directions * n).reshaped(n, directions);
+    problem.bound = random_vector(draw, n).cwiseAbs();
+    return problem;
+}
+
+TEMPLATE_TEST_CASE_SIG("A solution is found whatever the matrix", "[friction]", ((int directions), directions), 1, 2) {
+    using Vectors = ElementVectors<double, directions>;
+    support::Draw draw(11);
+    int followed = 0, tangents = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+        const Kind kind = trial % 3 == 0 ? Kind::singular : trial % 3 == 1 ? Kind::definite : Kind::any;
+        const Eigen::Index n = 1 + trial % 12;
+        auto problem = random_problem<directions>(draw, n, kind, directions == 2 && trial % 2 == 1);
+        if (trial % 5 == 0) problem.bound[0] = 0;
+        typename Problem<directions>::Solver solver(n, problem.coupled);
+        problem.put_into(solver);
+        const auto outcome = problem.solve_from_rest(solver);
+        const double violation = problem.violation(solver.traction());
+        CAPTURE(trial, n, outcome.rounds, outcome.path_points, outcome.residual, violation);
+        REQUIRE(outcome.status == StepStatus::ok);
+        REQUIRE(outcome.residual < 1e-11);
+        REQUIRE(violation < 1e-9);
+        followed += outcome.path_points > 0 ? 1 : 0;
+        if (kind == Kind::definite) CHECK(outcome.path_points == 0);
+        if (kind != Kind::definite) continue;
+        REQUIRE(outcome.tangent_exists);
+        // the tangent predicts the solution of a nearby problem
+        const double e = 1e-7;
+        const Vectors change = random_vector(draw, directions * n).reshaped(n, directions);
+        const VectorX<double> bound_change = random_vector(draw, n).cwiseProduct(problem.bound);
+        const Vectors before = solver.traction(), slip = solver.slip();
+        Vectors response = before;
+        VectorX<double> size_change(n);
+        solver.respond(change, response, &bound_change, 1, &size_change);
+        const auto zones = solver.zones();
+        solver.constant() += e * change;
+        const VectorX<double> bound = problem.bound + e * bound_change;
+        REQUIRE(solver.solve(bound, {before, zones}).status == StepStatus::ok);
+        if (solver.zones() != zones) continue;
+        ++tangents;
+        const double size = 1 + response.norm();
+        CHECK((solver.traction() - before - e * response).cwiseAbs().maxCoeff() < 1e-9 * size);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            if (solver.slides()[i] == 0) continue;
+            const double grown = solver.slip_size(i) - slip.row(i).norm();
+            CHECK(std::abs(grown - e * size_change[i]) < 1e-9 * (1 + size_change.norm()));
+        }
+    }
+    CAPTURE(followed, tangents);
+    CHECK(followed > 400);
+    CHECK(tangents > 900);
+}
+
+// An eigenvalue of the circulant matrix with this first row vanishes.
+bool is_singular_circulant(const VectorX<double>& first) {
+    const Eigen::Index n = first.size();
+    for (Eigen::Index j = 0; j < n; ++j) {
+        std::complex<double> eigenvalue = 0;
+        for (Eigen::Index k = 0; k < n; ++k) {
+            eigenvalue += first[k] * std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(j * k % n) /
+                                                         static_cast<double>(n));
+        }
+        if (std::abs(eigenvalue) < 1e-12) return true;
+    }
+    return false;
+}
+
+TEST_CASE("A solution is found if all elements are alike", "[friction]") {
+    // Circulant matrices under one creepage and one bound: every condition is met by several elements at once.
+    support::Draw draw(1);
+    int singular = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const Eigen::Index n = 2 + trial % 9;
+        const VectorX<double> first =
+            VectorX<double>::NullaryExpr(n, [&] { return static_cast<double>(draw.integer(9)) - 4; });
+        Problem<1> problem{false, MatrixX<double>(n, n), VectorX<double>::Constant(n, trial % 2 == 0 ? 1 : -1),
+                           VectorX<double>::Ones(n)};
+        for (Eigen::Index i = 0; i < n; ++i) {
+            for (Eigen::Index j = 0; j < n; ++j) problem.matrix(i, j) = first[(j - i + n) % n];
+        }
+        Problem<1>::Solver solver(n);
+        problem.put_into(solver);
+        const auto outcome = problem.solve_from_rest(solver);
+        CAPTURE(trial, n, outcome.rounds, outcome.path_points, outcome.residual);
+        REQUIRE(outcome.status == StepStatus::ok);
+        REQUIRE(problem.violation(solver.traction()) < 1e-9);
+        singular += is_singular_circulant(first) ? 1 : 0;
+    }
+    CHECK(singular > 1000);
+}
+
+TEST_CASE("What cannot be solved is said, and stays within the bounds", "[friction]") {
+    Problem<2> problem{false, MatrixX<double>::Identity(4, 4), {}, VectorX<double>::Ones(2)};
+    problem.constant.setConstant(2, 2, std::numeric_limits<double>::quiet_NaN());
+    Problem<2>::Solver solver(2);
+    problem.put_into(solver);
+    const auto outcome = problem.solve_from_rest(solver);
+    CHECK(outcome.status == StepStatus::no_solution);
+    CHECK(std::isnan(outcome.residual));
+    CHECK_FALSE(outcome.tangent_exists);
+}
+
+TEST_CASE("A leading element without influence on its own slip is solved", "[friction]") {
+    // central differences about the element's own centre: its diagonal vanishes, so sticking alone it is singular
+    Problem<2> problem{false, MatrixX<double>::Zero(4, 4), ElementVectors<double>(2, 2), VectorX<double>{{1, 3}}};
+    problem.matrix.topLeftCorner(2, 2) << 1, 0.5, -0.5, 0;
+    problem.matrix.bottomRightCorner(2, 2) << 1.2, 0.6, -0.6, 0;
+    problem.constant << 0.9, 0.7, 0.45, 0.36;
+    Problem<2>::Solver solver(2);
+    problem.put_into(solver);
+    const std::vector<Zone> zones{Zone::slip, Zone::stick};
+    ElementVectors<double> start(2, 2);
+    start << -0.8, -0.6, 0, 0;
+    CHECK(solver.solve(problem.bound, {start, zones}).status == StepStatus::ok);
+    CHECK(problem.violation(solver.traction()) < 1e-13);
+}
+
+TEMPLATE_TEST_CASE_SIG("Slip follows the bounds as the tangent says, for all bounds at once", "[friction]",
+                       ((int directions), directions), 1, 2) {
+    support::Draw draw(4);
+    int compared = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        const Eigen::Index n = 2 + trial % 14;
+        auto problem = random_problem<directions>(draw, n, Kind::definite, directions == 2 && trial % 2 == 1);
+        problem.constant *= 3;
+        if (trial % 5 == 0) problem.bound[n / 2] = 0;
+        typename Problem<directions>::Solver solver(n, problem.coupled);
+        problem.put_into(solver);
+        std::vector<Eigen::Index> behind;
+        for (Eigen::Index i = 0; i < n; ++i) behind.push_back(i - 1);
+        if constexpr (directions == 2) {
+            if (trial % 3 > 0) solver.turn_slip(behind);
+        }
+        if (!problem.solve_from_rest(solver).tangent_exists) continue;
+        MatrixX<double> coupling(n, n), across(n, n), aside(n, n);
+        solver.couple(true, coupling, across, aside);
+        const ElementVectors<double, directions> none = ElementVectors<double, directions>::Zero(n, directions);
+        ElementVectors<double, directions> response = none;
+        solver.plain_change() = none;
+        for (Eigen::Index l = 0; l < solver.slipping_count(); ++l) {
+            const VectorX<double> bound_change = VectorX<double>::Unit(n, solver.slipping(l));
+            VectorX<double> size_change(n);
+            solver.respond(none, response, &bound_change, 1, &size_change);
+            for (Eigen::Index k = 0; k < solver.slipping_count(); ++k) {
+                const double expected = -size_change[solver.slipping(k)];
+                CAPTURE(trial, k, l, coupling(k, l), expected);
+                REQUIRE(std::abs(coupling(k, l) - expected) < 1e-9 * (1 + size_change.norm()));
+                ++compared;
+            }
+        }
+    }
+    CHECK(compared > 2000);
+}
+
+// Strips of 1, 2, 3, 1, ... elements.
+std::vector<Eigen::Index> strips(Eigen::Index n) {
+    std::vector<Eigen::Index> behind;
+    for (Eigen::Index first = 0, length = 1; first < n; first += length, length = length % 3 + 1) {
+        for (Eigen::Index i = first; i < std::min(n, first + length); ++i) behind.push_back(i == first ? -1 : i - 1);
+    }
+    return behind;
+}
+
+// Angles from s to its sum with the slip of the row behind, from the definition; `slip` is 0 where elements stick.
+VectorX<double> angles(const ElementVectors<double>& slip, const std::vector<Eigen::Index>& behind) {
+    VectorX<double> result = VectorX<double>::Zero(slip.rows());
+    for (Eigen::Index i = 0; i < slip.rows(); ++i) {
+        const Eigen::Index before = behind[static_cast<std::size_t>(i)];
+        const auto ahead = std::find(behind.begin(), behind.end(), i) - behind.begin();
+        Eigen::RowVector2d m = Eigen::RowVector2d::Zero();
+        if (before >= 0) {
+            m = slip.row(i) + slip.row(before);
+        } else if (ahead < slip.rows()) {
+            m = 3 * slip.row(i) - slip.row(ahead);
+        }
+        if (slip.row(i).norm() == 0 || m.norm() == 0) continue;
+        const double turn =
+            std::remainder(std::atan2(m[1], m[0]) - std::atan2(slip(i, 1), slip(i, 0)), 2 * std::numbers::pi);
+        result[i] = std::clamp(turn, -std::numbers::pi / 3, std::numbers::pi / 3);
+    }
+    return result;
+}
+
+TEST_CASE("Turned slip opposes the traction, at the angles of the solution with slip as it is", "[friction]") {
+    support::Draw draw(3);
+    int solved = 0, cut = 0, changed = 0;
+    for (int trial = 0; trial < 600; ++trial) {
+        const Eigen::Index n = 1 + trial % 14;
+        auto problem = random_problem<2>(draw, n, Kind::definite, trial % 2 == 1);
+        problem.constant *= 5;  // half of the elements slip
+        if (trial % 5 == 0) problem.bound[n / 2] = 0;
+        const std::vector<Eigen::Index> behind = strips(n);
+        Problem<2>::Solver plain(n, problem.coupled), solver(n, problem.coupled);
+        problem.put_into(plain);
+        problem.put_into(solver);
+        solver.turn_slip(behind);
+        REQUIRE(problem.solve_from_rest(plain).status == StepStatus::ok);
+        const auto outcome = problem.solve_from_rest(solver);
+        CAPTURE(trial, n, outcome.rounds, outcome.residual);
+        // an arbitrary matrix turned by arbitrary angles need not have a solution
+        if (outcome.status != StepStatus::ok) continue;
+        ++solved;
+        const ElementVectors<double>& p = solver.traction();
+        const ElementVectors<double> s = problem.slip(p);
+        const VectorX<double> angle = angles(plain.slip(), behind);
+        for (Eigen::Index i = 0; i < n; ++i) {
+            CAPTURE(i, angle[i]);
+            cut += std::abs(angle[i]) > 1.047 ? 1 : 0;
+            REQUIRE((solver.slip().row(i) - s.row(i)).norm() < 1e-9);
+            if (problem.bound[i] == 0) continue;
+            const double norm = p.row(i).norm(), share = norm / problem.bound[i];
+            REQUIRE(share < 1 + 1e-12);
+            if (solver.zones()[static_cast<std::size_t>(i)] == Zone::stick) {
+                REQUIRE(solver.slip().row(i).norm() == 0);
+                continue;
+            }
+            REQUIRE(share > 1 - 1e-12);
+            const Eigen::RowVector2d turned = s.row(i) * Eigen::Rotation2Dd(angle[i]).toRotationMatrix().transpose();
+            REQUIRE((turned + turned.norm() / norm * p.row(i)).norm() < 1e-8);  // angles are found to about 1e-10
+            REQUIRE((solver.against_slip().row(i) * s.row(i).norm() + s.row(i)).norm() < 1e-9);
+        }
+        changed += (p - plain.traction()).norm() > 1e-3 ? 1 : 0;
+        // an empty list: not turned
+        solver.turn_slip({});
+        problem.solve_from_rest(solver);
+        REQUIRE(solver.traction() == plain.traction());
+    }
+    CAPTURE(solved, cut, changed);
+    CHECK(solved > 590);
+    CHECK(cut > 100);
+    CHECK(changed > 300);
+}
+
+}  // namespace
+}  // namespace stick_slip_tests
