@@ -26,8 +26,8 @@ struct Edge {
     bool known;
 };
 
-/// A polynomial by least squares at the centres of cells with pressure along a line, counted from its edge inwards: what
-/// lines of as many cells have in common.
+/// A polynomial by least squares at the centres of cells with pressure along a line, counted from its edge inwards:
+/// what lines of as many cells have in common.
 struct EdgeFit {
     using Vector = Eigen::Matrix<double, 5, 1>;
     using Matrix = Eigen::Matrix<double, 5, 5>;
