@@ -26,6 +26,71 @@ struct Edge {
     bool known;
 };
 
+/// A polynomial by least squares at the centres of cells with pressure along a line, counted from its edge inwards:
+/// what lines of as many cells have in common.
+struct EdgeFit {
+    using Vector = Eigen::Matrix<double, 5, 1>;
+    using Matrix = Eigen::Matrix<double, 5, 5>;
+    Eigen::Index skip, used, terms;  // cells left out at both ends, and those that are not
+    double middle, scale;
+    std::vector<double> weights;          // of cells
+    Matrix factors = Matrix::Identity();  // of the normal equations
+    std::array<Eigen::Index, 5> swaps{};
+    Vector of_inverse = Vector::Zero();  // the polynomial of 1 over the distance
+
+    explicit EdgeFit(Eigen::Index count)
+        : skip(count < 7 ? 1 : 2),
+          used(count - 2 * skip),
+          terms(used < 6 ? 3 : 5),
+          middle(double(count - 1) / 2),
+          scale((std::max)(middle, 1.0)) {
+        if (!is_known()) return;
+        for (Eigen::Index i = 0; i < count; ++i) weights.push_back(1 / (1 + std::pow(double(i) / 16, 4)));
+        factors.topLeftCorner(terms, terms).setZero();
+        for (Eigen::Index i = skip; i < skip + used; ++i) {
+            const std::array<double, 5> values = powers(i);
+            for (Eigen::Index r = 0; r < terms; ++r) {
+                const double weighted = weights[std::size_t(i)] * values[std::size_t(r)];
+                for (Eigen::Index k = 0; k < terms; ++k) factors(r, k) += weighted * values[std::size_t(k)];
+                of_inverse[r] += weighted / (double(i) + 0.5);
+            }
+        }
+        factorise_in_place<double>(factors, swaps.data());
+        solve_in_place<double>(factors, swaps.data(), of_inverse);
+    }
+
+    bool is_known() const { return used >= terms; }
+
+    std::array<double, 5> powers(Eigen::Index i) const {
+        const double t = (double(i) - middle) / scale;
+        return {1, t, t * t, t * t * t, t * t * t * t};
+    }
+
+    template <class Squares>
+    Vector polynomial(const Squares& squares) const {
+        Vector c = Vector::Zero();
+        for (Eigen::Index i = skip; i < skip + used; ++i) {
+            const std::array<double, 5> values = powers(i);
+            for (Eigen::Index r = 0; r < terms; ++r) {
+                c[r] += weights[std::size_t(i)] * values[std::size_t(r)] * squares(i);
+            }
+        }
+        Matrix own = factors;  // as they are solved by reference
+        solve_in_place<double>(own, swaps.data(), c);
+        return c;
+    }
+};
+
+/// Those of lines on usual grids.
+inline const std::vector<EdgeFit>& usual_edge_fits() {
+    static const std::vector<EdgeFit> fits = [] {
+        std::vector<EdgeFit> made;
+        for (Eigen::Index count = 0; count <= 64; ++count) made.emplace_back(count);
+        return made;
+    }();
+    return fits;
+}
+
 /// Along a line of cells the square of the pressure is nearly a polynomial that vanishes at the edge. Cells touch as a
 /// whole or not, wherever the edge runs through them. Where a straight contact ends by d beyond its edge, p^2 at the
 /// distance t from it is A^2 (t + d + d^2/(4 t)); steps of an oblique border add half of the last term, as Hertz's
@@ -34,26 +99,13 @@ struct Edge {
 template <class Squares>
 Edge edge_distance(const Squares& squares, Eigen::Index count) {
     constexpr double inside = -0.5, outside = 1;
-    const Eigen::Index skip = count < 7 ? 1 : 2, used = count - 2 * skip, terms = used < 6 ? 3 : 5;
-    if (used < terms) return {0.5, false};
-    const double middle = double(count - 1) / 2, scale = (std::max)(middle, 1.0);
-    using Vector = Eigen::Matrix<double, 5, 1>;
-    Eigen::Matrix<double, 5, 5> normal = Eigen::Matrix<double, 5, 5>::Identity();
-    normal.topLeftCorner(terms, terms).setZero();
-    Vector c = Vector::Zero(), of_inverse = Vector::Zero();  // of the squares and of 1/t
-    for (Eigen::Index i = skip; i < count - skip; ++i) {
-        const double t = (double(i) - middle) / scale, weight = 1 / (1 + std::pow(double(i) / 16, 4));
-        const double values[5] = {1, t, t * t, t * t * t, t * t * t * t};
-        for (Eigen::Index r = 0; r < terms; ++r) {
-            for (Eigen::Index k = 0; k < terms; ++k) normal(r, k) += weight * values[r] * values[k];
-            c[r] += weight * values[r] * squares(i);
-            of_inverse[r] += weight * values[r] / (double(i) + 0.5);
-        }
-    }
-    Eigen::Index swaps[5];
-    factorise_in_place<double>(normal, swaps);
-    solve_in_place<double>(normal, swaps, c);
-    solve_in_place<double>(normal, swaps, of_inverse);
+    const std::vector<EdgeFit>& usual = usual_edge_fits();
+    std::optional<EdgeFit> other;
+    const bool is_usual = std::size_t(count) < usual.size();
+    const EdgeFit& fit = is_usual ? usual[std::size_t(count)] : other.emplace(count);
+    if (!fit.is_known()) return {0.5, false};
+    const double middle = fit.middle, scale = fit.scale;
+    EdgeFit::Vector c = fit.polynomial(squares);
     const auto value = [&](double from) {  // of the polynomial, at the distance `from` behind the centre of cell 0
         const double t = (-from - middle) / scale;
         return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4])));
@@ -67,10 +119,10 @@ Edge edge_distance(const Squares& squares, Eigen::Index count) {
         return low;
     };
     const double off = zero() - 0.5;  // of the edge behind that of cell 0
-    c -= (value(inside) - value(-inside)) * off * off / 8 * of_inverse;
+    c -= (value(inside) - value(-inside)) * off * off / 8 * fit.of_inverse;
     if (!(value(inside) > 0)) return {inside, false};
     if (!(value(outside) < 0)) return {outside, false};
-    return {zero(), used > terms};
+    return {zero(), fit.used > fit.terms};
 }
 
 /// Neighbouring cells of a line with pressure, from the first to the last, and its edges.
