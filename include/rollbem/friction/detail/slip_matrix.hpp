@@ -78,8 +78,10 @@ public:
     /// rho of each element: from the largest influence on it, as its own may vanish.
     const Vector& reach() {
         if (reach_is_known_) return reach_;
-        reach_ = block(0, 0).cwiseAbs().rowwise().maxCoeff();
-        if constexpr (directions == 2) reach_ = reach_.cwiseMax(block(1, 1).cwiseAbs().rowwise().maxCoeff());
+        reach_.setZero();
+        for (std::size_t d = 0; d < directions; ++d) {
+            for (Index j = 0; j < n_; ++j) reach_ = reach_.cwiseMax(block(d, d).col(j).cwiseAbs());
+        }
         for (Scalar& reach : reach_) reach = reach > 0 ? 1 / reach : Scalar(1);
         reach_is_known_ = true;
         return reach_;

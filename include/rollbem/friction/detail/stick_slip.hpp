@@ -171,6 +171,7 @@ private:
         const Vector* bound;
         Scalar share;
         const Vector* angle = nullptr;
+        bool of_slip_alone = false;  // not of the tractions that stick
     };
 
     static std::array<Point, directions> make_points(Index n) {
@@ -196,6 +197,7 @@ private:
                 imposed_[own ? 0 : directions - 1]};
     }
     static Scalar largest(const Vectors& vectors) {
+        if constexpr (directions == 1) return vectors.cwiseAbs().maxCoeff();
         Scalar result = 0;
         for (Index i = 0; i < vectors.rows(); ++i) result = (std::max)(result, length(Row(vectors.row(i))));
         return result;
@@ -306,11 +308,14 @@ void StickSlip<directions, Scalar>::begin(const Start& start) noexcept {
     Point& point = points_[0];
     for (Index i = 0; i < size(); ++i) {
         const int zone = static_cast<signed char>(start.zones[static_cast<std::size_t>(i)]);
-        Row along = traction.row(i);
-        if constexpr (directions == 1) along[0] = static_cast<Scalar>(-zone);
-        if (!(length(along) > 0)) along = -constant.row(i);
-        const Scalar norm = length(along);
-        zone != 0 && norm > 0 ? point.roles.slide(i, along / norm) : point.roles.stick(i);
+        if constexpr (directions == 1) {
+            zone != 0 ? point.roles.slide(i, Row(zone > 0 ? -1 : 1)) : point.roles.stick(i);
+        } else {
+            Row along = traction.row(i);
+            if (!(length(along) > 0)) along = -constant.row(i);
+            const Scalar norm = length(along);
+            zone != 0 && norm > 0 ? point.roles.slide(i, along / norm) : point.roles.stick(i);
+        }
     }
 }
 
@@ -340,13 +345,13 @@ auto StickSlip<directions, Scalar>::publish(const Vector& bound) -> Scalar {
     Point& point = points_[last()];
     const SlipTurn<directions, Scalar>& turn = turn_of(last());
     Scalar slip = search_.error(), excess = 0;
-    bool is_same = directions == 1, finite = is_finite(slip);
+    bool is_same = directions == 1;
+    const bool finite = is_finite(slip) && all_finite(point.traction) && all_finite(point.slip);
     stick_count_ = 0;
-    against_slip_.setZero();
     for (Index i = 0; i < size(); ++i) {
         const Row p = point.traction.row(i), s = turn.turned(i, Row(point.slip.row(i)));
-        const Scalar norm = length(p), present = length(s);
-        finite = finite && is_finite(norm) && is_finite(present);
+        const Scalar norm = length(p);
+        Row against = Row::Zero();
         excess = (std::max)(excess, norm - bound[i]);
         const Role role = point.roles[i];
         Zone zone = role == Role::sticks ? Zone::stick : Zone::slip;
@@ -355,17 +360,18 @@ auto StickSlip<directions, Scalar>::publish(const Vector& bound) -> Scalar {
         }
         if (role == Role::sticks) {
             ++stick_count_;
-            slip = (std::max)(slip, present);
+            slip = (std::max)(slip, length(s));
             point.slip.row(i).setZero();
         } else if (role == Role::slides) {
-            const Row along = norm > 0 ? Row(p / norm) : Row(point.roles.direction.row(i));
+            const Row along = directions == 2 && norm > 0 ? Row(p / norm) : Row(point.roles.direction.row(i));
             const Scalar forward = along.dot(s);
             excess = (std::max)(excess, bound[i] - norm);
             slip = (std::max)({slip, length(Row(s - forward * along)), forward});
-            point.roles.slide(i, along);
-            against_slip_.row(i) = turn.turned_back(i, along);
-            point.slip.row(i) = (std::min)(forward, Scalar(0)) * against_slip_.row(i);
+            point.roles.direction.row(i) = along;
+            against = turn.turned_back(i, along);
+            point.slip.row(i) = (std::min)(forward, Scalar(0)) * against;
         }
+        against_slip_.row(i) = against;
         slides_[i] = role == Role::slides ? Scalar(1) : Scalar(0);
         Zone& published = zones_[static_cast<std::size_t>(i)];
         is_same = is_same && published == zone;
@@ -421,6 +427,9 @@ void StickSlip<directions, Scalar>::answer(std::size_t which, const Change& chan
             for (Index l = 0; l < sliding.count(); ++l) dp.row(lists.other(l)) += right_[l] * sliding.across(l);
         }
     }
+    if constexpr (directions == 2) {
+        if (change.of_slip_alone) return at.find_slip(equations_.matrix, response_base_, dp, ds);
+    }
     at.complete(equations_.matrix, response_base_, dp, ds);
 }
 
@@ -467,10 +476,11 @@ void StickSlip<directions, Scalar>::couple(bool exact, Matrix& coupling, Matrix&
 template <int directions, class Scalar>
 void StickSlip<directions, Scalar>::add_angles(Matrix& aside) requires(directions == 2) {
     unit_.setZero();
+    slip_response_.setZero();
     response_base_.forget();
     for (Index l = 0; l < slipping_count(); ++l) {
         unit_[slipping(l)] = 1;
-        answer(0, Change{nullptr, &unit_, 1}, kept_response_, slip_response_);
+        answer(0, Change{nullptr, &unit_, 1, nullptr, true}, kept_response_, slip_response_);
         unit_[slipping(l)] = 0;
         turn_.follow(slip_response_, angle_change_);
         for (Index k = 0; k < slipping_count(); ++k) aside(k, l) -= slip_size(slipping(k)) * angle_change_[slipping(k)];
