@@ -55,7 +55,7 @@ const WheelOnRail& s1002_on_uic60() {
 /// The wheel's tape circle above the rail's origin.
 constexpr TrackDimensions above{.radius = 0.46, .rail_origin = TrackDimensions::Origin{0.75, 0}};
 
-constexpr detail::ContactSettings coarse{
+constexpr detail::ContactSettings coarse_cells{
     .cells_x = 24, .cells_s = 16, .tolerance = 1e-6, .cell_size = 0, .interaction = true};
 
 const ElasticBody<double>& steel() {
@@ -430,7 +430,7 @@ TEST_CASE("contact_search: a contact that another one lifts is none, and no fail
         piece(-0.05, 0.05, 401, [](double y) { return std::pow(std::abs(y) - 0.03, 2) / 0.6 + (y > 0 ? 6e-5 : 0); });
     const WheelOnRail wheel(cylinder(), crowns, above);
     detail::ContactParts parts;
-    REQUIRE(parts.locate(wheel.geometry(), {}, coarse) == Status::ok);
+    REQUIRE(parts.locate(wheel.geometry(), {}, coarse_cells) == Status::ok);
     const double touching = parts.touch() + 9e-5, lifted = parts.touch() + 6.05e-5;
     parts.divide(touching);
     for (const int round : {0, 1, 2}) {
@@ -447,7 +447,7 @@ TEST_CASE("contact_search: a part whose pressures overflow has its status beside
         piece(-0.05, 0.05, 401, [](double y) { return std::pow(std::abs(y) - 0.03, 2) / 0.6 + (y > 0 ? 9.9e-5 : 0); });
     const WheelOnRail wheel(cylinder(), crowns, above);
     detail::ContactParts parts;
-    detail::ContactSettings settings = coarse;
+    detail::ContactSettings settings = coarse_cells;
     settings.interaction = false;
     REQUIRE(parts.locate(wheel.geometry(), {}, settings) == Status::ok);
     parts.divide(parts.touch() + 1e-4);
