@@ -232,10 +232,11 @@ private:
             const Row slip = trial_slip_.row(i);
             largest = (std::max)(largest, (slip - problem.constant.row(i)).cwiseAbs().maxCoeff());
             if (role == Role::is_free) continue;
-            const Row turned = problem.turn.turned(i, slip), p = trial_.row(i);
-            fit.creep = (std::max)(fit.creep, p.dot(turned) / bound);
+            // the product of tiny tractions and slips would vanish
+            const Row turned = problem.turn.turned(i, slip), p = trial_.row(i), along = p / bound;
+            fit.creep = (std::max)(fit.creep, along.dot(turned));
             if constexpr (directions == 2) {
-                fit.creep = (std::max)(fit.creep, std::abs(p[0] * turned[1] - p[1] * turned[0]) / bound);
+                fit.creep = (std::max)(fit.creep, std::abs(along[0] * turned[1] - along[1] * turned[0]));
             }
             fit.residual += rest(p, turned, problem.reach[i], bound);
         }
