@@ -269,7 +269,20 @@ private:
 
     void respond(Change change, Vectors& traction_change, Vector* size_change);
     void answer(std::size_t which, const Change& change, Vectors& dp, Vectors& ds);
-    void add_angles(Matrix& aside) requires(directions == 2);
+    // Adds to the slip across by each bound what turning it by the angles that follow adds.
+    void add_angles(Matrix& aside) requires(directions == 2) {
+        unit_.setZero();
+        slip_response_.setZero();
+        response_base_.forget();
+        for (Index l = 0; l < slipping_count(); ++l) {
+            unit_[slipping(l)] = 1;
+            answer(0, Change{nullptr, &unit_, 1, nullptr, true}, kept_response_, slip_response_);
+            unit_[slipping(l)] = 0;
+            turn_.follow(slip_response_, angle_change_);
+            for (Index k = 0; k < slipping_count(); ++k)
+                aside(k, l) -= slip_size(slipping(k)) * angle_change_[slipping(k)];
+        }
+    }
 
     Equations equations_;
     Search search_;
@@ -469,21 +482,6 @@ void StickSlip<directions, Scalar>::couple(bool exact, Matrix& coupling, Matrix&
         if (exact && turn_.follows()) add_angles(aside);
         sliding.solve_columns(turn);
         for (Index k = 0; k < count; ++k) result.col(k).noalias() -= by_turn * turn.col(k);
-    }
-}
-
-// Adds to the slip across by each bound what turning it by the angles that follow adds.
-template <int directions, class Scalar>
-void StickSlip<directions, Scalar>::add_angles(Matrix& aside) requires(directions == 2) {
-    unit_.setZero();
-    slip_response_.setZero();
-    response_base_.forget();
-    for (Index l = 0; l < slipping_count(); ++l) {
-        unit_[slipping(l)] = 1;
-        answer(0, Change{nullptr, &unit_, 1, nullptr, true}, kept_response_, slip_response_);
-        unit_[slipping(l)] = 0;
-        turn_.follow(slip_response_, angle_change_);
-        for (Index k = 0; k < slipping_count(); ++k) aside(k, l) -= slip_size(slipping(k)) * angle_change_[slipping(k)];
     }
 }
 
