@@ -9,7 +9,7 @@ build=${BUILD:-build}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cp -r include "$folder"
-sed -i '/^extern template/,/;$/d' "$folder"/include/rollbem/compiled/*.hpp
+sed -i -e '/^extern template/{' -e ':whole' -e '/;$/!{' -e N -e 'b whole' -e '}' -e d -e '}' "$folder"/include/rollbem/compiled/*.hpp
 set -- "$folder/test" "$@"
 # shellcheck disable=SC2046 # one word per option
 "${CXX:-c++}" -std=c++20 -O1 "-I$folder/include" -Itests -Iapps "-I$build/generated" \

@@ -25,7 +25,7 @@ namespace rollbem::detail {
 /// either by eliminating S, or, if few elements do not stick, from B = M^-1: C = (B_KK)^-1. One matrix of the size of M
 /// holds everything. A function of M and the roles alone, to the last bit. All memory is allocated by the constructor.
 template <class Scalar>
-class CondensedSlip {
+class CondensedSlip : public EliminatedRoles {
 public:
     using Index = Eigen::Index;
     using Vector = VectorX<Scalar>;
@@ -46,22 +46,13 @@ public:
     };
 
     explicit CondensedSlip(const M& matrix)
-        : lists_(matrix.size()),
+        : EliminatedRoles(matrix.size()),
           depth_(matrix.depth()),
           packed_(matrix.group_size()),
           slip_(matrix.group_size()),
           swaps_(static_cast<std::size_t>(2 * matrix.size())) {
         for (std::size_t g = 0; g < matrix.groups(); ++g) table_[g].resize(matrix.group_size(), matrix.group_size());
     }
-
-    const RoleLists& lists() const { return lists_; }
-    bool holds(const M& matrix, const std::vector<Role>& roles) const {
-        return matrix_revision_ == matrix.revision() && lists_.are_of(roles);
-    }
-    /// Changes whenever M or the roles do.
-    std::uint64_t revision() const { return revision_; }
-    /// Whether M_SS is not singular to working precision.
-    bool is_regular() const { return is_regular_; }
 
     /// Where M_SS is singular, that of a nearby matrix takes its place. False if there is none.
     bool condense(M& matrix, const std::vector<Role>& roles) {
@@ -264,13 +255,11 @@ private:
         });
     }
 
-    RoleLists lists_;
     Index depth_;
     std::array<Matrix, 2> table_;
     Vector packed_, slip_;
     std::vector<Index> swaps_;
-    std::uint64_t matrix_revision_ = 0, revision_ = 0;
-    bool by_inverse_ = false, is_regular_ = false, is_usable_ = false;
+    bool by_inverse_ = false;
 };
 
 }  // namespace rollbem::detail

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
@@ -27,7 +26,7 @@ namespace rollbem::detail {
 /// is small or a multiplier large, LU with pivoting takes over. Results depend on M and the roles alone, to the last
 /// bit. All memory is allocated by the constructor.
 template <class Scalar>
-class NestedStick {
+class NestedStick : public EliminatedRoles {
 public:
     using Index = Eigen::Index;
     using Vector = VectorX<Scalar>;
@@ -44,7 +43,7 @@ public:
     };
 
     explicit NestedStick(const M& matrix)
-        : lists_(matrix.size()),
+        : EliminatedRoles(matrix.size()),
           lower_(Matrix::Zero(matrix.size(), matrix.size())),
           upper_(lower_),
           pivoted_(lower_),
@@ -57,15 +56,6 @@ public:
           product_(placed_),
           swaps_(static_cast<std::size_t>(matrix.size())),
           nested_(swaps_.size()) {}
-
-    const RoleLists& lists() const { return lists_; }
-    bool holds(const M& matrix, const std::vector<Role>& roles) const {
-        return matrix_revision_ == matrix.revision() && lists_.are_of(roles);
-    }
-    /// Changes whenever M or the roles do.
-    std::uint64_t revision() const { return revision_; }
-    /// Whether M_SS is not singular to working precision.
-    bool is_regular() const { return is_regular_; }
 
     /// Where M_SS is singular, a nearby matrix takes its place. False if there is none.
     bool condense(M& matrix, const std::vector<Role>& roles) {
@@ -200,7 +190,6 @@ private:
     static constexpr Scalar least_pivot = Scalar(1e-3);
     static constexpr Scalar largest_multiplier = 10;
 
-    RoleLists lists_;
     Matrix lower_, upper_;  // inverse triangles of the nested factors, zero outside
     Matrix pivoted_;
     Vector right_, half_, solution_, row_;
@@ -209,8 +198,7 @@ private:
     std::vector<Index> swaps_;
     std::vector<Index> nested_;  // the elements in the nested factors
     Index nested_count_ = 0;
-    std::uint64_t matrix_revision_ = 0, revision_ = 0;
-    bool uses_pivoted_ = false, is_regular_ = false, is_usable_ = false;
+    bool uses_pivoted_ = false;
 };
 
 }  // namespace rollbem::detail

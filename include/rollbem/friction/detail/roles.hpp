@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
@@ -94,6 +95,27 @@ private:
     std::vector<Index> elements_;
     std::vector<Role> of_;
     Index sticking_ = 0, sliding_ = 0;
+};
+
+/// Of which M and roles equations with the sticking elements eliminated are.
+class EliminatedRoles {
+public:
+    explicit EliminatedRoles(Eigen::Index n) : lists_(n) {}
+
+    const RoleLists& lists() const { return lists_; }
+    template <class Matrix>
+    bool holds(const Matrix& matrix, const std::vector<Role>& roles) const {
+        return matrix_revision_ == matrix.revision() && lists_.are_of(roles);
+    }
+    /// Changes whenever M or the roles do.
+    std::uint64_t revision() const { return revision_; }
+    /// Whether M_SS is not singular to working precision.
+    bool is_regular() const { return is_regular_; }
+
+protected:
+    RoleLists lists_;
+    std::uint64_t matrix_revision_ = 0, revision_ = 0;
+    bool is_regular_ = false, is_usable_ = false;  // as it is; or that of a nearby matrix
 };
 
 }  // namespace rollbem::detail
