@@ -6,8 +6,7 @@
 //     ./examples/bogie_curve patches [radius, m]...
 //
 // Curves turn right; cant balances the centrifugal force, and every wheel keeps its load. The second form has, beside
-// the balance by tables, that by friction on patches, with the least damped motion by central differences: a minute for
-// each radius.
+// the balance by tables, that by friction on patches, with the least damped motion by central differences.
 #include <algorithm>
 #include <array>
 #include <cstdio>
