@@ -81,7 +81,9 @@ public:
     bool coupled() const { return equations_.matrix.coupled(); }
     /// Turns slip from now on; the row behind each in its strip, -1 for a trailing element. With an empty list slip is
     /// not turned, as after construction.
-    void turn_slip(const std::vector<Index>& behind) requires(directions == 2) { turn_.set_behind(behind); }
+    void turn_slip(const std::vector<Index>& behind) {
+        if constexpr (directions == 2) turn_.set_behind(behind);
+    }
     /// Whether respond() will be called; otherwise no tangent exists.
     void want_tangents(bool wanted) { wants_tangents_ = wanted; }
 
@@ -217,34 +219,40 @@ private:
     }
 
     // The second solution starts from the first, shifted by the difference of their starts.
-    void start_turned(const Vector& bound) requires(directions == 2) {
-        Point& point = points_[1];
-        point.roles = points_[0].roles;
-        point.slip = points_[0].slip;
-        if (!has_own_plain_) return;
-        for (Index i = 0; i < size(); ++i) {
-            if (point.roles[i] != Role::slides) continue;
-            const Row p = bound[i] * point.roles.direction.row(i) + difference_.row(i);
-            const Scalar norm = length(p);
-            if (norm > 0) point.roles.slide(i, p / norm);
+    void start_turned(const Vector& bound) {
+        if constexpr (directions == 2) {
+            Point& point = points_[1];
+            point.roles = points_[0].roles;
+            point.slip = points_[0].slip;
+            if (!has_own_plain_) return;
+            for (Index i = 0; i < size(); ++i) {
+                if (point.roles[i] != Role::slides) continue;
+                const Row p = bound[i] * point.roles.direction.row(i) + difference_.row(i);
+                const Scalar norm = length(p);
+                if (norm > 0) point.roles.slide(i, p / norm);
+            }
         }
     }
-    bool solve_turned(const Vector& bound, typename Search::Tally& tally) requires(directions == 2) {
-        const auto never = [](const Point&) { return false; };
-        if (has_turned_) {
-            adapt(bound, points_[1]);
+    bool solve_turned(const Vector& bound, typename Search::Tally& tally) {
+        if constexpr (directions == 2) {
+            const auto never = [](const Point&) { return false; };
+            if (has_turned_) {
+                adapt(bound, points_[1]);
+            } else {
+                start_turned(bound);
+            }
+            has_turned_ = true;
+            is_apart_ = true;
+            bool settled = search_.find(problem(1, bound), never, points_[1], tally);
+            for (int k = 0; k < most_halvings && !settled && turn_.turns(); ++k) {
+                turn_.halve();
+                start_turned(bound);
+                settled = search_.find(problem(1, bound), never, points_[1], tally);
+            }
+            return settled;
         } else {
-            start_turned(bound);
+            return true;
         }
-        has_turned_ = true;
-        is_apart_ = true;
-        bool settled = search_.find(problem(1, bound), never, points_[1], tally);
-        for (int k = 0; k < most_halvings && !settled && turn_.turns(); ++k) {
-            turn_.halve();
-            start_turned(bound);
-            settled = search_.find(problem(1, bound), never, points_[1], tally);
-        }
-        return settled;
     }
 
     // Directions along the tractions that were found.
@@ -270,17 +278,19 @@ private:
     void respond(Change change, Vectors& traction_change, Vector* size_change);
     void answer(std::size_t which, const Change& change, Vectors& dp, Vectors& ds);
     // Adds to the slip across by each bound what turning it by the angles that follow adds.
-    void add_angles(Matrix& aside) requires(directions == 2) {
-        unit_.setZero();
-        slip_response_.setZero();
-        response_base_.forget();
-        for (Index l = 0; l < slipping_count(); ++l) {
-            unit_[slipping(l)] = 1;
-            answer(0, Change{nullptr, &unit_, 1, nullptr, true}, kept_response_, slip_response_);
-            unit_[slipping(l)] = 0;
-            turn_.follow(slip_response_, angle_change_);
-            for (Index k = 0; k < slipping_count(); ++k)
-                aside(k, l) -= slip_size(slipping(k)) * angle_change_[slipping(k)];
+    void add_angles(Matrix& aside) {
+        if constexpr (directions == 2) {
+            unit_.setZero();
+            slip_response_.setZero();
+            response_base_.forget();
+            for (Index l = 0; l < slipping_count(); ++l) {
+                unit_[slipping(l)] = 1;
+                answer(0, Change{nullptr, &unit_, 1, nullptr, true}, kept_response_, slip_response_);
+                unit_[slipping(l)] = 0;
+                turn_.follow(slip_response_, angle_change_);
+                for (Index k = 0; k < slipping_count(); ++k)
+                    aside(k, l) -= slip_size(slipping(k)) * angle_change_[slipping(k)];
+            }
         }
     }
 
