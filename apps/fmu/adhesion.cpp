@@ -207,11 +207,11 @@ private:
         if (!rollbem::detail::is_finite(step.distance)) return StepStatus::not_finite;
         const auto motion = rollbem::RigidMotion<Scalar>::shift(step.shift);
         if (follows_load()) {
-            const auto result = model_->advance(from, step.distance, motion, step.half_length, to, workspace_);
+            const auto result = model_->advance(from, {step.distance, motion, step.half_length}, to, workspace_);
             step.tangent_by_half_length = result.tangent_by_half_length;
             return take(result, step);
         }
-        return take(model_->advance(from, step.distance, motion, to, workspace_), step);
+        return take(model_->advance(from, {step.distance, motion}, to, workspace_), step);
     }
 
     static StepStatus take(const Transient::Step& result, Past& step) {
