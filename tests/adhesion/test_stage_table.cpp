@@ -33,7 +33,7 @@ std::pair<VectorXd, VectorXd> stage_by_stage(const VectorXd& from, const Motion&
     detail::StageFactors<double> factors(from.size());
     const SemiAxes<double> start{a_1 / a, 1}, end{a_3 / a, 1};
     const Eigen::MatrixXd inputs = along.inputs() * (G / a);
-    detail::AdhesionFrame<1, double> frame({motion, dq, a, halves, start, end}, 1, from, inputs, 0, factors);
+    detail::AdhesionFrame<1, double> frame{{motion, dq, a, halves, start, end}, 1, from, inputs, 0, factors};
     stages.solve(frame, [](const detail::RollingStage<double>& stage, const auto& use) {
         use(detail::LineEquations<RollingSystem<double>>(along, stage));
     });

@@ -369,12 +369,14 @@ auto AdhesionModel<inputs_, Scalar_>::advance(const State& from, const RollingSt
     const bool by_axes = step.load && can_breathe(), single = !shapes_ || shapes_->is_single();
     const bool repeats = dq > 0 && dq == from.distance && !by_axes && axes(end) == contact_axes;
     if (is_exponential()) return repeat(from, dq, step.motion, to, workspace);
-    Frame frame({step.motion, dq, units_.length, *detail::stage_table<Scalar>(integrator_), axes(from), axes(end)},
-                preparation_, from.traction, inputs_in_si_,
-                !by_axes ? 0
-                : single ? 1
-                         : 2,
-                workspace.factors());
+    Frame frame{{step.motion, dq, units_.length, *detail::stage_table<Scalar>(integrator_), axes(from), axes(end)},
+                preparation_,
+                from.traction,
+                inputs_in_si_,
+                !by_axes ? std::size_t(0)
+                : single ? std::size_t(1)
+                         : std::size_t(2),
+                workspace.factors()};
     if (repeats && !reshapes(frame)) return repeat(from, dq, step.motion, to, workspace);
     return solve_stages(from, step, frame, to, workspace);
 }

@@ -34,12 +34,6 @@ auto in_columns(Unknowns&& unknowns) requires(!std::is_const_v<std::remove_refer
 /// semi-axes at the end `axes` are computed: 0, 1 (by the half-length) or 2.
 template <int k, class Scalar>
 struct AdhesionFrame : StepFrame<typename AdhesionValues<k, Scalar>::Value, Scalar> {
-    using Base = StepFrame<typename AdhesionValues<k, Scalar>::Value, Scalar>;
-
-    AdhesionFrame(const Base& base, std::uint64_t its_model, const VectorX<Scalar>& from,
-                  const MatrixX<Scalar>& per_motion, std::size_t axis_count, StageFactors<Scalar>& memory)
-        : Base(base), model(its_model), old(from), inputs(per_motion), axes(axis_count), factors(memory) {}
-
     std::uint64_t model;
     const VectorX<Scalar>& old;
     const MatrixX<Scalar>& inputs;

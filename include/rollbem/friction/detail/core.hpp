@@ -26,36 +26,13 @@
 #include "bounds.hpp"
 #include "contact_forces.hpp"
 #include "directions.hpp"
+#include "frame.hpp"
 #include "imposed_slip.hpp"
 #include "scratch.hpp"
 #include "slip_work.hpp"
 #include "stage_tangent.hpp"
 
 namespace rollbem::detail {
-
-/// The fingerprint of G' and the elements' areas, by which states are recognised.
-template <class Scalar>
-std::uint64_t fingerprint_of_steady(const MatrixX<Scalar>& G_prime, const ArrayX<Scalar>& areas) {
-    Fingerprint fingerprint;
-    fingerprint.add(G_prime);
-    fingerprint.add(areas);
-    return fingerprint.value();
-}
-template <class Scalar>
-std::uint64_t fingerprint_of_steady(const DirectionBlocks<Scalar>& G_prime, const ArrayX<Scalar>& areas) {
-    Fingerprint fingerprint;
-    add_blocks(G_prime, fingerprint);
-    fingerprint.add(areas);
-    return fingerprint.value();
-}
-
-/// The load at the end of a step: pressures [Pa] of at least all unknown elements, half-length and half-width [m].
-template <class Scalar>
-struct StepLoad {
-    const ArrayX<Scalar>& pressure;
-    Scalar half_length, half_width;
-    const ArrayX<Scalar>* pressure_rate = nullptr;  // of a step under a load of its own, else null
-};
 
 /// The part of a friction model that is independent of the origin of its equations. Dimensionless: tractions in G,
 /// lengths in the contact's half-length a_0.
@@ -75,13 +52,7 @@ public:
     using Load = StepLoad<Scalar>;
     static constexpr bool slip_dependent = !is_constant<Law>;
 
-    /// What is asked for. The load has been checked, and in a step the motion.
-    struct Request {
-        const State& from;
-        rollbem::Travel<Scalar> travel;
-        const Motion& motion;
-        Load load;
-    };
+    using Request = FrictionRequest<directions, Scalar>;
 
     /// For the unknown elements of a mesh of `element_count`. States are recognised by the fingerprint of G', factors
     /// by that of the whole `system`, which is that of G' in steady rolling. Throws std::invalid_argument, in the name
@@ -90,7 +61,7 @@ public:
                  Eigen::Index element_count, const Friction<Law, Scalar>& friction, const Gradient& G_prime,
                  std::optional<std::uint64_t> system = std::nullopt);
 
-    Eigen::Index size() const { return areas().size(); }
+    Eigen::Index size() const { return forces_.areas().size(); }
     Scalar half_length() const { return units_.length; }
     /// The semi-axes of a state or load in those of the contact.
     template <class Loaded>
@@ -153,45 +124,8 @@ private:
     using Slip = ImposedSlip<directions, Scalar>;
     using By = TangentBy<directions>;
 
-    // with one direction and given bounds, tangents depend on M and the sticking elements alone and are kept
-    static constexpr bool keeps_tangents = directions == 1 && !slip_dependent;
+    using Frame = FrictionFrame<directions, Scalar, Bounds>;
 
-    /// Summary of the stages of a step.
-    struct Summary {
-        Scalar residual = 0;
-        int rounds = 0, path_points = 0;
-        bool tangent_exists = true, solved = true, finite = true;
-    };
-    /// Derivatives in addition to those by the creepages.
-    struct Asked {
-        bool by_load = false, by_half_length = false, by_half_width = false;
-    };
-    /// A step or steady solution while its stages are solved; `system` is null in steady rolling of one shape.
-    struct Frame : StepFrame<Value, Scalar> {
-        using Base = StepFrame<Value, Scalar>;
-        static constexpr int directions = directions_;
-
-        Frame(const Base& base, const System* the_system, const Request& request, const Slip& imposed,
-              const Bounds& bounds_of, Scratch& memory)
-            : Base(base),
-              system(the_system),
-              from(request.from),
-              load(request.load),
-              slip(imposed),
-              bounds(bounds_of),
-              scratch(memory) {}
-
-        const System* system;
-        const State& from;
-        const Load& load;
-        const Slip& slip;
-        Bounds bounds;
-        Scratch& scratch;
-        Asked asked;
-        Summary summary;
-    };
-
-    const VectorX<Scalar>& areas() const { return forces_.areas(); }
     static bool turns(const Elements<Scalar>& elements) { return directions == 2 && elements.half_element_ahead; }
     static bool is_positive(Scalar value) { return is_finite(value) && value > 0; }
     bool wants_tangents(const Frame& frame) const { return frame.summary.tangent_exists && friction_.with_tangents; }
@@ -209,11 +143,11 @@ private:
     // With two directions, whose slip is judged by squares, bounds whose squares lose digits are none.
     void set_bounds(const Frame& frame) const {
         VectorX<Scalar>& bound = frame.scratch.bound;
-        const auto end = frame.load.pressure.head(size());
-        if (frame.load.pressure_rate == nullptr || frame.place.is_last()) {
+        const auto end = frame.request.load.pressure.head(size());
+        if (frame.request.load.pressure_rate == nullptr || frame.place.is_last()) {
             bound = bound_per_pressure() * end.matrix();
         } else {
-            const auto& start = frame.from.normal_pressure;
+            const auto& start = frame.request.from.normal_pressure;
             bound = bound_per_pressure() * (start + frame.place.progress * (end - start)).matrix();
         }
         const auto values = bound.array();
@@ -260,7 +194,7 @@ private:
                        [&](std::size_t d, std::size_t e, MatrixX<Scalar>& M) { equations.fill(d, e, M); });
         });
         frame.bounds.enter(frame.place, frame.stage);
-        if (!frame.place.is_second || frame.load.pressure_rate != nullptr) set_bounds(frame);
+        if (!frame.place.is_second || frame.request.load.pressure_rate != nullptr) set_bounds(frame);
         solve(frame);
     }
     // What the next stage takes from this one.
@@ -269,42 +203,6 @@ private:
     // result is not finite.
     Step finish(Frame& frame, State& to) const;
     void add_jump_work(const Frame& frame, Step& step) const;
-    // By the parameters at the end of the last or only stage.
-    void add_tangents(Frame& frame, Step& step) const;
-
-    // By the creepage, with responses to units of the constants that are kept as long as the sticking elements.
-    Scalar kept_tangent(const Frame& frame) const {
-        if constexpr (!keeps_tangents) {
-            return unknown<Scalar>;
-        } else {
-            Scratch& scratch = frame.scratch;
-            if (scratch.tangent_revision != scratch.solver.roles_revision()) {
-                scratch.solver.respond(ones_, scratch.response);
-                scratch.unit_tangent = areas().dot(scratch.response);
-                scratch.solver.respond(scratch.carried[0], scratch.response);
-                scratch.carried_tangent = areas().dot(scratch.response);
-                scratch.tangent_revision = scratch.solver.roles_revision();
-            }
-            // without a first stage, carried_tangent is that of an earlier step
-            const Scalar last = frame.per_end() * scratch.unit_tangent, carried = frame.carried_per_end();
-            return forces_.unit(frame.end) * (carried == 0 ? last : last + carried * scratch.carried_tangent);
-        }
-    }
-
-    // Calls use(parameter) after respond() by the creepages, unless they are kept, and by what is asked for.
-    template <class Use>
-    void for_responses(Frame& frame, const Use& use) const {
-        const auto find = [&](std::size_t parameter) {
-            respond(frame, parameter);
-            use(parameter);
-        };
-        for (std::size_t j = 0; !keeps_tangents && j < slip_.creepage_count(); ++j) find(j);
-        if (frame.asked.by_load) find(By::load);
-        if (frame.asked.by_half_length) find(By::half_length);
-        if constexpr (directions == 2) {
-            if (frame.asked.by_half_width) find(By::half_width);
-        }
-    }
 
     ContactUnits<Scalar> units_;
     ContactForces<directions, Scalar> forces_;
@@ -313,7 +211,6 @@ private:
     ArrayX<Scalar> points_;
     std::vector<Eigen::Index> behind_;  // the row behind each; empty if slip is not turned
     SlipWork<Scalar> slip_work_;
-    VectorX<Scalar> ones_;
     Friction<Law, Scalar> friction_;
     bool coupled_;
     std::uint64_t fingerprint_, system_;
@@ -330,7 +227,6 @@ FrictionCore<Law, directions, Scalar>::FrictionCore(const char* who, const Conta
       intervals_(elements.intervals.size() > 0 ? elements.intervals.matrix() : elements.areas.matrix()),
       points_(elements.x),
       slip_work_(elements, turns(elements)),
-      ones_(VectorX<Scalar>::Ones(elements.size())),
       friction_(friction),
       coupled_(is_coupled(G_prime)),
       fingerprint_(fingerprint_of_steady(G_prime, elements.areas)),
@@ -408,8 +304,12 @@ auto FrictionCore<Law, directions, Scalar>::solve_steady(const Gradient& G_prime
     const Scalar speed = travel.speed();
     if (slip_dependent && !is_positive(speed)) return failed<Step>(Status::invalid_step);
     Scratch& scratch = workspace.scratch();
-    Frame frame(StepFrame<Value, Scalar>(creepage, units_.length, axes(load)), shapes, request, slip_,
-                Bounds(friction_, intervals_, from, load.half_length, speed, scratch.falling), scratch);
+    Frame frame{{creepage, units_.length, axes(load)},
+                shapes,
+                request,
+                slip_,
+                Bounds(friction_, intervals_, from, load.half_length, speed, scratch.falling),
+                scratch};
     // with one shape G' is that of any semi-axes
     const Stage stage = shapes == nullptr ? Stage::steadily({1, 1}) : frame.stage;
     set_matrix(stage, scratch, [&](std::size_t d, std::size_t e, MatrixX<Scalar>& M) {
@@ -426,7 +326,7 @@ auto FrictionCore<Law, directions, Scalar>::solve_steady(const Gradient& G_prime
     set_bounds(frame);
     solve(frame);
     Step step = finish(frame, to);
-    if (wants_tangents(frame)) add_tangents(frame, step);
+    if (wants_tangents(frame)) add_tangents(frame, forces_, step);
     return step;
 }
 
@@ -440,8 +340,8 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, const Sta
         return failed<Step>(Status::needs_places);
     }
     Scratch& scratch = workspace.scratch();
-    Frame frame(StepFrame<Value, Scalar>(motion, travel.dq, units_.length, table, axes(from), axes(load)), &system,
-                request, slip_, Bounds(friction_, points_, from, units_.length, travel, scratch.falling), scratch);
+    Frame frame{{motion, travel.dq, units_.length, table, axes(from), axes(load)},        &system, request, slip_,
+                Bounds(friction_, points_, from, units_.length, travel, scratch.falling), scratch};
     const auto* const rate = load.pressure_rate;
     frame.asked = {.by_load = rate != nullptr && rate->size() > 0,
                    .by_half_length = rate != nullptr && frame.rolls() && can_breathe(system),
@@ -453,7 +353,7 @@ auto FrictionCore<Law, directions, Scalar>::roll(const System& system, const Sta
     Frame::solve_stages(frame, *this);
     Step step = finish(frame, to);
     if (frame.summary.finite) add_jump_work(frame, step);
-    if (wants_tangents(frame)) add_tangents(frame, step);
+    if (wants_tangents(frame)) add_tangents(frame, forces_, step);
     return step;
 }
 
@@ -465,7 +365,7 @@ void FrictionCore<Law, directions, Scalar>::solve(Frame& frame) const {
     slip_.impose(frame, scratch.displacement, solver.constant());
     const bool has_plain = behind_.size() > 0 && !frame.stage.steady;
     if (has_plain) slip_.impose(frame, scratch.plain_displacement, solver.plain_constant());
-    const std::vector<Zone>& zones = frame.place.is_second ? solver.zones() : frame.from.zones;
+    const std::vector<Zone>& zones = frame.place.is_second ? solver.zones() : frame.request.from.zones;
     const auto outcome =
         frame.bounds.solve(solver, scratch.bound, {scratch.start, zones, has_plain ? &scratch.plain_start : nullptr});
     residual = (std::max)(residual, outcome.residual);
@@ -490,17 +390,7 @@ template <class Law, int directions, class Scalar>
 void FrictionCore<Law, directions, Scalar>::carry(Frame& frame) const {
     Scratch& scratch = frame.scratch;
     if constexpr (slip_dependent) scratch.jump_work.keep_first(scratch.start);
-    if (wants_tangents(frame)) {
-        if constexpr (keeps_tangents) {  // by a unit of the constants
-            if (scratch.carried_revision != scratch.solver.roles_revision()) {
-                scratch.solver.respond(ones_, scratch.response);
-                carry_response(frame, 0);
-                scratch.carried_revision = scratch.solver.roles_revision();
-                scratch.tangent_revision = Scratch::never;
-            }
-        }
-        for_responses(frame, [&](std::size_t parameter) { carry_response(frame, parameter); });
-    }
+    if (wants_tangents(frame)) carry_responses(frame);
     const auto carry_displacement = [&](const Vectors& traction, Vectors& displacement) {
         find_displacements(*frame.system, frame.stage.axes(), traction, scratch.change);
         displacement += frame.place.ratio() * (scratch.change - displacement);
@@ -512,7 +402,7 @@ void FrictionCore<Law, directions, Scalar>::carry(Frame& frame) const {
 template <class Law, int directions, class Scalar>
 auto FrictionCore<Law, directions, Scalar>::finish(Frame& frame, State& to) const -> Step {
     Scratch& scratch = frame.scratch;
-    Summary& summary = frame.summary;
+    auto& summary = frame.summary;
     const Scalar slip_unit = frame.stage.steady ? Scalar(1) : units_.length;
     slip_work_.end(scratch.work, units_.width * units_.length * units_.shear_modulus * slip_unit);
     scratch.slip *= slip_unit;
@@ -524,15 +414,15 @@ auto FrictionCore<Law, directions, Scalar>::finish(Frame& frame, State& to) cons
         summary.tangent_exists = false;
         scratch.slip.setZero();
         scratch.work.setZero();
-        to = frame.from;  // of equal sizes
+        to = frame.request.from;  // of equal sizes
         return failed<Step>(Status::not_finite);
     }
     to.traction = units_.shear_modulus * scratch.start;
     if (behind_.size() > 0) to.plain_traction = units_.shear_modulus * scratch.plain_start;
     to.zones = scratch.solver.zones();
-    to.normal_pressure = frame.load.pressure.head(size());
-    to.half_length = frame.load.half_length;
-    to.half_width = frame.load.half_width;
+    to.normal_pressure = frame.request.load.pressure.head(size());
+    to.half_length = frame.request.load.half_length;
+    to.half_width = frame.request.load.half_width;
     frame.bounds.finish(to);
     Step step;
     step.force = force;
@@ -550,7 +440,7 @@ auto FrictionCore<Law, directions, Scalar>::finish(Frame& frame, State& to) cons
 template <class Law, int directions, class Scalar>
 void FrictionCore<Law, directions, Scalar>::add_jump_work(const Frame& frame, Step& step) const {
     Scratch& scratch = frame.scratch;
-    const auto start = 1 / units_.shear_modulus * frame.from.traction;
+    const auto start = 1 / units_.shear_modulus * frame.request.from.traction;
     Scalar work = 0;
     if (!frame.rolls()) {
         scratch.change = 1 / units_.length * scratch.slip;
@@ -560,33 +450,6 @@ void FrictionCore<Law, directions, Scalar>::add_jump_work(const Frame& frame, St
         work = scratch.jump_work.rolled(*frame.system, slip_work_, frame.end, ratio, start, scratch.start);
     }
     step.jump_work = units_.width * units_.shear_modulus * units_.length * units_.length * work;
-}
-
-template <class Law, int directions, class Scalar>
-void FrictionCore<Law, directions, Scalar>::add_tangents(Frame& frame, Step& step) const {
-    const Scratch& scratch = frame.scratch;
-    if constexpr (keeps_tangents) step.tangent = kept_tangent(frame);
-    for_responses(frame, [&](std::size_t parameter) {
-        const Force caused = forces_.of(scratch.response, frame.end);
-        if (parameter < By::creepages) {
-            if constexpr (directions == 1) {
-                step.tangent = caused;
-            } else {
-                auto& by = step.tangent;
-                (parameter == 0 ? by.by_longitudinal : parameter == 1 ? by.by_lateral : by.by_spin) = caused;
-            }
-        } else if (parameter == By::load) {
-            step.tangent_by_load = caused;
-        } else {
-            const Axis axis = axis_of<directions>(parameter);
-            const bool follows = keeps_shape(*frame.system);  // the half-width follows
-            (axis == Axis::half_length ? step.tangent_by_half_length : step.tangent_by_half_width) =
-                forces_.rate(scratch.start, scratch.response, frame.end, axis, follows);
-            if constexpr (directions == 2) {
-                if (follows) step.tangent_by_half_width = {0, 0, 0};
-            }
-        }
-    });
 }
 
 }  // namespace rollbem::detail

@@ -23,7 +23,7 @@ public:
     using Vectors = ElementVectors<Scalar, directions>;
     using Axes = SemiAxes<Scalar>;
 
-    explicit ImposedSlip(const Elements<Scalar>& elements) {
+    explicit ImposedSlip(const Elements<Scalar>& elements) : unit_(VectorX<Scalar>::Ones(elements.size())) {
         if constexpr (directions == 2) {
             if (!elements.places_are_known()) return;
             spin_.resize(elements.size(), 2);
@@ -31,6 +31,8 @@ public:
         }
     }
 
+    /// The constants of a unit creepage in its direction.
+    const VectorX<Scalar>& unit() const { return unit_; }
     /// Creepages by which there are tangents: with spin, if it can be imposed.
     std::size_t creepage_count() const { return directions == 1 ? 1 : spin_.rows() == 0 ? 2 : 3; }
     /// Whether the rigid slip of a creepage is known.
@@ -98,6 +100,7 @@ private:
         }
     }
 
+    VectorX<Scalar> unit_;
     Vectors spin_;  // rigid slip of unit spin; empty where places are not known
 };
 

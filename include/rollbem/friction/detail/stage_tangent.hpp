@@ -86,4 +86,82 @@ void carry_response(Frame& frame, std::size_t parameter) {
     frame.bounds.carry_response(parameter);
 }
 
+/// Calls use(parameter) after respond() by the creepages, unless their tangents are kept, and by what is asked for.
+template <class Frame, class Use>
+void for_responses(Frame& frame, const Use& use) {
+    using By = TangentBy<Frame::directions>;
+    const auto find = [&](std::size_t parameter) {
+        respond(frame, parameter);
+        use(parameter);
+    };
+    for (std::size_t j = 0; !Frame::keeps_tangents && j < frame.slip.creepage_count(); ++j) find(j);
+    if (frame.asked.by_load) find(By::load);
+    if (frame.asked.by_half_length) find(By::half_length);
+    if constexpr (Frame::directions == 2) {
+        if (frame.asked.by_half_width) find(By::half_width);
+    }
+}
+
+/// What the second of two stages needs of the responses of the first; of kept ones that to a unit of the constants.
+template <class Frame>
+void carry_responses(Frame& frame) {
+    if constexpr (Frame::keeps_tangents) {
+        auto& scratch = frame.scratch;
+        if (scratch.carried_revision != scratch.solver.roles_revision()) {
+            scratch.solver.respond(frame.slip.unit(), scratch.response);
+            carry_response(frame, 0);
+            scratch.carried_revision = scratch.solver.roles_revision();
+            scratch.tangent_revision = scratch.never;
+        }
+    }
+    for_responses(frame, [&](std::size_t parameter) { carry_response(frame, parameter); });
+}
+
+/// The sum of areas times the response to the creepage at the end of a step, by those to units of the constants, which
+/// are kept as long as the sticking elements.
+template <class Frame, class Areas>
+auto kept_tangent(const Frame& frame, const Areas& areas) {
+    auto& scratch = frame.scratch;
+    if (scratch.tangent_revision != scratch.solver.roles_revision()) {
+        scratch.solver.respond(frame.slip.unit(), scratch.response);
+        scratch.unit_tangent = areas.dot(scratch.response);
+        scratch.solver.respond(scratch.carried[0], scratch.response);
+        scratch.carried_tangent = areas.dot(scratch.response);
+        scratch.tangent_revision = scratch.solver.roles_revision();
+    }
+    // without a first stage, carried_tangent is that of an earlier step
+    const auto last = frame.per_end() * scratch.unit_tangent, carried = frame.carried_per_end();
+    return carried == 0 ? last : last + carried * scratch.carried_tangent;
+}
+
+/// Adds the tangents at the end of the last or only stage to the result.
+template <class Frame, class Forces, class Step>
+void add_tangents(Frame& frame, const Forces& forces, Step& step) {
+    constexpr int directions = Frame::directions;
+    using By = TangentBy<directions>;
+    const auto& scratch = frame.scratch;
+    if constexpr (Frame::keeps_tangents) step.tangent = forces.unit(frame.end) * kept_tangent(frame, forces.areas());
+    for_responses(frame, [&](std::size_t parameter) {
+        if (is_axis<directions>(parameter)) {
+            const Axis axis = axis_of<directions>(parameter);
+            const bool follows = keeps_shape(*frame.system);  // the half-width follows
+            (axis == Axis::half_length ? step.tangent_by_half_length : step.tangent_by_half_width) =
+                forces.rate(scratch.start, scratch.response, frame.end, axis, follows);
+            if constexpr (directions == 2) {
+                if (follows) step.tangent_by_half_width = {0, 0, 0};
+            }
+            return;
+        }
+        const auto caused = forces.of(scratch.response, frame.end);
+        if (parameter == By::load) {
+            step.tangent_by_load = caused;
+        } else if constexpr (directions == 1) {
+            step.tangent = caused;
+        } else {
+            auto& by = step.tangent;
+            (parameter == 0 ? by.by_longitudinal : parameter == 1 ? by.by_lateral : by.by_spin) = caused;
+        }
+    });
+}
+
 }  // namespace rollbem::detail
