@@ -8,7 +8,6 @@
 #include <rollbem/detail/finite.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 
-#include "contact_variables.hpp"
 #include "model.hpp"
 #include "shared_table.hpp"
 
@@ -24,7 +23,7 @@ constexpr Eigen::Index components = 6;
 
 class Wheelset final : public Model {
 public:
-    explicit Wheelset(Interface used) : Model(used) {
+    Wheelset() {
         add_parameter(&friction_coefficient_, "friction_coefficient", "", "mu").min = 0;
         add_parameter(&contact_table_, "contact_table_file", "",
                       "Path of a table of contact geometry, as the program contact_table makes; empty: the one packed "
@@ -156,10 +155,9 @@ private:
 
 const Identity identity{.identifier = "rollbem_wheelset",
                         .description = "Contact forces of a wheelset on real rails, by look-up",
-                        .model_exchange = false,
                         .stop_time = 1,
                         .step_size = 1e-3};
 
-std::unique_ptr<Model> make_model(Interface used) { return std::make_unique<Wheelset>(used); }
+std::unique_ptr<Model> make_model() { return std::make_unique<Wheelset>(); }
 
 }  // namespace fmu
