@@ -306,12 +306,12 @@ Compared compare(const Scene& scene, const ContactTable& table, WheelsetRolling 
     for (const WheelsetSide side : rollbem::WheelsetOnTrack::sides) {
         const auto k = std::size_t(side);
         for (const auto& patch : patches.patches[k]) {
-            if (patch.status != rollbem::StepStatus::ok) result.status = name(patch.status);
+            if (patch.status != rollbem::Status::ok) result.status = name(patch.status);
         }
         const bool equal = rolling.loads[0] == rolling.loads[1];
         const WheelForces now = table.forces(scene.creep, side, at, rolling.speeds,
                                              {rolling.loads[k], equal ? std::nullopt : std::optional(roll)}, friction);
-        if (now.status != rollbem::StepStatus::ok) result.status = name(now.status);
+        if (now.status != rollbem::Status::ok) result.status = name(now.status);
         const auto& wrench = patches.on_wheel[k];
         result.patches[k] = judged(wrench.force[0], wrench.force[1], wrench.moment[2]);
         result.table[k] = judged(now.force[0], now.force[1], now.force[5]);

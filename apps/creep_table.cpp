@@ -99,7 +99,7 @@ void emit_slab(const Job& job, const CreepForceGrid::Slab& slab, study::RowRange
         if (node < first) continue;
         const auto& step = solution.step;
         auto force = forces.col(slab.shape * grid.nodes() + node);
-        if (step.status == rollbem::StepStatus::ok) force = solution.force + 0.0;  // without -0, as in the row
+        if (step.status == rollbem::Status::ok) force = solution.force + 0.0;  // without -0, as in the row
         study::Row row = node_cells(source, v);
         for (const double value : force) row.emplace_back(value);
         emit(study::joined(std::move(row), {step.stick_count, step.rounds, step.complementarity_residual, study::Cell(),
@@ -207,7 +207,7 @@ Difference compare(const Job& job, const CreepForceTable& table, std::size_t see
         const CreepForceSource::Solution solved = source.solve(v, true);
         const double load = contact.half_width();  // G a b
         const auto found = table.look_up(contact, 1, load, {v.longitudinal, v.lateral, v.spin / contact.c()});
-        if (solved.step.status != rollbem::StepStatus::ok || found.status != rollbem::StepStatus::ok) {
+        if (solved.step.status != rollbem::Status::ok || found.status != rollbem::Status::ok) {
             throw std::runtime_error("--check: a scene at a/b = " + study::Cell(a_over_b).text(6) + " has no forces");
         }
         const Eigen::Array3d force =

@@ -216,8 +216,8 @@ void write_state_space(const study::Options& options, study::OutputFiles& files,
         options, files, scenes.size(), make,
         {.one = "scheme",
          .lists = "--n, --alpha-L, --alpha-T and --lambda",
-         .conventions = "equations = \"d x/d(q/a) = A x + B xi, -F/(a G) = C x + D xi; q = V t, F per unit width\"\n"
-                        "response = \"c11(s) = C (s I - A)^-1 B + D, s in V/a\"\n",
+         .conventions = "# equations = d x/d(q/a) = A x + B xi, -F/(a G) = C x + D xi; q = V t, F per unit width\n"
+                        "# response = c11(s) = C (s I - A)^-1 B + D, s in V/a\n",
          .states = "by elements: their tractions p/G, trailing to leading; chebyshev: coefficients of T_0, T_1, ... "
                    "in u/a",
          .bounded = "c11"});

@@ -172,12 +172,11 @@ void write_state_space(const study::Options& options, study::OutputFiles& files,
         options, files, patches.size(), make,
         {.one = "patch",
          .lists = "--n, --strips, --a-over-b and --poisson",
-         .conventions = "equations = \"d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D "
-                        "(xi, eta, phi "
-                        "c); q = V t, c = sqrt(a b); outlines: a, b and c are sqrt(area/pi)\"\n"
-                        "response = \"(c11 c12 c13; c21 c22 c23; c31 c32 c33) = C (s I - A)^-1 B + D, s in V/a\"\n"
-                        "status = \"" +
-                        std::string(name(steady.status)) + "\"  # of the steady coefficients, as in the table\n",
+         .conventions = "# equations = d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D "
+                        "(xi, eta, phi c); q = V t, c = sqrt(a b); outlines: a, b and c are sqrt(area/pi)\n"
+                        "# response = (c11 c12 c13; c21 c22 c23; c31 c32 c33) = C (s I - A)^-1 B + D, s in V/a\n"
+                        "# status = " +
+                        std::string(name(steady.status)) + " of the steady coefficients, as in the table\n",
          .states = "tractions p_x/G of the elements, strip by strip from trailing to leading, then p_y/G",
          .bounded = "the matrix of coefficients"});
 }

@@ -27,7 +27,6 @@ using profile::Side;
 using rollbem::PatchForce;
 using rollbem::RailPatch;
 using rollbem::Status;
-using rollbem::StepStatus;
 
 // --- contacts --------------------------------------------------------------------------------------------------------
 
@@ -78,9 +77,7 @@ struct Found {
     const PatchForce* force() const {
         return patch() != nullptr && settings.friction ? &contacts.of.patches[std::size_t(side)][*number] : nullptr;
     }
-    const PatchForce* solved() const {
-        return force() != nullptr && force()->status == StepStatus::ok ? force() : nullptr;
-    }
+    const PatchForce* solved() const { return force() != nullptr && force()->status == Status::ok ? force() : nullptr; }
     std::string status() const {
         if (force() != nullptr && solved() == nullptr) return name(force()->status);
         if (!number) return name(wheel().status);

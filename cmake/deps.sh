@@ -77,7 +77,7 @@ if have apt-get; then
     need_command git git
     need_command pkg-config pkg-config
     need_command gnuplot-nox gnuplot
-    need_packages installed libeigen3-dev libgsl-dev catch2 libbenchmark-dev libcli11-dev libtomlplusplus-dev
+    need_packages installed libeigen3-dev libgsl-dev catch2 libbenchmark-dev libcli11-dev
     if [ $ci = yes ]; then
         need_packages installed clang-format-14 clang-14 clang-16 gfortran
     fi
@@ -100,7 +100,7 @@ elif have dnf; then
     need_command pkgconf-pkg-config pkg-config
     need_command gnuplot gnuplot
     installed() { rpm -q "$1"; }
-    need_packages installed eigen3-devel gsl-devel catch-devel google-benchmark-devel cli11-devel tomlplusplus-devel
+    need_packages installed eigen3-devel gsl-devel catch-devel google-benchmark-devel cli11-devel
     if [ $ci = yes ]; then
         need_packages installed clang clang-tools-extra
     fi
@@ -116,7 +116,7 @@ elif have brew; then
     need_command pkgconf pkg-config
     need_command gnuplot gnuplot
     installed() { brew list --formula "$1"; }
-    need_packages installed eigen gsl catch2 google-benchmark cli11 tomlplusplus
+    need_packages installed eigen gsl catch2 google-benchmark cli11
     if [ $ci = yes ]; then
         need_packages installed clang-format
     fi
@@ -129,7 +129,7 @@ elif have brew; then
     fi
 else
     echo "deps.sh: no apt-get, dnf or brew here. Please install a C++20 compiler, make, CMake >= 3.25, git," \
-        "pkg-config, Eigen >= 3.4, GSL, Catch2 (2.13 or 3), Google Benchmark, CLI11, toml++ and gnuplot." >&2
+        "pkg-config, Eigen >= 3.4, GSL, Catch2 (2.13 or 3), Google Benchmark, CLI11 and gnuplot." >&2
     exit 1
 fi
 

@@ -17,5 +17,5 @@ set -- "$folder/test" "$@"
     "-DROLLBEM_STEEL_CREEP=\"$PWD/apps/creep/steel.creep\"" \
     "-DROLLBEM_S1002_CONTACT=\"$PWD/apps/creep/s1002_60e1.contact\"" "$file" -o "$folder/test" \
     "$build"/tests/librollbem_test_support.a "$build"/librollbem_app_support.a "$build"/librollbem_study_support.a \
-    "$build"/librollbem_compiled.a "$build"/librollbem_build_info.a -lCatch2WithMain -ltomlplusplus -lgsl -lgslcblas
+    "$build"/librollbem_compiled.a "$build"/librollbem_build_info.a -lCatch2WithMain -lgsl -lgslcblas
 "$@"

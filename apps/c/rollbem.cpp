@@ -128,8 +128,7 @@ struct rollbem_patch {
             put(put(tangent, step.tangent),
                 step.tangent_by_load + under_.half_length / (3 * load) * step.tangent_by_half_length);
         }
-        return step.status == StepStatus::ok ? ROLLBEM_OK
-                                             : failed(std::string(who) + ": status is " + name(step.status));
+        return step.status == Status::ok ? ROLLBEM_OK : failed(std::string(who) + ": status is " + name(step.status));
     }
 
     /// Calls visit(number) for all numbers of a state in turn.
@@ -206,7 +205,7 @@ int rollbem_table_forces(const rollbem_table* table, size_t count, const double*
         const int own = guarded([&] {
             found = table->table.look_up(PatchContact<double>({contacts[0], contacts[1], contacts[2], contacts[3]}),
                                          contacts[4], contacts[5], creepage_from(contacts + 6));
-            if (found.status != StepStatus::ok) return failed(std::string(who) + ": status is " + name(found.status));
+            if (found.status != Status::ok) return failed(std::string(who) + ": status is " + name(found.status));
             if (found.a_over_b_on_table || code != ROLLBEM_OK) return static_cast<int>(ROLLBEM_OK);
             const CreepForceGrid& grid = table->table.grid();
             return failed(std::string(who) + ": a/b = " + detail::to_text(contacts[0] / contacts[1]) +
@@ -286,7 +285,7 @@ int rollbem_contact_table_look_up(const rollbem_contact_table* table, const roll
             to = put(to, {point.load_share, point.arm[0], point.arm[1], point.arm[2], point.angle, point.rolling_radius,
                           point.normal_load, point.peak_pressure, point.rail_y, point.wheel_y});
         }
-        if (now.status != StepStatus::ok) {
+        if (now.status != Status::ok) {
             return failed(std::string(who) + ": status is " + name(now.status) + reason_of(table->table, inputs));
         }
         if (now.load_on_table || load.vertical == 0) return static_cast<int>(ROLLBEM_OK);
@@ -311,7 +310,7 @@ int rollbem_contact_table_support(const rollbem_contact_table* table, int side, 
         detail::require(table->table.covers(0, yaw), who, "yaw", yaw, "lie on the table");
         const auto now =
             table->table.support(side == ROLLBEM_LEFT ? WheelsetSide::left : WheelsetSide::right, lateral, yaw, height);
-        if (now.status != StepStatus::ok) return failed(std::string(who) + ": status is " + name(now.status));
+        if (now.status != Status::ok) return failed(std::string(who) + ": status is " + name(now.status));
         put(load, {now.load, now.by_height, now.by_lateral, now.by_yaw});
         return static_cast<int>(ROLLBEM_OK);
     });

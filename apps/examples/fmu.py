@@ -1,10 +1,10 @@
-# fmu.py rollbem_friction.fmu PICTURE.svg: a wheel on a rail whose waves of 4 cm take and give half of the load.
+# fmu.py rollbem_patch.fmu PICTURE.svg: a wheel on a rail whose waves of 4 cm take and give half of the load.
 import subprocess, sys
 import numpy as np
 from fmpy import simulate_fmu
 
 t = np.linspace(0, 4e-3, 401)  # s: 8 cm at 20 m/s
-inputs = {"time": t, "longitudinal_slip_velocity": 6e-3 + 0 * t, "lateral_slip_velocity": 3e-3 + 0 * t,
+inputs = {"time": t, "longitudinal_slip_velocity": 0.06 + 0 * t, "lateral_slip_velocity": 0.03 + 0 * t,
           "rolling_speed": 20 + 0 * t, "normal_load": 1e5 * (1 + 0.5 * np.sin(2 * np.pi * 20 * t / 0.04))}
 result = simulate_fmu(sys.argv[1], fmi_type="CoSimulation", start_values={"initial_state": 2}, stop_time=t[-1],
                       output_interval=t[1], input=np.rec.fromarrays(inputs.values(), names=",".join(inputs)),

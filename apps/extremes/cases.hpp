@@ -57,7 +57,7 @@ struct Case {
 };
 using Cases = std::vector<Case>;
 
-/// The text of a Status or StepStatus, empty for ok.
+/// The text of a Status or Status, empty for ok.
 template <class AnyStatus>
 std::string told_by(AnyStatus status) {
     return status == AnyStatus::ok ? std::string() : std::string("status ") + name(status);
@@ -96,7 +96,7 @@ template <class Model>
 Outcome rolled(const Model& model, double dq, int count, double reference, double bound) {
     rollbem::Run run(model);
     auto step = run.advance({dq, 1.0});
-    while (--count > 0 && step.status == rollbem::StepStatus::ok) step = run.advance({dq, 1.0});
+    while (--count > 0 && step.status == rollbem::Status::ok) step = run.advance({dq, 1.0});
     return compare(step, step.force_per_width, reference, bound);
 }
 

@@ -15,7 +15,7 @@ namespace {
 using rollbem::HertzLoad;
 using rollbem::Mesh;
 using rollbem::PlaneKernel;
-using rollbem::StepStatus;
+using rollbem::Status;
 
 constexpr double half_width = 1000;  // b/a_0
 
@@ -39,7 +39,7 @@ public:
         note(hertz_.set(load_ratio * full_, load_));
         keep(run_.advance({dq, scaled(ratio), load_}));
     }
-    void note(StepStatus status) {
+    void note(Status status) {
         if (told_.empty()) told_ = told_by(status);
     }
     auto& state() { return run_.now(); }

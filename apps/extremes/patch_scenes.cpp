@@ -210,7 +210,7 @@ Outcome run(const Scene& scene) {
         const auto step = model.advance(now, {later.dq, later.creepage, load}, next, workspace);
         const bool covered = !system.shapes() || system.shapes()->covers(ended.half_length / ended.half_width);
         if (!covered || std::abs(da) >= later.dq) {  // the mesh cannot follow
-            if (step.status != rollbem::StepStatus::needs_fixed_mesh) outcome.told = "not refused";
+            if (step.status != rollbem::Status::needs_fixed_mesh) outcome.told = "not refused";
             std::swap(now, next);
             continue;
         }
@@ -218,7 +218,7 @@ Outcome run(const Scene& scene) {
         const double db = ended.half_width - axes.half_width;
         axes = ended;
         whole = at(axes);
-        if (later.load == 0 && step.status == rollbem::StepStatus::ok && next.traction.isZero(0)) continue;
+        if (later.load == 0 && step.status == rollbem::Status::ok && next.traction.isZero(0)) continue;
         if (!scene.euler) {
             check(step, load.normal_pressure, {}, 1);
             continue;

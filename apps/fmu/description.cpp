@@ -41,11 +41,9 @@ const char* causality_of(const Variable& variable) {
     switch (variable.causality) {
         case Causality::parameter: return "parameter";
         case Causality::input: return "input";
-        case Causality::output: return "output";
-        case Causality::state:
-        case Causality::derivative: break;
+        case Causality::output: break;
     }
-    return "local";
+    return "output";
 }
 
 const char* variability_of(const Variable& variable) {
@@ -109,42 +107,21 @@ std::string scalar_variable(const Variable& variable, std::size_t place) {
     if (std::isfinite(variable.min)) text += attribute("min", text_of(variable.min));
     if (std::isfinite(variable.max)) text += attribute("max", text_of(variable.max));
     if (has_start(variable)) text += attribute("start", start_of(variable));
-    if (variable.causality == Causality::state) text += attribute("nominal", text_of(variable.nominal));
-    if (variable.state >= 0) text += attribute("derivative", text_of(variable.state + 1));
     return text + "/></ScalarVariable>\n";
 }
 
-/// The variables that `belongs` selects, as a list of unknowns.
-template <class Predicate>
-std::string unknowns(const char* name, const std::vector<Variable>& variables, const Predicate& belongs,
-                     bool with_dependencies) {
-    const auto dependencies = [&](const Variable& unknown) {
-        std::string list;
-        for (std::size_t i = 0; i < variables.size(); ++i) {
-            for (const std::string& wanted : unknown.depends_on) {
-                const bool state =
-                    variables[i].causality == Causality::state && variables[i].name.starts_with(wanted + '[');
-                if (state || variables[i].name == wanted) list += (list.empty() ? "" : " ") + text_of(i + 1);
-            }
-        }
-        return list;
-    };
-    std::string text;
+/// The outputs as a list of unknowns.
+std::string unknowns(const char* name, const std::vector<Variable>& variables) {
+    std::string text = std::string("    <") + name + ">\n";
     for (std::size_t i = 0; i < variables.size(); ++i) {
-        if (!belongs(variables[i])) continue;
-        text += "      <Unknown" + attribute("index", text_of(i + 1));
-        if (with_dependencies && !variables[i].depends_on.empty()) {
-            text += attribute("dependencies", dependencies(variables[i]));
-        }
-        text += "/>\n";
+        if (!has_start(variables[i])) text += "      <Unknown" + attribute("index", text_of(i + 1)) + "/>\n";
     }
-    if (text.empty()) return text;
-    return std::string("    <") + name + ">\n" + text + "    </" + name + ">\n";
+    return text + "    </" + name + ">\n";
 }
 
 /// All of modelDescription.xml, with a given GUID.
 std::string description_with(std::string_view guid) {
-    const std::unique_ptr<Model> model = make_model(Interface::co_simulation);
+    const std::unique_ptr<Model> model = make_model();
     const std::vector<Variable>& variables = model->variables();
     const std::string abilities =
         attribute("modelIdentifier", identity.identifier) + attribute("canNotUseMemoryManagementFunctions", "true") +
@@ -156,9 +133,6 @@ std::string description_with(std::string_view guid) {
             attribute("description", identity.description) + attribute("version", ROLLBEM_VERSION) +
             attribute("license", "MIT") + attribute("generationTool", "rollbem " ROLLBEM_VERSION) +
             attribute("variableNamingConvention", "structured") + attribute("numberOfEventIndicators", "0") + ">\n";
-    if (identity.model_exchange) {
-        text += "  <ModelExchange" + abilities + attribute("completedIntegratorStepNotNeeded", "true") + "/>\n";
-    }
     text += "  <CoSimulation" + abilities + attribute("canHandleVariableCommunicationStepSize", "true") +
             attribute("canInterpolateInputs", "true") + "/>\n";
     text += units(variables) + types(variables);
@@ -171,12 +145,7 @@ std::string description_with(std::string_view guid) {
     text += "  <ModelVariables>\n";
     for (std::size_t i = 0; i < variables.size(); ++i) text += scalar_variable(variables[i], i);
     text += "  </ModelVariables>\n  <ModelStructure>\n";
-    text += unknowns(
-        "Outputs", variables, [](const Variable& v) { return v.causality == Causality::output; }, true);
-    text += unknowns(
-        "Derivatives", variables, [](const Variable& v) { return v.causality == Causality::derivative; }, false);
-    text += unknowns(
-        "InitialUnknowns", variables, [](const Variable& v) { return !has_start(v); }, false);
+    text += unknowns("Outputs", variables) + unknowns("InitialUnknowns", variables);
     return text + "  </ModelStructure>\n</fmiModelDescription>\n";
 }
 
@@ -198,14 +167,10 @@ const std::string& guid() {
 std::string model_description() { return description_with(guid()); }
 
 std::string table_of_variables() {
-    const std::unique_ptr<Model> model = make_model(Interface::co_simulation);
+    const std::unique_ptr<Model> model = make_model();
     std::string text = "| variable | what | unit | start | meaning |\n|---|---|---|---|---|\n";
     for (const Variable& variable : model->variables()) {
-        std::string what = causality_of(variable);
-        if (variable.causality == Causality::state) what = "state";
-        // one row for all states, none for their der(...) nor for twins
-        if (variable.causality == Causality::derivative || variable.is_code) continue;
-        if (variable.causality == Causality::state && !variable.name.ends_with("[0]")) continue;
+        if (variable.is_code) continue;
         std::string start;
         if (has_start(variable)) {
             start = variable.items ? variable.items->item(variable.integer()).name : start_of(variable);
@@ -220,9 +185,8 @@ std::string table_of_variables() {
                 ++value;
             }
         }
-        std::string name = variable.name;
-        if (variable.causality == Causality::state) name = name.substr(0, name.size() - 2) + "0]`, `[1]`, `...";
-        text += "| `" + name + "` | " + what + " | " + variable.unit + " | " + start + " | " + meaning + " |\n";
+        text += "| `" + variable.name + "` | " + causality_of(variable) + " | " + variable.unit + " | " + start +
+                " | " + meaning + " |\n";
     }
     return text;
 }

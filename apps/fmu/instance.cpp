@@ -38,21 +38,20 @@ std::string path_of(std::string_view uri) {
 /// The beginning of a saved state.
 struct Header {
     std::array<char, 38> guid{};
-    Interface interface {};
     Mode mode{};
-    bool built = false, stale = false;
+    bool built = false;
     double time = 0;
 };
 
 }  // namespace
 
-Instance::Instance(std::string name, Interface used, std::string_view resources, const fmi2CallbackFunctions& callbacks)
-    : name_(std::move(name)), interface_(used), resources_(path_of(resources)), callbacks_(callbacks) {
+Instance::Instance(std::string name, std::string_view resources, const fmi2CallbackFunctions& callbacks)
+    : name_(std::move(name)), resources_(path_of(resources)), callbacks_(callbacks) {
     make();
 }
 
 void Instance::make() {
-    model_ = make_model(interface_);
+    model_ = make_model();
     model_->resources = resources_;
 }
 
@@ -96,7 +95,6 @@ fmi2Status Instance::warn() {
 void Instance::reset() {
     make();
     built_ = false;
-    stale = true;
     refused = false;
     time = 0;
     mode = instantiated;
@@ -115,7 +113,6 @@ void Instance::before_setting(const Variable& found) {
                                                       : " is calculated and cannot be set"));
     }
     if (before) built_ = false;
-    stale = true;
 }
 
 void Instance::build() {
@@ -123,7 +120,6 @@ void Instance::build() {
     model_->settle_enumerations();
     model_->initialise();
     built_ = true;
-    stale = true;
 }
 
 fmi2Status Instance::tell(Outcome outcome, std::string message) const {
@@ -145,13 +141,8 @@ fmi2Status Instance::tell(Outcome outcome, std::string message) const {
     return result;
 }
 
-fmi2Status Instance::refresh() {
-    if ((mode & (initialization | running)) == 0) return fmi2OK;
-    build();
-    if (!stale || interface_ == Interface::co_simulation) return fmi2OK;
-    const Outcome outcome = model_->update();
-    stale = outcome != Outcome::ok;
-    return stale ? tell(outcome, "an evaluation at t = " + text_of(time) + " s") : fmi2OK;
+void Instance::refresh() {
+    if (mode == initialization) build();
 }
 
 fmi2Status Instance::step(double start, double duration) {
@@ -191,7 +182,7 @@ bool Instance::keep_variables(Archive& archive) {
 
 void Instance::save(std::vector<std::byte>& bytes) {
     Archive archive(bytes);
-    Header header{.interface = interface_, .mode = mode, .built = built_, .stale = stale, .time = time};
+    Header header{.mode = mode, .built = built_, .time = time};
     guid().copy(header.guid.data(), header.guid.size());
     archive.keep(header);
     keep_variables(archive);
@@ -202,8 +193,8 @@ void Instance::restore(std::span<const std::byte> bytes) {
     Archive archive(bytes);
     Header header;
     archive.keep(header);
-    if (std::string_view(header.guid.data(), header.guid.size()) != guid() || header.interface != interface_) {
-        throw std::invalid_argument("the saved state is of another FMU, or of its other interface");
+    if (std::string_view(header.guid.data(), header.guid.size()) != guid()) {
+        throw std::invalid_argument("the saved state is of another FMU");
     }
     const std::span<const std::byte> variables = bytes.last(archive.left());
     const bool same_parameters = keep_variables(archive);
@@ -218,7 +209,6 @@ void Instance::restore(std::span<const std::byte> bytes) {
     if (built_) model_->archive(archive);
     if (archive.left() != 0) throw std::invalid_argument("the saved state is too long");
     mode = header.mode;
-    stale = header.stale;
     time = header.time;
     refused = false;
 }

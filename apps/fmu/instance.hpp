@@ -20,19 +20,16 @@ namespace fmu {
 enum Mode : unsigned {
     instantiated = 1,
     initialization = 2,
-    event = 4,            // model exchange
-    continuous_time = 8,  // model exchange
-    stepping = 16,        // co-simulation, between steps
-    terminated = 32,
-    failed = 64,  // after an error; left by a saved state or a reset
-    running = event | continuous_time | stepping,
-    any = 127,
+    stepping = 4,  // between steps
+    terminated = 8,
+    failed = 16,  // after an error; left by a saved state or a reset
+    any = 31,
 };
 
 class Instance {
 public:
     /// `resources` is the folder of what is packed with the FMU, as a URI.
-    Instance(std::string name, Interface used, std::string_view resources, const fmi2CallbackFunctions& callbacks);
+    Instance(std::string name, std::string_view resources, const fmi2CallbackFunctions& callbacks);
 
     /// Sends a message to the importing program.
     void log(fmi2Status status, const std::string& message) const;
@@ -42,7 +39,6 @@ public:
     /// Back to the state after instantiation.
     void reset();
 
-    Interface used() const { return interface_; }
     const std::vector<Variable>& variables() const { return model_->variables(); }
     /// Throws std::invalid_argument if there is no such variable of that type.
     template <class Value>
@@ -60,8 +56,8 @@ public:
 
     /// Builds the model unless it is built for the present parameters and initial inputs. Throws std::invalid_argument.
     void build();
-    /// Brings outputs and derivatives up to date with states and inputs.
-    fmi2Status refresh();
+    /// Brings outputs up to date with the inputs during initialization.
+    void refresh();
     fmi2Status step(double time, double duration);
     /// Logs what the model warns of, once.
     fmi2Status warn();
@@ -72,9 +68,8 @@ public:
     void restore(std::span<const std::byte> bytes);
 
     Mode mode = instantiated;
-    double time = 0;       ///< of co-simulation: the end of the last step that succeeded [s]
-    bool stale = true;     ///< of model exchange: states or inputs were set since the last update()
-    bool refused = false;  ///< of co-simulation: the last step
+    double time = 0;       ///< the end of the last step that succeeded [s]
+    bool refused = false;  ///< the last step
 
 private:
     [[noreturn]] void refuse_reference(fmi2ValueReference reference) const;
@@ -84,7 +79,6 @@ private:
     bool keep_variables(Archive& archive);                        // whether reading left the parameters unchanged
 
     std::string name_;
-    Interface interface_;
     std::string resources_;  // a path
     fmi2CallbackFunctions callbacks_;
     bool log_warnings_ = true, log_discards_ = true, log_errors_ = true;

@@ -6,10 +6,32 @@
 
 namespace fmu {
 
+namespace {
+
+/// None yet, then all of rollbem::Status, counted from 0; name() returns not_finite for every value beyond them.
+Enumeration enumerate_statuses() {
+    using rollbem::Status;
+    Enumeration result{"Status", {{"none", "nothing has been computed yet"}}, 0};
+    const std::string beyond = name(Status::not_finite);
+    for (int i = 0;; ++i) {
+        const std::string item = name(static_cast<Status>(i));
+        if (item == beyond && i != static_cast<int>(Status::not_finite)) return result;
+        result.items.push_back({item});
+    }
+}
+
+}  // namespace
+
+const Enumeration step_statuses = enumerate_statuses();
+
+Outcome outcome_of(rollbem::Status status) {
+    if (status == rollbem::Status::ok) return Outcome::ok;
+    return status == rollbem::Status::not_finite ? Outcome::not_a_number : Outcome::refused;
+}
+
 std::span<const Unit> known_units() {
-    static constexpr Unit units[] = {{"m", 0, 1, 0},         {"m/s", 0, 1, -1}, {"rad", 0, 0, 0, 1},
-                                     {"rad/s", 0, 0, -1, 1}, {"N", 1, 1, -2},   {"N/s", 1, 1, -3},
-                                     {"N.m", 1, 2, -2},      {"Pa", 1, -1, -2}, {"J", 1, 2, -2}};
+    static constexpr Unit units[] = {{"m", 0, 1, 0},  {"m/s", 0, 1, -1}, {"rad", 0, 0, 0, 1}, {"rad/s", 0, 0, -1, 1},
+                                     {"N", 1, 1, -2}, {"N.m", 1, 2, -2}, {"Pa", 1, -1, -2},   {"J", 1, 2, -2}};
     return units;
 }
 

@@ -1,4 +1,4 @@
-// What an FMU simulates, as the FMI functions see it: a table of variables, and steps or derivatives.
+// What an FMU simulates, as the FMI functions see it: a table of variables, and steps.
 // The table is the only list of variables: modelDescription.xml and the documentation are written from it.
 #pragma once
 
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include <rollbem/detail/require.hpp>
+#include <rollbem/status.hpp>
 #include <rollbem/types.hpp>
 
 namespace fmu {
@@ -32,8 +33,8 @@ struct Enumeration {
     const Item& item(int value) const { return items[static_cast<std::size_t>(value - first)]; }
 };
 
-/// As in FMI; a state is a local variable that has a derivative.
-enum class Causality { parameter, input, output, state, derivative };
+/// As in FMI.
+enum class Causality { parameter, input, output };
 
 /// One variable. Its value reference is its place in the table, its start value the value when it enters the table.
 struct Variable {
@@ -46,11 +47,7 @@ struct Variable {
     Causality causality = Causality::parameter;
     const Enumeration* items = nullptr;  ///< of an int that is one of them
     double* rate = nullptr;              ///< of an input: its time derivative during the next step
-    int state = -1;                      ///< of a derivative: the place of its state in the table
-    double nominal = 1;                  ///< of a state: its typical size
     double min = -std::numeric_limits<double>::infinity(), max = std::numeric_limits<double>::infinity();
-    /// Of an output: what it depends on at the same instant, states by the beginning of their names; empty: everything.
-    std::vector<std::string> depends_on = {};
     bool is_code = false;  ///< the integer twin of the enumeration before it in the table, see Model::add
 
     template <class Value>
@@ -73,14 +70,20 @@ struct Unit {
 };
 std::span<const Unit> known_units();
 
-enum class Interface { model_exchange, co_simulation };
-
-/// Result of a step, or of an evaluation of derivatives.
+/// Result of a step.
 enum class Outcome {
     ok,
     refused,       ///< outside the model's domain: another step or other inputs may be possible
-    not_a_number,  ///< an input or a state is infinite or not a number
+    not_a_number,  ///< an input is infinite or not a number
 };
+
+Outcome outcome_of(rollbem::Status status);
+
+/// The statuses of a step: 0 none, 1 ok.
+extern const Enumeration step_statuses;
+
+/// The value of a variable of that enumeration.
+inline int value_of(rollbem::Status status) { return static_cast<int>(status) + 1; }
 
 /// The memory of an instance as bytes. One function names what is kept, for writing and for reading.
 class Archive {
@@ -118,7 +121,6 @@ private:
 struct Identity {
     const char* identifier;  ///< name of the file and the shared library
     const char* description;
-    bool model_exchange;          ///< in addition to co-simulation
     double stop_time, step_size;  ///< of the default experiment [s]
 };
 extern const Identity identity;  // each FMU defines it
@@ -130,11 +132,11 @@ public:
         : std::invalid_argument("there is no derivative of " + unknown.name + " by " + known.name + reason) {}
 };
 
-/// One contact, or all of a wheelset. The FMI functions construct it, set variables and call initialise(), then step()
-/// or update(), and archive() at any time.
+/// One contact, or all of a wheelset. The FMI functions construct it, set variables and call initialise(), then step(),
+/// and archive() at any time.
 class Model {
 public:
-    explicit Model(Interface used) : interface_(used) {}
+    Model() = default;
     virtual ~Model() = default;
     Model(const Model&) = delete;
     Model& operator=(const Model&) = delete;
@@ -155,14 +157,10 @@ public:
     /// naming the parameter.
     virtual void initialise() = 0;
 
-    /// Co-simulation: advances by `duration` > 0 [s] and sets the outputs, or changes nothing but the status.
+    /// Advances by `duration` > 0 [s] and sets the outputs, or changes nothing but the status.
     virtual Outcome step(double duration) = 0;
 
-    /// Model exchange: sets derivatives and outputs at the present states and inputs.
-    virtual Outcome update() { return Outcome::ok; }
-
-    /// d unknown / d known. Model exchange: at the present states and inputs. Co-simulation: of an output at the end of
-    /// the last step by an input during it. Throws NoDerivative if there is none.
+    /// d unknown / d known, of an output at the end of the last step by an input during it. Throws NoDerivative if there is none.
     virtual double partial(const Variable& unknown, const Variable& known) = 0;
 
     /// Names what an instance keeps in addition to the variables.
@@ -185,8 +183,6 @@ protected:
         double after(double duration) const { return value + duration * rate; }
     };
 
-    Interface used() const { return interface_; }
-
     /// Throws std::invalid_argument unless `holds`: "FMU: parameter = value must rule".
     template <class Value>
     static void require(bool holds, const char* parameter, Value value, const char* rule) {
@@ -206,11 +202,10 @@ protected:
     }
 
 private:
-    Interface interface_;
     std::vector<Variable> variables_;
     std::deque<int> codes_;  // twins of parameters
 };
 
-std::unique_ptr<Model> make_model(Interface used);  // each FMU defines it
+std::unique_ptr<Model> make_model();  // each FMU defines it
 
 }  // namespace fmu

@@ -1,7 +1,8 @@
 // rollbem_patch: an elliptic contact patch of wheel and rail with Coulomb friction and spin, under a load that varies.
 //
-// Co-simulation alone: the patch itself in the time domain, or quasi-steady forces from a table that was made of such
-// patches.
+// The patch itself in the time domain, or quasi-steady forces from a table that was made of such patches. A step of
+// duration h rolls by V h and shifts the wheel by s h, both at a constant rate, so that V = 0 is a rigid shift; the load
+// varies linearly over the step.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,18 +11,18 @@
 #include <string>
 #include <utility>
 
+#include <rollbem/accuracy/distance_tangent.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/assembly/patch_shapes.hpp>
 #include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/detail/require.hpp>
 #include <rollbem/discretisation/patch_mesh.hpp>
 #include <rollbem/elasticity/rectangle_kernel.hpp>
+#include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/hertz_patch_load.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 
-#include "contact_variables.hpp"
-#include "friction_contact.hpp"
 #include "model.hpp"
 #include "shared_table.hpp"
 
@@ -31,6 +32,8 @@ namespace {
 
 using Scalar = double;
 
+enum MeshSize { mesh_follows_load = 1, fixed_mesh };
+enum InitialState { at_rest = 1, in_steady_rolling };
 enum Mode { by_elements = 1, by_table };
 
 const Enumeration modes{"Mode",
@@ -41,9 +44,12 @@ const Enumeration mesh_sizes{
     {{"follows_load", "that of the contact; normal_load > 0, changes of a below the distance rolled"},
      {"fixed", "that of the contact under largest_load; the wheel may lift off"}}};
 
-class Patch final : public FrictionContact<rollbem::HertzPatchLoad<Scalar>> {
+const Enumeration initial_states{"InitialState",
+                                 {{"rest", "no traction"}, {"steady", "steady rolling at the first inputs"}}};
+
+class Patch final : public Model {
 public:
-    explicit Patch(Interface used) : FrictionContact(used) {
+    Patch() {
         add_parameter(&shear_modulus_, "shear_modulus", "Pa", "G of both bodies");
         add_parameter(&poisson_ratio_, "poisson_ratio", "", "nu of both bodies").lies_in(0, 0.5);
         add_radius(wheel_.rolling, "wheel_rolling_radius", "Radius of the wheel, in the plane of rolling");
@@ -72,7 +78,7 @@ public:
                   "rolling_speed");
         add_input(speed_, "rolling_speed", "m/s", "V, the speed of the contact along the rail; not negative").min = 0;
         add_input(load_, "normal_load", "N", "N at the end of a step; not negative").min = 0;
-        add_friction_factor();
+        add_input(factor_, "friction_factor", "", "mu over friction_coefficient at the end of a step").min = 0;
         add_input(axes_[0], "given_half_length", "m",
                   "a at the end of a step, where mode is table; 0 with given_half_width = 0: that of normal_load and "
                   "the radii")
@@ -118,7 +124,76 @@ public:
         }
     }
 
+    Outcome step(double duration) override {
+        Past step = motion(duration);
+        Status status = check(duration);
+        Step result;
+        if (status == Status::ok) {
+            result = table_ ? take_by_table(step) : take_by_elements(step);
+            status = result.status;
+        }
+        status_ = value_of(status);
+        if (status != Status::ok) return outcome_of(status);
+        std::swap(from_, now_);
+        std::swap(now_, next_);
+        past_ = step;
+        last_ = result;
+        slip_work_ += result.slip_work;
+        show();
+        return Outcome::ok;
+    }
+
+    double partial(const Variable& unknown, const Variable& known) override {
+        const Scalar* const force = &unknown.real();
+        const bool of_force = force == &force_.longitudinal || force == &force_.lateral || force == &force_.moment;
+        if (!of_force || known.causality != Causality::input) {
+            throw NoDerivative(unknown, known, ": the forces have some by the inputs");
+        }
+        const bool stepped = past_.duration > 0;
+        if (!stepped && initial_state_ == in_steady_rolling) {
+            throw NoDerivative(unknown, known, " before the first step");
+        }
+        const Force by = stepped ? partial_by(known.real()) : Force{0, 0, 0};  // at rest there is no force
+        const Scalar value = force == &force_.longitudinal ? by.longitudinal
+                             : force == &force_.lateral    ? by.lateral
+                                                           : by.moment;
+        if (!rollbem::detail::is_finite(value)) {
+            throw NoDerivative(unknown, known, " here");
+        }
+        return value;
+    }
+
+    void archive(Archive& archive) override {
+        for (State* state : {&now_, &from_}) {
+            archive.keep(state->traction);
+            archive.keep(state->plain_traction);
+            archive.keep(state->zones);
+            archive.keep(state->normal_pressure);
+            archive.keep(state->half_length);
+            archive.keep(state->half_width);
+        }
+        archive.keep(past_);
+        archive.keep(last_);
+    }
+
 private:
+    using Status = rollbem::Status;
+    using Force = rollbem::TangentialForce<Scalar>;
+    using Hertz = rollbem::HertzPatchLoad<Scalar>;
+    using FrictionModel = rollbem::FrictionModel<rollbem::ConstantFriction<Scalar>, 2, Scalar>;
+    using Step = FrictionModel::Step;
+    using State = FrictionModel::State;
+
+    // A step.
+    struct Past {
+        Scalar duration = 0;                // [s]
+        rollbem::Creepage<Scalar> shift{};  // [m], spin as an angle
+        Scalar distance = 0;                // rolled [m]
+        Scalar load = 0;                    // at the end [N]
+        Scalar factor = 1;                  // of mu, at the end
+        Scalar semi_axes[2] = {0, 0};       // at the end [m]; 0: those of the load
+    };
+
     void add_radius(Scalar& radius, const char* name, std::string description) {
         add_parameter(&radius, name, "m", std::move(description) + "; negative if concave, 1e9 if flat");
     }
@@ -141,14 +216,46 @@ private:
         const rollbem::PatchMesh<Scalar> mesh = patch_mesh(contact, elements_, strips_);
         const rollbem::NodeDifference scheme{rollbem::Nodes::chebyshev};
         const rollbem::HalfSpace<Scalar> kernel(poisson_ratio_);
-        using Hertz = rollbem::HertzPatchLoad<Scalar>;
         begin(
             fixed ? Hertz::fixed(*ellipse_, contact, mesh) : Hertz::breathing(*ellipse_, contact, mesh),
             FrictionModel(
                 contact, fixed ? rolling_system(mesh, scheme, kernel) : breathing_system(contact, mesh, scheme, kernel),
                 judge_stability(patch_parts(mesh, scheme, kernel)),
-                rollbem::Friction{friction_coefficient_, hertz_pressures(contact, mesh, largest_load_)}),
-            1);
+                rollbem::Friction{friction_coefficient_, hertz_pressures(contact, mesh, largest_load_)}));
+    }
+
+    /// Starts at rest or rolling steadily under the present inputs.
+    void begin(Hertz hertz, FrictionModel model) {
+        hertz_.emplace(std::move(hertz));
+        model_.emplace(std::move(model));
+        workspace_.emplace(model_->workspace());
+        require(rollbem::detail::is_finite(factor_.value) && factor_.value >= 0, "friction_factor", factor_.value,
+                "be finite and not negative");
+        end_load_ = hertz_->at(load_.value);
+        end_load_.normal_pressure *= factor_.value;
+        now_ = model_->at_rest();
+        now_.normal_pressure = end_load_.normal_pressure.head(model_->size());
+        now_.half_length = end_load_.half_length;
+        now_.half_width = end_load_.half_width;
+        from_ = next_ = now_;
+        last_ = {};
+        last_.force = {0, 0, 0};
+        last_.stick_count = model_->size();
+        if (initial_state_ == in_steady_rolling) roll_steadily();
+        past_ = {};
+        slip_work_ = 0;
+        show();
+    }
+
+    /// Starts by table, as after a step.
+    void begin(const Past& inputs, const Step& first) {
+        hertz_.reset();
+        model_.reset();
+        now_ = from_ = next_ = {};
+        last_ = first;
+        past_ = inputs;
+        slip_work_ = 0;
+        show();
     }
 
     void begin_by_table() {
@@ -172,8 +279,7 @@ private:
         const Past inputs = at_once(1);
         bool on_table = true;
         const Step steady = look_up(inputs, on_table);
-        require(steady.status == StepStatus::ok, "status of the table at the first inputs", name(steady.status),
-                "be ok");
+        require(steady.status == Status::ok, "status of the table at the first inputs", name(steady.status), "be ok");
         begin(inputs, steady);
         off_table_ = 0;
         tell(inputs, on_table);
@@ -201,12 +307,47 @@ private:
                 .semi_axes = {axes_[0].value, axes_[1].value}};
     }
 
-    // By table, a step at the velocities of its end, whose work is the mean of those at the velocities of both ends.
-    Step take(Past& step) override {
-        if (!table_) {
-            if (is_given(step.semi_axes[0]) || is_given(step.semi_axes[1])) return refused();
-            return FrictionContact::take(step);
+    /// Of the inputs over the next step.
+    Status check(Scalar duration) const {
+        Status status = Status::ok;
+        for (const Input* input : {&slip_[0], &slip_[1], &spin_, &speed_, &load_, &factor_, &axes_[0], &axes_[1]}) {
+            const Scalar end = input->after(duration);
+            if (!rollbem::detail::is_finite(input->value) || !rollbem::detail::is_finite(end)) {
+                return Status::not_finite;
+            }
+            if (input == &speed_ && (input->value < 0 || end < 0)) status = Status::invalid_step;
+            if (input == &factor_ && end < 0) status = Status::invalid_load;
         }
+        return status;
+    }
+
+    Past motion(Scalar duration) const {
+        const auto integral = [duration](const Input& input) {
+            return duration * (input.value + input.after(duration)) / 2;
+        };
+        return {.duration = duration,
+                .shift = {integral(slip_[0]), integral(slip_[1]), integral(spin_)},
+                .distance = integral(speed_),
+                .load = load_.after(duration),
+                .factor = factor_.after(duration),
+                .semi_axes = {axes_[0].after(duration), axes_[1].after(duration)}};
+    }
+
+    /// The creepage of the present inputs. Throws std::invalid_argument unless the contact rolls.
+    rollbem::Creepage<Scalar> first_creepage() const {
+        require(speed_.value > 0, "rolling_speed", speed_.value, "be positive where initial_state is steady");
+        return {slip_[0].value / speed_.value, slip_[1].value / speed_.value, spin_.value / speed_.value};
+    }
+
+    Step take_by_elements(const Past& step) {
+        if (!is_given(step.semi_axes[0]) && !is_given(step.semi_axes[1])) return advance(now_, step, next_);
+        Step refused;
+        refused.status = Status::invalid_load;
+        return refused;
+    }
+
+    // By table, a step at the velocities of its end, whose work is the mean of those at the velocities of both ends.
+    Step take_by_table(Past& step) {
         const Past start = at_once(step.duration);
         const auto end_of = [](Scalar mean, Scalar first) { return 2 * mean - first; };
         step.shift = {end_of(step.shift.longitudinal, start.shift.longitudinal),
@@ -214,7 +355,7 @@ private:
         step.distance = std::max(end_of(step.distance, start.distance), Scalar(0));
         bool on_table = true, unused = true;
         Step result = look_up(step, on_table);
-        if (result.status != StepStatus::ok) return result;
+        if (result.status != Status::ok) return result;
         tell(step, on_table);
         const bool constant = start.shift == step.shift && start.distance == step.distance && start.load == step.load &&
                               start.factor == step.factor && start.semi_axes[0] == step.semi_axes[0] &&
@@ -223,11 +364,6 @@ private:
         return result;
     }
 
-    static Step refused() {
-        Step result;
-        result.status = StepStatus::invalid_load;
-        return result;
-    }
     static bool is_given(Scalar semi_axis) { return !(semi_axis == 0); }
 
     // The ellipse of a step, if it has one.
@@ -243,7 +379,7 @@ private:
         const auto& [along, across, turn] = step.shift;
         const auto contact = contact_of(step);
         rollbem::TabulatedForce refused;
-        refused.status = StepStatus::invalid_load;
+        refused.status = Status::invalid_load;
         if (!contact) return refused;
         return table_->look_up(*contact, friction_coefficient_ * step.factor, lifted(step.load) ? 0 : step.load,
                                {along / distance, across / distance, turn / distance});
@@ -255,7 +391,7 @@ private:
         const auto& [along, across, turn] = step.shift;
         Step result;
         result.status = found.status;
-        if (result.status != StepStatus::ok) return result;
+        if (result.status != Status::ok) return result;
         result.force = found.force;
         result.tangent = (1 / distance) * found.tangent;
         result.tangent_by_load = found.tangent_by_load;
@@ -287,19 +423,70 @@ private:
         return {any.longitudinal / load, any.lateral / load, 0};
     }
 
-    Force partial_by(const Scalar& input) override {
+    void roll_steadily() {
+        require_finite_inputs();
+        const Step steady = model_->steady(now_, {.motion = first_creepage(), .load = end_load_}, next_, *workspace_);
+        require(steady.status == Status::ok, "status of steady rolling at the first inputs", name(steady.status),
+                "be ok");
+        std::swap(now_, next_);
+        last_.force = steady.force;
+        last_.stick_count = steady.stick_count;
+    }
+
+    // `by_factor`: tangent_by_load becomes that with respect to the factor of mu.
+    Step advance(const State& from, const Past& step, State& to, bool by_factor = false) {
+        Step failed;
+        failed.status = hertz_->set(step.load, end_load_);
+        // under a contact too small for its mesh forces are rough, and as small as its load
+        if (failed.status != Status::ok && failed.status != Status::unresolved) return failed;
+        // mu as a factor of the pressures, which bound the tractions together
+        if (by_factor) end_load_.pressure_rate = end_load_.normal_pressure;
+        end_load_.normal_pressure *= step.factor;
+        if (!by_factor) end_load_.pressure_rate *= step.factor;
+        return model_->advance(from, {step.distance, FrictionModel::Motion::shift(step.shift), end_load_}, to,
+                               *workspace_);
+    }
+
+    void show() {
+        force_ = last_.force;
+        show_size(past_.duration > 0 ? past_.load : load_.value);
+        sticking_elements_ = static_cast<int>(last_.stick_count);
+        const bool computed = past_.duration > 0 || initial_state_ == in_steady_rolling;
+        status_ = computed ? value_of(Status::ok) : 0;
+    }
+
+    // Of the forces at the end of the last step by an input during it.
+    Force partial_by(const Scalar& input) {
+        if (&input == &slip_[0].value) return past_.duration * last_.tangent.by_longitudinal;
+        if (&input == &slip_[1].value) return past_.duration * last_.tangent.by_lateral;
+        if (&input == &spin_.value) return past_.duration * last_.tangent.by_spin;
         // steps that change only one of the semi-axes from 0, or any in a patch, are refused
         const bool of_axis = &input == &axes_[0].value || &input == &axes_[1].value;
         if (of_axis && !(table_ && is_given(past_.semi_axes[0]))) {
             constexpr Scalar none = std::numeric_limits<Scalar>::quiet_NaN();
             return {none, none, none};
         }
-        if (!table_) return FrictionContact::partial_by(input);
+        return table_ ? partial_of_table_by(input) : partial_of_elements_by(input);
+    }
+
+    Force partial_of_elements_by(const Scalar& input) {
+        if (&input == &load_.value) {
+            if (!hertz_->breathes()) return last_.tangent_by_load;
+            return last_.tangent_by_load + hertz_->half_length_rate(past_.load) * last_.tangent_by_half_length;
+        }
+        if (&input == &factor_.value) return advance(from_, past_, next_, true).tangent_by_load;
+        return past_.duration * rollbem::tangent_by_distance(past_.distance, now_.half_length, [&](Scalar distance) {
+                   Past step = past_;
+                   step.distance = distance;
+                   return advance(from_, step, next_).force;
+               });
+    }
+
+    Force partial_of_table_by(const Scalar& input) const {
         if (&input == &load_.value) return last_.tangent_by_load;
         if (&input == &factor_.value) return friction_coefficient_ * find(past_).tangent_by_friction_coefficient;
         if (&input == &axes_[0].value) return find(past_).tangent_by_half_length;
         if (&input == &axes_[1].value) return find(past_).tangent_by_half_width;
-        if (&input != &speed_.value) return FrictionContact::partial_by(input);
         if (past_.distance <= least_speed * past_.duration) return {0, 0, 0};
         const auto& [by_longitudinal, by_lateral, by_spin] = last_.tangent;
         return -past_.duration / past_.distance *
@@ -307,7 +494,7 @@ private:
                 past_.shift.spin * by_spin);
     }
 
-    void show_size(Scalar load) override {
+    void show_size(Scalar load) {
         const Scalar scale = std::cbrt(load / ellipse_->load());
         half_length_ = scale * ellipse_->half_length();
         half_width_ = scale * ellipse_->half_width();
@@ -328,12 +515,25 @@ private:
     // By table: at standstill, where there is no creepage, forces oppose the slip all the same. [m/s]
     static constexpr Scalar least_speed = 1e-6;
 
+    Input slip_[2] = {{0}, {0}}, spin_{0}, speed_{20}, load_{1e5}, factor_{1}, axes_[2] = {{0}, {0}};
+    Force force_{0, 0, 0};
+    Scalar slip_work_ = 0;
+    int sticking_elements_ = 0, initial_state_ = at_rest, status_ = 0;
+
     Scalar shear_modulus_ = 8e10, poisson_ratio_ = 0.28, friction_coefficient_ = 0.3, largest_load_ = 2e5;
     rollbem::HertzEllipse<Scalar>::Radii wheel_{.rolling = 0.46, .lateral = 1e9}, rail_{.rolling = 1e9, .lateral = 0.3};
     int elements_ = 8, strips_ = 8, mesh_size_ = mesh_follows_load;
     int mode_ = by_elements, off_table_ = 0;
     std::string table_file_;
     Scalar half_length_ = 0, half_width_ = 0;
+
+    std::optional<Hertz> hertz_;
+    std::optional<FrictionModel> model_;
+    std::optional<rollbem::FrictionWorkspace<2, Scalar>> workspace_;
+    rollbem::NormalLoad<Scalar> end_load_;  // of the present step
+    State now_, from_, next_;               // from_: where the last step began
+    Past past_;
+    Step last_;
 
     std::optional<rollbem::HertzEllipse<Scalar>> ellipse_;   // under largest_load
     std::shared_ptr<const rollbem::CreepForceTable> table_;  // where mode is table
@@ -344,10 +544,9 @@ private:
 const Identity identity{
     .identifier = "rollbem_patch",
     .description = "Elliptic contact patch with Coulomb friction and spin under a normal load that varies",
-    .model_exchange = false,
     .stop_time = 0.01,
     .step_size = 5e-5};
 
-std::unique_ptr<Model> make_model(Interface used) { return std::make_unique<Patch>(used); }
+std::unique_ptr<Model> make_model() { return std::make_unique<Patch>(); }
 
 }  // namespace fmu

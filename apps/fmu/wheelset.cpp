@@ -8,7 +8,6 @@
 #include <rollbem/detail/finite.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 
-#include "contact_variables.hpp"
 #include "model.hpp"
 #include "shared_table.hpp"
 
@@ -16,7 +15,7 @@ namespace fmu {
 
 namespace {
 
-using rollbem::StepStatus;
+using rollbem::Status;
 using rollbem::WheelForces;
 
 constexpr std::array sides{rollbem::WheelsetSide::left, rollbem::WheelsetSide::right};
@@ -24,7 +23,7 @@ constexpr Eigen::Index components = 6;
 
 class Wheelset final : public Model {
 public:
-    explicit Wheelset(Interface used) : Model(used) {
+    Wheelset() {
         add_parameter(&friction_coefficient_, "friction_coefficient", "", "mu").min = 0;
         add_parameter(&contact_table_, "contact_table_file", "",
                       "Path of a table of contact geometry, as the program contact_table makes; empty: the one packed "
@@ -68,17 +67,17 @@ public:
             "contact_table_file", contact_table_.empty() ? resources + "/s1002_60e1.contact" : contact_table_);
         creep_ = shared_table<rollbem::CreepForceTable>(
             "creep_table_file", creep_table_.empty() ? resources + "/steel.creep" : creep_table_);
-        const StepStatus status = look_up(0);
-        require(status == StepStatus::ok, "status of the tables at the first inputs", name(status), "be ok");
+        const Status status = look_up(0);
+        require(status == Status::ok, "status of the tables at the first inputs", name(status), "be ok");
         slip_work_ = 0;
         status_ = value_of(status);
     }
 
     Outcome step(double duration) override {
         const double before = heat_;
-        const StepStatus status = look_up(duration);
+        const Status status = look_up(duration);
         status_ = value_of(status);
-        if (status == StepStatus::ok) slip_work_ += duration * (before + heat_) / 2;
+        if (status == Status::ok) slip_work_ += duration * (before + heat_) / 2;
         return outcome_of(status);
     }
 
@@ -112,17 +111,17 @@ public:
 private:
     using Force = Eigen::Matrix<double, components, 1>;
 
-    StepStatus look_up(double duration) {
+    Status look_up(double duration) {
         std::array<double, 8> at{};
         for (std::size_t i = 0; i < at.size(); ++i) at[i] = motion_[i].after(duration);
         const auto [lateral, yaw, forward, pitch_rate, across, down, roll_rate, yaw_rate] = at;
-        if (forward < 0) return StepStatus::invalid_step;
+        if (forward < 0) return Status::invalid_step;
         std::array<WheelForces, 2> wheels;
         for (std::size_t k = 0; k < 2; ++k) {
             wheels[k] = contacts_->look_up(*creep_, sides[k], {.lateral = lateral, .yaw = yaw},
                                            {forward, pitch_rate, across, down, roll_rate, yaw_rate},
                                            loads_[k].after(duration), friction_coefficient_);
-            if (wheels[k].status != StepStatus::ok) return wheels[k].status;
+            if (wheels[k].status != Status::ok) return wheels[k].status;
         }
         const std::array loads{loads_[0].after(duration), loads_[1].after(duration)};
         const bool both = loads[0] > 0 && loads[1] > 0;  // a wheel that is lifted has no height
@@ -135,7 +134,7 @@ private:
             forces_[k + 1] = wheels[k].force;
             tangents_[k] = wheels[k].tangent;
         }
-        return StepStatus::ok;
+        return Status::ok;
     }
 
     double friction_coefficient_ = 0.3;
@@ -156,10 +155,9 @@ private:
 
 const Identity identity{.identifier = "rollbem_wheelset",
                         .description = "Contact forces of a wheelset on real rails, by look-up",
-                        .model_exchange = false,
                         .stop_time = 1,
                         .step_size = 1e-3};
 
-std::unique_ptr<Model> make_model(Interface used) { return std::make_unique<Wheelset>(used); }
+std::unique_ptr<Model> make_model() { return std::make_unique<Wheelset>(); }
 
 }  // namespace fmu

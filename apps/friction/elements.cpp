@@ -66,8 +66,8 @@ std::vector<Contact::State> starts_of(const Curve& curve, const study::Scene& sc
         starts[i] = state;
         const auto step =
             contact.steady(state, {rollbem::Travel<>::at_speed(V), point.times(creepage_unit(scene))}, next, workspace);
-        const bool solved = step.status == rollbem::StepStatus::ok;
-        if (solved || step.status == rollbem::StepStatus::assists_creepage) std::swap(state, next);
+        const bool solved = step.status == rollbem::Status::ok;
+        if (solved || step.status == rollbem::Status::assists_creepage) std::swap(state, next);
     }
     return starts;
 }

@@ -6,7 +6,7 @@ namespace friction {
 
 namespace {
 
-using rollbem::StepStatus;
+using rollbem::Status;
 using Creepage = rollbem::Creepage<double>;
 
 /// -F.s of a relative motion s.
@@ -17,7 +17,7 @@ double work(const rollbem::FrictionStep<2>& step, const Creepage& motion) {
 
 std::string word(const Rolling& rolling, const Moment& moment) {
     if (!moment.computed) return study::after_failure;
-    if (moment.step.status != StepStatus::ok) return name(moment.step.status);
+    if (moment.step.status != Status::ok) return name(moment.step.status);
     return !moment.valid ? study::unresolved : rolling.checked ? study::ok : study::unchecked;
 }
 
@@ -28,14 +28,14 @@ std::string roll(const Rolling& rolling, study::RowRange range, const std::funct
     rollbem::Run run(contact);
     Moment now;
     now.step.force = {0, 0, 0};
-    now.step.status = StepStatus::ok;
+    now.step.status = Status::ok;
     std::string ended;
     std::size_t row = 0;
 
     const auto emit_row = [&] {
         if (row++ < range.first) return;
         now.elastic_energy = contact.elastic_energy(run.now());
-        now.valid = now.step.status == StepStatus::ok && (!rolling.resolved || rolling.resolved(now.q));
+        now.valid = now.step.status == Status::ok && (!rolling.resolved || rolling.resolved(now.q));
         now.status = word(rolling, now);
         emit(now);
     };
@@ -43,29 +43,24 @@ std::string roll(const Rolling& rolling, study::RowRange range, const std::funct
     const auto keep = [&](const rollbem::FrictionStep<2>& step, double creep_work) {
         now.step = step;
         now.rounds += step.rounds;
-        if (step.status != StepStatus::ok) return;
+        if (step.status != Status::ok) return;
         now.slip_work += step.slip_work;
         now.jump_work += step.jump_work;
         now.creep_work += creep_work;
     };
-    if (rolling.load_at) {
-        const rollbem::NormalLoad<double> first = rolling.load_at(0);
-        run.now().normal_pressure = first.normal_pressure.head(contact.size());
-        run.now().half_length = first.half_length;
-        if (first.half_width > 0) run.now().half_width = first.half_width;
-    }
+    if (rolling.load_at) run.now() = contact.at_rest(rolling.load_at(0));
     if (rolling.shift) {
         const auto step =
             run.advance({{0, rolling.run.steps.dq}, rollbem::FrictionContact::Motion::shift(*rolling.shift)});
         keep(step, work(step, *rolling.shift) / 2);  // the mean force, from none
         now.shifted = true;
-        if (step.status != StepStatus::ok) ended = study::why_ended(0, step.status);
+        if (step.status != Status::ok) ended = study::why_ended(0, step.status);
         emit_row();
         now.shifted = false;
     }
     if (rolling.run.from_steady) {
         now.step = run.steady({rollbem::Travel<>::at_speed(1.0), rolling.creepage(0)});
-        if (now.step.status != StepStatus::ok) ended = study::why_ended(0, now.step.status);
+        if (now.step.status != Status::ok) ended = study::why_ended(0, now.step.status);
     }
     rollbem::FrictionStep<2> failed;
     const auto step = [&](double from, double to) {
@@ -76,7 +71,7 @@ std::string roll(const Rolling& rolling, study::RowRange range, const std::funct
         rollbem::NormalLoad<double> load;
         if (rolling.load_at) load = rolling.load_at(to);
         const auto next = rolling.load_at ? run.advance({travel, motion, load}) : run.advance({travel, motion});
-        if (next.status != StepStatus::ok) {
+        if (next.status != Status::ok) {
             failed = next;
             return next.status;
         }

@@ -29,7 +29,7 @@ struct FrictionRow {
     study::Cell time_us;
     Eigen::Index i = 0;
 
-    bool ok() const { return step.status == rollbem::StepStatus::ok; }
+    bool ok() const { return step.status == rollbem::Status::ok; }
     double strip_width() const { return patch.mesh.widths()[i / patch.mesh.elements_per_strip()]; }
 };
 

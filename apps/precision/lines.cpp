@@ -22,7 +22,7 @@ using rollbem::Collocation;
 using rollbem::Galerkin;
 using rollbem::Mesh;
 using rollbem::NodeDifference;
-using rollbem::StepStatus;
+using rollbem::Status;
 using rollbem::Topology;
 using Array = rollbem::ArrayX<double>;
 using Complex = std::complex<double>;
@@ -99,7 +99,7 @@ Values friction_force(const Discrete& discrete) {
     const rollbem::FrictionModel<> model(scene.contact, {{}, discrete.slopes(), discrete.mesh->widths()},
                                          discrete.friction());
     const auto step = rollbem::Run(model).steady({.motion = scene.creepage()});
-    return {step.status == StepStatus::ok ? -step.force / scene.full() : nan};
+    return {step.status == Status::ok ? -step.force / scene.full() : nan};
 }
 
 /// The same along and across at 45 degrees.
@@ -112,7 +112,7 @@ Values combined_forces(const Discrete& discrete) {
         discrete.friction());
     const double part = scene.creepage() / std::numbers::sqrt2;
     const auto step = rollbem::Run(model).steady({.motion = {part, part}});
-    if (step.status != StepStatus::ok) return {nan, nan};
+    if (step.status != Status::ok) return {nan, nan};
     return {-step.force.longitudinal / scene.full(), -step.force.lateral / scene.full()};
 }
 
@@ -136,15 +136,15 @@ Values load_forces(const Discrete& discrete) {
                                          rollbem::unchecked, {1, load.normal_pressure});
     rollbem::Run contact(model);
     hertz.set(load_at(0), load);
-    StepStatus status = contact.steady({.motion = scene.creepage(), .load = load}).status;
+    Status status = contact.steady({.motion = scene.creepage(), .load = load}).status;
     Values forces;
     const int count = load_steps * scene.load_parts;
     const double dq = load_length / count, full = line.load_per_width() * scene.contact.width();
     for (int k = 1; k <= count; ++k) {
         hertz.set(load_at(k * dq), load);
         const auto step = contact.advance({dq, scene.creepage(), load});
-        if (status == StepStatus::ok) status = step.status;
-        if (k % scene.load_parts == 0) forces.push_back(status == StepStatus::ok ? -step.force / full : nan);
+        if (status == Status::ok) status = step.status;
+        if (k % scene.load_parts == 0) forces.push_back(status == Status::ok ? -step.force / full : nan);
     }
     return forces;
 }

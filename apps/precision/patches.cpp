@@ -81,7 +81,7 @@ PatchValues forces(const PatchContact& contact, const rollbem::PatchMesh<double>
                                                       {three * xi, three * eta, three * phi}}) {
         const auto step = rollbem::Run(model).steady({.motion = creepage});
         found.values.insert(found.values.end(), {-step.force.longitudinal, -step.force.lateral});
-        if (step.status != rollbem::StepStatus::ok) found.status = rollbem::name(step.status);
+        if (step.status != rollbem::Status::ok) found.status = rollbem::name(step.status);
     }
     return found;
 }

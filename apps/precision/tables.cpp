@@ -114,8 +114,8 @@ void write_cheapest(study::OutputFile& file, const std::vector<Point>& points,
 void print_recommendations(const study::Options& options) {
     const study::Rule open{[](double value) { return value > 0 && value < 1; }, "be above 0 and below 1"};
     const double tolerance = options.number("recommend", open);
-    for (const auto& [name, value] : options.given_values()) {
-        if (name != "recommend" && name != "a-over-b") options.ignored(name, "with --recommend");
+    for (const study::Given& given : options.given()) {
+        if (given.name != "recommend" && given.name != "a-over-b") options.ignored(given.name, "with --recommend");
     }
     const double a_over_b = options.number("a-over-b", study::between(0.1, 25));
     study::OutputFile output = study::OutputFile::standard_output();

@@ -132,11 +132,11 @@ void add_options(study::Options& options) {
     options.add_output("wear", "with --friction: also write frictional work over both profiles to this CSV file");
     options.footer(help);
     options.set_conventions(
-        "axes = \"track axes: x forward, y to the right, z down; patches: x, s along y turned by the angle, n into the "
-        "rail\"\n"
-        "signs = \"creepages are CONTACT's CKSI, CETA, CPHI; forces and moment act on the wheel\"\n"
-        "units = \"m, rad, s, N, Pa, W; columns ending in _us in microseconds\"\n"
-        "cells = \"the shortest text that is read back exactly; an undefined value is an empty cell\"\n");
+        "axes = track axes: x forward, y to the right, z down; patches: x, s along y turned by the angle, n into the "
+        "rail\n"
+        "signs = creepages are CONTACT's CKSI, CETA, CPHI; forces and moment act on the wheel\n"
+        "units = m, rad, s, N, Pa, W; columns ending in _us in microseconds\n"
+        "cells = the shortest text that is read back exactly; an undefined value is an empty cell\n");
 }
 
 namespace {

@@ -1,44 +1,21 @@
-// The files that options name: configurations, inputs and what is written.
+// The files that options name: inputs and what is written.
 #include <filesystem>
 
 #include "input.hpp"
 #include "options.hpp"
 #include "output.hpp"
-#include "sidecar.hpp"
 
 namespace study {
 
-std::vector<std::pair<std::string, std::string>> Options::given_values() const {
-    std::vector<std::pair<std::string, std::string>> result;
+std::vector<Given> Options::given() const {
+    std::vector<Given> result;
     for (const auto& [name, entry] : entries_) {
         if (!given(name) || name == "config") continue;
-        result.emplace_back(name, entry.kind == Kind::flag ? raw(name).back() : join(raw(name), ","));
+        const bool writes = entry.kind == Kind::output || entry.kind == Kind::table || entry.kind == Kind::folder;
+        result.push_back(
+            {name, entry.kind == Kind::flag ? raw(name).back() : join(raw(name), ","), !writes && name != "jobs"});
     }
     return result;
-}
-
-void Options::read_config() {
-    Config config = study::read_config(contents(*this, "config"), said("config"));
-    replays_ = config.is_sidecar;
-    if (replays_ && !config.program.empty() && config.program != program_) {
-        throw BadInput(said("config") + ": program = " + config.program + " must be " + program_ +
-                       ", whose run this is to repeat");
-    }
-    for (Setting& setting : config.settings) {
-        const auto found = entries_.find(setting.name);
-        if (found == entries_.end() || setting.name == "config") {
-            throw BadInput(setting.where + " must name an option of " + program_ + suggestion(setting.name) +
-                           "; see --help");
-        }
-        const Kind kind = found->second.kind;
-        const bool writes = kind == Kind::output || kind == Kind::table || kind == Kind::folder;
-        if (replays_ && (writes || setting.name == "jobs")) continue;
-        if (kind == Kind::flag && setting.values != std::vector<std::string>{"true"} &&
-            setting.values != std::vector<std::string>{"false"}) {
-            throw BadInput(setting.where + " must be true or false");
-        }
-        found->second.configured = std::move(setting.values);
-    }
 }
 
 void Options::check_files() const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <new>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <gsl/gsl_errno.h>
@@ -67,7 +68,7 @@ Options::Options(std::string program, const std::string& purpose)
     app_->get_option("--version")->description("print version and git revision and exit");
     group("Program");
     add_input("config",
-              "read options from a TOML file, e.g. alpha-T = 0.63, mesh = \"cosine\" or n = [10, 20]; or from a "
+              "read options from a file, one a line, e.g. alpha-T = 0.63, mesh = cosine or n = 10,20; or from a "
               "FILE.toml beside results, to repeat that run without its outputs and --jobs. The command line takes "
               "precedence. Every input FILE may be -, standard input");
 
@@ -274,6 +275,44 @@ std::optional<std::string> Options::parse(int argc, const char* const* argv) {
     check_files();
     apply_limits();
     return std::nullopt;
+}
+
+void Options::read_config() {
+    const std::string text = contents(*this, "config");
+    const auto malformed = [&](const std::string& what) { return BadInput(said("config") + ": " + what); };
+    replays_ = text.rfind(sidecar_start, 0) == 0;
+    if (replays_) {
+        const std::size_t start = std::string(sidecar_start).size();
+        const std::string program = text.substr(start, text.find_first_of("\r\n") - start);
+        if (program != program_) throw malformed("program = " + program + " must be " + program_);
+    }
+    if (text.find("[given]") != std::string::npos) {
+        throw malformed("must be of version 0.5 or later; give the command_line in it instead");
+    }
+    if (text.find('\0') != std::string::npos) throw malformed("must be text");
+    const std::size_t list = text.rfind("[");  // the format takes what is open at the end for a list
+    if (list != std::string::npos && text.find_first_of("]\"'", list) == std::string::npos) {
+        throw malformed("each [ must have its ]");
+    }
+    std::istringstream lines(text);
+    CLI::ConfigBase format;
+    format.comment('\0');  // a # within a value is no comment
+    for (const CLI::ConfigItem& item : format.from_config(lines)) {
+        const std::string where = item.name + " = " + join(item.inputs, ",");
+        if (!item.parents.empty()) throw malformed("[" + item.parents.front() + "] must not be there: no sections");
+        const auto found = entries_.find(item.name);
+        if (found == entries_.end() || item.name == "config") {
+            throw malformed(where + " must name an option of " + program_ + suggestion(item.name) + "; see --help");
+        }
+        if (item.inputs.empty()) throw malformed(where + " must have a value");
+        const bool is_flag = found->second.kind == Kind::flag;
+        if (is_flag && item.inputs != std::vector<std::string>{"true"} &&
+            item.inputs != std::vector<std::string>{"false"}) {
+            throw malformed(where + " must be true or false");
+        }
+        std::vector<std::string>& values = found->second.configured;
+        for (const std::string& value : item.inputs) values.emplace_back(detail::trim(value));
+    }
 }
 
 std::string Options::version() const {

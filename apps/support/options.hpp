@@ -101,6 +101,12 @@ std::vector<std::string> mesh_names();
 /// The option that sets what a column of this name shows: "size-ratio" for size_ratio.
 std::string option_of(std::string column);
 
+/// An option that was given.
+struct Given {
+    std::string name, value;  ///< the value as typed, of a flag true or false
+    bool repeats;             ///< it belongs to what --config repeats: it names no file that is written, nor --jobs
+};
+
 class Options {
 public:
     /// Declares the options all studies share. `purpose` is the first line of --help.
@@ -176,7 +182,7 @@ public:
     /// Text below the options in --help, exactly as given; the exit codes follow it.
     void footer(const std::string& text);
 
-    /// Replaces what the file beside the results says of axes, signs and units: lines of TOML.
+    /// Replaces what the file beside the results says of axes, signs and units: lines, each NAME = TEXT.
     void set_conventions(std::string text) { conventions_ = std::move(text); }
     const std::string& conventions() const { return conventions_; }
 
@@ -225,9 +231,8 @@ public:
     std::vector<double> numbers(const std::string& name, const Rule& rule) const;
     std::vector<std::ptrdiff_t> integers(const std::string& name, std::ptrdiff_t low, std::ptrdiff_t high) const;
 
-    /// Every option given except --config, with its value as typed, flags with true: what --config reads to repeat
-    /// the run.
-    std::vector<std::pair<std::string, std::string>> given_values() const;
+    /// Every option given except --config, in the order of their names.
+    std::vector<Given> given() const;
 
     /// A line for the sidecar on what was done with the input, once.
     void note(const std::string& line) const {

@@ -160,11 +160,11 @@ std::optional<LoadHistory> read_load_history(const Options& options, double unti
 namespace {
 
 /// Rolls by one step, or without a solution by halves. Returns where a step failed for good.
-std::optional<double> in_halves(double from, double to, const std::function<rollbem::StepStatus(double, double)>& step,
+std::optional<double> in_halves(double from, double to, const std::function<rollbem::Status(double, double)>& step,
                                 int halvings) {
-    const rollbem::StepStatus status = step(from, to);
-    if (status == rollbem::StepStatus::ok) return std::nullopt;
-    if (status != rollbem::StepStatus::no_solution || halvings == 0) return to;
+    const rollbem::Status status = step(from, to);
+    if (status == rollbem::Status::ok) return std::nullopt;
+    if (status != rollbem::Status::no_solution || halvings == 0) return to;
     const double middle = from + (to - from) / 2;
     if (const auto failed = in_halves(from, middle, step, halvings - 1)) return failed;
     return in_halves(middle, to, step, halvings - 1);
@@ -173,7 +173,7 @@ std::optional<double> in_halves(double from, double to, const std::function<roll
 }  // namespace
 
 std::optional<double> roll(double from, double to, const Numbers& knots,
-                           const std::function<rollbem::StepStatus(double, double)>& step) {
+                           const std::function<rollbem::Status(double, double)>& step) {
     while (from < to) {
         const double stop = next_stop(knots, from, to);
         if (const auto failed = in_halves(from, stop, step, most_halvings)) return failed;
@@ -182,12 +182,12 @@ std::optional<double> roll(double from, double to, const Numbers& knots,
     return std::nullopt;
 }
 
-std::string why_ended(double q, rollbem::StepStatus status) {
+std::string why_ended(double q, rollbem::Status status) {
     const std::string where = "no results from the step to q/a = " + Cell(q).text(6) + " on: " + name(status);
-    if (status == rollbem::StepStatus::needs_fixed_mesh) {
+    if (status == rollbem::Status::needs_fixed_mesh) {
         return where + ", the contact grows or shrinks as fast as it rolls; use --breathing=false";
     }
-    if (status != rollbem::StepStatus::no_solution || !(q > 0)) return where;
+    if (status != rollbem::Status::no_solution || !(q > 0)) return where;
     return where + ", not even in steps of dq/" + std::to_string(1 << most_halvings);
 }
 

@@ -120,10 +120,10 @@ inline constexpr int most_halvings = 6;
 /// Rolls between two places by step(from, to), which moves on if its status is ok: divided at the knots in between, and
 /// in halves where a step has no solution. Returns where a step failed for good; nothing if none did.
 std::optional<double> roll(double from, double to, const Numbers& knots,
-                           const std::function<rollbem::StepStatus(double, double)>& step);
+                           const std::function<rollbem::Status(double, double)>& step);
 
 /// Why a run has no results from the step to q [a] on.
-std::string why_ended(double q, rollbem::StepStatus status);
+std::string why_ended(double q, rollbem::Status status);
 
 /// Writes a table whose tasks are runs. `ended` says of each, once it is computed, why it ended early, if it did.
 /// Throws what write_table throws, and std::runtime_error if a run ended early.

@@ -1,10 +1,9 @@
 #include "sidecar.hpp"
 
 #include <fstream>
-#include <sstream>
+#include <string_view>
 
 #include <gsl/gsl_version.h>
-#include <toml++/toml.h>
 
 #include "build_info.hpp"
 #include "input.hpp"
@@ -12,30 +11,6 @@
 namespace study {
 
 namespace {
-
-/// As the command line has it.
-std::string text_of(const toml::node& node) {
-    if (const auto text = node.value_exact<std::string>()) return *text;
-    std::ostringstream text;
-    node.visit([&](const auto& value) { text << value; });
-    return text.str();
-}
-
-Setting setting_of(const std::string& name, const toml::node& node, const std::string& said) {
-    const std::string line = std::to_string(node.source().begin.line);
-    Setting setting{name, {}, said + ": line " + line + ": " + name + " = " + printable(text_of(node))};
-    const toml::array* list = node.as_array();
-    if (list != nullptr && list->empty()) throw BadInput(setting.where + " must not be an empty list");
-    const auto add = [&](const toml::node& value) {
-        if (!value.is_string() && !value.is_number() && !value.is_boolean()) {
-            throw BadInput(setting.where + " must be a text, a number, true or false, or a list of these");
-        }
-        setting.values.push_back(text_of(value));
-    };
-    if (list == nullptr) add(node);
-    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) add((*list)[i]);
-    return setting;
-}
 
 /// A command line as a shell takes it.
 std::string shell_quoted(const std::vector<std::string>& words) {
@@ -60,56 +35,56 @@ std::string cpu_name() {
 }
 
 constexpr const char* conventions =
-    R"toml(x = "rolling direction in units of the half-length a; leading edge at x/a = 1, trailing edge at x/a = -1"
-elements = "numbered from the trailing edge to the leading edge"
-signs = "traction acts on body 1 (the wheel); positive creepage gives negative traction and force"
-c11 = """of a line: -force per width / (a G creepage); c11_exact = pi/(2(1-nu)), plane limit b >> a of a rectangle; \
-of a patch: (F_x, F_y, M_z/c) = -G a b (c11 c12 c13; c21 c22 c23; c31 c32 c33) (xi, eta, phi c), c = sqrt(a b)"""
-units = "dimensionless with a = G = V = 1; columns ending in _us in microseconds"
-errors = "relative_error = value/exact - 1, signed, for real quantities; absolute value for complex ones"
-cells = "the shortest text that is read back exactly; an undefined value is an empty cell"
-)toml";
+    R"(x = rolling direction in units of the half-length a; leading edge at x/a = 1, trailing edge at x/a = -1
+elements = numbered from the trailing edge to the leading edge
+signs = traction acts on body 1 (the wheel); positive creepage gives negative traction and force
+c11 = of a line: -force per width / (a G creepage); c11_exact = pi/(2(1-nu)), plane limit b >> a of a rectangle
+c_ij = of a patch: (F_x, F_y, M_z/c) = -G a b (c11 c12 c13; c21 c22 c23; c31 c32 c33) (xi, eta, phi c), c = sqrt(a b)
+units = dimensionless with a = G = V = 1; columns ending in _us in microseconds
+errors = relative_error = value/exact - 1, signed, for real quantities; absolute value for complex ones
+cells = the shortest text that is read back exactly; an undefined value is an empty cell
+)";
+
+/// The lines of a text as comments.
+std::string comments(const std::string& lines) {
+    std::string text;
+    for (const std::string& line : cells_of(lines, '\n')) {
+        if (!line.empty()) text += "# " + line + "\n";
+    }
+    return text;
+}
+
+/// As --config reads it.
+std::string quoted(const std::string& name, const std::string& text) {
+    const char mark = text.find('"') == std::string::npos ? '"' : '\'';
+    if (text.find(mark) != std::string::npos || text.find_first_of("\n\r\\") != std::string::npos) {
+        throw BadInput("--" + name + " = " + text + " must have no line break, backslash, or both \" and ', which " +
+                       "the file beside the results cannot keep");
+    }
+    return mark + text + mark;
+}
 
 }  // namespace
 
-Config read_config(const std::string& text, const std::string& said) {
-    Config config;
-    try {
-        const toml::table all = toml::parse(text);
-        const toml::table* given = all["given"].as_table();
-        config.is_sidecar = given != nullptr;
-        config.program = all["program"].value_or(std::string());
-        for (const auto& [name, node] : config.is_sidecar ? *given : all) {
-            config.settings.push_back(setting_of(std::string(name.str()), node, said));
-        }
-    } catch (const toml::parse_error& error) {
-        throw BadInput(said + ": line " + std::to_string(error.source().begin.line) +
-                       " must be TOML: " + printable(error.description()));
-    }
-    return config;
-}
-
 std::string sidecar_text(const Options& options) {
-    toml::table given;
-    for (const auto& [name, value] : options.given_values()) given.insert(name, value);
-    toml::table all{{"program", options.program()},
-                    {"command_line", shell_quoted(options.words())},
-                    {"version", build_info::version},
-                    {"git_revision", build_info::git_revision},
-                    {"given", given},
-                    {"build", toml::table{{"compiler", build_info::compiler},
-                                          {"flags", build_info::flags},
-                                          {"build_type", build_info::build_type},
-                                          {"eigen", build_info::eigen},
-                                          {"gsl", gsl_version}}},
-                    {"machine", toml::table{{"cpu", cpu_name()}}}};
-    toml::array notes;
-    for (const std::string& note : options.notes()) notes.push_back(note);
-    if (!notes.empty()) all.insert("notes", notes);
-    std::ostringstream text;
-    text << toml::toml_formatter(all, toml::format_flags::allow_unicode_strings) << "\n\n[conventions]\n"
-         << (options.conventions().empty() ? conventions : options.conventions());
-    return text.str();
+    std::string text = sidecar_start + options.program() + "\n# The options are read by --config.\n";
+    for (const Given& given : options.given()) {
+        if (given.repeats) text += given.name + " = " + quoted(given.name, given.value) + "\n";
+    }
+    const auto add = [&](const std::string& name, std::string_view value) {
+        text += "# " + name + " = " + printable(value) + "\n";
+    };
+    add("command_line", shell_quoted(options.words()));
+    add("version", build_info::version);
+    add("git_revision", build_info::git_revision);
+    add("compiler", build_info::compiler);
+    add("flags", build_info::flags);
+    add("build_type", build_info::build_type);
+    add("eigen", build_info::eigen);
+    add("gsl", gsl_version);
+    add("cpu", cpu_name());
+    for (const std::string& note : options.notes()) add("note", note);
+    return text + comments(options.conventions().empty() ? conventions : options.conventions());
 }
 
 }  // namespace study

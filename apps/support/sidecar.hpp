@@ -1,31 +1,16 @@
-// TOML: the file beside a table, which says how it was made, and configuration files. The former is one of the latter,
-// with its options in the table [given].
+// The file beside a table, which says how it was made: comments for people, and the options for --config.
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "options.hpp"
 
 namespace study {
 
-/// An option of a configuration file.
-struct Setting {
-    std::string name;
-    std::vector<std::string> values;  ///< at least one
-    std::string where;                ///< file, line and what stands there, for messages
-};
+/// The beginning of its first line, which ends with the name of the program.
+inline constexpr const char* sidecar_start = "# program = ";
 
-struct Config {
-    std::vector<Setting> settings{};
-    bool is_sidecar = false;  ///< it stands beside a table
-    std::string program{};    ///< that wrote the sidecar
-};
-
-/// Reads the contents of a file, which `said` names in messages. Throws BadInput if they are malformed.
-Config read_config(const std::string& text, const std::string& said);
-
-/// The file beside a table of this run.
+/// The file beside a table of this run. Throws BadInput if an option's text cannot be read back.
 std::string sidecar_text(const Options& options);
 
 }  // namespace study

@@ -27,9 +27,9 @@ std::string reduce(const Options& options, Space& space, const std::string& boun
     space = reduced.space;
     const Eigen::Index kept = space.A.rows(), present = reduced.hankel_singular_values.size();
     const double left_out = kept < present ? reduced.hankel_singular_values[kept] : 0;
-    return "x = \"of a balanced reduction, whose steady state is exact\"\nstates = " + std::to_string(kept) +
-           "\nlargest_hankel_singular_value_left_out = " + Cell(left_out).text() +
-           "\nerror_bound = " + Cell(reduced.error_bound).text() + "  # of " + bounded + ", at every frequency\n";
+    return "# x = of a balanced reduction, whose steady state is exact\n# states = " + std::to_string(kept) +
+           "\n# largest_hankel_singular_value_left_out = " + Cell(left_out).text() +
+           "\n# error_bound = " + Cell(reduced.error_bound).text() + " of " + bounded + ", at every frequency\n";
 }
 
 /// Plain numbers, comma-separated, one row a line.
@@ -75,7 +75,7 @@ void write_state_space(const Options& options, OutputFiles& files, std::size_t c
         throw BadInput(said + " must go with a " + words.one + " that has one: " + singular.what());
     }
     const std::string meaning =
-        options.given("states") ? reduce(options, space, words.bounded) : "x = \"" + words.states + "\"\n";
+        options.given("states") ? reduce(options, space, words.bounded) : "# x = " + words.states + "\n";
     progress.clear();
     files.make_folder(folder, "--state-space");
     const auto add = [&](const char* file, const std::string& text) {
@@ -85,7 +85,7 @@ void write_state_space(const Options& options, OutputFiles& files, std::size_t c
     add("B.csv", text_of(space.B));
     add("C.csv", text_of(space.C));
     add("D.csv", text_of(space.D));
-    add("state_space.toml", sidecar_text(options) + "\n[state_space]\n" + words.conventions + meaning);
+    add("state_space.toml", sidecar_text(options) + "# state space\n" + words.conventions + meaning);
 }
 
 }  // namespace study

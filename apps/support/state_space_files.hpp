@@ -19,7 +19,7 @@ void add_state_space_options(Options& options, const std::string& what);
 struct StateSpaceWords {
     std::string one;          ///< scheme, or patch
     std::string lists;        ///< options whose values make several
-    std::string conventions;  ///< lines of TOML
+    std::string conventions;  ///< lines that begin with #
     std::string states;       ///< what x is unless it is reduced
     std::string bounded;      ///< what the bound of the reduction's error is of
 };

@@ -6,7 +6,7 @@ steady=$programs/steady_study
 printf '%s\n' -1 -0.2 0.5 1 >"$scratch/edges"
 
 # a configuration file; the command line takes precedence
-printf '# one\n"n" = [10, # ten\n  "20",\n]\r\nalpha-T=[0.5 , 0.6]# two\nmesh = "cos\\u0069ne"\nquiet = true' >c.toml
+printf '# one\n"n" = [10,\n  "20"\n]\r\nalpha-T=[0.5 , 0.6]\nmesh = cosine\nquiet' >c.toml
 good 5 "$steady" --config c.toml
 check 'all that a configuration file says' '$mesh == "cosine" && ($n == 10 || $n == 20) &&
     ($alpha_T == 0.5 || $alpha_T > 0.59)'
@@ -17,8 +17,8 @@ cut -d, -f1-10 out | cmp -s - from_stdin || fail "a configuration from standard 
 printf '%s\n' -1 -0.2 0.5 1 >own
 "$steady" --quiet --alpha-T 0.5,0.6 --alpha-L 0 --jobs 2 --no-timing --edges own --shard 2/2 --output run.csv ||
     fail run.csv
-sed -n '/^\[given\]/,/^$/p' run.csv.toml >given
-[ "$(cut -d' ' -f1 given | tr '\n' ' ')" = '[given] alpha-L alpha-T edges jobs no-timing output quiet shard  ' ] ||
+grep -v '^#' run.csv.toml >given
+[ "$(cut -d' ' -f1 given | tr '\n' ' ')" = 'alpha-L alpha-T edges no-timing quiet shard ' ] ||
     fail "options given: $(cat given)"
 good 1 "$steady" --config run.csv.toml
 cmp -s out run.csv || fail "the part of a run that is repeated"
@@ -32,10 +32,6 @@ good 1 "$steady" --config run.csv.toml
 mkdir parts
 (cd parts && "$steady" --config ../run.csv.toml --edges ../own >../out) && [ -z "$(ls -A parts)" ] ||
     fail "a run that is repeated writes its files again"
-# what versions before 0.5 wrote of the tables that were read is passed over
-printf '\n[inputs]\nedges = "fnv1a64:0123456789abcdef"\n' >>run.csv.toml
-good 1 "$steady" --config run.csv.toml
-cmp -s out before || fail "the file beside rows of an earlier version"
 bad 'program = steady_study must be traction_study' "$programs/traction_study" --config "$scratch/run.csv.toml"
 "$programs/stability_study" --n 6 --critical --output run.csv || fail "--critical"
 good 2 "$programs/stability_study" --config run.csv.toml

@@ -117,7 +117,7 @@ approach one | awk '{ h[NR] = $2; a[NR] = $1 }
 # --- what was done with files stands in the sidecar
 awk '{ print } NR == 40' sphere.txt >twice.txt
 $shape --wheel twice.txt --radius 0.1 --rail plane.txt --rail-mirror z --rail-origin 0.75,0 --output noted.csv
-grep -q '^"--wheel: repeated points' noted.csv.toml && grep -q '^"--rail: z mirrored' noted.csv.toml ||
+grep -q '^# note = --wheel: repeated points' noted.csv.toml && grep -q '^# note = --rail: z mirrored' noted.csv.toml ||
     fail 'notes in the sidecar'
 
 # --- rows that fail say why; both wheels carry the load, N cos delta but for a percent; the row order does not depend on --jobs

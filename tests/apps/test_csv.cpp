@@ -1,6 +1,7 @@
 // apps/support/csv.hpp
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -12,37 +13,6 @@
 
 namespace csv_tests {
 namespace {
-
-/// The value of a line `key = "basic string"`. Knows only the escapes that a program needs, and throws on whatever
-/// TOML forbids.
-std::string toml_value(const std::string& text, const std::string& key) {
-    const std::string start = "\n" + key + " = \"";
-    std::size_t i = ("\n" + text).find(start);
-    if (i == std::string::npos) throw std::runtime_error("no key " + key);
-    std::string value;
-    for (i += start.size() - 1; text.at(i) != '"'; ++i) {
-        if (static_cast<unsigned char>(text[i]) < 0x20) throw std::runtime_error("control character in a string");
-        if (text[i] != '\\') {
-            value += text[i];
-            continue;
-        }
-        const char escape = text.at(++i);
-        if (escape == '"' || escape == '\\') {
-            value += escape;
-        } else if (escape == 't' || escape == 'n') {
-            value += escape == 't' ? '\t' : '\n';
-        } else if (escape == 'u') {
-            const int code = std::stoi(text.substr(i + 1, 4), nullptr, 16);
-            if (code > 0x7F) throw std::runtime_error("no ASCII");
-            value += static_cast<char>(code);
-            i += 4;
-        } else {
-            throw std::runtime_error("unknown escape");
-        }
-    }
-    if (text.at(i + 1) != '\n') throw std::runtime_error("text after a string");
-    return value;
-}
 
 /// The words of a command line as the shell splits it.
 std::vector<std::string> shell_words(const std::string& line) {
@@ -79,25 +49,35 @@ TEST_CASE("A number is the shortest text that is read back exactly, and zero has
     }
 }
 
-TEST_CASE("A TOML reader and a shell recover the command line from a sidecar", "[csv]") {
-    const std::vector<std::vector<std::string>> lines{
-        {"study", "--output", "plain.csv", "--n", "10,20"},
-        {"study", "--output", "a\\z.csv"},
-        {"study", "--output", "it's.csv"},
-        {"study", "--output", "'", "--plot", "''\\''.svg"},
-        {"study", "--output", "two words \"quoted\" $HOME `id` *?[a] ~ #no !x;&|<>().csv"},
-        {"study", "--output", "tab\tline\nend"},
-        {"study", "--output", "Grüße, δ.csv"},
-    };
-    for (const std::vector<std::string>& words : lines) {
-        study::Options options("study", "purpose");
-        std::vector<const char*> argv;
-        for (const std::string& word : words) argv.push_back(word.c_str());
-        REQUIRE_FALSE(options.parse(static_cast<int>(argv.size()), argv.data()).has_value());
-        const std::string sidecar = study::sidecar_text(options);
+study::Options parsed(const std::vector<std::string>& words) {
+    study::Options options("study", "purpose");
+    std::vector<const char*> argv;
+    for (const std::string& word : words) argv.push_back(word.c_str());
+    REQUIRE_FALSE(options.parse(static_cast<int>(argv.size()), argv.data()).has_value());
+    return options;
+}
+
+TEST_CASE("A shell recovers the command line from a sidecar, and --config its options", "[csv]") {
+    const char* const file = "test_csv_sidecar.toml";
+    for (const std::string name : {"plain", "it's", "two words \"quoted\" $HOME `id` *?[a] ~ #no !x;&|<>(),",
+                                   "Grüße, δ", "tab\tx", "# no comment", "a=b", "[given", "true"}) {
+        const std::vector<std::string> words{"study",   "--edges", name,       "--poisson",
+                                             "0.1,0.2", "--quiet", "--output", "x"};
+        const std::string sidecar = study::sidecar_text(parsed(words));
         CAPTURE(sidecar);
-        CHECK(shell_words(toml_value(sidecar, "command_line")) == words);
-        CHECK(toml_value(sidecar, "output") == words[2]);
+        const std::string start = "\n# command_line = ";
+        const std::size_t line = sidecar.find(start) + start.size();
+        if (name != "tab\tx") CHECK(shell_words(sidecar.substr(line, sidecar.find('\n', line) - line)) == words);
+        std::ofstream(file) << sidecar;
+        const study::Options again = parsed({"study", "--config", file});
+        CHECK(again.text("edges") == name);
+        CHECK(again.text("poisson") == "0.1,0.2");
+        CHECK(again.flag("quiet"));
+        CHECK_FALSE(again.given("output"));
+    }
+    std::remove(file);
+    for (const char* const name : {"it's \"both\"", "line\nend", "a\\z"}) {
+        CHECK_THROWS_AS(study::sidecar_text(parsed({"study", "--edges", name})), study::BadInput);
     }
 }
 

@@ -28,9 +28,8 @@ static void fail(const char *what) {
 }
 
 /* POSIX lets an object pointer be converted to a function pointer; ISO C has no cast for it. */
-#define LOAD_IF_THERE(type, member) *(void **)&fmu.member = dlsym(library, "fmi2" #type);
-#define LOAD(type, member)         \
-    LOAD_IF_THERE(type, member)    \
+#define LOAD(type, member)                                 \
+    *(void **)&fmu.member = dlsym(library, "fmi2" #type);  \
     if (fmu.member == NULL) fail(#type);
 
 Fmu load_fmu(const char *path, const char *description) {
@@ -38,7 +37,6 @@ Fmu load_fmu(const char *path, const char *description) {
     void *const library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
     if (library == NULL) fail(dlerror());
     FMU_FUNCTIONS(LOAD)
-    FMU_MODEL_EXCHANGE(LOAD_IF_THERE)
 
     FILE *const file = fopen(description, "rb");
     if (file == NULL) fail(description);
@@ -81,10 +79,10 @@ static void count_message(fmi2ComponentEnvironment environment, fmi2String insta
     ++messages;
 }
 
-fmi2Component instantiate(const Fmu *fmu, const char *name, fmi2Type type) {
+fmi2Component instantiate(const Fmu *fmu, const char *name) {
     static const fmi2CallbackFunctions callbacks = {count_message, NULL, NULL, NULL, NULL};
     const fmi2Component instance =
-        fmu->instantiate(name, type, fmu->guid, fmu->resources, &callbacks, fmi2False, fmi2False);
+        fmu->instantiate(name, fmi2CoSimulation, fmu->guid, fmu->resources, &callbacks, fmi2False, fmi2False);
     if (instance == NULL) fail("fmi2Instantiate");
     return instance;
 }

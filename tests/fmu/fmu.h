@@ -5,7 +5,7 @@
 
 #include <fmi2FunctionTypes.h>
 
-/* The functions called, by their names in FMI and here; the latter null where the FMU has no model exchange. */
+/* The functions called, by their names in FMI and here. */
 #define FMU_FUNCTIONS(X) \
     X(Instantiate, instantiate) X(FreeInstance, free_instance) X(SetupExperiment, setup_experiment) \
     X(EnterInitializationMode, enter_initialization_mode) \
@@ -14,17 +14,13 @@
     X(GetRealStatus, get_real_status) X(GetFMUstate, get_state) X(SetFMUstate, set_state) \
     X(FreeFMUstate, free_state) X(SerializedFMUstateSize, serialized_size) X(SerializeFMUstate, serialize) \
     X(DeSerializeFMUstate, deserialize) X(GetDirectionalDerivative, directional_derivative)
-#define FMU_MODEL_EXCHANGE(X) \
-    X(NewDiscreteStates, new_discrete_states) X(EnterContinuousTimeMode, enter_continuous_time_mode) \
-    X(SetTime, set_time) X(GetContinuousStates, get_states) X(SetContinuousStates, set_states) \
-    X(GetDerivatives, get_derivatives)
 
 typedef struct {
     char *description;    /* the text of modelDescription.xml */
     char resources[1024]; /* beside it, as a URI */
     char guid[64];
 #define MEMBER(type, name) fmi2##type##TYPE *name;
-    FMU_FUNCTIONS(MEMBER) FMU_MODEL_EXCHANGE(MEMBER)
+    FMU_FUNCTIONS(MEMBER)
 #undef MEMBER
 } Fmu;
 
@@ -32,7 +28,7 @@ typedef struct {
 Fmu load_fmu(const char *library, const char *description);
 fmi2ValueReference reference_of(const Fmu *fmu, const char *variable);
 int has_variable(const Fmu *fmu, const char *variable);
-fmi2Component instantiate(const Fmu *fmu, const char *name, fmi2Type type);
+fmi2Component instantiate(const Fmu *fmu, const char *name);
 
 /* Ends the program with a message unless the status is the expected one. */
 void expect(fmi2Status status, fmi2Status expected, const char *what);

@@ -1,5 +1,5 @@
 // library_run KIND VARIANT START: results of the library's steps, bit for bit, for steps read as lines of duration [s]
-// and inputs in SI units. KIND is line or patch, with slip velocities, spin, rolling speed, load and factor of friction
+// and inputs in SI units. KIND is patch, with slip velocities, spin, rolling speed, load and factor of friction
 // as inputs and a mesh that VARIANT says, follows (the load) or fixed; or wheelset, with the folder of its tables as
 // VARIANT and the inputs of its FMU. Where START is steady, the first line is that state. Prints forces and moments,
 // slip work and the number of elements that stick. Exits with 1 at a step that is not ok.
@@ -23,8 +23,7 @@ bool read(std::array<double, Count>& numbers) {
     return true;
 }
 
-template <class Contact>
-bool roll(Contact contact, bool steady) {
+bool roll(library::Friction contact, bool steady) {
     double work = 0;
     for (std::array<double, 7> line{}; read(line); steady = false) {
         const auto& [duration, longitudinal, lateral, spin, speed, load, factor] = line;
@@ -71,7 +70,5 @@ int main(int count, char** arguments) {
     if (count != 4) return 2;
     const std::string kind = arguments[1], variant = arguments[2];
     const bool fixed = variant == "fixed", steady = std::string(arguments[3]) == "steady";
-    return !(kind == "wheelset" ? roll_wheelset(variant)
-             : kind == "patch"  ? roll(library::patch(fixed), steady)
-                                : roll(library::line(fixed), steady));
+    return !(kind == "wheelset" ? roll_wheelset(variant) : roll(library::patch(fixed), steady));
 }

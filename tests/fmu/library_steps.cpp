@@ -1,4 +1,4 @@
-// Steps of the library, timed by cost.c.
+// Look-ups of the library, timed by cost.c.
 #include "library_steps.h"
 
 #include <string>
@@ -6,20 +6,6 @@
 #include <rollbem/vehicle/contact_table.hpp>
 
 #include "library.hpp"
-
-double library_adhesion(double duration, int count) {
-    static library::Adhesion contact(duration * 20);
-    double force = 0;
-    for (int i = 0; i < count; ++i) force = contact.step(duration * 1e-3);
-    return force;
-}
-
-double library_friction(double duration, int count) {
-    static auto contact = library::line(false);
-    double force = 0;
-    for (int i = 0; i < count; ++i) force = contact.step(duration, {1e-3, 0, 0}, 20, 1e5).force.longitudinal;
-    return force;
-}
 
 namespace {
 
@@ -29,7 +15,7 @@ std::string folder;
 
 void library_resources(const char* name) { folder = name; }
 
-double library_table(double, int count) {
+double library_table(int count) {
     static const auto table = rollbem::CreepForceTable::read(folder + "/steel.creep");
     static const rollbem::HertzEllipse<double> ellipse = library::ellipse().under(1e5);
     double force = 0;
@@ -40,7 +26,7 @@ double library_table(double, int count) {
     return force;
 }
 
-double library_wheelset(double, int count) {
+double library_wheelset(int count) {
     static const auto creep = rollbem::CreepForceTable::read(folder + "/steel.creep");
     static const auto contacts = rollbem::ContactTable::read(folder + "/s1002_60e1.contact");
     double force = 0;

@@ -21,7 +21,6 @@ class Fmu:
         self.folder = fmpy.extract(file, folder)
         self.references = {v.name: v.valueReference for v in self.description.modelVariables}
         self.types = {v.name: v.type for v in self.description.modelVariables}
-        self.states = sum(v.derivative is not None for v in self.description.modelVariables)
 
     def close(self):
         shutil.rmtree(self.folder, ignore_errors=True)
@@ -30,12 +29,10 @@ class Fmu:
 class Instance:
     """An instance called through FMI, with variables by name. `messages` are those that it logged."""
 
-    def __init__(self, fmu, model_exchange=False, guid=None):
+    def __init__(self, fmu, guid=None):
         self.fmu, self.messages = fmu, []
-        kind = fmi2.FMU2Model if model_exchange else fmi2.FMU2Slave
-        interface = fmu.description.modelExchange if model_exchange else fmu.description.coSimulation
-        self.calls = kind(guid=guid or fmu.description.guid, unzipDirectory=fmu.folder,
-                          modelIdentifier=interface.modelIdentifier, instanceName="test")
+        self.calls = fmi2.FMU2Slave(guid=guid or fmu.description.guid, unzipDirectory=fmu.folder,
+                                    modelIdentifier=fmu.description.coSimulation.modelIdentifier, instanceName="test")
         self.callbacks = fmi2.fmi2CallbackFunctions()
         self.callbacks.logger = fmi2.fmi2CallbackLoggerTYPE(
             lambda environment, name, status, category, message: self.messages.append(message.decode()))
@@ -67,14 +64,6 @@ class Instance:
         """The status of the step."""
         return status_of(lambda: self.calls.fmi2DoStep(self.calls.component, time, duration, 0))
 
-    def roll(self, duration, steps):
-        """Equal steps from t = 0, each of which must succeed; returns the force after each."""
-        forces = []
-        for i in range(steps):
-            assert self.step(i * duration, duration) == ok, self.messages
-            forces.append(self.get("force"))
-        return forces
-
     def rate(self, name, value):
         """Sets the time derivative of an input."""
         reference = (fmi2.fmi2ValueReference * 1)(self.reference(name))
@@ -93,20 +82,6 @@ class Instance:
 
     def derivative(self, unknown, known):
         return self.calls.getDirectionalDerivative([self.reference(unknown)], [self.reference(known)], [1.0])[0]
-
-    # model exchange
-    def set_states(self, values):
-        self.calls.fmi2SetContinuousStates(self.calls.component, (c_double * len(values))(*values), len(values))
-
-    def states(self):
-        values = (c_double * self.fmu.states)()
-        self.calls.fmi2GetContinuousStates(self.calls.component, values, len(values))
-        return list(values)
-
-    def rates(self):
-        values = (c_double * self.fmu.states)()
-        self.calls.fmi2GetDerivatives(self.calls.component, values, len(values))
-        return list(values)
 
     def close(self):
         self.calls.freeInstance()

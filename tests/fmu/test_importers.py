@@ -14,12 +14,10 @@ from support import Fmu, Instance, discard, error, ok, run, status_of
 duration = 25  # us
 # by FMU: enumerations, each at another value than its start
 choices = {
-    "rollbem_adhesion": [{"half_length_from": 2, "direction": 2, "contact_length": 2, "initial_state": 2}],
-    "rollbem_friction": [{"mesh": 2, "mesh_length": 2, "kernel": 2, "initial_state": 2}],
     "rollbem_patch": [{"mesh_size": 2, "initial_state": 2}, {"mode": 2}],
     "rollbem_wheelset": [{}],
 }
-slips = {"slip_velocity": 4e-3, "longitudinal_slip_velocity": 4e-3, "lateral_slip_velocity": -3e-3, "spin_rate": 1.0,
+slips = {"longitudinal_slip_velocity": 4e-3, "lateral_slip_velocity": -3e-3, "spin_rate": 1.0,
          "lateral_shift": 3e-3, "yaw": 1e-3, "lateral_velocity": 0.02}
 
 

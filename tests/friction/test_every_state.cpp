@@ -341,6 +341,9 @@ TEST_CASE("Invalid steps, states and loads are reported by the status, and nothi
             refused(Status::invalid_load, advance(rest, Ride::travel(0.1), creeps, &load));
             refused(Status::invalid_load,
                     ride.model.steady(rest, {Travel<>::at_speed(speed), creeps, load}, ride.next, ride.own));
+            CHECK(refusal([&] { ride.model.at_rest(load); }) ==
+                  "FrictionModel: status of the load at rest = invalid_load must be ok: pressures of all elements, "
+                  "finite and not negative, on semi-axes that the mesh can follow");
         }
         Load longer = good;
         for (const double way : {1.0, -1.0}) {
@@ -498,4 +501,21 @@ TEST_CASE("If no coefficient fits its slip, status and residual say so", "[frict
 }
 
 }  // namespace
+
+TEST_CASE("Steady rolling from rest under a load is that under the load", "[friction]") {
+    for (const Setup& setup : every_setup()) {
+        INFO(words(setup));
+        Ride ride(setup);
+        const Load load{0.9 * setup.pressure(), 1.05 * a, setup.pressure()};
+        const State rest = ride.model.at_rest(load);
+        State to = ride.now;
+        const Travel<> travel = Travel<>::at_speed(speed);
+        const Step expected = ride.model.steady(ride.now, {travel, creepage(0.5), load}, ride.next, ride.own);
+        const Step found = ride.model.steady(rest, {travel, creepage(0.5)}, to, ride.own);
+        REQUIRE(expected.status == Status::ok);
+        CHECK(found.force.longitudinal == expected.force.longitudinal);
+        CHECK(same(to, ride.next));
+    }
+}
+
 }  // namespace any_model

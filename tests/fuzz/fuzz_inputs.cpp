@@ -73,7 +73,7 @@ void take(const std::vector<std::string>& words) {
         require(scene.n() >= 1 && (scene.mesh->widths() > 0).all(), "every element has a width");
     }
     const std::string sidecar = study::sidecar_text(options);
-    require(sidecar.find('\0') == std::string::npos, "TOML has no zero bytes");
+    require(sidecar.find('\0') == std::string::npos, "a text has no zero bytes");
 }
 
 /// Reads the words as friction_study does in the time domain, up to the load of every step.

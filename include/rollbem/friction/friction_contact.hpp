@@ -85,7 +85,8 @@ public:
     Eigen::Index size() const { return model_->size(); }
     std::uint64_t fingerprint() const { return model_->fingerprint(); }
     bool converges() const { return model_->converges(); }
-    State at_rest() const { return model_->at_rest(); }
+    State at_rest() const { return model_->at_rest(nullptr); }
+    State at_rest(const NormalLoad<double>& load) const { return model_->at_rest(&load); }
     Workspace workspace() const { return model_->workspace(); }
     Force force(const State& state) const { return model_->force(state); }
     double elastic_energy(const State& state) const { return model_->elastic_energy(state); }
@@ -104,7 +105,7 @@ private:
         virtual Eigen::Index size() const = 0;
         virtual std::uint64_t fingerprint() const = 0;
         virtual bool converges() const = 0;
-        virtual State at_rest() const = 0;
+        virtual State at_rest(const NormalLoad<double>* load) const = 0;
         virtual Workspace workspace() const = 0;
         virtual Force force(const State& state) const = 0;
         virtual double elastic_energy(const State& state) const = 0;
@@ -127,10 +128,10 @@ public:
     Eigen::Index size() const override { return model_.size(); }
     std::uint64_t fingerprint() const override { return model_.fingerprint(); }
     bool converges() const override { return model_.converges(); }
-    State at_rest() const override {
+    State at_rest(const NormalLoad<double>* load) const override {
         State rest;
         rest.traction.setZero(size(), 2);
-        raise(model_.at_rest(), rest);
+        raise(load == nullptr ? model_.at_rest() : model_.at_rest(*load), rest);
         return rest;
     }
     Workspace workspace() const override {

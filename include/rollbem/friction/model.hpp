@@ -234,7 +234,8 @@ auto FrictionModel<Law, directions, Scalar>::at_rest(const NormalLoad<Scalar>& l
     if (possible == Status::ok) {
         possible = detail::check_growth(system_, Scalar(0), core_.axes(given), core_.axes(given));
     }
-    detail::require(possible == Status::ok, name, "status of the load at rest", rollbem::name(possible), "be ok");
+    detail::require(possible == Status::ok, name, "status of the load at rest", rollbem::name(possible),
+                    "be ok: pressures of all elements, finite and not negative, on semi-axes that the mesh can follow");
     state.normal_pressure = given.pressure.head(size());
     state.half_length = given.half_length;
     state.half_width = given.half_width;

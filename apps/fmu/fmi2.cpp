@@ -1,4 +1,4 @@
-// The functions of FMI 2.0 that model exchange and co-simulation share.
+// The functions of FMI 2.0 for co-simulation.
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -24,8 +24,7 @@ using Bytes = std::vector<std::byte>;
 template <class Value>
 bool calculated(const Instance& instance, const fmi2ValueReference references[], std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-        const fmu::Causality causality = instance.variable<Value>(references[i]).causality;
-        if (causality != fmu::Causality::parameter && causality != fmu::Causality::input) return true;
+        if (instance.variable<Value>(references[i]).causality == fmu::Causality::output) return true;
     }
     return false;
 }
@@ -39,8 +38,8 @@ fmi2Status no_such_type(fmi2Component component, const char* function, std::size
 template <class Held, class Value>
 fmi2Status set(fmi2Component component, const char* function, const fmi2ValueReference references[], std::size_t count,
                const Value values[]) {
-    constexpr unsigned before_and_while_running = fmu::instantiated | fmu::initialization | fmu::running;
-    return call(component, function, before_and_while_running, [&](Instance& instance) {
+    constexpr unsigned before_and_between_steps = fmu::instantiated | fmu::initialization | fmu::stepping;
+    return call(component, function, before_and_between_steps, [&](Instance& instance) {
         for (std::size_t i = 0; i < count; ++i) {
             if constexpr (std::is_pointer_v<Value>) {
                 if (values[i] == nullptr) throw std::invalid_argument("there is no text");
@@ -48,6 +47,13 @@ fmi2Status set(fmi2Component component, const char* function, const fmi2ValueRef
             instance.settable<Held>(references[i]) = values[i];
         }
     });
+}
+
+constexpr unsigned can_tell = fmu::stepping | fmu::terminated | fmu::failed;
+
+/// What is asked about steps that run in the background, of which there are none.
+fmi2Status nothing_to_tell(fmi2Component component, const char* function) {
+    return call(component, function, can_tell, [](Instance&) { return fmi2Discard; });
 }
 
 }  // namespace
@@ -73,13 +79,8 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
         if (guid == nullptr || fmu::guid() != guid) {
             return refuse("fmi2Instantiate: modelDescription.xml and the library do not belong together (GUID)");
         }
-        if (type == fmi2ModelExchange && !fmu::identity.model_exchange) {
-            return refuse("fmi2Instantiate: this FMU is for co-simulation only");
-        }
-        return std::make_unique<Instance>(
-                   name, type == fmi2ModelExchange ? fmu::Interface::model_exchange : fmu::Interface::co_simulation,
-                   resources == nullptr ? "" : resources, *functions)
-            .release();
+        if (type != fmi2CoSimulation) return refuse("fmi2Instantiate: this FMU is for co-simulation only");
+        return std::make_unique<Instance>(name, resources == nullptr ? "" : resources, *functions).release();
     } catch (...) {
         return refuse("fmi2Instantiate: out of memory");
     }
@@ -113,13 +114,13 @@ fmi2Status fmi2EnterInitializationMode(fmi2Component component) {
 fmi2Status fmi2ExitInitializationMode(fmi2Component component) {
     return call(component, __func__, fmu::initialization, [](Instance& instance) {
         instance.build();
-        instance.mode = instance.used() == fmu::Interface::model_exchange ? fmu::event : fmu::stepping;
+        instance.mode = fmu::stepping;
         return instance.warn();
     });
 }
 
 fmi2Status fmi2Terminate(fmi2Component component) {
-    return call(component, __func__, fmu::running, [](Instance& instance) { instance.mode = fmu::terminated; });
+    return call(component, __func__, fmu::stepping, [](Instance& instance) { instance.mode = fmu::terminated; });
 }
 
 fmi2Status fmi2Reset(fmi2Component component) {
@@ -129,17 +130,14 @@ fmi2Status fmi2Reset(fmi2Component component) {
 fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
                        fmi2Real values[]) {
     return call(component, __func__, fmu::any, [&](Instance& instance) {
-        const fmi2Status status = calculated<double>(instance, references, count) ? instance.refresh() : fmi2OK;
-        if (status != fmi2OK) return status;
+        if (calculated<double>(instance, references, count)) instance.refresh();
         for (std::size_t i = 0; i < count; ++i) values[i] = instance.variable<double>(references[i]).real();
-        return fmi2OK;
     });
 }
 
 fmi2Status fmi2GetInteger(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
                           fmi2Integer values[]) {
     return call(component, __func__, fmu::any, [&](Instance& instance) {
-        // the status can be read even if nothing else can be calculated
         if (calculated<int>(instance, references, count)) instance.refresh();
         for (std::size_t i = 0; i < count; ++i) values[i] = instance.variable<int>(references[i]).integer();
     });
@@ -234,7 +232,7 @@ fmi2Status fmi2DeSerializeFMUstate(fmi2Component component, const fmi2Byte seria
 fmi2Status fmi2GetDirectionalDerivative(fmi2Component component, const fmi2ValueReference unknowns[],
                                         std::size_t unknown_count, const fmi2ValueReference knowns[],
                                         std::size_t known_count, const fmi2Real seeds[], fmi2Real derivatives[]) {
-    return call(component, __func__, fmu::running, [&](Instance& instance) {
+    return call(component, __func__, fmu::stepping, [&](Instance& instance) {
         try {
             for (std::size_t i = 0; i < unknown_count; ++i) {
                 double sum = 0;
@@ -249,6 +247,68 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component component, const fmi2Value
             return fmi2Discard;
         }
     });
+}
+
+fmi2Status fmi2SetRealInputDerivatives(fmi2Component component, const fmi2ValueReference references[],
+                                       std::size_t count, const fmi2Integer orders[], const fmi2Real values[]) {
+    return call(component, __func__, fmu::instantiated | fmu::initialization | fmu::stepping, [&](Instance& instance) {
+        for (std::size_t i = 0; i < count; ++i) {
+            const fmu::Variable& variable = instance.variable<double>(references[i]);
+            if (variable.rate == nullptr) throw std::invalid_argument(variable.name + " is no input");
+            if (orders[i] != 1) throw std::invalid_argument("inputs have first derivatives only");
+            *variable.rate = values[i];
+        }
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2GetRealOutputDerivatives(fmi2Component component, const fmi2ValueReference[], std::size_t,
+                                        const fmi2Integer[], fmi2Real[]) {
+    return call(component, __func__, fmu::any,
+                [](Instance&) -> fmi2Status { throw std::invalid_argument("outputs have no derivatives by time"); });
+}
+
+fmi2Status fmi2DoStep(fmi2Component component, fmi2Real time, fmi2Real duration, fmi2Boolean /*no_state_before*/) {
+    return call(component, __func__, fmu::stepping, [&](Instance& instance) {
+        if (!std::isfinite(time) || !std::isfinite(duration) || duration <= 0) {
+            throw std::invalid_argument("the step must be positive and finite");
+        }
+        return instance.step(time, duration);
+    });
+}
+
+fmi2Status fmi2CancelStep(fmi2Component component) {
+    return call(component, __func__, fmu::any,
+                [](Instance&) -> fmi2Status { throw std::invalid_argument("no step goes on in the background"); });
+}
+
+fmi2Status fmi2GetRealStatus(fmi2Component component, const fmi2StatusKind kind, fmi2Real* value) {
+    return call(component, __func__, can_tell, [&](Instance& instance) {
+        if (kind != fmi2LastSuccessfulTime) return fmi2Discard;
+        *value = instance.time;
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2GetBooleanStatus(fmi2Component component, const fmi2StatusKind kind, fmi2Boolean* value) {
+    return call(component, __func__, can_tell, [&](Instance& instance) {
+        if (kind != fmi2Terminated) return fmi2Discard;
+        // after a refused step, as some importing programs would otherwise repeat it for ever
+        *value = instance.refused ? fmi2True : fmi2False;
+        return fmi2OK;
+    });
+}
+
+fmi2Status fmi2GetStatus(fmi2Component component, const fmi2StatusKind, fmi2Status*) {
+    return nothing_to_tell(component, __func__);
+}
+
+fmi2Status fmi2GetIntegerStatus(fmi2Component component, const fmi2StatusKind, fmi2Integer*) {
+    return nothing_to_tell(component, __func__);
+}
+
+fmi2Status fmi2GetStringStatus(fmi2Component component, const fmi2StatusKind, fmi2String*) {
+    return nothing_to_tell(component, __func__);
 }
 
 }  // extern "C"
