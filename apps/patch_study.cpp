@@ -88,7 +88,7 @@ Sheet make_sheet(const Columns& before, bool harmonic, const Columns& behind) {
                       coefficients({"11", "22", "23", "32", "33"}, harmonic, "Kalker's; empty if status is not ok")),
         study::joined(study::joined(behind, status),
                       coefficients({"12", "13", "21", "31"}, harmonic, "0 if y -> -y leaves the patch unchanged")));
-    return {patch::identity, columns, "nodes"};
+    return {patch::identity, columns, patch::distinctions};
 }
 
 /// A number of the verdict.

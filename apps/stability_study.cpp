@@ -123,7 +123,7 @@ Critical critical(const study::Scene& scene) {
     study::Scene changed = scene;
     const auto scheme_of = [&](double alpha_T) {
         changed.alpha_T = alpha_T;
-        return study::scheme_of(changed);
+        return changed.equations();
     };
     const std::optional<double> alpha_T = rollbem::studies::critical_alpha_T(*scene.mesh, scheme_of, scene.kernel);
     return {alpha_T, alpha_T ? study::ok : "all_stable"};

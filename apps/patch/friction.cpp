@@ -56,7 +56,7 @@ const study::Sheet<FrictionRow, Patch>& friction_sheet() {
                         [](const R& r) { return r.step.complementarity_residual; }},
                        {"time_us", "[microseconds] of the solution, matrices ready", &R::time_us},
                        {"status", "ok, or why there are no forces", [](const R& r) { return name(r.step.status); }}}),
-        "nodes"};
+        distinctions};
     return columns;
 }
 
@@ -81,7 +81,7 @@ const study::Sheet<FrictionRow, Patch>& traction_sheet() {
              {"stick", "1 or 0",
               if_ok([](const R& r) { return int(r.state.zones[std::size_t(r.i)] == rollbem::Zone::stick); })},
              {"status", "as above", [](const R& r) { return name(r.step.status); }}}),
-        ""};
+        "scheme"};
     return columns;
 }
 

@@ -15,6 +15,7 @@
 #include <rollbem/scene/patch_contact.hpp>
 
 #include "friction/tractions.hpp"
+#include "support/named_scheme.hpp"
 #include "support/options.hpp"
 #include "support/plot.hpp"
 #include "support/sheet.hpp"
@@ -29,6 +30,7 @@ struct Patch {
     rollbem::PatchMesh<double> mesh;
     rollbem::Mesh<double> across;  ///< that cuts it into strips
     rollbem::NodeDifference scheme;
+    study::NamedScheme named;  ///< scheme and strips by their names
 
     std::string label() const;  ///< for the progress line
     rollbem::HalfSpace<double> kernel() const { return rollbem::HalfSpace<double>(contact.poisson_ratio()); }
@@ -41,10 +43,11 @@ void add_options(study::Options& options);
 /// All patches: n is the outermost loop, then the number of strips, a/b and Poisson's ratio. Throws BadInput.
 std::vector<Patch> make_patches(const study::Options& options);
 
-/// The first columns of every table; nodes stands behind them.
+/// The first columns of every table, and the last.
 inline constexpr const char* identity = "a_over_b, poisson, n, strips";
+inline constexpr const char* distinctions = "nodes, scheme";
 
-/// The cell of one of them, or of nodes.
+/// The cell of one of these.
 study::Cell scene_cell(const Patch& patch, const std::string& column);
 
 // --- friction

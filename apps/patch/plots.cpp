@@ -28,6 +28,13 @@ std::set<double> values(const Columns& columns, const Rows& rows, const std::str
     return found;
 }
 
+/// The column `scheme` where there are several.
+Columns by_scheme(const Columns& columns, const Rows& rows) {
+    std::set<std::string> words;
+    for (const study::Row& row : rows) words.insert(row[study::index_of(columns, "scheme")].text());
+    return words.size() > 1 ? Columns{"scheme"} : Columns{};
+}
+
 /// What a picture of patches may have along x.
 struct Axis {
     std::string column, label;
@@ -49,7 +56,7 @@ Columns others(const Columns& columns, const Rows& rows, const Axis& x) {
     const bool as_many = std::all_of(rows.begin(), rows.end(), [](const study::Row& row) {
         return row[2].number() == row[3].number();  // n and strips
     });
-    Columns by;
+    Columns by = by_scheme(columns, rows);
     for (const Axis& axis : picture_axes) {
         const bool is_there = study::index_of(columns, axis.column) < columns.size();
         if (is_there && axis.column != x.column && !(x.column == "n" && axis.column == "strips" && as_many)) {
@@ -251,7 +258,8 @@ study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint&
 
 study::Plot draw_in_time(const Columns& columns, const Rows& rows, bool load_varies) {
     const std::string force = load_varies ? "μ N_0" : "μ N", c = load_varies ? "c_0" : "c";
-    study::Selection selection{.by = study::joined(patch_columns, {"nodes", "longitudinal", "lateral", "spin"}),
+    const Columns identifying = study::joined(patch_columns, by_scheme(columns, rows));
+    study::Selection selection{.by = study::joined(identifying, {"longitudinal", "lateral", "spin"}),
                                .x = "q_over_a",
                                .y = "load_ratio",
                                .markers = false};

@@ -222,7 +222,7 @@ const study::Sheet<TimeRow, Patch>& time_sheet() {
               if_computed([](const R& r) { return r.moment.step.complementarity_residual; })},
              {"integrator", "as given", [](const R& r) { return study::word(r.scene.run.integrator); }}},
             creepage_columns<R>()),
-        "nodes"};
+        distinctions};
     return columns;
 }
 

@@ -28,7 +28,7 @@ says 40
 draws "$programs/stability_study" --n 10
 says 10 && says_not 9.9 && says_not 10.0
 # no ticks at measured times
-draws "$programs/precision_study" --schemes cosine --quantity c11 --n 10,20,40
+draws "$programs/precision_study" --scheme cosine:nodes --quantity c11 --n 10,20,40
 ! grep -Ex '[0-9]+\.[0-9]{2,}' words | grep -vx '0\.0*[125]' || fail "ticks at times: $(cat words)"
 
 # at most twelve curves, and a note; exact values are always drawn
@@ -133,7 +133,7 @@ draws "$programs/transient_study" --sine 1,2 --n 10 --until 1
 title 'Rolling from rest, a sine of creepage, ω a/V = 2, collocation'
 
 # several panels as PNG, too
-for study in "friction_study --n 10" "precision_study --n 4,8 --schemes cosine --quantity c11,traction,c11_z1" \
+for study in "friction_study --n 10" "precision_study --n 4,8 --scheme cosine:nodes --quantity c11,traction,c11_z1" \
     "frequency_study --n 10"; do
     "$programs/"$study --plot p.png >out 2>err && [ "$(tail -c 8 p.png | head -c 4)" = IEND ] ||
         fail "$study as PNG: $(cat err)"
