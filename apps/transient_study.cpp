@@ -132,7 +132,7 @@ void run(const Model& model, const History& history, const study::Steps& steps,
         double force = 0;
         const auto failed = study::roll(start, end, history.knots, [&](double from, double to) {
             const auto motion = rollbem::RigidMotion<double>::linear(history.at(from, true), history.at(to, false));
-            const auto step = contact.advance(from == start && to == end ? steps.dq : to - from, motion);
+            const auto step = contact.advance({from == start && to == end ? steps.dq : to - from, motion});
             force = -step.force_per_width / reference;  // a = G = 1
             return step.status;
         });

@@ -58,7 +58,7 @@ auto roll(benchmark::State& state, const Model& model, int before, const Advance
         std::swap(now, next);
         benchmark::DoNotOptimize(step);
     }
-    if (step.status != StepStatus::ok) state.SkipWithError(name(step.status));
+    if (step.status != Status::ok) state.SkipWithError(name(step.status));
     state.counters["n"] = static_cast<double>(state.range(0));
     state.counters["rounds"] = rounds / static_cast<double>(state.iterations());
     return step;
@@ -71,7 +71,7 @@ auto solve_afresh(benchmark::State& state, const Model& model, const Creepage& c
     const auto fresh = model.workspace();
     return roll(state, model, 0, [&](const auto&, auto& next, auto& workspace) {
         workspace = fresh;  // without factors
-        return model.steady(rest, creepage, next, workspace);
+        return model.steady(rest, {.motion = creepage}, next, workspace);
     });
 }
 
@@ -130,7 +130,7 @@ BENCHMARK(BM_StickBorderStrip)->Arg(40);
 void steps_unchanged(benchmark::State& state, Integrator integrator) {
     const FrictionModel<> model = Scene(state.range(0)).model(integrator);
     const FrictionStep<> step = roll(state, model, 800, [&](const auto& now, auto& next, auto& workspace) {
-        return model.advance(now, 0.05, creepage(0.5), next, workspace);
+        return model.advance(now, {0.05, creepage(0.5)}, next, workspace);
     });
     state.counters["relative_error"] = force_ratio(step) / carter_force_ratio(0.5) - 1;
 }
@@ -152,7 +152,7 @@ void falling_steps_unchanged(benchmark::State& state, bool with_tangents,
         contact, rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(contact)), unchecked,
         friction, integrator);
     roll(state, model, 2000, [&](const auto& now, auto& next, auto& workspace) {
-        return model.advance(now, {0.05 * a, 0.05 * a / speed}, 1e-3, next, workspace);
+        return model.advance(now, {{0.05 * a, 0.05 * a / speed}, 1e-3}, next, workspace);
     });
 }
 void BM_FrictionStepFalling(benchmark::State& state) { falling_steps_unchanged(state, false); }
@@ -173,7 +173,7 @@ void steps_changing(benchmark::State& state, Integrator integrator) {
         const double before = creepage(0.9 * std::sin(q));
         q += 0.05;
         const auto motion = RigidMotion<double>::linear(before, creepage(0.9 * std::sin(q)));
-        const FrictionStep<> step = model.advance(now, 0.05, motion, next, workspace);
+        const FrictionStep<> step = model.advance(now, {0.05, motion}, next, workspace);
         changing += step.rounds > solutions ? 1 : 0;
         return step;
     });
@@ -194,7 +194,7 @@ void steps_of_new_length(benchmark::State& state, Integrator integrator) {
         dq = dq == 0.05 ? 0.0501 : 0.05;
         q += dq;
         const auto motion = RigidMotion<double>::linear(before, creepage(0.9 * std::sin(q)));
-        return model.advance(now, dq, motion, next, workspace);
+        return model.advance(now, {dq, motion}, next, workspace);
     });
 }
 void BM_FrictionStepNewLength(benchmark::State& state) { steps_of_new_length(state, Integrator::implicit_euler); }
@@ -222,12 +222,11 @@ void steps_under_load(benchmark::State& state, Integrator integrator, bool breat
     double q = 0;
     roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
         q += 0.05;
-        if (hertz.set(line.load_per_width() * (1 + 0.5 * std::sin(2 * std::numbers::pi * q / 8)), load) !=
-            StepStatus::ok) {
+        if (hertz.set(line.load_per_width() * (1 + 0.5 * std::sin(2 * std::numbers::pi * q / 8)), load) != Status::ok) {
             state.SkipWithError("load");
             return FrictionStep<>{};
         }
-        return model.advance(now, dq, 5e-4, load, next, workspace);
+        return model.advance(now, {dq, 5e-4, load}, next, workspace);
     });
 }
 void BM_FrictionStepBreathing(benchmark::State& state) { steps_under_load(state, Integrator::implicit_euler, true); }
@@ -251,7 +250,7 @@ void BM_FrictionSteadyWarm(benchmark::State& state) {
     int point = 0;
     roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
         const int phase = point++ % 200;
-        return model.steady(now, creepage(0.01 * (phase < 100 ? phase + 1 : 200 - phase)), next, workspace);
+        return model.steady(now, {.motion = creepage(0.01 * (phase < 100 ? phase + 1 : 200 - phase))}, next, workspace);
     });
 }
 BENCHMARK(BM_FrictionSteadyWarm)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
@@ -298,7 +297,7 @@ void BM_CombinedSteadyWarm(benchmark::State& state) {
     const auto model = combined_steady_model(Scene(state.range(0)));
     int point = 0;
     roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
-        return model.steady(now, creepage(++point % 2 == 0 ? 1 : 0.9, 15), next, workspace);
+        return model.steady(now, {.motion = creepage(++point % 2 == 0 ? 1 : 0.9, 15)}, next, workspace);
     });
 }
 BENCHMARK(BM_CombinedSteadyWarm)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
@@ -315,7 +314,7 @@ void combined_steps(benchmark::State& state, Integrator integrator) {
         const Creepage<double> before = creepage(0.9 * std::sin(q), 20 * q);
         q += 0.05;
         const auto motion = RigidMotion<Creepage<double>>::linear(before, creepage(0.9 * std::sin(q), 20 * q));
-        return model.advance(now, 0.05, motion, next, workspace);
+        return model.advance(now, {0.05, motion}, next, workspace);
     });
 }
 void BM_CombinedStep(benchmark::State& state) { combined_steps(state, Integrator::implicit_euler); }
@@ -348,7 +347,7 @@ void BM_CombinedStepUnchanged(benchmark::State& state) {
     const FrictionModel model(wheel.contact, wheel.system(), unchecked, {0.3, wheel.pressure},
                               Integrator::implicit_euler);
     roll(state, model, 2500, [&](const auto& from, auto& to, auto& workspace) {
-        return model.advance(from, wheel.dq, wheel.creepage, to, workspace);
+        return model.advance(from, {wheel.dq, wheel.creepage}, to, workspace);
     });
 }
 BENCHMARK(BM_CombinedStepUnchanged)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
@@ -358,7 +357,7 @@ void combined_falling_steps(benchmark::State& state, bool with_tangents) {
     const Friction<Law> friction{{0.3, 0.18, 0.1}, wheel.pressure, {10e-6, 1e-3}, with_tangents};
     const FrictionModel model(wheel.contact, wheel.system(), unchecked, friction, Integrator::implicit_euler);
     roll(state, model, 2500, [&](const auto& from, auto& to, auto& workspace) {
-        return model.advance(from, {wheel.dq, wheel.duration}, wheel.creepage, to, workspace);
+        return model.advance(from, {{wheel.dq, wheel.duration}, wheel.creepage}, to, workspace);
     });
 }
 void BM_CombinedStepFalling(benchmark::State& state) { combined_falling_steps(state, false); }

@@ -72,7 +72,7 @@ void BM_WheelsetLookUp(benchmark::State& state) {
             const WheelsetPosition at{.lateral = lateral, .yaw = lateral / 2};
             const WheelForces now = state.range(0) == 1 ? contact.look_up(creep, side, at, speeds, 1e5, 0.3)
                                                         : contact.forces(creep, side, at, speeds, 1e5, 0.3);
-            if (now.status != StepStatus::ok) state.SkipWithError(name(now.status));
+            if (now.status != Status::ok) state.SkipWithError(name(now.status));
             benchmark::DoNotOptimize(now.force[1]);
         }
     }

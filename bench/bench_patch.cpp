@@ -101,7 +101,7 @@ void BM_PatchFriction(benchmark::State& state) {
     for (auto _ : state) {
         rounds = 0;
         for (const Point& point : points) {
-            const FrictionStep<2> step = model.steady(rest, {0, point.eta, point.phi}, solved, workspace);
+            const FrictionStep<2> step = model.steady(rest, {.motion = {0, point.eta, point.phi}}, solved, workspace);
             error = std::max(error, std::abs(-step.force.lateral - point.lateral_force));
             rounds += step.rounds / 9.0;
         }
@@ -124,7 +124,7 @@ void BM_PatchCreepCurve(benchmark::State& state) {
         for (int k = 1; k <= points; ++k) {
             const double level = 2.5 * k / points;
             benchmark::DoNotOptimize(
-                model.steady(now, {level / 4.2262, level / 3.7049, 0.3 * level / 1.4881}, next, workspace));
+                model.steady(now, {.motion = {level / 4.2262, level / 3.7049, 0.3 * level / 1.4881}}, next, workspace));
             std::swap(now, next);
         }
     }
@@ -185,8 +185,8 @@ void BM_PatchStep(benchmark::State& state) {
         load.normal_pressure = size * pressure;
         if (follows > 0) load.half_length = load.half_width = size;
         if (follows > 1) load.half_width *= 1 + 0.5 * std::sin(0.3 * q);
-        const FrictionStep<2> step = model.advance(now, 0.2, {{0.14, 0.1, 0.2}}, load, next, workspace);
-        if (step.status != StepStatus::ok) {
+        const FrictionStep<2> step = model.advance(now, {0.2, {{0.14, 0.1, 0.2}}, load}, next, workspace);
+        if (step.status != Status::ok) {
             state.SkipWithError("a step failed");
             break;
         }

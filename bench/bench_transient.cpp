@@ -25,7 +25,7 @@ double step_error(const AdhesionModel<>& model, int steps) {
     AdhesionWorkspace<> workspace = model.workspace();
     double force = 0;
     for (int k = 0; k < steps; ++k) {
-        force = model.advance(state, 1.0 / steps, 1.0, next, workspace).force_per_width;
+        force = model.advance(state, {1.0 / steps, 1.0}, next, workspace).force_per_width;
         std::swap(state, next);
     }
     return -force / reference::step_response_de_hoog(1, 0.25, 100) - 1;
@@ -58,7 +58,7 @@ void step(benchmark::State& bench, const AdhesionModel<>& model) {
     AdhesionState<> state = model.at_rest(), next = state;
     AdhesionWorkspace<> workspace = model.workspace();
     for (auto _ : bench) {
-        benchmark::DoNotOptimize(model.advance(state, 1.0 / steps_to_one, 1.0, next, workspace));
+        benchmark::DoNotOptimize(model.advance(state, {1.0 / steps_to_one, 1.0}, next, workspace));
         std::swap(state, next);
     }
     count(bench, step_error(model, steps_to_one));
@@ -89,7 +89,7 @@ void BM_TransientNewStep(benchmark::State& bench) {
     double dq = 1.0 / steps_to_one;
     for (auto _ : bench) {
         dq = -dq + 2.01 / steps_to_one;
-        benchmark::DoNotOptimize(model.advance(state, dq, 1.0, next, workspace));
+        benchmark::DoNotOptimize(model.advance(state, {dq, 1.0}, next, workspace));
         std::swap(state, next);
     }
     count(bench, step_error(model, steps_to_one));
@@ -105,7 +105,7 @@ void first(benchmark::State& bench, Integrator integrator) {
     for (auto _ : bench) {
         dq = -dq + 2.01 / steps_to_one;
         state.distance = dq;
-        benchmark::DoNotOptimize(model.advance(state, dq, 1.0, next, workspace));
+        benchmark::DoNotOptimize(model.advance(state, {dq, 1.0}, next, workspace));
     }
     count(bench, step_error(model, steps_to_one));
 }

@@ -61,8 +61,8 @@ function forbid(file, pattern, reason,  target) {
 }
 
 BEGIN {
-    count = split("detail root scene closed_form system discretisation normal elasticity assembly spectral " \
-        "rolling adhesion friction accuracy vehicle studies reference compiled umbrella", order, " ")
+    count = split("detail root scene closed_form system discretisation normal elasticity assembly " \
+        "rolling adhesion friction spectral steady accuracy vehicle studies reference compiled umbrella", order, " ")
     for (i = 1; i <= count; ++i) rank[order[i]] = i
 }
 
@@ -102,6 +102,8 @@ END {
             else if (target ~ /\// && target !~ /^(Eigen|unsupported\/Eigen|gsl)\//)
                 complain(file " needs more than Eigen: " target)
         }
+        if (from == "adhesion" || from == "friction")
+            forbid(file, "^rollbem/(discretisation|elasticity|assembly|spectral)/", "a problem knows how its system was made")
         if (from == "system" || from == "rolling")
             forbid(file, "^rollbem/(discretisation|elasticity|assembly)/", "a system knows how it was made")
         if (from == "elasticity") forbid(file, "^rollbem/(discretisation|assembly)/", "a kernel knows a mesh")

@@ -394,7 +394,7 @@ int rollbem_patch_step(rollbem_patch* patch, double distance, const double creep
     return guarded([&] {
         require_given("rollbem_patch_step", {{"patch", patch}, {"creepage", creepage}, {"force", force}});
         const auto solve = [&](const auto& under) {
-            return patch->run_.try_advance(distance, creepage_from(creepage), under);
+            return patch->run_.try_advance({distance, creepage_from(creepage), under});
         };
         return patch->solve("rollbem_patch_step", load, solve, force, tangent, slip_work);
     });
@@ -406,7 +406,7 @@ int rollbem_patch_steady(rollbem_patch* patch, const double creepage[3], double 
         require_given("rollbem_patch_steady", {{"patch", patch}, {"creepage", creepage}, {"force", force}});
         // lengths and pressures grow like N^(1/3): F = N f(xi/N^(1/3), eta/N^(1/3), phi), and M_z has another N^(1/3)
         const auto solve = [&](const auto& under) {
-            FrictionStep<2> step = patch->run_.try_steady(creepage_from(creepage), under);
+            FrictionStep<2> step = patch->run_.try_steady({.motion = creepage_from(creepage), .load = under});
             const TangentialForce<double>& f = step.force;
             step.tangent_by_load = 1 / load * TangentialForce<double>{f.longitudinal, f.lateral, 4 * f.moment / 3} +
                                    -creepage[0] / (3 * load) * step.tangent.by_longitudinal +

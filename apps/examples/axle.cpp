@@ -17,7 +17,8 @@
 #include <Eigen/LU>
 
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/friction/friction.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/friction/model.hpp>
 
 namespace {
 
@@ -83,8 +84,8 @@ int advance(const Axle& axle, const std::array<Model, 2>& models, double torque,
         for (std::size_t i = 0; i < 2; ++i) {
             const auto motion = rollbem::RigidMotion<double>::linear(axle.creepage(i, now.speed, now.rotation[i]),
                                                                      axle.creepage(i, next.speed, next.rotation[i]));
-            const Model::Step step = models[i].advance(now.contact[i], dq, motion, next.contact[i], workspaces[i]);
-            if (step.status != rollbem::StepStatus::ok) return 0;
+            const Model::Step step = models[i].advance(now.contact[i], {dq, motion}, next.contact[i], workspaces[i]);
+            if (step.status != rollbem::Status::ok) return 0;
             next.force[i] = step.force;
             heat[i] = step.slip_work;
 

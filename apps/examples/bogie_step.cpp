@@ -52,7 +52,7 @@ struct Bogie {
                                         fall.dot(moves), roll.dot(moves),  v[first + yaw] + speed * curvature};
             for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
                 const WheelForces now = geometry.look_up(creep, side, at, speeds, load, mu);
-                if (now.status != StepStatus::ok) fault = name(now.status);
+                if (now.status != Status::ok) fault = name(now.status);
                 const std::array rows{1, 5, 4};  // F_y, M_z, M_y
                 const Eigen::Matrix<double, 3, WheelForces::inputs> by = now.tangent(rows, Eigen::all);
                 force.segment<3>(first) += now.force(rows);

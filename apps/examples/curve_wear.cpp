@@ -117,7 +117,7 @@ int main(int argc, char** argv) try {
         for (std::size_t side = 0; side < 2; ++side) {
             for (std::size_t k = 0; k < forces.patches[side].size(); ++k) {
                 const PatchForce& patch = forces.patches[side][k];
-                if (patch.status != StepStatus::ok) throw std::runtime_error(name(patch.status));
+                if (patch.status != Status::ok) throw std::runtime_error(name(patch.status));
                 wear[side].add(forces.contacts.wheels[side].patches[k].rail_s, patch, 1.0 / positions);
                 work += patch.slip_work / positions;
                 gamma[side] += t_gamma(patch);

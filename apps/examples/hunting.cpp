@@ -47,7 +47,7 @@ WheelForces wheel(double side, double shift, double yaw, const WheelsetSpeeds& s
 
 struct Vehicle {
     double speed, transfer = 0, step = 1e-4;  // [m/s], of load from left to right [N], of time [s]
-    StepStatus status = StepStatus::ok;
+    Status status = Status::ok;
     State middle = State::Zero();  // where it rolls freely
 
     explicit Vehicle(double v) : speed(v) {
@@ -135,7 +135,7 @@ struct Vehicle {
             const State second = rate(x + h / 2 * first), third = rate(x + h * 3 / 4 * second);
             const State next = x + h / 9 * (2 * first + 3 * second + 4 * third), last = rate(next);
             const State error = h * (-5 * first + 6 * second + 8 * third - 9 * last) / 72;
-            const bool lost = std::exchange(status, StepStatus::ok) != StepStatus::ok;
+            const bool lost = std::exchange(status, Status::ok) != Status::ok;
             const double share = lost ? 1e3 : (error.head<motion>().array() / tolerance).abs().maxCoeff();
             // a shortened last step says nothing of the next one, unless it is refused
             if (h == step || share > 1) step = h * std::clamp(0.9 / std::cbrt(share), 0.3, 2.0);

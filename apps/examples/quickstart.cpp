@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include <rollbem/adhesion/steady.hpp>
+#include <rollbem/steady/steady.hpp>
 
 int main() {
     using namespace rollbem;

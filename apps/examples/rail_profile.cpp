@@ -44,21 +44,21 @@ int main() {
 
     // 2. From steady rolling over the change of profile, and on
     constexpr Creepage<double> creepage{5e-4, 5e-4, 0.15};  // spin [1/m]
-    FrictionStep<2> step = run.steady(creepage);
+    FrictionStep<2> step = run.steady({.motion = creepage});
     std::printf("q/a   a/b      F_x N      F_y N    M_z N m\n");
     for (int k = 0; k <= 400; ++k) {
         if (k > 0) {
             hertz.set(ellipse(std::min(k / 200.0, 1.0)), normal);
-            step = run.advance(0.1 * first.half_length(), creepage, normal);
+            step = run.advance({0.1 * first.half_length(), creepage, normal});
         }
-        if (step.status != StepStatus::ok) return EXIT_FAILURE;
+        if (step.status != Status::ok) return EXIT_FAILURE;
         if (k % 40 != 0) continue;
         std::printf("%3d %5.2f %10.0f %10.0f %10.2f\n", k / 10, run.now().half_length / run.now().half_width,
                     step.force.longitudinal, step.force.lateral, step.force.moment);
     }
 
     // 3. It ends in steady rolling of the last ellipse
-    const FrictionStep<2> steady = run.steady(creepage);
+    const FrictionStep<2> steady = run.steady({.motion = creepage});
     const double gap =
         std::hypot(step.force.longitudinal - steady.force.longitudinal, step.force.lateral - steady.force.lateral) /
         (0.3 * load);

@@ -74,11 +74,13 @@ struct RailForce final : SimTK::Force::Custom::Implementation {
                 wheel.findStationVelocityInGround(state, point)[0] / wheel.getBodyOriginVelocity(state)[0];
             update.state = old.state;
             if (update.distance != old.distance) {
-                const Model::Step step = model.advance(
-                    old.state, update.distance - old.distance,
-                    rollbem::RigidMotion<double>::linear(old.creepage, update.creepage), update.state, workspace);
+                const Model::Step step =
+                    model.advance(old.state,
+                                  {update.distance - old.distance,
+                                   rollbem::RigidMotion<double>::linear(old.creepage, update.creepage)},
+                                  update.state, workspace);
                 // Simbody rejects the trial, for instance where the wheel would roll backwards.
-                if (step.status != rollbem::StepStatus::ok) throw std::runtime_error(name(step.status));
+                if (step.status != rollbem::Status::ok) throw std::runtime_error(name(step.status));
             }
             forces.markDiscreteVarUpdateValueRealized(state, memory);
         }

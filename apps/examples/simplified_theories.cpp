@@ -77,8 +77,8 @@ int main() {
             const Creepage<double> creepage = spin == 0 ? Creepage<double>{level * per_level / patch.c11, 0, 0}
                                                         : Creepage<double>{0, level * per_level / patch.c22,
                                                                            spin * per_level / (patch.c * patch.c23)};
-            const auto point = run.steady(creepage);
-            if (point.status != StepStatus::ok) return 1;
+            const auto point = run.steady({.motion = creepage});
+            if (point.status != Status::ok) return 1;
             const double own = spin == 0 ? -point.force.longitudinal : -point.force.lateral;
             const std::size_t along = spin == 0 ? 0 : 1;
             const double by_fastsim = fastsim(patch, creepage)[along], linear = saturated(patch, creepage)[along];

@@ -18,7 +18,9 @@
 #include <Eigen/LU>
 
 #include <rollbem/adhesion/stability.hpp>
-#include <rollbem/friction/friction.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/friction/law.hpp>
+#include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/rolling/run.hpp>
 
@@ -63,8 +65,8 @@ bool advance(rollbem::Run<Model>& contact, double demand, double damping, double
     const double dt = dq / speed;
     for (int trial = 0; trial < 30; ++trial) {
         const auto motion = rollbem::RigidMotion<double>::linear(creepage(now.wheel), creepage(next.wheel));
-        const Model::Step step = contact.try_advance({dq, dt}, motion);
-        if (step.status != rollbem::StepStatus::ok) return false;
+        const Model::Step step = contact.try_advance({{dq, dt}, motion});
+        if (step.status != rollbem::Status::ok) return false;
         next.force = step.force;
 
         const double motor = (now.motor + next.motor) / 2, wheel = (now.wheel + next.wheel) / 2;
@@ -145,10 +147,10 @@ int main() {
     const Model model = contact_model(20);
     rollbem::Run contact(model);
     const double slip = 0.3, a = contact.now().half_length, dq = 0.1 * a;
-    Model::Step step = contact.steady(-slip / speed, speed);
+    Model::Step step = contact.steady({rollbem::Travel<>::at_speed(speed), -slip / speed});
     const double slope = -step.tangent / speed, limit = least_damping(slope);
-    for (int k = 0; k < 200 && step.status == rollbem::StepStatus::ok; ++k) {  // steady rolling in steps of this length
-        step = contact.advance({dq, dq / speed}, -slip / speed);
+    for (int k = 0; k < 200 && step.status == rollbem::Status::ok; ++k) {  // steady rolling in steps of this length
+        step = contact.advance({{dq, dq / speed}, -slip / speed});
     }
     std::printf("at a slip velocity of %.1f m/s: F/N = %.4f, dF/d(slip velocity) = %.0f N s/m; least damping %.1f\n",
                 slip, step.force / load, slope, limit);

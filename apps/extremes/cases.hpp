@@ -95,8 +95,8 @@ Outcome compare(const Solution& solution, Value value, std::type_identity_t<Valu
 template <class Model>
 Outcome rolled(const Model& model, double dq, int count, double reference, double bound) {
     rollbem::Run run(model);
-    auto step = run.advance(dq, 1.0);
-    while (--count > 0 && step.status == rollbem::StepStatus::ok) step = run.advance(dq, 1.0);
+    auto step = run.advance({dq, 1.0});
+    while (--count > 0 && step.status == rollbem::StepStatus::ok) step = run.advance({dq, 1.0});
     return compare(step, step.force_per_width, reference, bound);
 }
 

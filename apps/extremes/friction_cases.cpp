@@ -42,14 +42,14 @@ struct Line {
         const rollbem::FrictionModel<rollbem::ConstantFriction<>, 2> model(
             contact(), {{{}, slopes(false), mesh.widths()}, {{}, slopes(true), mesh.widths()}}, law());
         const double size = creepage(delta, nu);
-        auto step = rollbem::Run(model).steady({size * cosine, size * sine});
+        auto step = rollbem::Run(model).steady({.motion = {size * cosine, size * sine}});
         step.force = {-step.force.longitudinal / full_force, -step.force.lateral / full_force};
         return step;
     }
     /// The same by the solver of one direction.
     auto alone(bool lateral, double delta) const {
         const rollbem::FrictionModel<> model(contact(), {{}, slopes(lateral), mesh.widths()}, law());
-        auto step = rollbem::Run(model).steady(creepage(delta, nu));
+        auto step = rollbem::Run(model).steady({.motion = creepage(delta, nu)});
         step.force /= -full_force;
         return step;
     }

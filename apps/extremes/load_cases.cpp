@@ -33,11 +33,11 @@ public:
 
     void settle(double ratio, double load_ratio = 1) {
         note(hertz_.set(load_ratio * full_, load_));
-        keep(run_.steady(scaled(ratio), load_));
+        keep(run_.steady({.motion = scaled(ratio), .load = load_}));
     }
     void roll(double dq, double ratio, double load_ratio) {
         note(hertz_.set(load_ratio * full_, load_));
-        keep(run_.advance(dq, scaled(ratio), load_));
+        keep(run_.advance({dq, scaled(ratio), load_}));
     }
     void note(StepStatus status) {
         if (told_.empty()) told_ = told_by(status);
@@ -135,7 +135,7 @@ Outcome grown_in_adhesion(const std::function<double(int)>& half_length) {
     double reference = nothing;
     for (int k = 1; k <= 5; ++k) {
         rolling.roll(0.1, 1, half_length(k) * half_length(k));
-        const auto step = states.advance(0.1, creepage(1), half_length(k));
+        const auto step = states.advance({0.1, creepage(1), half_length(k)});
         rolling.note(step.status);
         reference = -step.force_per_width / full_force;
     }

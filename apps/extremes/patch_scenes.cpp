@@ -198,7 +198,7 @@ Outcome run(const Scene& scene) {
     const auto size = [](const VectorXd& vector) { return vector.cwiseAbs().maxCoeff(); };
 
     const auto first = load_of(1, axes);
-    const auto steady = model.steady(now, scene.creepage, first, next, workspace);
+    const auto steady = model.steady(now, {.motion = scene.creepage, .load = first}, next, workspace);
     const VectorXd w = rigid(scene.creepage), u_prime = whole.G_prime() * stacked(next);
     check(steady, first.normal_pressure, w - u_prime, size(w) + size(u_prime));
     for (const Scene::Later& later : scene.later) {
@@ -207,7 +207,7 @@ Outcome run(const Scene& scene) {
         const double a = axes.half_length, da = std::min(later.dq, a / 2) * later.growth;
         const Axes ended{a + da, axes.half_width * ((a + da) / a) / later.narrowing};
         const auto load = load_of(later.load, ended);
-        const auto step = model.advance(now, later.dq, later.creepage, load, next, workspace);
+        const auto step = model.advance(now, {later.dq, later.creepage, load}, next, workspace);
         const bool covered = !system.shapes() || system.shapes()->covers(ended.half_length / ended.half_width);
         if (!covered || std::abs(da) >= later.dq) {  // the mesh cannot follow
             if (step.status != rollbem::StepStatus::needs_fixed_mesh) outcome.told = "not refused";

@@ -426,7 +426,7 @@ private:
 
     void roll_steadily() {
         require_finite_inputs();
-        const Step steady = model_->steady(now_, first_creepage(), end_load_, next_, *workspace_);
+        const Step steady = model_->steady(now_, {.motion = first_creepage(), .load = end_load_}, next_, *workspace_);
         require(steady.status == StepStatus::ok, "status of steady rolling at the first inputs", name(steady.status),
                 "be ok");
         std::swap(now_, next_);
@@ -444,7 +444,7 @@ private:
         if (by_factor) end_load_.pressure_rate = end_load_.normal_pressure;
         end_load_.normal_pressure *= step.factor;
         if (!by_factor) end_load_.pressure_rate *= step.factor;
-        return model_->advance(from, step.distance, FrictionModel::Motion::shift(step.shift), end_load_, to,
+        return model_->advance(from, {step.distance, FrictionModel::Motion::shift(step.shift), end_load_}, to,
                                *workspace_);
     }
 

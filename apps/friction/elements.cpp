@@ -64,7 +64,8 @@ std::vector<Contact::State> starts_of(const Curve& curve, const study::Scene& sc
         if (along && begins) state = rest;
         before = &point;
         starts[i] = state;
-        const auto step = contact.steady(state, point.times(creepage_unit(scene)), V, next, workspace);
+        const auto step =
+            contact.steady(state, {rollbem::Travel<>::at_speed(V), point.times(creepage_unit(scene))}, next, workspace);
         const bool solved = step.status == rollbem::StepStatus::ok;
         if (solved || step.status == rollbem::StepStatus::assists_creepage) std::swap(state, next);
     }
@@ -111,8 +112,9 @@ void solve_by_elements(const Curve& curve, const study::Scene& scene, study::Row
     for (std::size_t i = range.first; i < range.last; ++i) {
         const auto solve = [&] {
             workspace = fresh;  // without factors
-            solution.step =
-                contact->steady(starts[i], curve.points[i].times(creepage_unit(scene)), V, state, workspace);
+            solution.step = contact->steady(
+                starts[i], {rollbem::Travel<>::at_speed(V), curve.points[i].times(creepage_unit(scene))}, state,
+                workspace);
             return solution.step.slip_work;
         };
         solution.time_us = study::time_us_if(curve.timed, solve);

@@ -55,7 +55,8 @@ std::string roll(const Rolling& rolling, study::RowRange range, const std::funct
         if (first.half_width > 0) run.now().half_width = first.half_width;
     }
     if (rolling.shift) {
-        const auto step = run.shift(*rolling.shift, rolling.run.steps.dq);
+        const auto step =
+            run.advance({{0, rolling.run.steps.dq}, rollbem::FrictionContact::Motion::shift(*rolling.shift)});
         keep(step, work(step, *rolling.shift) / 2);  // the mean force, from none
         now.shifted = true;
         if (step.status != StepStatus::ok) ended = study::why_ended(0, step.status);
@@ -63,7 +64,7 @@ std::string roll(const Rolling& rolling, study::RowRange range, const std::funct
         now.shifted = false;
     }
     if (rolling.run.from_steady) {
-        now.step = run.steady(rolling.creepage(0), 1.0);
+        now.step = run.steady({rollbem::Travel<>::at_speed(1.0), rolling.creepage(0)});
         if (now.step.status != StepStatus::ok) ended = study::why_ended(0, now.step.status);
     }
     rollbem::FrictionStep<2> failed;
@@ -72,8 +73,9 @@ std::string roll(const Rolling& rolling, study::RowRange range, const std::funct
         const double distance = rolling.a_0 * (to - from), before = work(now.step, start);
         const rollbem::Travel<double> travel{distance, distance};
         const auto motion = rollbem::FrictionContact::Motion::linear(start, end);
-        const auto next =
-            rolling.load_at ? run.advance(travel, motion, rolling.load_at(to)) : run.advance(travel, motion);
+        rollbem::NormalLoad<double> load;
+        if (rolling.load_at) load = rolling.load_at(to);
+        const auto next = rolling.load_at ? run.advance({travel, motion, load}) : run.advance({travel, motion});
         if (next.status != StepStatus::ok) {
             failed = next;
             return next.status;

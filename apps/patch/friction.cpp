@@ -160,7 +160,7 @@ void run_friction(const study::Options& options, const std::vector<Patch>& patch
         for (std::size_t k = range.first; k < range.last; ++k) {
             rollbem::FrictionStep<2> step;
             const auto time_us = study::time_us_if(study::has_times(options), [&] {
-                step = model.steady(rest, creepage(patch, points[k]), state, workspace);
+                step = model.steady(rest, {.motion = creepage(patch, points[k])}, state, workspace);
                 return step.force.longitudinal;
             });
             FrictionRow row{

@@ -58,7 +58,7 @@ Values step_forces(const Discrete& discrete) {
                                          rollbem::Integrator::matrix_exponential);
     rollbem::Run contact(model);
     Values forces(steps);
-    for (Complex& force : forces) force = -contact.advance(discrete.scene.dq, 1.0).force_per_width;
+    for (Complex& force : forces) force = -contact.advance({discrete.scene.dq, 1.0}).force_per_width;
     return forces;
 }
 
@@ -67,7 +67,7 @@ Values friction_force(const Discrete& discrete) {
     const Scene& scene = discrete.scene;
     const rollbem::FrictionModel<> model(
         scene.contact, steady_system(*discrete.mesh, discrete.equations, scene.kernel()), discrete.friction());
-    const auto step = rollbem::Run(model).steady(scene.creepage());
+    const auto step = rollbem::Run(model).steady({.motion = scene.creepage()});
     return {step.status == StepStatus::ok ? -step.force / scene.full() : nan};
 }
 
@@ -80,7 +80,7 @@ Values combined_forces(const Discrete& discrete) {
         scene.contact, {system(scene.kernel()), system(Kernel::lateral(scene.model, scene.contact))},
         discrete.friction());
     const double part = scene.creepage() / std::numbers::sqrt2;
-    const auto step = rollbem::Run(model).steady({part, part});
+    const auto step = rollbem::Run(model).steady({.motion = {part, part}});
     if (step.status != StepStatus::ok) return {nan, nan};
     return {-step.force.longitudinal / scene.full(), -step.force.lateral / scene.full()};
 }
@@ -105,13 +105,13 @@ Values load_forces(const Discrete& discrete) {
                                          rollbem::unchecked, {1, load.normal_pressure});
     rollbem::Run contact(model);
     hertz.set(load_at(0), load);
-    StepStatus status = contact.steady(scene.creepage(), load).status;
+    StepStatus status = contact.steady({.motion = scene.creepage(), .load = load}).status;
     Values forces;
     const int count = load_steps * scene.load_parts;
     const double dq = load_length / count, full = line.load_per_width() * scene.contact.width();
     for (int k = 1; k <= count; ++k) {
         hertz.set(load_at(k * dq), load);
-        const auto step = contact.advance(dq, scene.creepage(), load);
+        const auto step = contact.advance({dq, scene.creepage(), load});
         if (status == StepStatus::ok) status = step.status;
         if (k % scene.load_parts == 0) forces.push_back(status == StepStatus::ok ? -step.force / full : nan);
     }

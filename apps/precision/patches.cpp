@@ -83,7 +83,7 @@ PatchValues forces(const PatchContact& contact, const rollbem::PatchMesh<double>
     for (const rollbem::Creepage<double>& creepage : {rollbem::Creepage<double>{two * xi, two * eta, 0},
                                                       {0, 0, 2.5 * phi},
                                                       {three * xi, three * eta, three * phi}}) {
-        const auto step = rollbem::Run(model).steady(creepage);
+        const auto step = rollbem::Run(model).steady({.motion = creepage});
         found.values.insert(found.values.end(), {-step.force.longitudinal, -step.force.lateral});
         if (step.status != rollbem::StepStatus::ok) found.status = rollbem::name(step.status);
     }

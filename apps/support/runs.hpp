@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/adhesion/integrator.hpp>
+#include <rollbem/rolling/integrator.hpp>
 #include <rollbem/status.hpp>
 
 #include "input.hpp"

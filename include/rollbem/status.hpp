@@ -1,5 +1,5 @@
-// Outcomes of computations, with names for messages and tables: Status of a solution, StepStatus of a step from one
-// state to the next. A broken precondition throws; a computation that fails reports it here.
+// Status: the outcome of a computation, with its name for messages and tables. A broken precondition throws; a
+// computation that fails reports it here.
 #pragma once
 
 #include "detail/language.hpp"
@@ -14,6 +14,28 @@ enum class Status {
                        ///< not converge to full adhesion, as with alpha <= 0 or alpha > 1
     unstable,          ///< a mode of the system grows with the distance rolled
     order_differs,     ///< values to be extrapolated do not converge with the given order
+
+    // of a step, or of a solution with friction that starts from a state
+    /// Friction: no solution was found to rounding; the complementarity residual tells how far off this one is. With
+    /// finite bounds a solution always exists, so this happens only with matrices that are singular to rounding, and
+    /// with friction that depends on slip without a memory.
+    no_solution,
+    invalid_step,  ///< the distance rolled is not positive and finite, or below 1e-292 (for a rigid shift: negative or
+                   ///< not finite), or the model's system has G' alone, which knows steady rolling only
+    wrong_state,   ///< a state or workspace of another system, or the same object as `from` and `to`
+    invalid_load,  ///< a pressure is negative or not finite, their number is not that of the elements, or the
+                   ///< half-length is not positive and finite
+    /// The half-length differs from what the mesh can follow: it changes by at least the distance that the step rolls,
+    /// or the system knows only one half-length (the strip kernel, Galerkin, ready matrices), or the contact has grown
+    /// so long (a > 2.4b) that the plane kernel is unstable, Lambda <= 0. Use a fixed mesh on the largest contact,
+    /// whose elements gain and lose pressure, in the last case with the strip kernel.
+    needs_fixed_mesh,
+    needs_places,  ///< spin other than zero, although the system does not know the points of its equations (ready
+                   ///< matrices)
+    wrong_table,  ///< a table of forces for another Poisson's ratio, or for ellipses although the contact is an outline
+    unresolved,   ///< the contact on a fixed mesh is narrower than three of its strips or elements: forces are too
+                  ///< rough
+
     // contact of profiles, the worse the later
     doubtful_plane,     ///< numbers, but surfaces turn by more than 0.2 rad over the contact: a plane is an assumption
     unbalanced,         ///< numbers, but normal forces and friction did not settle, or a wheel does not roll
@@ -28,35 +50,12 @@ enum class Status {
     not_finite,     ///< an input or a result is NaN or infinite
 };
 
+using StepStatus = Status;  ///< its name before 0.5
+
 /// Whether the contact of profiles has numbers.
 constexpr bool has_numbers(Status status) {
     return status == Status::ok || status == Status::doubtful_plane || status == Status::unbalanced;
 }
-
-/// Outcome of a step, or of a solution with friction that starts from a state.
-enum class StepStatus {
-    ok,
-    /// Friction: no solution was found to rounding; the complementarity residual tells how far off this one is. With
-    /// finite bounds a solution always exists, so this happens only with matrices that are singular to rounding, and
-    /// with friction that depends on slip without a memory.
-    no_solution,
-    not_finite,    ///< the motion or the result is NaN or infinite
-    invalid_step,  ///< the distance rolled is not positive and finite, or below 1e-292 (for a rigid shift: negative or
-                   ///< not finite), or the model's system has G' alone, which knows steady rolling only
-    wrong_state,   ///< a state or workspace of another system, or the same object as `from` and `to`
-    invalid_load,  ///< a pressure is negative or not finite, their number is not that of the elements, or the
-                   ///< half-length is not positive and finite
-    /// The half-length differs from what the mesh can follow: it changes by at least the distance that the step rolls,
-    /// or the system knows only one half-length (the strip kernel, Galerkin, ready matrices), or the contact has grown
-    /// so long (a > 2.4b) that the plane kernel is unstable, Lambda <= 0. Use a fixed mesh on the largest contact,
-    /// whose elements gain and lose pressure, in the last case with the strip kernel.
-    needs_fixed_mesh,
-    assists_creepage,  ///< steady friction with a scheme that does not converge to full adhesion, see Status
-    needs_places,      ///< spin other than zero, although the system does not know the points of its equations (ready
-                       ///< matrices)
-    wrong_table,  ///< a table of forces for another Poisson's ratio, or for ellipses although the contact is an outline
-    unresolved,  ///< the contact on a fixed mesh is narrower than three of its strips or elements: forces are too rough
-};
 
 /// The name of a status as spelt in this header.
 constexpr const char* name(Status status) {
@@ -66,6 +65,14 @@ constexpr const char* name(Status status) {
         case Status::assists_creepage: return "assists_creepage";
         case Status::unstable: return "unstable";
         case Status::order_differs: return "order_differs";
+        case Status::no_solution: return "no_solution";
+        case Status::invalid_step: return "invalid_step";
+        case Status::wrong_state: return "wrong_state";
+        case Status::invalid_load: return "invalid_load";
+        case Status::needs_fixed_mesh: return "needs_fixed_mesh";
+        case Status::needs_places: return "needs_places";
+        case Status::wrong_table: return "wrong_table";
+        case Status::unresolved: return "unresolved";
         case Status::doubtful_plane: return "doubtful_plane";
         case Status::unbalanced: return "unbalanced";
         case Status::no_contact: return "no_contact";
@@ -76,23 +83,6 @@ constexpr const char* name(Status status) {
         case Status::not_converged: return "not_converged";
         case Status::few_cells: return "few_cells";
         case Status::not_finite: break;
-    }
-    return "not_finite";
-}
-
-constexpr const char* name(StepStatus status) {
-    switch (status) {
-        case StepStatus::ok: return "ok";
-        case StepStatus::no_solution: return "no_solution";
-        case StepStatus::invalid_step: return "invalid_step";
-        case StepStatus::wrong_state: return "wrong_state";
-        case StepStatus::invalid_load: return "invalid_load";
-        case StepStatus::needs_fixed_mesh: return "needs_fixed_mesh";
-        case StepStatus::assists_creepage: return "assists_creepage";
-        case StepStatus::needs_places: return "needs_places";
-        case StepStatus::wrong_table: return "wrong_table";
-        case StepStatus::unresolved: return "unresolved";
-        case StepStatus::not_finite: break;
     }
     return "not_finite";
 }

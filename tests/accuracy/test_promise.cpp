@@ -116,7 +116,7 @@ std::vector<double> step_forces(double aspect, double nu, const RollingSystem<do
     AdhesionState<> state = model.at_rest(), next = state;
     std::vector<double> forces;
     for (int k = 0; k < count; ++k) {
-        forces.push_back(-model.advance(state, dq, 1.0, next, workspace).force_per_width);
+        forces.push_back(-model.advance(state, {dq, 1.0}, next, workspace).force_per_width);
         std::swap(state, next);
     }
     return forces;
@@ -362,8 +362,8 @@ std::vector<double> friction_by_elements(const Scene& scene, const std::vector<d
     FrictionWorkspace<> workspace = model.workspace();
     std::vector<double> found;
     for (const double ratio : ratios) {
-        const FrictionStep<> point = model.steady(now, 2 * (1 - scene.nu) * peak * ratio, next, workspace);
-        found.push_back(point.status == StepStatus::ok ? -point.force / (contact.width() * full) : infinity);
+        const FrictionStep<> point = model.steady(now, {.motion = 2 * (1 - scene.nu) * peak * ratio}, next, workspace);
+        found.push_back(point.status == Status::ok ? -point.force / (contact.width() * full) : infinity);
         std::swap(now, next);
     }
     return found;

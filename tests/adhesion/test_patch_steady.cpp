@@ -1,4 +1,4 @@
-// rollbem/adhesion/creep_coefficients.hpp: Kalker's creep coefficients against his table, limits, symmetries, and
+// rollbem/steady/creep_coefficients.hpp: Kalker's creep coefficients against his table, limits, symmetries, and
 // refined meshes; their frequency response.
 #include <cmath>
 #include <complex>

@@ -50,8 +50,8 @@ std::vector<TangentialForce<double>> step_response(const AdhesionModel<3>& model
     for (const double distance : distances) {
         AdhesionStep<3> step;
         for (; done < std::lround(distance / dq); ++done) {
-            step = model.advance(now, dq, creepage, next, workspace);
-            REQUIRE(step.status == StepStatus::ok);
+            step = model.advance(now, {dq, creepage}, next, workspace);
+            REQUIRE(step.status == Status::ok);
             std::swap(now, next);
         }
         forces.push_back(step.force);

@@ -6,8 +6,8 @@
 
 #include <rollbem/adhesion/response.hpp>
 #include <rollbem/adhesion/state_space.hpp>
-#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/compiled/adhesion.hpp>
+#include <rollbem/steady/steady.hpp>
 #include <rollbem/system/element_blocks.hpp>
 
 #include "support/catch.hpp"

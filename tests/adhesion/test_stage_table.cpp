@@ -1,4 +1,4 @@
-// rollbem/adhesion/integrator.hpp: a row of the table of stages is all of a scheme, in full adhesion and with friction.
+// rollbem/rolling/integrator.hpp: a row of the table of stages is all of a scheme, in full adhesion and with friction.
 // The row {2, 1/2} is two steps of implicit Euler, each of half the distance.
 #include <cmath>
 #include <utility>
@@ -32,11 +32,11 @@ std::pair<VectorXd, VectorXd> stage_by_stage(const VectorXd& from, const Motion&
     detail::AdhesionStages<1, double> stages(from.size());
     detail::StageFactors<double> factors(from.size());
     const SemiAxes<double> start{a_1 / a, 1}, end{a_3 / a, 1};
-    const auto equations = [&](const detail::StagePlace<double>& place) {
-        const auto stage = detail::RollingStage<double>::of(place, dq / a, start, end);
-        return detail::LineEquations<RollingSystem<double>>(along, stage);
-    };
-    stages.solve(1, equations, along.inputs() * (G / a), halves, start, start != end, from, {motion, dq}, 0, factors);
+    const Eigen::MatrixXd inputs = along.inputs() * (G / a);
+    detail::AdhesionFrame<1, double> frame{{motion, dq, a, halves, start, end}, 1, from, inputs, 0, factors};
+    stages.solve(frame, [](const detail::RollingStage<double>& stage, const auto& use) {
+        use(detail::LineEquations<RollingSystem<double>>(along, stage));
+    });
     return {from + stages.change(), stages.per_end()};
 }
 
@@ -52,9 +52,9 @@ TEST_CASE("In full adhesion a row of the table is all of a scheme", "[stages]") 
         for (const double start : {xi, xi / 3}) {
             const auto step = [&](double end) {
                 const double middle = (start + end) / 2;
-                euler.advance(from, dq / 2, Motion::linear(start, middle), a_2, half, workspace);
-                REQUIRE(euler.advance(half, dq / 2, Motion::linear(middle, end), a_3, to, workspace).status ==
-                        StepStatus::ok);
+                euler.advance(from, {dq / 2, Motion::linear(start, middle), a_2}, half, workspace);
+                REQUIRE(euler.advance(half, {dq / 2, Motion::linear(middle, end), a_3}, to, workspace).status ==
+                        Status::ok);
                 return to.traction;
             };
             const auto [tractions, per_end] = stage_by_stage(from.traction, Motion::linear(start, xi), a, a_3);
@@ -91,19 +91,19 @@ void compare(const ElementSystem<double, directions>& system, const Law& law,
                     detail::gradient(system), system.fingerprint());
     auto workspace = model.workspace(), own = core.workspace();
     auto from = model.at_rest(), half = from, to = from, found = from;
-    REQUIRE(model.steady(model.at_rest(), start, 20, from, workspace).status == StepStatus::ok);
+    REQUIRE(model.steady(model.at_rest(), {Travel<>::at_speed(20), start}, from, workspace).status == Status::ok);
     const auto load = [&](double way) {
         const ArrayX<double> rate = mean_hertz_pressure(mesh);
         return NormalLoad<double>{(1 + growth * way) * friction.normal_pressure, (1 + growth / 2 * way) * a, rate, 0};
     };
     const Travel<double> whole{dq, dq / 20}, part{dq / 2, dq / 40};
     const NormalLoad<double> two = load(0.5), three = load(1);
-    const auto first = model.advance(from, part, Moved::linear(start, middle), two, half, workspace);
-    const auto second = model.advance(half, part, Moved::linear(middle, end), three, to, workspace);
-    const auto step =
-        core.roll(system, halves, from, whole, Moved::linear(start, end), core.load_after(from, three), found, own);
-    REQUIRE(second.status == StepStatus::ok);
-    REQUIRE(step.status == StepStatus::ok);
+    const auto first = model.advance(from, {part, Moved::linear(start, middle), two}, half, workspace);
+    const auto second = model.advance(half, {part, Moved::linear(middle, end), three}, to, workspace);
+    const auto motion = Moved::linear(start, end);
+    const auto step = core.roll(system, halves, {from, whole, motion, core.load_after(from, three)}, found, own);
+    REQUIRE(second.status == Status::ok);
+    REQUIRE(step.status == Status::ok);
     CHECK(found.zones == to.zones);
     CHECK((found.traction - to.traction).cwiseAbs().maxCoeff() < 1e-10 * p_0);
     const double work = first.slip_work + second.slip_work;

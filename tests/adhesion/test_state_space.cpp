@@ -3,8 +3,8 @@
 #include <complex>
 #include <limits>
 
-#include <rollbem/adhesion/state_space.hpp>
 #include <rollbem/compiled/adhesion.hpp>
+#include <rollbem/spectral/state_space.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"
@@ -76,7 +76,7 @@ TEST_CASE("A state space in SI units gives the force of the time loop", "[state_
     const AdhesionModel<> model(contact, system, unchecked, Integrator::matrix_exponential);
     AdhesionState<> state = model.at_rest(), next = state;
     AdhesionWorkspace<> workspace = model.workspace();
-    const double force = model.advance(state, speed * 4e-4, creepage, next, workspace).force;
+    const double force = model.advance(state, {speed * 4e-4, creepage}, next, workspace).force;
     CHECK(std::abs(stepped(space, 4e-4, 2000) * creepage / force - 1) < 1e-9);
     CHECK(force < 0);
 }

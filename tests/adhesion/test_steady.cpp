@@ -1,14 +1,14 @@
-// rollbem/adhesion/steady.hpp
+// rollbem/steady/steady.hpp
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
 
-#include <rollbem/adhesion/dissipation.hpp>
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/system/dissipation.hpp>
 
 #include "support/brute_force.hpp"
 #include "support/catch.hpp"

@@ -37,7 +37,7 @@ Model plane_model(Eigen::Index n, Integrator integrator) {
 
 /// -F_bar / (a G) in the units of plane_contact.
 double response(const AdhesionStep<>& step) {
-    REQUIRE(step.status == StepStatus::ok);
+    REQUIRE(step.status == Status::ok);
     return -step.force_per_width;
 }
 
@@ -48,8 +48,8 @@ AdhesionStep<> run(const Model& model, double dq, int steps, const MotionOf& mot
     Model::State next = state;
     AdhesionStep<> step;
     for (int k = 0; k < steps; ++k) {
-        step = model.advance(state, dq, motion(k), next, workspace);
-        REQUIRE(step.status == StepStatus::ok);
+        step = model.advance(state, {dq, motion(k)}, next, workspace);
+        REQUIRE(step.status == Status::ok);
         std::swap(state, next);
     }
     return step;
@@ -112,7 +112,7 @@ TEST_CASE("A step applies the stability function of its integrator", "[transient
             from.traction[0] = 1;
             for (const double before : {0.0, -w / 2}) {
                 from.distance = before;
-                REQUIRE(model.advance(from, -w / 2, 0.0, to, workspace).status == StepStatus::ok);
+                REQUIRE(model.advance(from, {-w / 2, 0.0}, to, workspace).status == Status::ok);
                 CAPTURE(name(integrator), w, before);
                 CHECK(std::abs(to.traction[0] - expected) < 1e-14);
             }
@@ -159,7 +159,7 @@ TEST_CASE("Steps of dq = 1e-9 to 1e6 stay bounded and have the right limits", "[
             Model::State state = model.at_rest(), next = state;
             double largest = 0;
             for (int k = 0; k < 300; ++k) {
-                const double force = response(model.advance(state, dq, 1.0, next, workspace));
+                const double force = response(model.advance(state, {dq, 1.0}, next, workspace));
                 if (k == 0 && exponent <= -7) CHECK(std::abs(force / (dq * shift_force) - 1) < 20 * dq);
                 largest = std::max(largest, std::abs(force));
                 std::swap(state, next);
@@ -171,7 +171,7 @@ TEST_CASE("Steps of dq = 1e-9 to 1e6 stay bounded and have the right limits", "[
             state = model.steady(1.0);
             for (const double before : {0.0, dq}) {
                 state.distance = before;
-                CHECK(std::abs(response(model.advance(state, dq, 1.0, next, workspace)) / steady - 1) < 1e-12);
+                CHECK(std::abs(response(model.advance(state, {dq, 1.0}, next, workspace)) / steady - 1) < 1e-12);
                 CHECK((next.traction - state.traction).norm() < 1e-10 * state.traction.norm());
             }
         }
@@ -195,13 +195,13 @@ TEST_CASE("Matrices whose first pivots vanish are solved correctly", "[transient
         CHECK(close(model.steady(0.5).traction, solution(G_prime, 0.5)));
         Model::State from = model.at_rest(), to = from;
         Model::Workspace workspace = model.workspace();
-        REQUIRE(model.advance(from, 0.0, Motion::shift(0.25), to, workspace).status == StepStatus::ok);
+        REQUIRE(model.advance(from, {0.0, Motion::shift(0.25)}, to, workspace).status == Status::ok);
         CHECK(close(to.traction, solution(G, -0.25)));
         if (integrator != Integrator::implicit_euler) continue;
         const VectorX<double> step = solution(G - 0.5 * G_prime, -0.5);
         for (const double before : {0.0, 0.5}) {
             from.distance = before;
-            REQUIRE(model.advance(from, 0.5, 1.0, to, workspace).status == StepStatus::ok);
+            REQUIRE(model.advance(from, {0.5, 1.0}, to, workspace).status == Status::ok);
             CHECK(close(to.traction, step));
         }
     }
@@ -219,11 +219,11 @@ TEMPLATE_TEST_CASE("Steps follow the exact response in every scalar type", "[tra
         AdhesionState<Scalar> state = model.at_rest(), next = state;
         AdhesionStep<1, Scalar> step;
         for (int k = 0; k < 32; ++k) {
-            step = model.advance(state, Scalar(0.0625), Scalar(1), next, workspace);
-            REQUIRE(step.status == StepStatus::ok);
+            step = model.advance(state, {Scalar(0.0625), Scalar(1)}, next, workspace);
+            REQUIRE(step.status == Status::ok);
             AdhesionState<Scalar> other = state;
             state.distance = 0;
-            const Scalar by_stages = model.advance(state, Scalar(0.0625), Scalar(1), other, workspace).force;
+            const Scalar by_stages = model.advance(state, {Scalar(0.0625), Scalar(1)}, other, workspace).force;
             CHECK(std::abs(by_stages / step.force - 1) < 1000 * std::numeric_limits<Scalar>::epsilon());
             std::swap(state, next);
         }
@@ -240,7 +240,7 @@ TEST_CASE("Invalid input to a step gives a status and leaves the target state un
     const Model::State mark{VectorX<double>::Constant(10, 7.0), model.fingerprint(), 1};
     Model::Workspace workspace = model.workspace();
     Model::State to = mark;
-    const auto refused = [&](const AdhesionStep<>& step, StepStatus status) {
+    const auto refused = [&](const AdhesionStep<>& step, Status status) {
         CHECK(step.status == status);
         CHECK(detail::is_nan(step.force));
         CHECK(detail::is_nan(step.tangent));
@@ -249,30 +249,30 @@ TEST_CASE("Invalid input to a step gives a status and leaves the target state un
         CHECK(from.traction == before.traction);
     };
     for (const double bad : {nan, infinity, -infinity}) {
-        refused(model.advance(from, 0.1, bad, to, workspace), StepStatus::not_finite);
-        refused(model.steady(from, bad, to, workspace), StepStatus::not_finite);
-        refused(model.advance(from, 0.1, Motion::linear(1.0, bad), to, workspace), StepStatus::not_finite);
-        refused(model.advance(from, 0.1, Motion::linear(bad, 1.0), to, workspace), StepStatus::not_finite);
-        refused(model.advance(from, 0.1, Motion::shift(bad), to, workspace), StepStatus::not_finite);
-        refused(model.advance(from, bad, 1.0, to, workspace), StepStatus::invalid_step);
+        refused(model.advance(from, {0.1, bad}, to, workspace), Status::not_finite);
+        refused(model.steady(from, {.motion = bad}, to, workspace), Status::not_finite);
+        refused(model.advance(from, {0.1, Motion::linear(1.0, bad)}, to, workspace), Status::not_finite);
+        refused(model.advance(from, {0.1, Motion::linear(bad, 1.0)}, to, workspace), Status::not_finite);
+        refused(model.advance(from, {0.1, Motion::shift(bad)}, to, workspace), Status::not_finite);
+        refused(model.advance(from, {bad, 1.0}, to, workspace), Status::invalid_step);
     }
-    refused(model.advance(from, 0.0, 1.0, to, workspace), StepStatus::invalid_step);
-    refused(model.advance(from, -1.0, 1.0, to, workspace), StepStatus::invalid_step);
-    refused(model.advance(from, -1.0, Motion::shift(1.0), to, workspace), StepStatus::invalid_step);
-    refused(model.advance(Model::State(), 0.1, 1.0, to, workspace), StepStatus::wrong_state);
-    refused(model.advance(to, 0.1, 1.0, to, workspace), StepStatus::wrong_state);
-    refused(model.steady(to, 1.0, to, workspace), StepStatus::wrong_state);
+    refused(model.advance(from, {0.0, 1.0}, to, workspace), Status::invalid_step);
+    refused(model.advance(from, {-1.0, 1.0}, to, workspace), Status::invalid_step);
+    refused(model.advance(from, {-1.0, Motion::shift(1.0)}, to, workspace), Status::invalid_step);
+    refused(model.advance(Model::State(), {0.1, 1.0}, to, workspace), Status::wrong_state);
+    refused(model.advance(to, {0.1, 1.0}, to, workspace), Status::wrong_state);
+    refused(model.steady(to, {.motion = 1.0}, to, workspace), Status::wrong_state);
     Model::State none;
-    CHECK(model.advance(from, 0.1, 1.0, none, workspace).status == StepStatus::wrong_state);
+    CHECK(model.advance(from, {0.1, 1.0}, none, workspace).status == Status::wrong_state);
     Model::Workspace small(9);
-    CHECK(model.advance(from, 0.1, 1.0, to, small).status == StepStatus::wrong_state);
+    CHECK(model.advance(from, {0.1, 1.0}, to, small).status == Status::wrong_state);
     CHECK(to.traction == mark.traction);
 
     // a result that overflows: `to` is then a copy of `from`
     Model::State huge{VectorX<double>::Constant(10, 1.7e308), model.fingerprint(), 1};
     for (const double distance : {0.0, 0.1}) {
         huge.distance = distance;
-        CHECK(model.advance(huge, 0.1, 1.0, to, workspace).status == StepStatus::not_finite);
+        CHECK(model.advance(huge, {0.1, 1.0}, to, workspace).status == Status::not_finite);
         CHECK(to.traction == huge.traction);
         CHECK(to.distance == distance);
     }

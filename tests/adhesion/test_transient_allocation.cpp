@@ -1,5 +1,5 @@
 // rollbem/adhesion/transient.hpp, rollbem/friction/model.hpp, vehicle/creep_force_table.hpp, vehicle/contact_table.hpp:
-// no step and no look-up touches the heap. adhesion/steady.hpp: a large problem holds one matrix.
+// no step and no look-up touches the heap. steady/steady.hpp: a large problem holds one matrix.
 // A program of its own, because it replaces operator new and, where it can, malloc.
 #include <algorithm>
 #include <atomic>
@@ -120,11 +120,11 @@ long count(const Model& model, int repeats) {
         const Motion motion = k % 3 == 0   ? Motion(value)
                               : k % 3 == 1 ? Motion::linear({}, value)
                                            : Motion::shift(value);
-        ok = model.advance(state, 0.01 * (1 + k / repeats), motion, next, workspace).status == StepStatus::ok && ok;
+        ok = model.advance(state, {0.01 * (1 + k / repeats), motion}, next, workspace).status == Status::ok && ok;
         std::swap(state, next);
     }
-    ok = model.steady(state, {}, next, workspace).status == StepStatus::ok && ok;
-    ok = model.advance(state, -1, typename Model::Value{}, next, workspace).status == StepStatus::invalid_step && ok;
+    ok = model.steady(state, {.motion = typename Model::Value{}}, next, workspace).status == Status::ok && ok;
+    ok = model.advance(state, {-1, typename Model::Value{}}, next, workspace).status == Status::invalid_step && ok;
     return ok ? allocations - before : -1;
 }
 
@@ -193,12 +193,12 @@ TEST_CASE("A step to another half-length does not allocate", "[transient]") {
             bool ok = true, refused = true;
             const long before = allocations;
             for (int k = 1; k <= 20; ++k) {
-                ok = model.advance(now, 0.1, 1.0, 1 + 0.01 * k, next, workspace).status == StepStatus::ok && ok;
+                ok = model.advance(now, {0.1, 1.0, 1 + 0.01 * k}, next, workspace).status == Status::ok && ok;
                 std::swap(now, next);
-                ok = model.advance(now, 0.1, 1.0, next, workspace).status == StepStatus::ok && ok;
-                ok = model.advance(next, 0.1, 1.0, now, workspace).status == StepStatus::ok && ok;
-                refused = refused &&
-                          model.advance(now, 0.1, 1.0, 5.0, next, workspace).status == StepStatus::needs_fixed_mesh;
+                ok = model.advance(now, {0.1, 1.0}, next, workspace).status == Status::ok && ok;
+                ok = model.advance(next, {0.1, 1.0}, now, workspace).status == Status::ok && ok;
+                refused =
+                    refused && model.advance(now, {0.1, 1.0, 5.0}, next, workspace).status == Status::needs_fixed_mesh;
             }
             const long after = allocations;
             CAPTURE(n, name(integrator));
@@ -226,15 +226,15 @@ long count(any_model::Ride& ride, int steps) {
                           : k % 10 == 5 ? ride.steady(creepage(1.5 * 0.95), &load)
                           : k % 3 == 0  ? ride.step(k % 20 < 15 ? 0.1 : 0.3, value, &load)
                                         : ride.step(0.1, Motion::linear(creepage(0.1), value));
-        ok = ok && step.status == StepStatus::ok;
+        ok = ok && step.status == Status::ok;
     }
     load.normal_pressure = load.pressure_rate;
-    for (int k = 0; k < steps; ++k) ok = ok && ride.step(0.4, creepage(0.3), &load).status == StepStatus::ok;
+    for (int k = 0; k < steps; ++k) ok = ok && ride.step(0.4, creepage(0.3), &load).status == Status::ok;
     load.half_length = 3 * a;
-    ok = ok && ride.try_step(0.1, creepage(0.3), &load).status == StepStatus::needs_fixed_mesh;
+    ok = ok && ride.try_step(0.1, creepage(0.3), &load).status == Status::needs_fixed_mesh;
     load.normal_pressure[0] = -1;
-    ok = ok && ride.try_step(0.1, creepage(0.3), &load).status == StepStatus::invalid_load;
-    ok = ok && ride.try_step(-0.1, creepage(0.3)).status == StepStatus::invalid_step;
+    ok = ok && ride.try_step(0.1, creepage(0.3), &load).status == Status::invalid_load;
+    ok = ok && ride.try_step(-0.1, creepage(0.3)).status == Status::invalid_step;
     return ok ? allocations - before : -1;
 }
 
@@ -283,16 +283,17 @@ TEST_CASE("A step of a patch of varying size and shape does not allocate", "[fri
             bool ok = true;
             const long before = allocations;
             for (int k = 0; k < 40; ++k) {
-                ok = hertz.set(1e4 * (0.8 - 0.19 * std::cos(0.3 * k)), load) == StepStatus::ok && ok;
+                ok = hertz.set(1e4 * (0.8 - 0.19 * std::cos(0.3 * k)), load) == Status::ok && ok;
                 if (moves) load.half_width *= 1 + 0.1 * std::sin(0.2 * k);
                 const Creepage<double> creepage{1e-3, (k % 7 - 3) * 1e-3, 0.2};
-                ok = ok && model.advance(now, 0.3 * a, creepage, load, next, workspace).status == StepStatus::ok;
-                ok = ok && model.steady(next, creepage, load, now, workspace).status == StepStatus::ok;
+                ok = ok && model.advance(now, {0.3 * a, creepage, load}, next, workspace).status == Status::ok;
+                ok = ok && model.steady(next, {.motion = creepage, .load = load}, now, workspace).status == Status::ok;
                 std::swap(now, next);
                 const SemiAxes<double> axes{load.half_length, load.half_width};
-                ok = ok && adhesion.advance(stuck, 0.3 * a, creepage, axes, stuck_next, stuck_workspace).status ==
-                               StepStatus::ok;
-                ok = ok && adhesion.steady(stuck_next, creepage, stuck, stuck_workspace).status == StepStatus::ok;
+                ok = ok && adhesion.advance(stuck, {0.3 * a, creepage, axes}, stuck_next, stuck_workspace).status ==
+                               Status::ok;
+                ok = ok &&
+                     adhesion.steady(stuck_next, {.motion = creepage}, stuck, stuck_workspace).status == Status::ok;
                 std::swap(stuck, stuck_next);
             }
             const long after = allocations;
@@ -331,7 +332,7 @@ TEST_CASE("The combined solver does not allocate, whether it follows a path or f
         CAPTURE(problem, outcome.rounds, outcome.path_points);
         CHECK(after == before);
         followed += outcome.path_points > 0 ? 1 : 0;
-        unsolved += outcome.status == StepStatus::ok ? 0 : 1;
+        unsolved += outcome.status == Status::ok ? 0 : 1;
     }
     CHECK(followed > 50);
     CHECK(unsolved > 0);
@@ -361,13 +362,13 @@ TEST_CASE("A look-up of a wheelset does not allocate") {
         WheelsetPosition position{.lateral = 1e-4 * k, .yaw = 1e-4 * k};
         for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
             const WheelForces wheel = table.look_up(creep, side, position, speeds, 1e5, 0.3);
-            ok = ok && wheel.status == StepStatus::ok;
+            ok = ok && wheel.status == Status::ok;
             sum += wheel.force[1] + wheel.derivative(WheelForces::yaw)[5];
         }
         sum += table.on_rails(position.lateral, position.yaw).roll_by_yaw;
         position.lateral = 1;
-        refused = refused && table.look_up(creep, WheelsetSide::left, position, speeds, 1e5, 0.3).status ==
-                                 StepStatus::wrong_table;
+        refused = refused &&
+                  table.look_up(creep, WheelsetSide::left, position, speeds, 1e5, 0.3).status == Status::wrong_table;
     }
     CHECK(allocations == before);
     CHECK(ok);

@@ -53,8 +53,8 @@ std::vector<double> series(const Model& model, const Sine& a, double q_0, double
     Model::Workspace workspace = model.workspace();
     std::vector<double> forces;
     for (int k = 1; k <= steps; ++k) {
-        const AdhesionStep<> step = model.advance(now, dq, 1.0, a(q_0 + k * dq), next, workspace);
-        REQUIRE(step.status == StepStatus::ok);
+        const AdhesionStep<> step = model.advance(now, {dq, 1.0, a(q_0 + k * dq)}, next, workspace);
+        REQUIRE(step.status == Status::ok);
         forces.push_back(-step.force_per_width);
         std::swap(now, next);
     }
@@ -115,8 +115,8 @@ TEST_CASE("A step on a breathing contact solves the equations of its stages", "[
                          {std::tuple(Motion(2e-3), 4e-4, 4e-4), std::tuple(Motion::shift(4e-4 * a_0), 4e-4, 4e-4),
                           std::tuple(Motion::linear(1e-3, 4e-3), 0.2 * (1e-3 + 3e-3 * g), 8e-4)}) {
                         const double dq = 0.2, a_new = a_old + da;
-                        const AdhesionStep<> step = model.advance(from, dq * a_0, motion, a_new * a_0, to, workspace);
-                        REQUIRE(step.status == StepStatus::ok);
+                        const AdhesionStep<> step = model.advance(from, {dq * a_0, motion, a_new * a_0}, to, workspace);
+                        REQUIRE(step.status == Status::ok);
                         const VectorXd expected =
                             integrator == Integrator::sdirk2
                                 ? exact.sdirk2(p, a_old, a_old + g * da, a_new, dq, shift_1, shift_2)
@@ -184,8 +184,8 @@ TEST_CASE("The tangents by motion and by half-length are derivatives of the forc
             const double dq = 0.3 * a_0, h = 1e-5 * a_0;
             for (const double a : {1.1 * a_0, 1.3 * a_0, 0.85 * a_0}) {
                 const auto force = [&](const Motion& motion, double half_length) {
-                    const AdhesionStep<> step = model.advance(from, dq, motion, half_length, to, workspace);
-                    REQUIRE(step.status == StepStatus::ok);
+                    const AdhesionStep<> step = model.advance(from, {dq, motion, half_length}, to, workspace);
+                    REQUIRE(step.status == Status::ok);
                     return step.force;
                 };
                 const auto slope = [&](const Motion& low, const Motion& high, double distance) {
@@ -193,17 +193,17 @@ TEST_CASE("The tangents by motion and by half-length are derivatives of the forc
                 };
                 CAPTURE(model.size(), name(integrator), a);
                 const Motion linear = Motion::linear(1e-3, 3e-3);
-                CHECK(model.advance(from, dq, 2e-3, a, to, workspace).tangent ==
+                CHECK(model.advance(from, {dq, 2e-3, a}, to, workspace).tangent ==
                       Approx(slope(1e-3, 3e-3, 2e-3)).epsilon(1e-9));
-                CHECK(model.advance(from, dq, linear, a, to, workspace).tangent ==
+                CHECK(model.advance(from, {dq, linear, a}, to, workspace).tangent ==
                       Approx(slope(Motion::linear(1e-3, 2e-3), Motion::linear(1e-3, 4e-3), 2e-3)).epsilon(1e-9));
-                CHECK(model.advance(from, dq, Motion::shift(1e-6), a, to, workspace).tangent ==
+                CHECK(model.advance(from, {dq, Motion::shift(1e-6), a}, to, workspace).tangent ==
                       Approx(slope(Motion::shift(0), Motion::shift(2e-6), 2e-6)).epsilon(1e-9));
                 for (const Motion& motion : {Motion(2e-3), linear, Motion::shift(1e-6)}) {
                     const double by_length = (8 * (force(motion, a + h) - force(motion, a - h)) -
                                               force(motion, a + 2 * h) + force(motion, a - 2 * h)) /
                                              (12 * h);
-                    const double tangent = model.advance(from, dq, motion, a, to, workspace).tangent_by_half_length;
+                    const double tangent = model.advance(from, {dq, motion, a}, to, workspace).tangent_by_half_length;
                     CHECK(tangent == Approx(by_length).epsilon(1e-8));
                 }
             }
@@ -239,8 +239,8 @@ TEST_CASE("The trailing edge releases the work that full adhesion does not store
         const double dq = 6.0 / steps, start = energy(now);
         double work = 0, released = 0, force = model.force(now) / 200, rate = release(now, 0);
         for (int k = 1; k <= steps; ++k) {
-            const AdhesionStep<> step = model.advance(now, dq, 1.0, a(k * dq), next, workspace);
-            REQUIRE(step.status == StepStatus::ok);
+            const AdhesionStep<> step = model.advance(now, {dq, 1.0, a(k * dq)}, next, workspace);
+            REQUIRE(step.status == Status::ok);
             const double next_rate = release(next, k * dq);
             work -= dq * (force + step.force_per_width) / 2;
             released += dq * (rate + next_rate) / 2;
@@ -262,7 +262,7 @@ TEST_CASE("The trailing edge releases the work that full adhesion does not store
 TEST_CASE("An impossible half-length gives a status and leaves the target state unchanged", "[breathing][not_finite]") {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     const Contact<double> contact = unit_contact(100);
-    const auto check_refusals = [&](const Model& model, const auto& ask, StepStatus expected) {
+    const auto check_refusals = [&](const Model& model, const auto& ask, Status expected) {
         Model::State from = model.steady(1), to = model.at_rest();
         to.traction.setConstant(7);
         to.half_length = 11;
@@ -278,41 +278,41 @@ TEST_CASE("An impossible half-length gives a status and leaves the target state 
     const auto to_length = [](double dq, double half_length, const Motion& motion = 1.0) {
         return [=](const Model& model, const Model::State& from, Model::State& to) {
             Model::Workspace workspace = model.workspace();
-            return model.advance(from, dq, motion, half_length, to, workspace);
+            return model.advance(from, {dq, motion, half_length}, to, workspace);
         };
     };
     for (const Integrator integrator : breathing_integrators) {
         const Model model(contact, elements(10, 100), unchecked, integrator);
         for (const double bad : {0.0, -1.0, nan, infinity, -infinity}) {
-            check_refusals(model, to_length(0.1, bad), StepStatus::invalid_load);
+            check_refusals(model, to_length(0.1, bad), Status::invalid_load);
             // a state with such a half-length is rejected too
             check_refusals(
                 model,
                 [&](const Model& m, Model::State& from, Model::State& to) {
                     Model::Workspace workspace = m.workspace();
                     from.half_length = bad;
-                    CHECK(m.advance(from, 0.1, 1.0, to, workspace).status == StepStatus::wrong_state);
-                    return m.advance(from, 0.1, 1.0, 1.0, to, workspace);
+                    CHECK(m.advance(from, {0.1, 1.0}, to, workspace).status == Status::wrong_state);
+                    return m.advance(from, {0.1, 1.0, 1.0}, to, workspace);
                 },
-                StepStatus::wrong_state);
+                Status::wrong_state);
         }
         for (const double change : {0.25, -0.25, 0.5, -0.5}) {
-            check_refusals(model, to_length(0.25, 1 + change), StepStatus::needs_fixed_mesh);
+            check_refusals(model, to_length(0.25, 1 + change), Status::needs_fixed_mesh);
         }
-        check_refusals(model, to_length(0, 1.01, Motion::shift(0.1)), StepStatus::needs_fixed_mesh);
-        check_refusals(model, to_length(0, 1.01), StepStatus::invalid_step);
-        check_refusals(model, to_length(nan, 1.01), StepStatus::invalid_step);
-        check_refusals(model, to_length(0.1, 1.01, nan), StepStatus::not_finite);
+        check_refusals(model, to_length(0, 1.01, Motion::shift(0.1)), Status::needs_fixed_mesh);
+        check_refusals(model, to_length(0, 1.01), Status::invalid_step);
+        check_refusals(model, to_length(nan, 1.01), Status::invalid_step);
+        check_refusals(model, to_length(0.1, 1.01, nan), Status::not_finite);
         Model::Workspace workspace = model.workspace();
         Model::State from = model.steady(1), to = from;
-        CHECK(model.advance(from, 0.25, 1.0, 1.24, to, workspace).status == StepStatus::ok);
-        CHECK(model.advance(from, 0.25, 1.0, 0.76, to, workspace).status == StepStatus::ok);
-        CHECK(model.advance(from, 0.0, Motion::shift(0.1), 1.0, to, workspace).status == StepStatus::ok);
-        CHECK(model.advance(from, 0.1, 1.0, 1.01, from, workspace).status == StepStatus::wrong_state);
+        CHECK(model.advance(from, {0.25, 1.0, 1.24}, to, workspace).status == Status::ok);
+        CHECK(model.advance(from, {0.25, 1.0, 0.76}, to, workspace).status == Status::ok);
+        CHECK(model.advance(from, {0.0, Motion::shift(0.1), 1.0}, to, workspace).status == Status::ok);
+        CHECK(model.advance(from, {0.1, 1.0, 1.01}, from, workspace).status == Status::wrong_state);
 
         // a result that overflows: `to` is then a copy of `from`
         from.traction.setConstant(1.7e308);
-        CHECK(model.advance(from, 0.1, 1.0, 1.05, to, workspace).status == StepStatus::not_finite);
+        CHECK(model.advance(from, {0.1, 1.0, 1.05}, to, workspace).status == Status::not_finite);
         CHECK(to.traction == from.traction);
         CHECK(to.half_length == 1);
     }
@@ -326,29 +326,29 @@ TEST_CASE("An impossible half-length gives a status and leaves the target state 
         Model::Workspace workspace = model.workspace();
         Model::State from = model.steady(1), to = from;
         from.half_length = limit - 0.01;
-        CHECK(model.advance(from, 0.1, 1.0, limit - 0.001, to, workspace).status == StepStatus::ok);
-        CHECK(model.advance(from, 0.1, 1.0, limit + 0.001, to, workspace).status == StepStatus::needs_fixed_mesh);
+        CHECK(model.advance(from, {0.1, 1.0, limit - 0.001}, to, workspace).status == Status::ok);
+        CHECK(model.advance(from, {0.1, 1.0, limit + 0.001}, to, workspace).status == Status::needs_fixed_mesh);
     }
 
     // systems that cannot breathe take steps only at their own half-length
     const auto rigid = [&](const Model& model) {
         CHECK_FALSE(model.can_breathe());
-        check_refusals(model, to_length(0.1, 1.01), StepStatus::needs_fixed_mesh);
+        check_refusals(model, to_length(0.1, 1.01), Status::needs_fixed_mesh);
         check_refusals(
             model,
             [](const Model& m, Model::State& from, Model::State& to) {
                 Model::Workspace workspace = m.workspace();
                 from.half_length = 1.01;
-                CHECK(m.advance(from, 0.1, 1.0, to, workspace).status == StepStatus::needs_fixed_mesh);
-                return m.advance(from, 0.1, 1.0, 1.0, to, workspace);
+                CHECK(m.advance(from, {0.1, 1.0}, to, workspace).status == Status::needs_fixed_mesh);
+                return m.advance(from, {0.1, 1.0, 1.0}, to, workspace);
             },
-            StepStatus::needs_fixed_mesh);
+            Status::needs_fixed_mesh);
         const Model::State from = model.steady(1);
         Model::State to = from, other = from;
         Model::Workspace workspace = model.workspace();
-        const AdhesionStep<> step = model.advance(from, 0.1, 0.5, 1.0, to, workspace);
-        CHECK(step.status == StepStatus::ok);
-        CHECK(step.force == model.advance(from, 0.1, 0.5, other, workspace).force);
+        const AdhesionStep<> step = model.advance(from, {0.1, 0.5, 1.0}, to, workspace);
+        CHECK(step.status == Status::ok);
+        CHECK(step.force == model.advance(from, {0.1, 0.5}, other, workspace).force);
         CHECK(to.traction == other.traction);
         CHECK(detail::is_nan(step.tangent_by_half_length));
     };
@@ -373,8 +373,8 @@ TEMPLATE_TEST_CASE("A contact breathes in every scalar type", "[breathing]", SCA
         AdhesionWorkspace<1, Real> workspace = model.workspace();
         AdhesionStep<1, Real> step;
         for (int k = 1; k <= 64; ++k) {
-            step = model.advance(now, Real(0.0625), Real(1), 1 + Real(k < 32 ? k : 64 - k) / 64, next, workspace);
-            if (step.status != StepStatus::ok) return std::pair(0.0L, 0.0L);
+            step = model.advance(now, {Real(0.0625), Real(1), 1 + Real(k < 32 ? k : 64 - k) / 64}, next, workspace);
+            if (step.status != Status::ok) return std::pair(0.0L, 0.0L);
             std::swap(now, next);
         }
         return std::pair(static_cast<long double>(step.force_per_width),

@@ -89,12 +89,12 @@ TEST_CASE("Without coupling, each direction is stepped as on its own, and latera
                 return k % 2 == 0 ? One::linear(pick(value(k)), pick(value(k + 1))) : One(pick(value(k)));
             };
             const AdhesionStep<3> step =
-                both.advance(now, dq, motion([](const auto& all) { return all; }), next, workspace);
+                both.advance(now, {dq, motion([](const auto& all) { return all; })}, next, workspace);
             const AdhesionStep<> x = first.advance(
-                first_now, dq, motion([](const auto& all) { return all.longitudinal; }), first_next, first_workspace);
-            const AdhesionStep<> y = second.advance(second_now, dq, motion([](const auto& all) { return all.lateral; }),
-                                                    second_next, second_workspace);
-            REQUIRE(step.status == StepStatus::ok);
+                first_now, {dq, motion([](const auto& all) { return all.longitudinal; })}, first_next, first_workspace);
+            const AdhesionStep<> y = second.advance(
+                second_now, {dq, motion([](const auto& all) { return all.lateral; })}, second_next, second_workspace);
+            REQUIRE(step.status == Status::ok);
             CAPTURE(name(integrator), k);
             CHECK(step.force.longitudinal == Approx(x.force).epsilon(1e-12));
             CHECK(step.force.lateral == Approx(y.force).epsilon(1e-12));
@@ -132,8 +132,8 @@ TEST_CASE("A step on a patch solves the equations of all inputs together, in SI 
         for (const Motion& motion :
              {Motion(end), Motion::linear({1, 2, 3}, end),
               Motion::shift({dq * a * end.longitudinal, dq * a * end.lateral, dq * a * end.spin})}) {
-            const AdhesionStep<3> step = model.advance(from, dq * a, motion, to, workspace);
-            REQUIRE(step.status == StepStatus::ok);
+            const AdhesionStep<3> step = model.advance(from, {dq * a, motion}, to, workspace);
+            REQUIRE(step.status == Status::ok);
             CAPTURE(before, vector(step.force), force);
             CHECK((to.traction / G - expected).norm() < 1e-12 * expected.norm());
             for (Eigen::Index i = 0; i < 3; ++i) CHECK(vector(step.force)[i] == Approx(force[i]).epsilon(1e-11));
@@ -160,8 +160,8 @@ TEST_CASE("The tangent of three forces by three motions is the difference quotie
                 for (const auto& motion : {+[](const Creepage<double>& end) { return Motion(end); },
                                            +[](const Creepage<double>& end) { return Motion::linear({}, end); },
                                            +[](const Creepage<double>& end) { return Motion::shift(end); }}) {
-                    const AdhesionStep<3> low = model.advance(from, dq, motion(value(j, 0)), to, workspace);
-                    const AdhesionStep<3> high = model.advance(from, dq, motion(value(j, size)), to, workspace);
+                    const AdhesionStep<3> low = model.advance(from, {dq, motion(value(j, 0))}, to, workspace);
+                    const AdhesionStep<3> high = model.advance(from, {dq, motion(value(j, size))}, to, workspace);
                     const Forces slope = (vector(high.force) - vector(low.force)) / size;
                     const Forces tangent = matrix(high.tangent).col(j);
                     CAPTURE(name(integrator), before, j);
@@ -186,13 +186,13 @@ TEST_CASE("The result of a step depends on state and arguments alone, to the las
         for (const Model& another : others) {
             Model::State its_own = another.steady(value);
             its_own.distance = k % 4 == 0 ? dq : 0;
-            if (k % 5 == 0) another.advance(its_own, k % 2 == 0 ? dq : 0.15 * a, value, next, used);
+            if (k % 5 == 0) another.advance(its_own, {k % 2 == 0 ? dq : 0.15 * a, value}, next, used);
         }
-        if (k % 4 == 0) model.advance(now, 0.25 * a, value, next, used);
+        if (k % 4 == 0) model.advance(now, {0.25 * a, value}, next, used);
         Model::Workspace fresh = model.workspace();
-        const AdhesionStep<3> expected = model.advance(now, dq, value, other, fresh);
-        const AdhesionStep<3> found = model.advance(now, dq, value, next, used);
-        REQUIRE(found.status == StepStatus::ok);
+        const AdhesionStep<3> expected = model.advance(now, {dq, value}, other, fresh);
+        const AdhesionStep<3> found = model.advance(now, {dq, value}, next, used);
+        REQUIRE(found.status == Status::ok);
         CHECK(vector(found.force) == vector(expected.force));
         CHECK(matrix(found.tangent) == matrix(expected.tangent));
         CHECK(next.traction == other.traction);

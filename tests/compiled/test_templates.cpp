@@ -39,7 +39,7 @@ TEST_CASE("templates: a line in full adhesion has one c11", "[templates]") {
         auto now = model.at_rest(), next = now;
         auto workspace = model.workspace();
         for (int k = 0; k < 40; ++k) {
-            REQUIRE(model.advance(now, 1.0F, 1e-4F, next, workspace).status == StepStatus::ok);
+            REQUIRE(model.advance(now, {1.0F, 1e-4F}, next, workspace).status == Status::ok);
             std::swap(now, next);
         }
         CHECK(relative(model.force(now), 1e-4F * expected) < 1e-4F);
@@ -57,18 +57,18 @@ TEST_CASE("templates: friction sticks, slides and is the same by every law and i
     Run one(model);
     Run other(by_slip);
     Run two(both);
-    CHECK(relative(one.steady(1e-2F).force, sliding) < 1e-5F);
-    CHECK(relative(other.steady(1e-2F, 1.0F).force, sliding) < 1e-5F);
-    CHECK(relative(two.steady({1e-2F, 0}).force.longitudinal, sliding) < 1e-5F);
-    const float part = one.steady(1e-3F).force;
+    CHECK(relative(one.steady({.motion = 1e-2F}).force, sliding) < 1e-5F);
+    CHECK(relative(other.steady({Travel<>::at_speed(1.0F), 1e-2F}).force, sliding) < 1e-5F);
+    CHECK(relative(two.steady({.motion = {1e-2F, 0}}).force.longitudinal, sliding) < 1e-5F);
+    const float part = one.steady({.motion = 1e-3F}).force;
     CHECK(part / sliding > 0.3F);
     CHECK(part / sliding < 0.9F);
-    CHECK(relative(other.steady(1e-3F, 1.0F).force, part) < 1e-4F);
-    CHECK(relative(two.steady({1e-3F, 0}).force.longitudinal, part) < 1e-4F);
+    CHECK(relative(other.steady({Travel<>::at_speed(1.0F), 1e-3F}).force, part) < 1e-4F);
+    CHECK(relative(two.steady({.motion = {1e-3F, 0}}).force.longitudinal, part) < 1e-4F);
     // in time, from rest to the steady state
     Run rolling(model);
     float force = 0;
-    for (int k = 0; k < 40; ++k) force = rolling.advance(contact.half_length(), 1e-3F).force;
+    for (int k = 0; k < 40; ++k) force = rolling.advance({contact.half_length(), 1e-3F}).force;
     CHECK(relative(force, part) < 1e-3F);
 }
 

@@ -159,8 +159,8 @@ TEST_CASE("Steady friction on a layer agrees with CONTACT", "[layer]") {
         const FrictionState<> rest = model.at_rest();
         FrictionState<> state = rest;
         FrictionWorkspace<> workspace = model.workspace();
-        const FrictionStep<> step = model.steady(rest, 2 * (1 - nu) * mu_p0 * delta, state, workspace);
-        REQUIRE(step.status == StepStatus::ok);
+        const FrictionStep<> step = model.steady(rest, {.motion = 2 * (1 - nu) * mu_p0 * delta}, state, workspace);
+        REQUIRE(step.status == Status::ok);
         return -step.force / (contact.width() * mu_p0 * std::numbers::pi / 2);
     };
     struct Row {

@@ -9,13 +9,14 @@
 #include <vector>
 
 #include <rollbem/adhesion/frequency.hpp>
-#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/adhesion/transient.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/friction/friction.hpp>
+#include <rollbem/friction/law.hpp>
+#include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/spectral/polynomial.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/catch.hpp"
 
@@ -63,10 +64,10 @@ TEST_CASE("Threads may share a transient model for repeated and new distances", 
         AdhesionModel<>::Workspace workspace = model.workspace();
         Numbers forces;
         for (int k = 0; k < 20; ++k) {
-            forces.push_back(model.advance(now, 0.1, 1e-3, next, workspace).force);
+            forces.push_back(model.advance(now, {0.1, 1e-3}, next, workspace).force);
             std::swap(now, next);
             forces.push_back(
-                model.advance(now, k % 3 == 0 ? 0.05 : 0.1, RigidMotion<double>::linear(1e-3, 2e-3), next, workspace)
+                model.advance(now, {k % 3 == 0 ? 0.05 : 0.1, RigidMotion<double>::linear(1e-3, 2e-3)}, next, workspace)
                     .tangent);
             std::swap(now, next);
         }
@@ -86,12 +87,12 @@ TEST_CASE("Threads may share models of Coulomb friction, steady and in time", "[
         auto now = steady.at_rest(), next = now;
         auto workspace = steady.workspace();  // of this thread, for both models in turn
         for (const double creepage : {1e-4, 3e-4, 1e-3}) {
-            forces.push_back(steady.steady(now, creepage, next, workspace).force);
+            forces.push_back(steady.steady(now, {.motion = creepage}, next, workspace).force);
             std::swap(now, next);
         }
         auto rolling = model.at_rest(), after = rolling;
         for (int k = 0; k < 10; ++k) {
-            forces.push_back(model.advance(rolling, 0.1, 3e-4, after, workspace).force);
+            forces.push_back(model.advance(rolling, {0.1, 3e-4}, after, workspace).force);
             std::swap(rolling, after);
         }
         return forces;

@@ -41,15 +41,17 @@ public:
     Step step(double duration, const rollbem::Creepage<double>& slip, double speed, double load, double factor = 1) {
         set(load, factor);
         return keep(model_.advance(
-            now_, duration * speed,
-            Model::Motion::shift({duration * slip.longitudinal, duration * slip.lateral, duration * slip.spin}), load_,
+            now_,
+            {duration * speed,
+             Model::Motion::shift({duration * slip.longitudinal, duration * slip.lateral, duration * slip.spin}),
+             load_},
             next_, workspace_));
     }
     Step steady(const rollbem::Creepage<double>& slip, double speed, double load, double factor) {
         set(load, factor);
         const auto& [longitudinal, lateral, spin] = slip;
-        return keep(
-            model_.steady(now_, {longitudinal / speed, lateral / speed, spin / speed}, load_, next_, workspace_));
+        return keep(model_.steady(
+            now_, {.motion = {longitudinal / speed, lateral / speed, spin / speed}, .load = load_}, next_, workspace_));
     }
 
 private:
@@ -59,7 +61,7 @@ private:
         load_.pressure_rate *= factor;
     }
     Step keep(const Step& step) {
-        if (step.status == rollbem::StepStatus::ok) std::swap(now_, next_);
+        if (step.status == rollbem::Status::ok) std::swap(now_, next_);
         return step;
     }
 

@@ -13,7 +13,7 @@
 
 namespace {
 
-using rollbem::StepStatus;
+using rollbem::Status;
 
 template <std::size_t Count>
 bool read(std::array<double, Count>& numbers) {
@@ -28,9 +28,9 @@ bool roll(library::Friction contact, bool steady) {
     for (std::array<double, 7> line{}; read(line); steady = false) {
         const auto& [duration, longitudinal, lateral, spin, speed, load, factor] = line;
         const rollbem::Creepage<double> slip{longitudinal, lateral, spin};
-        const auto step =
-            steady ? contact.steady(slip, speed, load, factor) : contact.step(duration, slip, speed, load, factor);
-        if (step.status != StepStatus::ok) return false;
+        const auto step = steady ? contact.steady(slip, {.motion = speed}, load, factor)
+                                 : contact.step(duration, slip, speed, load, factor);
+        if (step.status != Status::ok) return false;
         if (!steady) work += step.slip_work;
         std::printf("%a %a %a %a %a\n", step.force.longitudinal, step.force.lateral, step.force.moment, work,
                     static_cast<double>(step.stick_count));
@@ -49,7 +49,7 @@ bool roll_wheelset(const std::string& folder) {
             wheels[k] = contacts.look_up(creep, k == 0 ? rollbem::WheelsetSide::left : rollbem::WheelsetSide::right,
                                          {.lateral = x[1], .yaw = x[2]}, {x[3], x[4], x[5], x[6], x[7], x[8]}, x[9 + k],
                                          library::friction_coefficient);
-            if (wheels[k].status != StepStatus::ok) return false;
+            if (wheels[k].status != Status::ok) return false;
         }
         const double heat = wheels[0].heat + wheels[1].heat;
         if (!first) work += x[0] * (before + heat) / 2;

@@ -80,8 +80,8 @@ FrictionContact make(const Setup& setup, bool steady = false);
 /// A step under a load, or, if it is null, under that of the state.
 inline Step advance(const FrictionContact& model, const State& from, const Travel<double>& travel, const Motion& motion,
                     const Load* load, State& to, Workspace& workspace) {
-    return load == nullptr ? model.advance(from, travel, motion, to, workspace)
-                           : model.advance(from, travel, motion, *load, to, workspace);
+    return load == nullptr ? model.advance(from, {travel, motion}, to, workspace)
+                           : model.advance(from, {travel, motion, *load}, to, workspace);
 }
 
 /// A model with its state and workspace. Distances are in a, and the speed of rolling is `speed`; what takes no way
@@ -99,8 +99,8 @@ struct Ride {
     static Travel<double> travel(double dq) { return {dq * a, (dq == 0 ? 0.1 : dq) * a / speed}; }
     /// Trials, which do not change `now`.
     Step try_steady(const Creepage<double>& creepage, const Load* load = nullptr) {
-        return load == nullptr ? model.steady(now, creepage, speed, next, own)
-                               : model.steady(now, creepage, speed, *load, next, own);
+        return load == nullptr ? model.steady(now, {Travel<>::at_speed(speed), creepage}, next, own)
+                               : model.steady(now, {Travel<>::at_speed(speed), creepage, *load}, next, own);
     }
     Step try_step(double dq, const Motion& motion, const Load* load = nullptr) {
         return advance(model, now, travel(dq), motion, load, next, own);

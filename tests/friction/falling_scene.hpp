@@ -4,7 +4,9 @@
 #include <numbers>
 #include <utility>
 
-#include <rollbem/friction/friction.hpp>
+#include <rollbem/assembly/rolling_system.hpp>
+#include <rollbem/friction/law.hpp>
+#include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz.hpp>
 
 namespace falling_tests {

@@ -72,8 +72,8 @@ void read_state(std::istream& file, State& state) {
 // that of the state; `even`: at a constant creepage, until nothing changes any more.
 void step(Run<AdhesionModel<>>& run, int k, bool even, std::ostream* file) {
     const double value = 1e-3 * std::sin(0.3 * k), dq = even || k % 7 == 0 ? 0.4 : 0.1;
-    const auto step = k % 5 == 3 ? run.advance(dq * a, RigidMotion<double>::shift(a * value))
-                                 : run.advance(dq * a, RigidMotion<double>(even ? 1e-3 : value));
+    const auto step = k % 5 == 3 ? run.advance({dq * a, RigidMotion<double>::shift(a * value)})
+                                 : run.advance({dq * a, RigidMotion<double>(even ? 1e-3 : value)});
     if (file == nullptr) return;
     put(*file, step.force);
     put(*file, step.tangent);
@@ -86,7 +86,7 @@ void step(Run<FrictionContact>& run, int k, bool even, std::ostream* file) {
     const State& now = run.now();
     const Load load{longer * now.normal_pressure, longer * now.half_length, now.normal_pressure};
     const Motion motion = k % 5 == 3 && !even ? shift(0.3, 40) : Motion(creepage(ratio, 5.0 * k));
-    const Step step = k % 4 == 2 || even ? run.advance(travel, motion) : run.advance(travel, motion, load);
+    const Step step = k % 4 == 2 || even ? run.advance({travel, motion}) : run.advance({travel, motion, load});
     if (file == nullptr) return;
     for (const double x : {step.force.longitudinal, step.force.lateral, step.tangent.by_lateral.longitudinal,
                            step.tangent_by_load.lateral, step.tangent_by_half_length.longitudinal, step.slip_work,
@@ -94,7 +94,7 @@ void step(Run<FrictionContact>& run, int k, bool even, std::ostream* file) {
         put(*file, x);
     }
     *file << name(step.status) << '\n';
-    if (step.status != StepStatus::ok) throw std::runtime_error(name(step.status));
+    if (step.status != Status::ok) throw std::runtime_error(name(step.status));
 }
 
 // Every model half of the way; then either its state is written or read, and the results of the other half are written.

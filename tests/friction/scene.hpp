@@ -47,7 +47,7 @@ inline FrictionStep<> from_scratch(const FrictionModel<>& model, double xi) {
     const FrictionState<> rest = model.at_rest();
     FrictionState<> state = rest;
     FrictionWorkspace<> workspace = model.workspace();
-    return model.steady(rest, xi, state, workspace);
+    return model.steady(rest, {.motion = xi}, state, workspace);
 }
 
 }  // namespace friction_tests

@@ -121,9 +121,10 @@ TEST_CASE("No element gains energy where the slip reverses", "[friction]") {
         int turns = 0;
         for (int k = 0; k < 60; ++k) {
             const double wave = 1.5 * std::cos(2.3 * k);
-            const FrictionStep<> step = k % 2 == 0 ? model.shift(now, peak * wave, next, workspace)
-                                                   : model.advance(now, 0.3, creepage(4 * wave), next, workspace);
-            REQUIRE(step.status == StepStatus::ok);
+            const FrictionStep<> step =
+                k % 2 == 0 ? model.advance(now, {0, RigidMotion<double>::shift(peak * wave)}, next, workspace)
+                           : model.advance(now, {0.3, creepage(4 * wave)}, next, workspace);
+            REQUIRE(step.status == Status::ok);
             CHECK(workspace.slip_work().minCoeff() >= 0);
             CHECK(std::abs(workspace.slip_work().sum() - step.slip_work) <= 1e-14 * step.slip_work);
             for (Eigen::Index i = 1; i < 24; ++i) {

@@ -39,16 +39,18 @@ TEST_CASE("The steady forces of a wheel at 45 m/s are the reference values", "[f
         const State rest = steady.at_rest(), other_rest = transient.at_rest();
         State state = rest;
         for (int j = 0; j < 5; ++j) {
-            const Step step = steady.steady(rest, creepages[j], speed, state, workspace);
+            const Step step = steady.steady(rest, {Travel<>::at_speed(speed), creepages[j]}, state, workspace);
             CAPTURE(distances[k], creepages[j]);
-            CHECK(step.status == StepStatus::ok);
+            CHECK(step.status == Status::ok);
             CHECK(std::abs(force_ratio(step) - steady_forces[k][j]) < 6e-6);
             CHECK(step.rounds > 1);  // of all searches for stick and slip: the last takes one
-            const Step other = transient.steady(other_rest, creepages[j], speed, state, workspace);
+            const Step other =
+                transient.steady(other_rest, {Travel<>::at_speed(speed), creepages[j]}, state, workspace);
             CHECK(other.force == Approx(step.force).epsilon(1e-11));
             constexpr double h = 1e-7;
             const auto force = [&](double part) {
-                return steady.steady(rest, creepages[j] * (1 + part), speed, state, workspace).force;
+                return steady.steady(rest, {Travel<>::at_speed(speed), creepages[j] * (1 + part)}, state, workspace)
+                    .force;
             };
             const double difference = (force(h) - force(-h)) / (2 * h * creepages[j]);
             CHECK(step.tangent == Approx(difference).epsilon(1e-6));
@@ -73,8 +75,8 @@ TEST_CASE("With little memory, the force oscillates at the peak of the creep cur
         double last = 0, highest = 0, lowest = 1;
         std::vector<double> falls;
         for (int k = 1; k * c.dq < 24; ++k) {
-            const Step step = model.advance(now, {c.dq * a, c.dq * a / speed}, 2e-3, next, workspace);
-            REQUIRE(step.status == StepStatus::ok);
+            const Step step = model.advance(now, {{c.dq * a, c.dq * a / speed}, 2e-3}, next, workspace);
+            REQUIRE(step.status == Status::ok);
             std::swap(now, next);
             const double force = force_ratio(step);
             if (last - force > 0.1) {
@@ -123,12 +125,12 @@ TEST_CASE("A law may rise from nothing; it is called as const", "[friction]") {
                               Integrator::implicit_euler);
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
-    REQUIRE(model.steady(now, 5e-3, speed, next, workspace).status == StepStatus::ok);
+    REQUIRE(model.steady(now, {Travel<>::at_speed(speed), 5e-3}, next, workspace).status == Status::ok);
     for (Eigen::Index i = 0; i < model.size(); ++i) {
         const double v = speed * std::abs(workspace.slip()[i]);
         CHECK(next.friction_coefficient[i] == Approx(rising(v)).margin(1e-12));
     }
-    CHECK(model.advance(now, {0.05 * a, 0.05 * a / speed}, 5e-3, next, workspace).status == StepStatus::ok);
+    CHECK(model.advance(now, {{0.05 * a, 0.05 * a / speed}, 5e-3}, next, workspace).status == Status::ok);
 }
 
 }  // namespace

@@ -73,14 +73,14 @@ std::vector<double> roll(const LoadScene& scene, const SineLoad& sine, double Q,
     FrictionWorkspace<> workspace = model.workspace();
     FrictionState<> now = model.at_rest(), next = now;
     NormalLoad<double> load = scene.hertz.at(sine(0));
-    FrictionStep<> step = model.steady(now, load_creepage(0.5), load, next, workspace);
+    FrictionStep<> step = model.steady(now, {.motion = load_creepage(0.5), .load = load}, next, workspace);
     std::vector<double> forces{force_ratio(step, scene.contact)};
-    bool ok = step.status == StepStatus::ok;
+    bool ok = step.status == Status::ok;
     for (int k = 1; k <= steps; ++k) {
         std::swap(now, next);
-        ok = scene.hertz.set(sine(Q * k / steps), load) == StepStatus::ok && ok;
-        step = model.advance(now, Q / steps, load_creepage(0.5), load, next, workspace);
-        ok = ok && step.status == StepStatus::ok && step.complementarity_residual < 1e-11;
+        ok = scene.hertz.set(sine(Q * k / steps), load) == Status::ok && ok;
+        step = model.advance(now, {Q / steps, load_creepage(0.5), load}, next, workspace);
+        ok = ok && step.status == Status::ok && step.complementarity_residual < 1e-11;
         forces.push_back(force_ratio(step, scene.contact));
     }
     CHECK(ok);
@@ -172,14 +172,14 @@ TEST_CASE("A contact does not grow to where the plane kernel is unstable", "[fri
         NormalLoad<double> load = scene.hertz.at(full_force);
         const auto advance = [&](double half_length) {
             load.half_length = half_length;
-            return model.advance(now, 0.1, creepage, load, next, workspace).status;
+            return model.advance(now, {0.1, creepage, load}, next, workspace).status;
         };
         while (now.half_length < limit - 0.1) {
-            REQUIRE(advance(now.half_length + 0.05) == StepStatus::ok);
+            REQUIRE(advance(now.half_length + 0.05) == Status::ok);
             std::swap(now, next);
         }
-        CHECK(advance(limit * (1 - 1e-12)) == StepStatus::ok);
-        CHECK(advance(limit * (1 + 1e-12)) == StepStatus::needs_fixed_mesh);
+        CHECK(advance(limit * (1 - 1e-12)) == Status::ok);
+        CHECK(advance(limit * (1 + 1e-12)) == Status::needs_fixed_mesh);
     };
     check(FrictionModel<>(scene.contact, scene.system(), unchecked, scene.law()), along, 1e-4);
     check(FrictionModel(scene.contact, ElementSystem<double, 2>(scene.system(), lateral), unchecked, scene.law()),

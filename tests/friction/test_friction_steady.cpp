@@ -44,7 +44,7 @@ TEST_CASE("The steady force converges to Carter's, of second order by node diffe
             sizes.push_back(static_cast<double>(mesh.size()));
             errors.push_back(force_ratio(point, contact) / carter_force_ratio(expected.ratio) - 1);
             CAPTURE(expected.errors[0], expected.ratio, mesh.size(), errors.back(), point.rounds);
-            CHECK(point.status == StepStatus::ok);
+            CHECK(point.status == Status::ok);
             CHECK(point.complementarity_residual < 1e-12);
             CHECK(point.path_points == 0);
             CHECK(point.rounds <= 10);
@@ -64,7 +64,7 @@ TEST_CASE("Tractions, border and work of steady rolling agree with Carter's solu
         const FrictionState<> rest = model.at_rest();
         FrictionState<> state = rest;
         FrictionWorkspace<> workspace = model.workspace();
-        const FrictionStep<> point = model.steady(rest, creepage(0.4), state, workspace);
+        const FrictionStep<> point = model.steady(rest, {.motion = creepage(0.4)}, state, workspace);
         const double widest = scene.mesh.widths().maxCoeff();
         double largest = 0;
         for (Eigen::Index i = 0; i < n; ++i) {

@@ -47,9 +47,9 @@ TEST_CASE("Small creepage or high friction gives the linear solutions", "[fricti
                                            : Motion::shift(scale * xi);
                 };
                 const AdhesionStep<> expected =
-                    full_adhesion.advance(linear_now, dq, motion(1), linear_next, linear_workspace);
-                const FrictionStep<> rolled = model.advance(now, dq, motion(1), next, workspace);
-                slippery.advance(small_now, dq, motion(1e-8), small_next, small_workspace);
+                    full_adhesion.advance(linear_now, {dq, motion(1)}, linear_next, linear_workspace);
+                const FrictionStep<> rolled = model.advance(now, {dq, motion(1)}, next, workspace);
+                slippery.advance(small_now, {dq, motion(1e-8)}, small_next, small_workspace);
                 std::swap(now, next);
                 std::swap(small_now, small_next);
                 std::swap(linear_now, linear_next);
@@ -75,11 +75,11 @@ TEST_CASE("A rigid shift without rolling gives Cattaneo's solution", "[friction]
             FrictionState<> shifted = rest;
             FrictionWorkspace<> workspace = model.workspace();
             const double shift = peak * cattaneo_shift(force, nu, 100.0);
-            const FrictionStep<> step = model.shift(rest, shift, shifted, workspace);
+            const FrictionStep<> step = model.advance(rest, {0, RigidMotion<double>::shift(shift)}, shifted, workspace);
             sizes.push_back(static_cast<double>(n));
             errors.push_back(force_ratio(step, scene.contact) / force - 1);
             CAPTURE(force, n, errors.back());
-            CHECK(step.status == StepStatus::ok);
+            CHECK(step.status == Status::ok);
             // without rolling the solution is symmetric
             CHECK((shifted.traction - shifted.traction.reverse()).cwiseAbs().maxCoeff() < 1e-12 * peak);
             const double c = cattaneo_stick_half_length(force);
@@ -91,7 +91,8 @@ TEST_CASE("A rigid shift without rolling gives Cattaneo's solution", "[friction]
                       1.5 / static_cast<double>(n));
             }
             const double delta = 1e-7 * shift;
-            const FrictionStep<> more = model.shift(rest, shift + delta, shifted, workspace);
+            const FrictionStep<> more =
+                model.advance(rest, {0, RigidMotion<double>::shift(shift + delta)}, shifted, workspace);
             CHECK(step.tangent == Approx((more.force - step.force) / delta).epsilon(1e-5));
         }
         CHECK(std::abs(errors[1]) < 5e-4);
@@ -141,7 +142,7 @@ TEST_CASE("Matrices that are not those of elements are rejected by name", "[fric
     width[4] = 0;
     CHECK_THROWS_WITH(FrictionModel<>(scene.contact, {{}, -one, width}, good),
                       "ElementSystem: width = 0 must be positive and finite");
-    CHECK(FrictionStep<>{}.status == StepStatus::not_finite);
+    CHECK(FrictionStep<>{}.status == Status::not_finite);
 
     CHECK_THROWS_WITH(Scene(cosine_mesh<double>(8), half, 1, 0.1).transient(),
                       ContainsSubstring("PlaneKernel: Lambda"));
@@ -149,10 +150,10 @@ TEST_CASE("Matrices that are not those of elements are rejected by name", "[fric
     const FrictionModel<> smooth = Scene(cosine_mesh<double>(8), half, 0).transient();
     FrictionState<> next = smooth.at_rest();
     FrictionWorkspace<> workspace = smooth.workspace();
-    CHECK(smooth.advance(smooth.at_rest(), 0.1, 1e-3, next, workspace).force == 0);
+    CHECK(smooth.advance(smooth.at_rest(), {0.1, 1e-3}, next, workspace).force == 0);
     scene.friction.normal_pressure[5] = 0;
     const FrictionModel<> gap = scene.transient();
-    CHECK(gap.advance(gap.at_rest(), 0.1, 1e-3, next, workspace).status == StepStatus::ok);
+    CHECK(gap.advance(gap.at_rest(), {0.1, 1e-3}, next, workspace).status == Status::ok);
     CHECK(next.traction[5] == 0);
 }
 

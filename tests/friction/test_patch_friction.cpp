@@ -9,11 +9,11 @@
 #include <vector>
 
 #include <rollbem/accuracy/recommended_patch.hpp>
-#include <rollbem/adhesion/dissipation.hpp>
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
+#include <rollbem/system/dissipation.hpp>
 
 #include "support/catch.hpp"
 
@@ -72,7 +72,7 @@ Solved solve(const Model& model, const Creepage<double>& creepage) {
     auto workspace = model.workspace();
     const auto rest = model.at_rest();
     auto state = rest;
-    const auto step = model.steady(rest, creepage, state, workspace);
+    const auto step = model.steady(rest, {.motion = creepage}, state, workspace);
     return {step, state, workspace.slip(), workspace.slip_work()};
 }
 
@@ -136,8 +136,8 @@ TEST_CASE("patch_friction: steady forces of a circle tend to their limits") {
         CAPTURE(limit.xi, limit.eta, limit.phi, limit.level);
         const Creepage<double> creepage = coarse.creepage(limit.level, limit.xi, limit.eta, limit.phi);
         const Solved first = solve(coarse_model, creepage), second = solve(fine_model, creepage);
-        CHECK(first.step.status == StepStatus::ok);
-        CHECK(second.step.status == StepStatus::ok);
+        CHECK(first.step.status == Status::ok);
+        CHECK(second.step.status == Status::ok);
         CHECK(second.step.complementarity_residual < 1e-12);
         const auto at_8 = coarse.ratios(first.step.force), at_12 = fine.ratios(second.step.force);
         eight.add(at_8, limit);
@@ -265,9 +265,10 @@ TEST_CASE("patch_friction: needles have forces where those of full adhesion are 
                              patch_elements(mesh, chebyshev).areas) == (n == 16));
         auto workspace = model.workspace();
         auto to = model.at_rest();
-        const auto step = model.steady(
-            model.at_rest(), {0.0551153710 * unit, 0.1177382515 * unit, 0.1651201936 * unit / c}, to, workspace);
-        REQUIRE(step.status == StepStatus::ok);
+        const auto step = model.steady(model.at_rest(),
+                                       {.motion = {0.0551153710 * unit, 0.1177382515 * unit, 0.1651201936 * unit / c}},
+                                       to, workspace);
+        REQUIRE(step.status == Status::ok);
         forces.push_back(step.force);
     }
     CHECK(std::abs(forces[0].longitudinal - forces[1].longitudinal) < 0.02 * mu * load);
@@ -286,7 +287,7 @@ TEST_CASE("patch_friction: limits and symmetries") {
     const auto model = scene.steady();
 
     const Solved nothing = solve(model, {0, 0, 0});
-    CHECK(nothing.step.status == StepStatus::ok);
+    CHECK(nothing.step.status == Status::ok);
     CHECK(nothing.step.stick_count == 56);
     CHECK(nothing.state.traction.norm() == 0);
     CHECK(nothing.step.slip_work == 0);
@@ -328,7 +329,7 @@ TEST_CASE("patch_friction: limits and symmetries") {
     // one element
     const Scene single(5e-3, 5e-3, 1, 1);
     const auto alone = solve(single.steady(), {1, 0, 0});
-    CHECK(alone.step.status == StepStatus::ok);
+    CHECK(alone.step.status == Status::ok);
     CHECK(alone.step.force.longitudinal == Approx(-mu * single.load).epsilon(1e-14));
     CHECK(alone.step.slip_work > 0);
 }
@@ -350,7 +351,8 @@ TEST_CASE("patch_friction: bad input and foreign states") {
     CHECK(model.fingerprint() != other.steady().fingerprint());
     auto workspace = model.workspace();
     auto state = model.at_rest();
-    CHECK(model.steady(other.steady().at_rest(), {1e-3, 0, 0}, state, workspace).status == StepStatus::wrong_state);
+    CHECK(model.steady(other.steady().at_rest(), {.motion = {1e-3, 0, 0}}, state, workspace).status ==
+          Status::wrong_state);
 }
 
 }  // namespace patch_friction_tests

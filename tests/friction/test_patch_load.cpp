@@ -96,8 +96,8 @@ struct Scene {
                 if (alone) now.plain_traction.resize(0, 2);
             }
             const auto load = load_at(std::cbrt(Scene::load(k * dq) / N_0));
-            const auto step = model.advance(now, dq * a_0, creepage, load, next, workspace);
-            REQUIRE(step.status == StepStatus::ok);
+            const auto step = model.advance(now, {dq * a_0, creepage, load}, next, workspace);
+            REQUIRE(step.status == Status::ok);
             std::swap(now, next);
             if (k % std::lround(every / dq) == 0) result.push_back(ratios(step.force));
         }
@@ -134,25 +134,26 @@ TEST_CASE("Creepages stand in braces in every step, with a load and without", "[
     const NormalLoad<double> load{model.at_rest().normal_pressure, scene.contact.half_length(), {}, 0};
     const double dq = 0.1 * a_0;
     Run named(model), braced(model), tried(model);
-    const Model::Step step = named.advance(dq, scene.creepage, load);
-    REQUIRE(step.status == StepStatus::ok);
+    const Model::Step step = named.advance({dq, scene.creepage, load});
+    REQUIRE(step.status == Status::ok);
     const auto same = [&](const TangentialForce<double>& force) { CHECK(force.lateral == step.force.lateral); };
-    same(braced.advance(dq, {xi, eta, phi}, load).force);
-    same(tried.try_advance(dq, {.longitudinal = xi, .lateral = eta, .spin = phi}, load).force);
-    same(Run(model, model.at_rest()).advance(dq, {xi, eta, phi}).force);
+    same(braced.advance({dq, {{xi, eta, phi}}, load}).force);
+    same(tried.try_advance({dq, {{.longitudinal = xi, .lateral = eta, .spin = phi}}, load}).force);
+    same(Run(model, model.at_rest()).advance({dq, {{xi, eta, phi}}}).force);
     auto workspace = model.workspace();
     auto to = model.at_rest();
-    same(model.advance(model.at_rest(), dq, {xi, eta, phi}, to, workspace).force);
-    same(model.advance(model.at_rest(), dq, {xi, eta, phi}, load, to, workspace).force);
+    same(model.advance(model.at_rest(), {dq, {{xi, eta, phi}}}, to, workspace).force);
+    same(model.advance(model.at_rest(), {dq, {xi, eta, phi}, load}, to, workspace).force);
     const FrictionContact any(model);
-    same(Run(any).advance({dq, 1}, {xi, eta, phi}, load).force);
-    CHECK(Run(any).steady({xi, eta, phi}, 1.0).force.lateral == Run(model).steady({xi, eta, phi}).force.lateral);
+    same(Run(any).advance({{dq, 1}, {xi, eta, phi}, load}).force);
+    CHECK(Run(any).steady({Travel<>::at_speed(1.0), {xi, eta, phi}}).force.lateral ==
+          Run(model).steady({.motion = {xi, eta, phi}}).force.lateral);
     auto own = any.workspace();
     auto state = any.at_rest();
-    CHECK(any.steady(any.at_rest(), {xi, eta, phi}, 1.0, state, own).status == StepStatus::ok);
+    CHECK(any.steady(any.at_rest(), {Travel<>::at_speed(1.0), {xi, eta, phi}}, state, own).status == Status::ok);
     const AdhesionModel<3> adhesion(scene.contact, rolling_system(scene.mesh, chebyshev, kernel), unchecked);
-    CHECK(Run(adhesion).advance(dq, {xi, eta, phi}).force.lateral ==
-          Run(adhesion).advance(dq, scene.creepage).force.lateral);
+    CHECK(Run(adhesion).advance({dq, {{xi, eta, phi}}}).force.lateral ==
+          Run(adhesion).advance({dq, scene.creepage}).force.lateral);
 }
 
 TEST_CASE("patch_load: forces of an ellipse that breathes") {
@@ -216,11 +217,11 @@ TEST_CASE("patch_load: without slip friction is full adhesion, while size and sh
                 load.half_width = b;
                 const double dq = (0.1 + 0.05 * k) * a_0;
                 const auto motion = RigidMotion<Creepage<double>>::linear(scene.creepage, {1e-4, -2e-4, 0.5});
-                const auto step = rolling.advance(state, dq, motion, load, next, workspace);
+                const auto step = rolling.advance(state, {dq, motion, load}, next, workspace);
                 const auto expected =
-                    sticking.advance(unbound, dq, motion, SemiAxes<double>{a, b}, unbound_next, other);
-                REQUIRE(step.status == StepStatus::ok);
-                REQUIRE(expected.status == StepStatus::ok);
+                    sticking.advance(unbound, {dq, motion, SemiAxes<double>{a, b}}, unbound_next, other);
+                REQUIRE(step.status == Status::ok);
+                REQUIRE(expected.status == Status::ok);
                 REQUIRE(step.stick_count == rolling.size());
                 const auto same = [&](const TangentialForce<double>& one, const TangentialForce<double>& two) {
                     const double scale =
@@ -258,8 +259,8 @@ TEST_CASE("patch_load: work becomes heat or elastic energy while size and shape 
         for (int k = 1; k <= 30; ++k) {
             load.half_length = a_0 * (1 + 0.4 * std::sin(0.9 * dq * k));
             load.half_width = a_0 * (1 - 0.3 * std::sin(0.7 * dq * k));
-            const auto step = model.advance(now, dq * a_0, scene.creepage, load, next, workspace);
-            REQUIRE(step.status == StepStatus::ok);
+            const auto step = model.advance(now, {dq * a_0, scene.creepage, load}, next, workspace);
+            REQUIRE(step.status == Status::ok);
             heat += step.slip_work;
             const auto power = [&](const TangentialForce<double>& force) {
                 return -(scene.creepage.longitudinal * force.longitudinal + scene.creepage.lateral * force.lateral +
@@ -295,8 +296,8 @@ TEST_CASE("patch_load: shapes between the nodes") {
     auto state = model.at_rest(), steady = state;
     state.half_length = 0.9 * a_0;
     state.half_width = state.half_length / a_over_b;
-    const auto step = model.steady(state, {1e-3, 0, 0}, steady, workspace);
-    REQUIRE(step.status == StepStatus::ok);
+    const auto step = model.steady(state, {.motion = {1e-3, 0, 0}}, steady, workspace);
+    REQUIRE(step.status == Status::ok);
     const auto expected = creep_coefficients(scene.contact, solve_steady(scene.contact, scene.mesh, chebyshev, kernel));
     const double c = 0.9 * scene.c, unit = -G * c * c;
     CHECK(step.tangent.by_longitudinal.longitudinal / unit == Approx(expected.c11).epsilon(2e-5));
@@ -312,9 +313,9 @@ TEST_CASE("patch_load: shapes between the nodes") {
     auto second = own.workspace();
     auto now = rolling.at_rest(), then = own.at_rest();
     const NormalLoad<double> load{scene.pressure(), a_0, {}, scene.contact.half_width()};
-    const auto one = rolling.steady(rolling.at_rest(), scene.creepage, load, now, first);
-    const auto two = own.steady(own.at_rest(), scene.creepage, then, second);
-    REQUIRE(one.status == StepStatus::ok);
+    const auto one = rolling.steady(rolling.at_rest(), {.motion = scene.creepage, .load = load}, now, first);
+    const auto two = own.steady(own.at_rest(), {.motion = scene.creepage}, then, second);
+    REQUIRE(one.status == Status::ok);
     CHECK(largest_difference({scene.ratios(one.force)}, {scene.ratios(two.force)}) < 3e-5);
     // of another size
     const PatchContact<double> small({.half_length = 0.9 * a_0,
@@ -324,9 +325,9 @@ TEST_CASE("patch_load: shapes between the nodes") {
     const FrictionModel alike(small, steady_system(scene.mesh, chebyshev, kernel), {mu, scene.pressure()});
     const NormalLoad<double> shorter{scene.pressure(), small.half_length(), {}, small.half_width()};
     auto third = alike.workspace();
-    const auto given = rolling.steady(rolling.at_rest(), scene.creepage, shorter, now, first);
-    const auto made = alike.steady(alike.at_rest(), scene.creepage, then, third);
-    REQUIRE(given.status == StepStatus::ok);
+    const auto given = rolling.steady(rolling.at_rest(), {.motion = scene.creepage, .load = shorter}, now, first);
+    const auto made = alike.steady(alike.at_rest(), {.motion = scene.creepage}, then, third);
+    REQUIRE(given.status == Status::ok);
     CHECK(largest_difference({scene.ratios(given.force)}, {scene.ratios(made.force)}) < 3e-5);
 
     // a system of many shapes that keeps its own is that of one
@@ -351,35 +352,35 @@ TEST_CASE("patch_load: what a mesh cannot follow has a status") {
         auto from = model.at_rest(), to = from;
         from.half_width *= start_b;
         const NormalLoad<double> load{from.normal_pressure, a * a_0, {}, b * a_0};
-        const StepStatus result = model.advance(from, dq * a_0, scene.creepage, load, to, workspace).status;
+        const Status result = model.advance(from, {dq * a_0, scene.creepage, load}, to, workspace).status;
         if (&model == &many && b > 0 && start_b > 0) {
             auto other = adhesion.workspace();
             auto begin = adhesion.at_rest(), end = begin;
             begin.half_width *= start_b;
-            CHECK(adhesion.advance(begin, dq * a_0, scene.creepage, SemiAxes<double>{a * a_0, b * a_0}, end, other)
+            CHECK(adhesion.advance(begin, {dq * a_0, scene.creepage, SemiAxes<double>{a * a_0, b * a_0}}, end, other)
                       .status == result);
         }
         return result;
     };
     for (const Model* model : {&fixed, &single, &many}) {
-        CHECK(status(*model, 1, 1) == StepStatus::ok);
-        CHECK(status(*model, 1, 0) == StepStatus::ok);               // b is that of the state
-        CHECK(status(*model, 1.05, 0) == StepStatus::invalid_load);  // either of b and a/b might stay
-        CHECK(status(*model, 1, -1) == StepStatus::invalid_load);
-        CHECK(status(*model, 1, NAN) == StepStatus::invalid_load);
-        CHECK(status(*model, 1, 1, 0.1, NAN) == StepStatus::invalid_load);
-        CHECK(status(*model, 1, 1, 0.1, 0) == StepStatus::invalid_load);
+        CHECK(status(*model, 1, 1) == Status::ok);
+        CHECK(status(*model, 1, 0) == Status::ok);               // b is that of the state
+        CHECK(status(*model, 1.05, 0) == Status::invalid_load);  // either of b and a/b might stay
+        CHECK(status(*model, 1, -1) == Status::invalid_load);
+        CHECK(status(*model, 1, NAN) == Status::invalid_load);
+        CHECK(status(*model, 1, 1, 0.1, NAN) == Status::invalid_load);
+        CHECK(status(*model, 1, 1, 0.1, 0) == Status::invalid_load);
     }
-    CHECK(status(fixed, 1.05, 1.05) == StepStatus::needs_fixed_mesh);
-    CHECK(status(fixed, 1, 1.05) == StepStatus::needs_fixed_mesh);
-    CHECK(status(single, 1.05, 1.05) == StepStatus::ok);
-    CHECK(status(single, 1, 1.05) == StepStatus::needs_fixed_mesh);
-    CHECK(status(single, 1.1, 1.1, 0.099) == StepStatus::needs_fixed_mesh);
-    CHECK(status(single, 0.9, 0.9, 0.099) == StepStatus::needs_fixed_mesh);
-    CHECK(status(many, 1, 1.05) == StepStatus::ok);
-    CHECK(status(many, 1, 2.4) == StepStatus::ok);
-    CHECK(status(many, 1, 2.6) == StepStatus::needs_fixed_mesh);
-    CHECK(status(many, 1, 1, 0.1, 3) == StepStatus::needs_fixed_mesh);
+    CHECK(status(fixed, 1.05, 1.05) == Status::needs_fixed_mesh);
+    CHECK(status(fixed, 1, 1.05) == Status::needs_fixed_mesh);
+    CHECK(status(single, 1.05, 1.05) == Status::ok);
+    CHECK(status(single, 1, 1.05) == Status::needs_fixed_mesh);
+    CHECK(status(single, 1.1, 1.1, 0.099) == Status::needs_fixed_mesh);
+    CHECK(status(single, 0.9, 0.9, 0.099) == Status::needs_fixed_mesh);
+    CHECK(status(many, 1, 1.05) == Status::ok);
+    CHECK(status(many, 1, 2.4) == Status::ok);
+    CHECK(status(many, 1, 2.6) == Status::needs_fixed_mesh);
+    CHECK(status(many, 1, 1, 0.1, 3) == Status::needs_fixed_mesh);
 
     // on a line the half-width is that of the contact
     const Contact<double> contact({.half_length = a_0, .half_width = 2e-3, .shear_modulus = G, .poisson_ratio = nu});
@@ -391,8 +392,8 @@ TEST_CASE("patch_load: what a mesh cannot follow has a status") {
     from.half_width = 0;  // not read
     for (const double b : {0.0, 2e-3, 3e-3}) {
         const NormalLoad<double> load{from.normal_pressure, a_0, {}, b};
-        CHECK(line.advance(from, 1e-4, 1e-3, load, to, workspace).status ==
-              (b == 3e-3 ? StepStatus::needs_fixed_mesh : StepStatus::ok));
+        CHECK(line.advance(from, {1e-4, 1e-3, load}, to, workspace).status ==
+              (b == 3e-3 ? Status::needs_fixed_mesh : Status::ok));
     }
     CHECK(to.half_width == 2e-3);
 }
@@ -409,13 +410,13 @@ TEST_CASE("patch_load: Hertz's load on a mesh that follows it and on a fixed one
         for (const double N : {1e-3 * N_0, 0.7 * N_0, 1.5 * N_0}) {
             CAPTURE(N / N_0);
             const bool resolved = hertz.breathes() || N > 0.1 * N_0;
-            REQUIRE(hertz.set(N, load) == (resolved ? StepStatus::ok : StepStatus::unresolved));
+            REQUIRE(hertz.set(N, load) == (resolved ? Status::ok : Status::unresolved));
             const double area =
                 hertz.breathes() ? load.half_length * load.half_width / contact.half_width() : contact.half_length();
             CHECK((areas * load.normal_pressure).sum() * area * contact.half_length() == Approx(N).epsilon(1e-13));
             const double h = 1e-4 * N;
-            CHECK(hertz.set(N - h, less) != StepStatus::invalid_load);
-            const bool covered = hertz.set(N + h, more) != StepStatus::invalid_load;
+            CHECK(hertz.set(N - h, less) != Status::invalid_load);
+            const bool covered = hertz.set(N + h, more) != Status::invalid_load;
             CHECK(covered == (hertz.breathes() || N < N_0));
             if (!covered) continue;
             const double scale = load.pressure_rate.abs().maxCoeff();
@@ -429,10 +430,10 @@ TEST_CASE("patch_load: Hertz's load on a mesh that follows it and on a fixed one
         CHECK(load.half_length == largest.half_length());
         CHECK(load.half_width == largest.half_width());
         for (const double N : {-1.0, double(NAN), double(INFINITY)}) {
-            CHECK(hertz.set(N, load) == StepStatus::invalid_load);
-            CHECK(load.check(mesh.size()) == StepStatus::invalid_load);
+            CHECK(hertz.set(N, load) == Status::invalid_load);
+            CHECK(load.check(mesh.size()) == Status::invalid_load);
         }
-        CHECK(hertz.set(0, load) == (hertz.breathes() ? StepStatus::invalid_load : StepStatus::ok));
+        CHECK(hertz.set(0, load) == (hertz.breathes() ? Status::invalid_load : Status::ok));
         if (!hertz.breathes()) {
             CHECK(load.normal_pressure.maxCoeff() == 0);
             CHECK((load.pressure_rate * areas).sum() * contact.half_length() * contact.half_length() ==
@@ -445,7 +446,7 @@ TEST_CASE("patch_load: Hertz's load on a mesh that follows it and on a fixed one
                                           .radii_2 = {.rolling = INFINITY, .lateral = 0.2},
                                           .body_1 = {.young_modulus = 2 * G * (1 + nu), .poisson_ratio = nu},
                                           .body_2 = {.young_modulus = 2 * G * (1 + nu), .poisson_ratio = nu}});
-        REQUIRE(hertz.set(other, load) == StepStatus::ok);
+        REQUIRE(hertz.set(other, load) == Status::ok);
         CHECK(load.half_length == (hertz.breathes() ? other : largest).half_length());
         CHECK(load.half_width == (hertz.breathes() ? other : largest).half_width());
         const double area = load.half_length * load.half_width / contact.half_width() * contact.half_length();
@@ -467,13 +468,12 @@ TEST_CASE("patch_load: a fixed mesh resolves no ellipse shorter than three eleme
         const double part = std::min(3.0 / std::min(along, std::max(across, 3)), 1.0);  // both axes shrink alike
         const auto hertz = HertzPatchLoad<double>::fixed(largest, contact, mesh);
         NormalLoad<double> load = hertz.at(N_0);
-        CHECK(hertz.set(N_0, load) == StepStatus::ok);
-        CHECK(hertz.set(0, load) == StepStatus::ok);
-        CHECK(load.check(mesh.size()) == StepStatus::ok);
-        CHECK(hertz.set(1.001 * part * part * part * N_0, load) ==
-              (part < 1 ? StepStatus::ok : StepStatus::invalid_load));
-        CHECK(hertz.set(0.999 * part * part * part * N_0, load) == StepStatus::unresolved);
-        CHECK(load.check(mesh.size()) == StepStatus::ok);
+        CHECK(hertz.set(N_0, load) == Status::ok);
+        CHECK(hertz.set(0, load) == Status::ok);
+        CHECK(load.check(mesh.size()) == Status::ok);
+        CHECK(hertz.set(1.001 * part * part * part * N_0, load) == (part < 1 ? Status::ok : Status::invalid_load));
+        CHECK(hertz.set(0.999 * part * part * part * N_0, load) == Status::unresolved);
+        CHECK(load.check(mesh.size()) == Status::ok);
     }
 }
 

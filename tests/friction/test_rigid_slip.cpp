@@ -66,8 +66,8 @@ TEMPLATE_TEST_CASE("Slip by rows is that of creepages", "[friction]", ConstantFr
         auto workspace = model.workspace(), by_rows = model.workspace();
         auto now = model.at_rest(), next = now, following = now;
         const auto same = [&](const FrictionStep<2>& expected, const FrictionStep<2>& step) {
-            REQUIRE(expected.status == StepStatus::ok);
-            CHECK(step.status == StepStatus::ok);
+            REQUIRE(expected.status == Status::ok);
+            CHECK(step.status == Status::ok);
             const double unit = std::abs(expected.force.lateral);
             CAPTURE(rollbem::name(integrator), expected.force.longitudinal, expected.force.lateral);
             CHECK(difference(step.force, expected.force) < 1e-10 * unit);
@@ -77,20 +77,20 @@ TEMPLATE_TEST_CASE("Slip by rows is that of creepages", "[friction]", ConstantFr
             CHECK((next.traction - following.traction).cwiseAbs().maxCoeff() < 1e-9 * G * 1e-3);
             CHECK((workspace.slip() - by_rows.slip()).norm() <= 1e-9 * workspace.slip().norm());
         };
-        same(model.steady(now, some, V, next, workspace),
-             model.steady(now, Motion({}).with_rows(first), V, following, by_rows));
+        same(model.steady(now, {Travel<>::at_speed(V), some}, next, workspace),
+             model.steady(now, {Travel<>::at_speed(V), Motion({}).with_rows(first)}, following, by_rows));
         now = next;
-        same(model.advance(now, travel, Motion::linear(some, other), next, workspace),
-             model.advance(now, travel, Motion::linear({}, {}).with_rows(first, last), following, by_rows));
+        same(model.advance(now, {travel, Motion::linear(some, other)}, next, workspace),
+             model.advance(now, {travel, Motion::linear({}, {}).with_rows(first, last)}, following, by_rows));
         now = next;
         // half by creepages, half by rows
         const Creepage<double> half{other.longitudinal / 2, other.lateral / 2, other.spin / 2};
-        same(model.advance(now, travel, other, next, workspace),
-             model.advance(now, travel, Motion(half).with_rows(half_last), following, by_rows));
+        same(model.advance(now, {travel, other}, next, workspace),
+             model.advance(now, {travel, Motion(half).with_rows(half_last)}, following, by_rows));
         now = next;
         const Creepage<double> moved{some.longitudinal * travel.dq, some.lateral * travel.dq, some.spin * travel.dq};
-        same(model.shift(now, moved, travel.duration, next, workspace),
-             model.advance(now, Travel<double>{0, travel.duration}, Motion::shift({}).with_rows(shift), following,
+        same(model.advance(now, {{0, travel.duration}, Motion::shift(moved)}, next, workspace),
+             model.advance(now, {Travel<double>{0, travel.duration}, Motion::shift({}).with_rows(shift)}, following,
                            by_rows));
     }
 }
@@ -130,20 +130,20 @@ TEST_CASE("Any contact with friction takes slip by rows", "[friction]") {
     const auto own = [&](const auto& model, const auto& motion) {
         auto workspace = model.workspace();
         auto now = model.at_rest(), next = now;
-        REQUIRE(model.steady(now, motion, 1, next, workspace).status == StepStatus::ok);
-        return model.advance(next, Travel<double>{0.1, 1}, motion, now, workspace);
+        REQUIRE(model.steady(now, {Travel<>::at_speed(1), motion}, next, workspace).status == Status::ok);
+        return model.advance(next, {Travel<double>{0.1, 1}, motion}, now, workspace);
     };
     const Vectors crossed = rows.rowwise().reverse();
     const RigidMotion<double>::Rows along = rows.col(0);
     for (const Eigen::Index direction : {0, 1}) {
         const FrictionContact contact(line.model<1>(), direction);
-        const auto motion = direction == 0 ? Motion({0.2, 0}).with_rows(rows) : Motion({0, 0.2}).with_rows(crossed);
+        const auto motion = direction == 0 ? Motion(0.2, 0).with_rows(rows) : Motion(0, 0.2).with_rows(crossed);
         const auto expected = own(line.model<1>(), RigidMotion<double>(0.2).with_rows(along));
         const auto found = own(contact, motion);
         CHECK((direction == 0 ? found.force.longitudinal : found.force.lateral) == expected.force);
     }
-    const auto both = own(line.model<2>(), Motion({0.2, 0}).with_rows(rows));
-    CHECK(own(FrictionContact(line.model<2>()), Motion({0.2, 0}).with_rows(rows)).force.lateral == both.force.lateral);
+    const auto both = own(line.model<2>(), Motion(0.2, 0).with_rows(rows));
+    CHECK(own(FrictionContact(line.model<2>()), Motion(0.2, 0).with_rows(rows)).force.lateral == both.force.lateral);
 }
 
 TEST_CASE("Slip by rows of another number, or not finite, is refused", "[friction]") {
@@ -152,24 +152,25 @@ TEST_CASE("Slip by rows of another number, or not finite, is refused", "[frictio
     auto workspace = model.workspace();
     const auto now = model.at_rest();
     auto next = now;
-    const auto refused = [&](const Motion& motion, StepStatus status) {
-        CHECK(model.steady(now, motion, 1, next, workspace).status == status);
-        CHECK(model.advance(now, 0.1, motion, next, workspace).status == status);
+    const auto refused = [&](const Motion& motion, Status status) {
+        CHECK(model.steady(now, {Travel<>::at_speed(1), motion}, next, workspace).status == status);
+        CHECK(model.advance(now, {0.1, motion}, next, workspace).status == status);
         CHECK(next.traction == now.traction);
     };
     Vectors rows = line.rows;
     const Vectors fewer = rows.topRows(23);
-    refused(Motion({}).with_rows(fewer), StepStatus::invalid_step);
-    refused(Motion({}).with_rows(rows, fewer), StepStatus::invalid_step);
-    CHECK(model.steady(now, Motion::shift({}), 1, next, workspace).status == StepStatus::invalid_step);
+    refused(Motion({}).with_rows(fewer), Status::invalid_step);
+    refused(Motion({}).with_rows(rows, fewer), Status::invalid_step);
+    CHECK(model.steady(now, {Travel<>::at_speed(1), Motion::shift({})}, next, workspace).status ==
+          Status::invalid_step);
     rows(3, 1) = std::numeric_limits<double>::quiet_NaN();
-    refused(Motion({}).with_rows(rows), StepStatus::not_finite);
+    refused(Motion({}).with_rows(rows), Status::not_finite);
     const AdhesionModel<> adhesion(line.contact, line.along, unchecked);
     auto traction = adhesion.at_rest(), to = traction;
     auto factors = adhesion.workspace();
     const Eigen::VectorXd slip = line.rows.col(0);
-    CHECK(adhesion.advance(traction, 0.1, RigidMotion<double>(1e-3).with_rows(slip), to, factors).status ==
-          StepStatus::invalid_step);
+    CHECK(adhesion.advance(traction, {0.1, RigidMotion<double>(1e-3).with_rows(slip)}, to, factors).status ==
+          Status::invalid_step);
 }
 
 template <class First, class... Last>

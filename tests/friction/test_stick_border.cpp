@@ -84,7 +84,7 @@ TEST_CASE("The exact border gives Carter's solution", "[friction]") {
             const auto solution = plane.solve(hertz, ratio);
             CAPTURE(ratio, solution.force_per_width, solution.complementarity_residual, solution.evaluations);
             REQUIRE(solution.exact);
-            CHECK(solution.status == StepStatus::ok);
+            CHECK(solution.status == Status::ok);
             CHECK_FALSE(solution.elements);
             CHECK(std::abs(-solution.force_per_width / full_force - carter_force_ratio(ratio)) < 1e-13);
             CHECK(solution.force_error < 1e-13 * full_force);
@@ -145,7 +145,7 @@ TEST_CASE("The exact border covers both ends of the creep curve", "[friction]") 
     }
     const auto still = plane.solve(hertz, 0);
     CHECK(still.exact);
-    CHECK(still.status == StepStatus::ok);
+    CHECK(still.status == Status::ok);
     CHECK(still.force_per_width == 0);
     CHECK(still.border == -1);
     CHECK(still.traction(0.2) == 0);
@@ -153,7 +153,7 @@ TEST_CASE("The exact border covers both ends of the creep curve", "[friction]") 
     CHECK(still.tangent_per_width == Approx(-steady_c11(nu)).epsilon(1e-13));
     for (const double bad : {nan, std::numeric_limits<double>::infinity()}) {
         const auto unknown = plane.solve(hertz, bad);
-        CHECK(unknown.status == StepStatus::not_finite);
+        CHECK(unknown.status == Status::not_finite);
         CHECK(std::isnan(unknown.force_per_width));
         CHECK(std::isnan(unknown.traction(0)));
     }
@@ -322,7 +322,7 @@ TEST_CASE("A contact without a single border is solved by elements", "[friction]
         const auto solution = plane.solve(pressure, ratio);
         CAPTURE(ratio, solution.complementarity_residual);
         CHECK_FALSE(solution.exact);
-        CHECK(solution.status == StepStatus::ok);
+        CHECK(solution.status == Status::ok);
         CHECK(std::isnan(solution.border));
         CHECK(std::isnan(solution.force_error));
         CHECK(solution.coefficients == 0);

@@ -113,7 +113,7 @@ TEMPLATE_TEST_CASE_SIG("A solution is found whatever the matrix", "[friction]", 
         const auto outcome = problem.solve_from_rest(solver);
         const double violation = problem.violation(solver.traction());
         CAPTURE(trial, n, outcome.rounds, outcome.path_points, outcome.residual, violation);
-        REQUIRE(outcome.status == StepStatus::ok);
+        REQUIRE(outcome.status == Status::ok);
         REQUIRE(outcome.residual < 1e-11);
         REQUIRE(violation < 1e-9);
         followed += outcome.path_points > 0 ? 1 : 0;
@@ -131,7 +131,7 @@ TEMPLATE_TEST_CASE_SIG("A solution is found whatever the matrix", "[friction]", 
         const auto zones = solver.zones();
         solver.constant() += e * change;
         const VectorX<double> bound = problem.bound + e * bound_change;
-        REQUIRE(solver.solve(bound, {before, zones}).status == StepStatus::ok);
+        REQUIRE(solver.solve(bound, {before, zones}).status == Status::ok);
         if (solver.zones() != zones) continue;
         ++tangents;
         const double size = 1 + response.norm();
@@ -178,7 +178,7 @@ TEST_CASE("A solution is found if all elements are alike", "[friction]") {
         problem.put_into(solver);
         const auto outcome = problem.solve_from_rest(solver);
         CAPTURE(trial, n, outcome.rounds, outcome.path_points, outcome.residual);
-        REQUIRE(outcome.status == StepStatus::ok);
+        REQUIRE(outcome.status == Status::ok);
         REQUIRE(problem.violation(solver.traction()) < 1e-9);
         singular += is_singular_circulant(first) ? 1 : 0;
     }
@@ -191,7 +191,7 @@ TEST_CASE("What cannot be solved is said, and stays within the bounds", "[fricti
     Problem<2>::Solver solver(2);
     problem.put_into(solver);
     const auto outcome = problem.solve_from_rest(solver);
-    CHECK(outcome.status == StepStatus::no_solution);
+    CHECK(outcome.status == Status::no_solution);
     CHECK(std::isnan(outcome.residual));
     CHECK_FALSE(outcome.tangent_exists);
 }
@@ -207,7 +207,7 @@ TEST_CASE("A leading element without influence on its own slip is solved", "[fri
     const std::vector<Zone> zones{Zone::slip, Zone::stick};
     ElementVectors<double> start(2, 2);
     start << -0.8, -0.6, 0, 0;
-    CHECK(solver.solve(problem.bound, {start, zones}).status == StepStatus::ok);
+    CHECK(solver.solve(problem.bound, {start, zones}).status == Status::ok);
     CHECK(problem.violation(solver.traction()) < 1e-13);
 }
 
@@ -290,11 +290,11 @@ TEST_CASE("Turned slip opposes the traction, at the angles of the solution with 
         problem.put_into(plain);
         problem.put_into(solver);
         solver.turn_slip(behind);
-        REQUIRE(problem.solve_from_rest(plain).status == StepStatus::ok);
+        REQUIRE(problem.solve_from_rest(plain).status == Status::ok);
         const auto outcome = problem.solve_from_rest(solver);
         CAPTURE(trial, n, outcome.rounds, outcome.residual);
         // an arbitrary matrix turned by arbitrary angles need not have a solution
-        if (outcome.status != StepStatus::ok) continue;
+        if (outcome.status != Status::ok) continue;
         ++solved;
         const ElementVectors<double>& p = solver.traction();
         const ElementVectors<double> s = problem.slip(p);

@@ -97,7 +97,8 @@ Error error_of(const Body& body, Friction<Law> friction, std::optional<Integrato
     Creepage<double> before = drawn();
     for (int k = draw.integer(4); integrator && k >= 0; --k) {
         const Creepage<double> after = drawn();
-        model.advance(now, travel, RigidMotion<Creepage<double>>::linear(before, after), loaded(), next, workspace);
+        const NormalLoad<double> load = loaded();
+        model.advance(now, {travel, RigidMotion<Creepage<double>>::linear(before, after), load}, next, workspace);
         std::swap(now, next);
         before = after;
     }
@@ -124,10 +125,10 @@ Error error_of(const Body& body, Friction<Law> friction, std::optional<Integrato
         using Motion = RigidMotion<Creepage<double>>;
         auto motion = shifts ? Motion::shift(rolled(changed)) : Motion::linear(before, changed);
         if (with_rows) motion = motion.with_rows(rows);
-        const auto step = integrator ? model.advance(now, travel, motion, under, next, workspace)
-                                     : model.steady(now, motion, V, under, next, workspace);
+        const auto step = integrator ? model.advance(now, {travel, motion, under}, next, workspace)
+                                     : model.steady(now, {Travel<>::at_speed(V), motion, under}, next, workspace);
         if (zones.empty()) zones = next.zones;
-        error.kink = error.kink || zones != next.zones || step.status != StepStatus::ok;
+        error.kink = error.kink || zones != next.zones || step.status != Status::ok;
         return step;
     };
     const auto ratios = [&](const TangentialForce<double>& force, double unit) {

@@ -71,7 +71,7 @@ Step from_scratch(const Model& model, const Creepage<double>& creepage) {
     const State rest = model.at_rest();
     State state = rest;
     Workspace workspace = model.workspace();
-    return model.steady(rest, creepage, state, workspace);
+    return model.steady(rest, {.motion = creepage}, state, workspace);
 }
 
 /// Negative forces over mu N.
@@ -104,7 +104,7 @@ TEST_CASE("With turned slip, forces agree with two other programs to second orde
             const double error = std::max(std::abs(ratios(step, scene.contact).longitudinal - point.longitudinal),
                                           std::abs(ratios(step, scene.contact).lateral - point.lateral));
             CAPTURE(point.ratio, point.degrees, point.spin, n, error);
-            CHECK(step.status == StepStatus::ok);
+            CHECK(step.status == Status::ok);
             CHECK(std::abs(error - expected) < std::max(0.1 * expected, 1e-5));
             if (n == 40) CHECK(error < 3e-4);
             n *= 2;
@@ -150,19 +150,19 @@ TEST_CASE("Spin that makes everything slip has the moment of full sliding about 
     // the lateral slip phi x changes its sign in the middle: M = -mu int p_n |x| dx = -(4/(3 pi)) mu N a
     const Scene scene = nodal(80);
     const Step step = from_scratch(scene.steady(), {0, 0, 1e4});
-    CHECK(step.status == StepStatus::ok);
+    CHECK(step.status == Status::ok);
     CHECK(std::abs(-step.force.moment / (full_force * scene.contact.width()) - 4 / (3 * std::numbers::pi)) < 1e-3);
     // slip reverses at the middle, the point of a row: its element, with 2/n of the load, slides either way
     CHECK(std::abs(ratios(step, scene.contact).lateral) < 4.01 / 80);
     const Step opposite = from_scratch(scene.steady(), {0, 0, -1e4});
     CHECK(opposite.force.moment == Approx(-step.force.moment).epsilon(1e-12));
     const Step none = from_scratch(scene.steady(), {});
-    CHECK(none.status == StepStatus::ok);
+    CHECK(none.status == Status::ok);
     CHECK(none.force.lateral == 0);
     CHECK(none.force.moment == 0);
     const Scene one(uniform_mesh<double>(1));
     const Step single = from_scratch(one.steady(), {1e-2, 0, 1e-2});
-    CHECK(single.status == StepStatus::ok);
+    CHECK(single.status == Status::ok);
     CHECK(single.stick_count == 0);
 }
 
@@ -177,11 +177,11 @@ TEST_CASE("Rolling with turned slip and spin tends to the solution of steady rol
             Step step, last;
             for (int k = 0; k < 120; ++k) {
                 last = step;
-                step = model.advance(now, 0.5, creepage, next, workspace);
-                REQUIRE(step.status == StepStatus::ok);
+                step = model.advance(now, {0.5, creepage}, next, workspace);
+                REQUIRE(step.status == Status::ok);
                 std::swap(now, next);
             }
-            const Step steady = model.steady(model.at_rest(), creepage, next, workspace);
+            const Step steady = model.steady(model.at_rest(), {.motion = creepage}, next, workspace);
             const double off = std::hypot(step.force.longitudinal - steady.force.longitudinal,
                                           step.force.lateral - steady.force.lateral) /
                                (full_force * scene.contact.width());
@@ -202,15 +202,15 @@ TEST_CASE("A rigid shift turns by an angle about the middle", "[friction]") {
     const State rest = model.at_rest();
     State turned = rest, moved = rest, both = rest;
     const double angle = 1e-5, shift = 2e-5;
-    const Step spin = model.shift(rest, {0, 0, angle}, turned, workspace);
+    const Step spin = model.advance(rest, {0, Model::Motion::shift({0, 0, angle})}, turned, workspace);
     REQUIRE(spin.stick_count == 20);
     const ElementSystem<double, 2> system = scene.system();
     const VectorX<double> slip = system.G(1, 1) * turned.traction.col(1) + angle * system.elements().x.matrix();
     CHECK(slip.cwiseAbs().maxCoeff() < 1e-12 * angle);
     CHECK(turned.traction.col(0).isZero(0));
     // small shifts add up
-    const Step lateral = model.shift(rest, {0, shift}, moved, workspace);
-    const Step sum = model.shift(rest, {0, shift, angle}, both, workspace);
+    const Step lateral = model.advance(rest, {0, Model::Motion::shift({0, shift})}, moved, workspace);
+    const Step sum = model.advance(rest, {0, Model::Motion::shift({0, shift, angle})}, both, workspace);
     REQUIRE(sum.stick_count == 20);
     CHECK((both.traction - turned.traction - moved.traction).cwiseAbs().maxCoeff() < 1e-16);
     CHECK(sum.force.moment == Approx(spin.force.moment + lateral.force.moment).epsilon(1e-9));
@@ -227,15 +227,15 @@ TEST_CASE("Spin needs the points of the equations", "[friction]") {
     const State rest = model.at_rest();
     State next = rest;
     const Creepage<double> spin = scene.creepage(0.3, 40, 0.1);
-    CHECK(model.steady(rest, spin, next, workspace).status == StepStatus::needs_places);
-    CHECK(model.advance(rest, 0.2, spin, next, workspace).status == StepStatus::needs_places);
-    CHECK(model.advance(rest, 0.2, Motion::linear(spin, {}), next, workspace).status == StepStatus::needs_places);
-    CHECK(model.advance(rest, 0.2, Motion::linear({}, spin), next, workspace).status == StepStatus::needs_places);
-    CHECK(model.shift(rest, spin, next, workspace).status == StepStatus::needs_places);
+    CHECK(model.steady(rest, {.motion = spin}, next, workspace).status == Status::needs_places);
+    CHECK(model.advance(rest, {0.2, spin}, next, workspace).status == Status::needs_places);
+    CHECK(model.advance(rest, {0.2, Motion::linear(spin, {})}, next, workspace).status == Status::needs_places);
+    CHECK(model.advance(rest, {0.2, Motion::linear({}, spin)}, next, workspace).status == Status::needs_places);
+    CHECK(model.advance(rest, {0, Model::Motion::shift(spin)}, next, workspace).status == Status::needs_places);
     CHECK(next.traction == rest.traction);
     // without spin its slip is not turned, and its moment is not known
-    const Step step = model.steady(rest, scene.creepage(0.3, 40, 0), next, workspace);
-    CHECK(step.status == StepStatus::ok);
+    const Step step = model.steady(rest, {.motion = scene.creepage(0.3, 40, 0)}, next, workspace);
+    CHECK(step.status == Status::ok);
     CHECK(std::isnan(step.force.moment));
     const ElementSystem<double, 2> unturned{
         support::unturned(rolling_system(scene.mesh, scene.scheme, scene.longitudinal)),

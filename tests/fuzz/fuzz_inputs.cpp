@@ -104,7 +104,7 @@ void take_friction(const std::vector<std::string>& words) {
     for (int k = 0; k <= 50 && q < until; ++k) {
         const double ratio = history->at(q);
         require(std::isfinite(ratio) && ratio >= 0, "a load presses");
-        const bool possible = hertz.set(ratio * friction::mu_N, load) == rollbem::StepStatus::ok;
+        const bool possible = hertz.set(ratio * friction::mu_N, load) == rollbem::Status::ok;
         // an underflowing load has no contact length
         require(possible || (history->breathing && ratio < 1e-290), "the mesh covers every load");
         const double end = std::min(until, q + std::max(steps.dq, until / 50)),

@@ -48,7 +48,7 @@ TEST_CASE("Hertz's load on a breathing mesh has exact pressures and rates", "[he
     CHECK(load.half_length == line.half_length());
     CHECK((load.normal_pressure == line.mean_pressure(mesh)).all());
     for (const double P : {1e-3, 3e5, 1.5e6, 1e12}) {
-        REQUIRE(hertz.set(P, load) == StepStatus::ok);
+        REQUIRE(hertz.set(P, load) == Status::ok);
         const HertzLine<double> there = line_under(P);
         CHECK(load.half_length == Approx(there.half_length()).epsilon(1e-14));
         CHECK((load.normal_pressure / there.mean_pressure(mesh) - 1).abs().maxCoeff() < 1e-14);
@@ -70,7 +70,7 @@ TEST_CASE("Hertz's load on a fixed mesh has exact pressures and rates", "[hertz]
             CHECK(!hertz.breathes());
             NormalLoad<double> load = hertz.at(1e6);
             for (const double P : {1e-6, 1.0, 2e4, 3.7e5, 1e6, 1.5e6}) {
-                REQUIRE(hertz.set(P, load) == StepStatus::ok);
+                REQUIRE(hertz.set(P, load) == Status::ok);
                 const HertzLine<double> there = line_under(P);
                 CAPTURE(uniform, n, P);
                 CHECK(load.half_length == length);
@@ -98,7 +98,7 @@ TEST_CASE("Hertz's load on a fixed mesh has exact pressures and rates", "[hertz]
                 CHECK(free < 1e-20);  // round-off where an edge of the contact coincides with one of an element
             }
             // no load: contact is about to begin in the middle
-            REQUIRE(hertz.set(0, load) == StepStatus::ok);
+            REQUIRE(hertz.set(0, load) == Status::ok);
             CHECK((load.normal_pressure == 0).all());
             CHECK((load.pressure_rate * mesh.widths()).sum() * length == Approx(1).epsilon(1e-13));
             CHECK((load.pressure_rate > 0).count() <= (n % 2 == 0 ? 2 : 1));
@@ -119,8 +119,8 @@ TEST_CASE("Loads that Hertz's contact cannot carry are rejected", "[hertz][load]
     NormalLoad<double> load = fixed.at(1e6);
     const auto refused = [&](const HertzLoad<double>& hertz, double P) {
         load.half_length = 1;
-        CHECK(hertz.set(P, load) == StepStatus::invalid_load);
-        CHECK(load.check(10) == StepStatus::invalid_load);  // the load itself stays invalid
+        CHECK(hertz.set(P, load) == Status::invalid_load);
+        CHECK(load.check(10) == Status::invalid_load);  // the load itself stays invalid
         CHECK_THROWS_AS(hertz.at(P), std::invalid_argument);
     };
     for (const double P : {-1.0, -1e-300, nan, infinity, -infinity}) {
@@ -129,11 +129,11 @@ TEST_CASE("Loads that Hertz's contact cannot carry are rejected", "[hertz][load]
     }
     refused(breathing, 0);
     refused(fixed, 1e6 * 1.25 * 1.25 * 1.0001);
-    CHECK(fixed.set(1e6 * 1.25 * 1.25, load) == StepStatus::ok);
-    CHECK(fixed.set(0, load) == StepStatus::ok);
+    CHECK(fixed.set(1e6 * 1.25 * 1.25, load) == Status::ok);
+    CHECK(fixed.set(0, load) == Status::ok);
     NormalLoad<double> other = HertzLoad<double>::fixed(line, uniform_mesh<double>(9), 1).at(1);
-    CHECK(fixed.set(1e6, other) == StepStatus::invalid_load);
-    CHECK(other.check(9) == StepStatus::invalid_load);
+    CHECK(fixed.set(1e6, other) == Status::invalid_load);
+    CHECK(other.check(9) == Status::invalid_load);
     for (const double length : {0.0, -1.0, nan, infinity}) {
         CHECK_THROWS_AS(HertzLoad<double>::fixed(line, mesh, length), std::invalid_argument);
     }

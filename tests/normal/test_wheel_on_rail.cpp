@@ -197,9 +197,9 @@ TEST_CASE("wheelset_forces: the largest difference from CONTACT vanishes on CONT
     auto friction_workspace = model.workspace();
     auto state = model.at_rest();
     const Creepage<double> creepage{-ref[10], ref[11], 1e3 * ref[12]};
-    const auto step =
-        model.steady(model.at_rest(), RigidMotion<Creepage<double>>(creepage), 1, state, friction_workspace);
-    REQUIRE(step.status == StepStatus::ok);
+    const auto step = model.steady(model.at_rest(), {Travel<>::at_speed(1), RigidMotion<Creepage<double>>(creepage)},
+                                   state, friction_workspace);
+    REQUIRE(step.status == Status::ok);
     CHECK(step.force.longitudinal / limit == Approx(-ref[13] / limit).margin(1.5e-3));
     CHECK(step.force.lateral / limit == Approx(ref[14] / limit).margin(1.5e-3));
 }
@@ -623,7 +623,7 @@ TEST_CASE(
         const auto stands = roll(1, speeds, true, false);
         CHECK(stands.contacts.status == Status::unbalanced);
         for (const auto& patches : stands.patches) {
-            CHECK(patches.at(0).status == StepStatus::invalid_step);
+            CHECK(patches.at(0).status == Status::invalid_step);
             CHECK(patches.at(0).force.longitudinal == 0);
         }
         CHECK(stands.on_wheelset.force[0] == 0);

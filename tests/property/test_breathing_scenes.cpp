@@ -109,7 +109,7 @@ void ride(Draw& draw, Tally& tally) {
         const double a_end = std::clamp(a + draw.uniform(-0.95, 0.95) * dq, 0.5, 2.0);
         const ArrayX<double> pressure = pressures(), bound_end = mu * pressure;
         load = {modulus * pressure, a_0 * a_end, {}};
-        StepStatus status;
+        Status status;
         double residual;
         Eigen::Index stick;
         Vectors found = Vectors::Zero(n, 2);
@@ -119,14 +119,14 @@ void ride(Draw& draw, Tally& tally) {
             stick = step.stick_count;
         };
         if (both) {
-            take(two.advance(two_now, dq * a_0, creepage, load, two_next, two_workspace));
+            take(two.advance(two_now, {dq * a_0, creepage, load}, two_next, two_workspace));
             found = two_next.traction / modulus;
         } else {
-            take(one.advance(one_now, dq * a_0, creepage.longitudinal, load, one_next, one_workspace));
+            take(one.advance(one_now, {dq * a_0, creepage.longitudinal, load}, one_next, one_workspace));
             found.col(0) = one_next.traction / modulus;
         }
         CAPTURE(k, both, name(integrator), n, nu, dq, a, a_end, size, angle);
-        REQUIRE(status == StepStatus::ok);
+        REQUIRE(status == Status::ok);
         REQUIRE(residual < 1e-10);
         if (const auto expected = surface.step(integrator, dq, a, a_end, creepage, p, bound, bound_end)) {
             REQUIRE((*expected - found).cwiseAbs().maxCoeff() <= 1e-8 * mu * peak);

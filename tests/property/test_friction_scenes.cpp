@@ -9,7 +9,9 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/friction/friction.hpp>
+#include <rollbem/friction/law.hpp>
+#include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
 
 #include "drawn_scenes.hpp"
 #include "friction/any_model.hpp"
@@ -189,21 +191,22 @@ void ride(Draw& draw, int directions, Kind kind, Tally& tally) {
         const double time = steady ? a / V : shifts ? duration : dq * a / V, way = steady || shifts ? 1 : dq;
         const Motion motion =
             shifts ? Motion::shift({a * creepage.longitudinal, a * creepage.lateral}) : Motion(creepage);
-        const Step step = steady ? ride.model.steady(ride.now, creepage, V, load, ride.next, ride.own)
-                                 : ride.model.advance(ride.now, {dq * a, time}, motion, load, ride.next, ride.own);
+        const Step step =
+            steady ? ride.model.steady(ride.now, {Travel<>::at_speed(V), creepage, load}, ride.next, ride.own)
+                   : ride.model.advance(ride.now, {{dq * a, time}, motion, load}, ride.next, ride.own);
         ++tally.solutions;
         const Violation<double> found = violation<double>(law, memory, system, a, G, steady ? 1 : dq,
                                                           {way * creepage.longitudinal, way * creepage.lateral}, time,
                                                           steady ? nullptr : &ride.now, ride.next);
         CAPTURE(n, k, aspect, steady, shifts, size / full, angle, dq, name(step.status), step.rounds, found.bound,
                 found.stick, found.direction, found.friction, found.mu, step.complementarity_residual);
-        if (step.status == StepStatus::no_solution && kind != Kind::constant) {
+        if (step.status == Status::no_solution && kind != Kind::constant) {
             ++tally.unsolved;
             REQUIRE(std::isfinite(step.force.longitudinal));
             REQUIRE(found.mu <= 1.001 * step.complementarity_residual);  // which is not hidden
             continue;
         }
-        REQUIRE(step.status == StepStatus::ok);
+        REQUIRE(step.status == Status::ok);
         REQUIRE(step.slip_work >= (directions == 1 ? 0 : -1e-9));
         REQUIRE(found.worst() <= 1);
         tally.mixed += step.stick_count > 0 && step.stick_count < n ? 1 : 0;

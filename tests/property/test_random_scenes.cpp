@@ -295,8 +295,8 @@ TEST_CASE("Steps of any length are finite or reported, and long ones end in stea
                           scenes.integer(0, 1) == 0 ? Integrator::sdirk2 : Integrator::implicit_euler);
         Model::State now = model.at_rest(), next = now;
         Model::Workspace workspace = model.workspace();
-        const AdhesionStep<> any = model.advance(now, scenes.logarithmic(1e-9, 1e6), 1.0, next, workspace);
-        const bool consistent = (any.status == StepStatus::ok) == std::isfinite(any.force);
+        const AdhesionStep<> any = model.advance(now, {scenes.logarithmic(1e-9, 1e6), 1.0}, next, workspace);
+        const bool consistent = (any.status == Status::ok) == std::isfinite(any.force);
         if (!consistent) CHECK(consistent);
         if (steady.status != Status::ok) return;
         ++compared;
@@ -305,7 +305,7 @@ TEST_CASE("Steps of any length are finite or reported, and long ones end in stea
         const double dq = std::max(1e9, 1e4 * longest);
         AdhesionStep<> last;
         for (int k = 0; k < 4; ++k) {
-            last = model.advance(now, dq, 1.0, next, workspace);
+            last = model.advance(now, {dq, 1.0}, next, workspace);
             std::swap(now, next);
         }
         const double ratio = -last.force_per_width / steady.c11();

@@ -9,11 +9,11 @@
 
 #include <rollbem/accuracy/richardson.hpp>
 #include <rollbem/adhesion/response.hpp>
-#include <rollbem/adhesion/state_space.hpp>
 #include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/reference/bessel.hpp>
+#include <rollbem/spectral/state_space.hpp>
 
 #include "support/catch.hpp"
 #include "support/dense.hpp"

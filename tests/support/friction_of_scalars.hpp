@@ -4,7 +4,8 @@
 
 #include <utility>
 
-#include <rollbem/friction/friction.hpp>
+#include <rollbem/friction/law.hpp>
+#include <rollbem/friction/model.hpp>
 
 #include "support/catch.hpp"
 
@@ -27,15 +28,15 @@ std::pair<Scalar, Scalar> rolled_and_steady(const Contact<double>& contact_of_do
     FrictionWorkspace<1, Scalar> workspace = model.workspace();
     FrictionStep<1, Scalar> step;
     for (int k = 0; k < 50; ++k) {
-        step = model.advance(now, k % 9 == 0 ? Scalar(0.5) : Scalar(0.25), Scalar(sliding * (k % 20 < 10 ? 0.9 : -0.4)),
-                             next, workspace);
-        REQUIRE(step.status == StepStatus::ok);
+        step = model.advance({now, k % 9 == 0 ? Scalar(0.5) : Scalar(0.25),
+                              Scalar(sliding * (k % 20 < 10 ? 0.9 : -0.4)), next, workspace});
+        REQUIRE(step.status == Status::ok);
         std::swap(now, next);
     }
     // the law in braces
     const FrictionModel<ConstantFriction<Scalar>, 1, Scalar> steady(contact, {{}, G_prime, widths},
                                                                     {friction.law, friction.normal_pressure});
-    return {step.force, steady.steady(now, Scalar(sliding * 0.95), next, workspace).force};
+    return {step.force, steady.steady(now, {.motion = Scalar(sliding * 0.95)}, next, workspace).force};
 }
 
 }  // namespace rollbem

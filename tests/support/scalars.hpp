@@ -9,8 +9,8 @@
 #else
 #define SCALARS float, double, long double
 
-#include <rollbem/adhesion/steady.hpp>
 #include <rollbem/adhesion/transient.hpp>
+#include <rollbem/steady/steady.hpp>
 
 #include "support/friction_of_scalars.hpp"
 

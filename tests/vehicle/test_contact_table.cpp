@@ -89,7 +89,7 @@ TEST_CASE("tangents of a wheel's forces are those of its forces", "[contact_tabl
         if (kind == 2) x = with_roll(x, random);
         const WheelsetSide side = scene % 2 == 0 ? WheelsetSide::right : WheelsetSide::left;
         const WheelForces at = look_up(x, side, friction);
-        REQUIRE(at.status == StepStatus::ok);
+        REQUIRE(at.status == Status::ok);
         for (std::size_t j = 0; j < x.size(); ++j) {
             if (j == WheelForces::roll && kind != 2) continue;
             const auto central = [&](double h) -> Eigen::Matrix<double, 6, 1> {
@@ -126,7 +126,7 @@ TEST_CASE("forces without tangents are those with them, and so are statuses", "[
         CHECK(plain.status == at.status);
         CHECK(plain.load_on_table == at.load_on_table);
         CHECK(plain.tangent.isZero(0));
-        if (at.status != StepStatus::ok) continue;
+        if (at.status != Status::ok) continue;
         CHECK((plain.force - at.force).norm() <= 1e-8 * at.force.norm());
         CHECK(plain.heat == Approx(at.heat).epsilon(1e-7));
         CHECK(plain.points[0].load_share == Approx(at.points[0].load_share).margin(1e-8));
@@ -160,7 +160,7 @@ TEST_CASE("rolling backwards is the mirror image of rolling forward; at standsti
         constexpr Inputs turned{1, -1, -1, -1, 1, 1, 1, -1, 1, 1, 1};
         for (std::size_t j = 0; j < x.size(); ++j) x[j] *= turned[j];
         const WheelForces backward = look_up(x, side);
-        REQUIRE(backward.status == StepStatus::ok);
+        REQUIRE(backward.status == Status::ok);
         for (Eigen::Index i = 0; i < 6; ++i) {
             const double sign = signs[std::size_t(i)];
             REQUIRE(backward.force[i] == sign * forward.force[i]);
@@ -179,11 +179,11 @@ TEST_CASE("rolling backwards is the mirror image of rolling forward; at standsti
         x[2] = speed;
         x[3] = -speed / radius;
         const WheelForces stands = look_up(x);
-        REQUIRE(stands.status == StepStatus::invalid_step);
+        REQUIRE(stands.status == Status::invalid_step);
         CHECK(stands.force[0] == 0);
         CHECK_THAT(stands.force[2], WithinRel(-x[8], 1e-12));
         x[4] = 0.01;
-        REQUIRE(look_up(x, WheelsetSide::left).status == StepStatus::invalid_step);
+        REQUIRE(look_up(x, WheelsetSide::left).status == Status::invalid_step);
     }
 }
 
@@ -192,7 +192,7 @@ TEST_CASE("power on a wheel is that of its points: minus heat, and what normal f
     for (int scene = 0; scene < 200; ++scene) {
         const Inputs x = with_roll(random_inputs(random, 8e-3), random);
         const WheelForces at = look_up(x);
-        REQUIRE(at.status == StepStatus::ok);
+        REQUIRE(at.status == Status::ok);
         const auto& f = at.force;
         const double spin = x[3];
         const double w_x = x[6] - spin * std::sin(x[1]), w_y = spin * std::cos(x[10]) * std::cos(x[1]),
@@ -222,7 +222,7 @@ TEST_CASE("a wheel carries its load, and what forces take from the motion become
         double power = 0, heat = 0, share = 0;
         for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
             const WheelForces at = look_up(x, side);
-            REQUIRE(at.status == StepStatus::ok);
+            REQUIRE(at.status == Status::ok);
             REQUIRE_THAT(at.force[2], WithinRel(-x[8], 1e-9));
             power -= at.force[0] * x[2] + at.force.tail<3>().dot(turn);
             heat += at.heat;
@@ -247,7 +247,7 @@ TEST_CASE("forces have no steps where the load goes over to another point of con
     for (int k = 1; k <= 7000; ++k) {
         const Inputs x = rolling(1e-6 * k);
         const WheelForces at = look_up(x);
-        REQUIRE(at.status == StepStatus::ok);
+        REQUIRE(at.status == Status::ok);
         int carrying = 0;
         for (const WheelForces::Point& point : at.points) {
             carrying += point.load_share > 0.2;
@@ -302,7 +302,7 @@ TEST_CASE("a table agrees with the patches at its nodes, whichever side and yaw"
             const auto& patches = contacts.wheels[std::size_t(side)].patches;
             REQUIRE(patches.size() == 1);
             const WheelForces at = made.table.look_up(creep(), side, contacts.position, speeds, 6e4, 1e-9);
-            REQUIRE(at.status == StepStatus::ok);
+            REQUIRE(at.status == Status::ok);
             const WheelForces::Point& point = at.points[0];
             const WheelsetPosition seen = contacts.seen(side);
             const TrackDimensions& dimensions = track.wheel(side).dimensions();
@@ -354,7 +354,7 @@ TEST_CASE("the ellipse of a patch has its forces, from rest to sliding", "[conta
         const Eigen::Vector3d w = by.inverse() * Eigen::Vector3d(v.longitudinal - zero.longitudinal,
                                                                  v.lateral - zero.lateral, v.spin - zero.spin);
         const PatchForce own = patch_force(patch, at, speeds({w[0], w[1], w[2]}), dimensions, {.coefficient = mu});
-        REQUIRE(own.status == StepStatus::ok);
+        REQUIRE(own.status == Status::ok);
         const auto force = ellipse.forces(creep(), dimensions, mu, patch.load, own.creepage);
         CHECK_THAT(force.longitudinal / bound, WithinAbs(own.force.longitudinal / bound, 0.015));
         CHECK_THAT(force.lateral / bound, WithinAbs(own.force.lateral / bound, 0.015));
@@ -380,7 +380,7 @@ TEST_CASE("a shifted wheelset is turned back as by its patches, less than by ell
         for (const WheelsetSide side : WheelsetOnTrack::sides) {
             const WheelForces wheel = table.look_up(creep(), side, shifted.position,
                                                     {.forward = 1, .pitch_rate = patches.pitch_rate}, 1e5, mu);
-            REQUIRE(wheel.status == StepStatus::ok);
+            REQUIRE(wheel.status == Status::ok);
             moment += wheel.force[5];
         }
         return moment;
@@ -468,15 +468,15 @@ TEST_CASE("a table of contact geometry is read as it was written", "[contact_tab
 TEST_CASE("look-ups say what is wrong", "[contact_table]") {
     Inputs x = rolling(0);
     x[0] = 9.1e-3;
-    CHECK(look_up(x).status == StepStatus::wrong_table);
+    CHECK(look_up(x).status == Status::wrong_table);
     x = rolling(0);
     x[8] = -1;
-    CHECK(look_up(x).status == StepStatus::invalid_load);
+    CHECK(look_up(x).status == Status::invalid_load);
     x[8] = std::nan("");
-    CHECK(look_up(x).status == StepStatus::not_finite);
+    CHECK(look_up(x).status == Status::not_finite);
     x[8] = 0;
     const WheelForces lifted = look_up(x);
-    CHECK(lifted.status == StepStatus::ok);
+    CHECK(lifted.status == Status::ok);
     CHECK(lifted.force.isZero(0));
 }
 

@@ -106,7 +106,7 @@ TEST_CASE("creep_force_table: no creepage, no force; small creepages by the line
     for (const double a_over_b : {0.5, std::sqrt(0.5), 1.0, 2.0}) {  // ellipses of the table
         const PatchContact<double> patch = contact(a_over_b);
         const TabulatedForce rest = table.look_up(patch, mu, load, {});
-        REQUIRE(rest.status == StepStatus::ok);
+        REQUIRE(rest.status == Status::ok);
         CHECK((array(rest.force) == 0).all());
         const auto c = creep_forces::coefficients(a_over_b);
         const double stiffness = -modulus * patch.c() * patch.c(), length = patch.c();
@@ -266,7 +266,7 @@ TEST_CASE("creep_force_table: far below saturation, between its ellipses") {
     }
     // loads too small to divide by
     CHECK((array(table.look_up(contact(1), mu, 1e-303, {}).force) == 0).all());
-    CHECK(table.look_up(contact(1), mu, 1e-303, {}).status == StepStatus::ok);
+    CHECK(table.look_up(contact(1), mu, 1e-303, {}).status == Status::ok);
 }
 
 TEST_CASE("creep_force_table: what it refuses, and what it says of a/b beyond it") {
@@ -277,30 +277,30 @@ TEST_CASE("creep_force_table: what it refuses, and what it says of a/b beyond it
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     const auto status = [&](const PatchContact<double>& where, double friction, double pressing,
                             const Creepage<double>& v) { return table.look_up(where, friction, pressing, v).status; };
-    CHECK(status(contact(1, 0.2899), mu, load, {}) == StepStatus::ok);
-    CHECK(status(contact(1, 0.2901), mu, load, {}) == StepStatus::wrong_table);
-    CHECK(status(contact(1, 0.25), mu, load, {}) == StepStatus::wrong_table);
-    CHECK(status(patch, -0.1, load, {}) == StepStatus::invalid_load);
-    CHECK(status(patch, mu, -1, {}) == StepStatus::invalid_load);
-    CHECK(status(patch, nan, load, {}) == StepStatus::invalid_load);
-    CHECK(status(patch, mu, inf, {}) == StepStatus::invalid_load);
-    CHECK(status(patch, mu, load, {nan, 0, 0}) == StepStatus::not_finite);
-    CHECK(status(patch, mu, load, {0, 0, inf}) == StepStatus::not_finite);
+    CHECK(status(contact(1, 0.2899), mu, load, {}) == Status::ok);
+    CHECK(status(contact(1, 0.2901), mu, load, {}) == Status::wrong_table);
+    CHECK(status(contact(1, 0.25), mu, load, {}) == Status::wrong_table);
+    CHECK(status(patch, -0.1, load, {}) == Status::invalid_load);
+    CHECK(status(patch, mu, -1, {}) == Status::invalid_load);
+    CHECK(status(patch, nan, load, {}) == Status::invalid_load);
+    CHECK(status(patch, mu, inf, {}) == Status::invalid_load);
+    CHECK(status(patch, mu, load, {nan, 0, 0}) == Status::not_finite);
+    CHECK(status(patch, mu, load, {0, 0, inf}) == Status::not_finite);
     CHECK(std::isnan(table.look_up(patch, mu, -1, {}).force.lateral));
     const Eigen::ArrayXd y = Eigen::ArrayXd::LinSpaced(3, -1, 1), trailing = Eigen::ArrayXd::Constant(3, -1);
     const PatchContact<double> square(Outline<double>(y, trailing, -trailing), modulus, 0.28);
-    CHECK(status(square, mu, load, {}) == StepStatus::wrong_table);
+    CHECK(status(square, mu, load, {}) == Status::wrong_table);
 
     for (const double none : {0.0, 1.0}) {  // no friction, no load
         const TabulatedForce nothing = table.look_up(patch, none * mu, (1 - none) * load, {1e-3, 0, 0});
-        CHECK(nothing.status == StepStatus::ok);
+        CHECK(nothing.status == Status::ok);
         CHECK((array(nothing.force) == 0).all());
     }
     const TabulatedForce tiny =
         table.look_up(patch, mu, 1e-300, {1e-3, 1e-3, 0});  // full sliding under hardly any load
-    CHECK(tiny.status == StepStatus::ok);
+    CHECK(tiny.status == Status::ok);
     CHECK_THAT(tiny.force.lateral, WithinRel(-mu * 1e-300 * std::sqrt(0.5), 0.02));
-    CHECK(table.look_up(patch, mu, load, {1e300, 1e300, 1e300}).status == StepStatus::ok);
+    CHECK(table.look_up(patch, mu, load, {1e300, 1e300, 1e300}).status == Status::ok);
 
     const auto beyond = [&](double a_over_b) { return table.look_up(contact(a_over_b), mu, load, {1e-3, 1e-3, 0.1}); };
     CHECK(beyond(2).a_over_b_on_table);
@@ -393,7 +393,7 @@ TEST_CASE("creep_force_table: that of steel holds the forces of its patches") {
             const auto node = static_cast<Eigen::Index>(draw.uniform(0, static_cast<double>(grid.nodes())));
             const Creepage<double> v = grid.creepage(shape, node);
             const auto solution = source.solve(v, true);
-            REQUIRE(solution.step.status == StepStatus::ok);
+            REQUIRE(solution.step.status == Status::ok);
             const PatchContact<double>& patch = source.contact();
             const double limit = patch.half_width();  // mu N = G a b
             const auto found = steel.look_up(patch, 1, limit, {v.longitudinal, v.lateral, v.spin / patch.c()});

@@ -180,7 +180,7 @@ TEST_CASE("Pieces of one plane rub as the outline into which they grow together"
         double lateral_force = 0;
         for (std::size_t k = 0; k < count; ++k) {
             const PatchForce own = together ? all[k] : patch_force(patches[k], at, speeds, wheel().dimensions(), {});
-            REQUIRE(own.status == StepStatus::ok);
+            REQUIRE(own.status == Status::ok);
             lateral_force += own.force.lateral / (0.3 * 1e5);
         }
         return lateral_force;

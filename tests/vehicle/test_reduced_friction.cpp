@@ -57,7 +57,7 @@ TEST_CASE("reduced_friction: without reduction and fall, the numbers of the tabl
             const Creepage<double> v = creepage(patch, i == 0 ? 0 : draw.decades(-2, 2), draw);
             const ReducedFriction::Force now = none.look_up(steel(), patch, mu_0, load, 30, v);
             const TabulatedForce table = steel().look_up(patch, mu_0, load, v);
-            REQUIRE(now.status == StepStatus::ok);
+            REQUIRE(now.status == Status::ok);
             CHECK(now.a_over_b_on_table == table.a_over_b_on_table);
             CHECK(now.friction_coefficient == mu_0);
             CHECK(same(now.force, table.force));
@@ -174,18 +174,18 @@ TEST_CASE("reduced_friction: what it refuses, and contacts without creepage, loa
     const auto at = [&](double mu, double N, double V, const Creepage<double>& v) {
         return friction.look_up(table, patch, mu, N, V, v);
     };
-    CHECK(at(mu_0, load, -1, {}).status == StepStatus::invalid_step);
-    CHECK(at(mu_0, load, nan, {}).status == StepStatus::not_finite);
-    CHECK(at(mu_0, load, inf, {}).status == StepStatus::not_finite);
-    CHECK(at(mu_0, load, 1, {0, nan, 0}).status == StepStatus::not_finite);
-    CHECK(at(mu_0, -1, 1, {}).status == StepStatus::invalid_load);
-    CHECK(at(-0.1, load, 1, {}).status == StepStatus::invalid_load);
+    CHECK(at(mu_0, load, -1, {}).status == Status::invalid_step);
+    CHECK(at(mu_0, load, nan, {}).status == Status::not_finite);
+    CHECK(at(mu_0, load, inf, {}).status == Status::not_finite);
+    CHECK(at(mu_0, load, 1, {0, nan, 0}).status == Status::not_finite);
+    CHECK(at(mu_0, -1, 1, {}).status == Status::invalid_load);
+    CHECK(at(-0.1, load, 1, {}).status == Status::invalid_load);
     CHECK(std::isnan(at(mu_0, load, -1, {}).force.lateral));
     CHECK(friction.look_up(table, PatchContact<double>({5e-3, 5e-3, modulus, 0.4}), mu_0, load, 1, {}).status ==
-          StepStatus::wrong_table);
+          Status::wrong_table);
     for (const ReducedFriction::Force& nothing :
          {at(0, load, 1, {1e-3, 0, 0}), at(mu_0, 0, 1, {1e-3, 0, 0}), at(mu_0, load, 1, {}), at(mu_0, load, 0, {})}) {
-        CHECK(nothing.status == StepStatus::ok);
+        CHECK(nothing.status == Status::ok);
         CHECK(same(nothing.force, {0, 0, 0}));
         for (const TangentialForce<double>& by :
              {nothing.tangent.by_longitudinal, nothing.tangent.by_lateral, nothing.tangent.by_spin,
@@ -218,10 +218,10 @@ TEST_CASE("reduced_friction: beside patches whose friction falls with the slip o
     for (int i = 0; i < count; ++i) {
         const double level = draw.decades(-1, 1.3), speed = draw.uniform(1, 40);
         const Creepage<double> v = creepage(patch, level, draw);
-        const auto solved = model.steady(model.at_rest(), v, speed, state, workspace);
-        const auto clean = constant.steady(constant.at_rest(), v, constant_state, constant_workspace);
-        REQUIRE(solved.status == StepStatus::ok);
-        REQUIRE(clean.status == StepStatus::ok);
+        const auto solved = model.steady(model.at_rest(), {Travel<>::at_speed(speed), v}, state, workspace);
+        const auto clean = constant.steady(constant.at_rest(), {.motion = v}, constant_state, constant_workspace);
+        REQUIRE(solved.status == Status::ok);
+        REQUIRE(clean.status == Status::ok);
         const ReducedFriction::Force now = friction.look_up(steel(), patch, mu_0, load, speed, v);
         const TabulatedForce table = steel().look_up(patch, mu_0, load, v);
         const Eigen::Array3d error = ((array(now.force) - array(solved.force)) / scale).abs();

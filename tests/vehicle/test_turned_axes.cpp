@@ -97,7 +97,7 @@ TEST_CASE("turned_axes: derivatives, and those of a look-up with respect to the 
               rolling_ellipse<double>({a, b * (1 - h)}, turn).axes, b * h, 1);
 
         const TabulatedForce now = force_at(at.axes);
-        REQUIRE(now.status == StepStatus::ok);
+        REQUIRE(now.status == Status::ok);
         const Eigen::Vector3d by_turn = vector(at.by_turn.half_length * now.tangent_by_half_length +
                                                at.by_turn.half_width * now.tangent_by_half_width);
         const Eigen::Vector3d difference = (vector(force_at(more).force) - vector(force_at(less).force)) / (2 * h);
@@ -128,8 +128,8 @@ TEST_CASE("turned_axes: contacts and loads of patches take a turned ellipse by a
                ContainsSubstring("along_rolling"));
     const auto hertz = HertzPatchLoad<double>::breathing(along, contact, mesh);
     NormalLoad<double> now = hertz.at(load);
-    CHECK(hertz.set(with_yaw(0.03), now) == StepStatus::invalid_load);
-    CHECK(hertz.set(with_yaw(0.03).along_rolling(), now) == StepStatus::ok);
+    CHECK(hertz.set(with_yaw(0.03), now) == Status::invalid_load);
+    CHECK(hertz.set(with_yaw(0.03).along_rolling(), now) == Status::ok);
     CHECK(now.half_length == with_yaw(0.03).along_rolling().half_length());
 
     // a nearly round ellipse may be turned far, but remains nearly round, to the second order

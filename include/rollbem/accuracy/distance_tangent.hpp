@@ -14,7 +14,7 @@ namespace rollbem {
 /// less, one-sided ones of the same, second order.
 ///
 ///     const auto tangent = tangent_by_distance(dq, contact.half_length(), [&](double distance) {
-///         return model.advance(now, distance, Motion::shift(shift), load, next, workspace).force;
+///         return model.advance(now, {distance, Motion::shift(shift), load}, next, workspace).force;
 ///     });
 ///
 /// d force / dV at constant slip velocities is this times the duration of the step.

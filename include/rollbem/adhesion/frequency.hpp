@@ -17,8 +17,8 @@
 #include "../detail/reciprocal_condition.hpp"
 #include "../detail/require.hpp"
 #include "../status.hpp"
+#include "../system/dissipation.hpp"
 #include "../system/rolling_system.hpp"
-#include "dissipation.hpp"
 #include "response.hpp"
 
 namespace rollbem {

@@ -18,7 +18,7 @@
 #include "../detail/finite.hpp"
 #include "../system/element_blocks.hpp"
 #include "../system/rolling_system.hpp"
-#include "stability_verdict.hpp"
+#include "../system/stability_verdict.hpp"
 
 namespace rollbem {
 

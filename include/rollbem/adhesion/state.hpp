@@ -93,7 +93,7 @@ struct AdhesionStep {
     Force tangent_by_half_length = Values::unknown();
     /// The same of a patch by its half-width. At constant a/b: see FrictionStep::tangent_by_load.
     Force tangent_by_half_width = Values::unknown();
-    StepStatus status = StepStatus::not_finite;
+    Status status = Status::not_finite;
 };
 
 }  // namespace rollbem

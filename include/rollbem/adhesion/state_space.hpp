@@ -13,7 +13,6 @@
 #include "../detail/require.hpp"
 #include "../scene/contact.hpp"
 #include "../scene/patch_contact.hpp"
-#include "../spectral/chebyshev.hpp"
 #include "../system/rolling_system.hpp"
 #include "../types.hpp"
 
@@ -51,26 +50,6 @@ StateSpace<Scalar> state_space(const RollingSystem<Scalar>& system) {
             .B = -lu.solve(system.inputs()),
             .C = -system.outputs().transpose(),
             .D = MatrixX<Scalar>::Zero(system.input_count(), system.input_count())};
-}
-
-/// For Chebyshev states: without an inverse, B = -e_0.
-template <class Scalar>
-StateSpace<Scalar> state_space(const ChebyshevSystem<Scalar>& system) {
-    const Eigen::Index m = system.size();
-    StateSpace<Scalar> result{.A = system.rates(),
-                              .B = MatrixX<Scalar>::Zero(m, 1),
-                              .C = -system.outputs().transpose(),
-                              .D = MatrixX<Scalar>::Zero(1, 1)};
-    result.B(0, 0) = -1;
-    return result;
-}
-
-/// For a kernel and a number of states: 8 states are exact to rounding if nothing changes within a contact length.
-/// Throws std::invalid_argument unless there is at least one state, the half-width is finite, b/a >= 0.001 and, for a
-/// plane kernel, Lambda > 0.
-template <LineKernel Kernel>
-StateSpace<typename Kernel::Scalar> state_space(const Chebyshev& method, const Kernel& kernel) {
-    return state_space(rolling_system(method, kernel));
 }
 
 namespace detail {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -17,7 +18,10 @@
 #include "../detail/finite.hpp"
 #include "../detail/in_place_lu.hpp"
 #include "../detail/require.hpp"
+#include "../rolling/integrator.hpp"
+#include "../rolling/rolling_step.hpp"
 #include "../rolling/stage_equations.hpp"
+#include "../rolling/step_frame.hpp"
 #include "../scene/contact.hpp"
 #include "../scene/contact_units.hpp"
 #include "../scene/rigid_motion.hpp"
@@ -26,9 +30,9 @@
 #include "../system/contact_fit.hpp"
 #include "../system/element_blocks.hpp"
 #include "../system/rolling_system.hpp"
+#include "../system/stability_verdict.hpp"
+#include "../system/time_domain.hpp"
 #include "detail/rational_exponential.hpp"
-#include "integrator.hpp"
-#include "stability_verdict.hpp"
 #include "state.hpp"
 #include "workspace.hpp"
 
@@ -53,14 +57,14 @@ namespace rollbem {
 ///     const AdhesionModel model(contact, system, judge_stability(system));
 ///     AdhesionWorkspace<> workspace = model.workspace();
 ///     AdhesionState<> now = model.at_rest(), next = now;
-///     const AdhesionStep<> step = model.advance(now, dq, creepage, next, workspace);  // now stays as it is
+///     const AdhesionStep<> step = model.advance(now, {dq, creepage}, next, workspace);  // now stays as it is
 ///     if (accepted) std::swap(now, next);
 ///
 /// with both creepages and spin, on a line or on a patch
 ///
 ///     const ElementSystem system(longitudinal, lateral);
 ///     const AdhesionModel model(contact, system, judge_stability(system.whole()));
-///     const AdhesionStep<3> step = model.advance(now, dq, Creepage{1e-3, 5e-4, 0.1}, next, workspace);
+///     const AdhesionStep<3> step = model.advance(now, {dq, {1e-3, 5e-4, 0.1}}, next, workspace);
 template <int inputs_ = 1, class Scalar_ = double>
 class AdhesionModel {
 public:
@@ -72,7 +76,9 @@ public:
     using Force = typename Step::Force;          ///< a number, or TangentialForce
     using Value = typename Step::Values::Value;  ///< a creepage: a number, or Creepage
     using Motion = RigidMotion<Value>;
-    using Travel = detail::UntimedTravel<Scalar>;  ///< a plain dq will do
+    /// The load is the half-length [m] at the end of the step, with three inputs the semi-axes [m], or that of the state.
+    using RollingStep =
+        rollbem::RollingStep<Motion, std::optional<std::conditional_t<inputs == 1, Scalar, SemiAxes<Scalar>>>>;
 
     /// With one input, creepage in the direction of the kernel with which the system was made; with three, those of
     /// Creepage, as both_directions() makes them. The verdict is that on the system, or `unchecked`. Throws
@@ -119,67 +125,26 @@ public:
     /// 2b F_bar of a state [N] at its semi-axes. The state must have size() unknowns.
     Force force(const State& state) const { return Values::force(force_of(state.traction, axes(state))); }
 
-    /// Steady rolling at a creepage at the half-length of `from`, G' p = inputs v, Eq. (15); the tangent is that of
-    /// steady rolling. `from` only gives the half-length and is not changed; for the status see advance().
-    Step steady(const State& from, const Value& creepage, State& to, Workspace& workspace) const noexcept {
-        const SemiAxes<Scalar> semi_axes{from.half_length, from.half_width};
-        StepStatus status = check(from, semi_axes, to, workspace);
-        if (status == StepStatus::ok) status = check_growth(Scalar(0), axes(from), axes(from));
-        if (status != StepStatus::ok) return failed(status);
-        if (!detail::is_finite(creepage)) return failed(StepStatus::not_finite);
-        const Inputs value = Values::vector(creepage);
-        const Axes at = axes(from);
-        to.traction.setZero();
-        if constexpr (inputs == 3) {
-            if (shapes_ && at != contact_axes) {
-                detail::RollingStage<Scalar> stage = detail::RollingStage<Scalar>::resting(at);
-                stage.distance = -2;  // stands for steady rolling
-                auto& stages = workspace.stages();
-                stages.solve_steady(~preparation_, {*shapes_, a_over_b_, stage}, inputs_in_si_, workspace.factors());
-                for (Eigen::Index j = 0; j < inputs; ++j) {
-                    to.traction += units_.length * value[j] * stages.per_end().col(j);
-                }
-                return finish(from, semi_axes, 0, forces_of(stages.per_end(), at) * units_.length, to);
-            }
-        }
-        for (Eigen::Index j = 0; j < inputs; ++j) to.traction += value[j] * steady_.col(j);
-        return finish(from, semi_axes, 0, forces_of(steady_, at), to);
-    }
+    /// Steady rolling with the motion at the end of a step, no shift, G' p = inputs v, Eq. (15), at the semi-axes of the
+    /// step; the tangent is that of steady rolling. Of `from` only the semi-axes are used, where the step has none; for
+    /// the status see advance().
+    Step steady(const State& from, const RollingStep& step, State& to, Workspace& workspace) const noexcept;
     /// The same at the contact's half-length. Throws std::invalid_argument unless the creepage is finite.
     State steady(const Value& creepage) const;
 
     /// Rolls by dq [m], positive and finite, or 0 for a rigid shift without rolling. `to` must be another state with
     /// the same number of unknowns. It is not written if the status is invalid_step, wrong_state, invalid_load or
-    /// needs_fixed_mesh or the motion is not finite; if the result is not finite, it becomes a copy of `from`. The
-    /// semi-axes remain those of `from`. Does not allocate.
-    Step advance(const State& from, const Travel& travel, const Motion& motion, State& to,
-                 Workspace& workspace) const noexcept {
-        return roll(from, travel.dq, motion, {from.half_length, from.half_width}, false, to, workspace);
-    }
-
-    /// The same with the contact's half-length `half_length` [m] at the end of the step, varying linearly from that of
-    /// `from`: sdirk2 is of second order in dq if creepage and length are smooth in each step. dq is the distance
-    /// rolled by the centre of the contact. The status is
-    /// - invalid_load if the half-length is not positive and finite;
+    /// needs_fixed_mesh or the motion is not finite; if the result is not finite, it becomes a copy of `from`. Does not
+    /// allocate.
+    ///
+    /// The semi-axes vary linearly to those of the step, or remain those of `from`: sdirk2 is of second order in dq if
+    /// creepage and semi-axes are smooth in each step. dq is the distance rolled by the centre of the contact. The
+    /// status is
+    /// - invalid_load if a semi-axis is not positive and finite;
     /// - needs_fixed_mesh if the length would change by dq or more (with dq = 0, if it changes at all), so that an edge
-    ///   would not roll forward; and if the model cannot breathe, unless both half-lengths are the contact's.
-    Step advance(const State& from, const Travel& travel, const Motion& motion, Scalar half_length, State& to,
-                 Workspace& workspace) const noexcept requires(inputs == 1) {
-        return roll(from, travel.dq, motion, {half_length, from.half_width}, can_breathe(), to, workspace);
-    }
-
-    /// The same with the semi-axes of a patch [m] at the end of the step, both varying linearly. needs_fixed_mesh also
-    /// if a/b leaves the range of the system's shapes, and on a line unless they are the contact's.
-    Step advance(const State& from, const Travel& travel, const Motion& motion, const SemiAxes<Scalar>& semi_axes,
-                 State& to, Workspace& workspace) const noexcept requires(inputs == 3) {
-        return roll(from, travel.dq, motion, semi_axes, can_breathe(), to, workspace);
-    }
-
-    /// Any of these at a constant creepage, which may stand in braces.
-    template <class... Rest>
-    Step advance(const State& from, const Travel& travel, const Value& creepage, Rest&&... rest) const noexcept {
-        return advance(from, travel, Motion(creepage), std::forward<Rest>(rest)...);
-    }
+    ///   would not roll forward; if the model cannot breathe, unless all semi-axes are the contact's; and if a/b leaves
+    ///   the range of the system's shapes, or the half-width of a line changes.
+    Step advance(const State& from, const RollingStep& step, State& to, Workspace& workspace) const noexcept;
 
 private:
     using Values = typename Step::Values;
@@ -209,15 +174,15 @@ private:
 
     static void solve(MatrixX<Scalar> matrix, MatrixX<Scalar>& right);
 
-    StepStatus check(const State& from, const SemiAxes<Scalar>& semi_axes, const State& to,
-                     const Workspace& workspace) const noexcept {
+    Status check(const State& from, const SemiAxes<Scalar>& semi_axes, const State& to,
+                 const Workspace& workspace) const noexcept {
         const bool fits = &from != &to && from.system == fingerprint_ && from.traction.size() == size() &&
                           to.traction.size() == size() && workspace.size() == size() &&
                           are_lengths({from.half_length, from.half_width});
-        if (!fits) return StepStatus::wrong_state;
-        return are_lengths(semi_axes) ? StepStatus::ok : StepStatus::invalid_load;
+        if (!fits) return Status::wrong_state;
+        return are_lengths(semi_axes) ? Status::ok : Status::invalid_load;
     }
-    StepStatus check_growth(Scalar distance, const Axes& start, const Axes& end) const noexcept {
+    Status check_growth(Scalar distance, const Axes& start, const Axes& end) const noexcept {
         return detail::check_growth(can_breathe(), system_.half_length_limit(), shapes_.get(), a_over_b_, distance,
                                     start, end);
     }
@@ -228,12 +193,6 @@ private:
     template <class Placed>
     Axes axes(const Placed& placed) const {
         return units_.axes(placed);
-    }
-
-    static Step failed(StepStatus status) noexcept {
-        Step result;
-        result.status = status;
-        return result;
     }
 
     // At given semi-axes: areas are stretched by both, the arms of moments by either. `twice` counts one of these arms
@@ -271,21 +230,44 @@ private:
             to.half_length = from.half_length;
             to.half_width = from.half_width;
             to.distance = from.distance;
-            return failed(StepStatus::not_finite);
+            return detail::failed<Step>(Status::not_finite);
         }
         Step step;
         step.force = Values::force(force);
         if (units_.line) step.force_per_width = Values::force(Inputs(force / units_.width));
         step.tangent = Values::tangent(tangent);
-        step.status = StepStatus::ok;
+        step.status = Status::ok;
         return step;
     }
 
-    Step roll(const State& from, Scalar dq, const Motion& motion, const SemiAxes<Scalar>& semi_axes, bool by_length,
-              State& to, Workspace& workspace) const noexcept;
+    using Frame = detail::AdhesionFrame<inputs, Scalar>;
+
+    // At the end of a step.
+    SemiAxes<Scalar> semi_axes(const State& from, const RollingStep& step) const noexcept {
+        if constexpr (inputs == 1) {
+            return {step.load.value_or(from.half_length), from.half_width};
+        } else {
+            return step.load.value_or(SemiAxes<Scalar>{from.half_length, from.half_width});
+        }
+    }
+    // Whether a step takes other equations than those of the contact's semi-axes.
+    bool reshapes(const Frame& frame) const {
+        return shapes_ && (frame.axes > 0 || frame.start != contact_axes || frame.end != contact_axes);
+    }
+    // By the linear map of steps of this distance.
+    Step repeat(const State& from, Scalar dq, const Motion& motion, State& to, Workspace& workspace) const noexcept;
+    // By the stages of the integrator.
+    Step solve_stages(const State& from, const RollingStep& step, Frame& frame, State& to,
+                      Workspace& workspace) const noexcept;
+    // With the derivatives by the semi-axes that the frame asks for.
+    void add_tangents(const Frame& frame, const detail::AdhesionStages<inputs, Scalar>& stages, const State& to,
+                      Step& step) const;
+
     Units units_;
     RollingSystem<Scalar> system_;
-    std::uint64_t fingerprint_, preparation_;  // the latter also of the integrator
+    std::uint64_t fingerprint_;
+    // Of what workspaces prepare, also of the integrator; the matrices of shapes differ by rounding from a fixed mesh.
+    std::uint64_t preparation_, reshaped_;
     Integrator integrator_;
     detail::RationalExponential<Scalar> rational_;
     MatrixX<Scalar> inputs_in_si_, outputs_in_si_;            // n x k [Pa/m], for spin [Pa]; [m^2], of the moment [m^3]
@@ -308,6 +290,7 @@ AdhesionModel<inputs_, Scalar_>::AdhesionModel(const Units& units, RollingSystem
       system_(std::move(system)),
       fingerprint_(units.fingerprint ^ system_.fingerprint()),
       preparation_(fingerprint_ ^ (1 + static_cast<std::uint64_t>(integrator))),
+      reshaped_(~preparation_),
       integrator_(integrator),
       rational_(integrator),
       inputs_in_si_(system_.inputs()),
@@ -349,74 +332,109 @@ auto AdhesionModel<inputs_, Scalar_>::steady(const Value& creepage) const -> Sta
 }
 
 template <int inputs_, class Scalar_>
-auto AdhesionModel<inputs_, Scalar_>::roll(const State& from, Scalar dq, const Motion& motion,
-                                           const SemiAxes<Scalar>& semi_axes, bool by_length, State& to,
-                                           Workspace& workspace) const noexcept -> Step {
-    // what belongs to the model first, then the motion, then the load
-    const StepStatus belongs = check(from, semi_axes, to, workspace);
-    if (belongs == StepStatus::wrong_state) return failed(belongs);
-    const StepStatus possible = motion.check(dq);
-    if (possible != StepStatus::ok) return failed(possible);
-    if (belongs != StepStatus::ok) return failed(belongs);
-    const Axes start = axes(from), end = axes(semi_axes);
-    const StepStatus grows = check_growth(dq / units_.length, start, end);
-    if (grows != StepStatus::ok) return failed(grows);
-
-    const detail::ImposedMotion<inputs, Scalar> imposed(motion, dq);
-    const bool reshapes = shapes_ && (by_length || start != contact_axes || end != contact_axes);
-    const bool repeats = dq > 0 && dq == from.distance && !by_length && end == contact_axes;
-    if (is_exponential() || (repeats && !reshapes)) {
-        detail::StepMap<inputs, Scalar>& map = workspace.map();
-        if (!map.is_of(preparation_, dq)) {
-            map.prepare(preparation_, detail::influence(system_), rational_, inputs_in_si_, outputs_in_si_, dq,
-                        units_.length, count_doublings(dq / units_.length), workspace.factors());
+auto AdhesionModel<inputs_, Scalar_>::steady(const State& from, const RollingStep& step, State& to,
+                                             Workspace& workspace) const noexcept -> Step {
+    const SemiAxes<Scalar> end = semi_axes(from, step);
+    const Axes at = axes(end);
+    Status status = check(from, end, to, workspace);
+    if (status == Status::ok && step.motion.is_shift()) status = Status::invalid_step;
+    if (status == Status::ok) status = check_growth(Scalar(0), at, at);
+    if (status == Status::ok) status = step.motion.check_rows(0);
+    if (status != Status::ok) return detail::failed<Step>(status);
+    const Inputs value = Values::vector(step.motion.end());
+    to.traction.setZero();
+    if constexpr (inputs == 3) {
+        if (shapes_ && at != contact_axes) {
+            const auto stage = detail::RollingStage<Scalar>::steadily(at);
+            auto& stages = workspace.stages();
+            stages.solve_steady(reshaped_, {*shapes_, a_over_b_, stage}, inputs_in_si_, workspace.factors());
+            for (Eigen::Index j = 0; j < inputs; ++j) {
+                to.traction += units_.length * value[j] * stages.per_end().col(j);
+            }
+            return finish(from, end, 0, forces_of(stages.per_end(), at) * units_.length, to);
         }
-        map.apply(from.traction, imposed, to.traction);
-        return finish(from, semi_axes, dq, map.tangent(imposed), to);
     }
+    for (Eigen::Index j = 0; j < inputs; ++j) to.traction += value[j] * steady_.col(j);
+    return finish(from, end, 0, forces_of(steady_, at), to);
+}
+
+template <int inputs_, class Scalar_>
+auto AdhesionModel<inputs_, Scalar_>::advance(const State& from, const RollingStep& step, State& to,
+                                              Workspace& workspace) const noexcept -> Step {
+    const SemiAxes<Scalar> end = semi_axes(from, step);
+    const Scalar dq = step.travel.dq;
+    const Status possible = detail::check_step(check(from, end, to, workspace), step.motion, dq, 0,
+                                               [&] { return check_growth(dq / units_.length, axes(from), axes(end)); });
+    if (possible != Status::ok) return detail::failed<Step>(possible);
+    const bool by_axes = step.load && can_breathe(), single = !shapes_ || shapes_->is_single();
+    const bool repeats = dq > 0 && dq == from.distance && !by_axes && axes(end) == contact_axes;
+    if (is_exponential()) return repeat(from, dq, step.motion, to, workspace);
+    Frame frame{{step.motion, dq, units_.length, *detail::stage_table<Scalar>(integrator_), axes(from), axes(end)},
+                preparation_,
+                from.traction,
+                inputs_in_si_,
+                !by_axes ? std::size_t(0)
+                : single ? std::size_t(1)
+                         : std::size_t(2),
+                workspace.factors()};
+    if (repeats && !reshapes(frame)) return repeat(from, dq, step.motion, to, workspace);
+    return solve_stages(from, step, frame, to, workspace);
+}
+
+template <int inputs_, class Scalar_>
+auto AdhesionModel<inputs_, Scalar_>::repeat(const State& from, Scalar dq, const Motion& motion, State& to,
+                                             Workspace& workspace) const noexcept -> Step {
+    const detail::ImposedMotion<inputs, Scalar> imposed(motion, dq);
+    detail::StepMap<inputs, Scalar>& map = workspace.map();
+    if (!map.is_of(preparation_, dq)) {
+        map.prepare(preparation_, detail::influence(system_), rational_, inputs_in_si_, outputs_in_si_, dq,
+                    units_.length, count_doublings(dq / units_.length), workspace.factors());
+    }
+    map.apply(from.traction, imposed, to.traction);
+    return finish(from, {from.half_length, from.half_width}, dq, map.tangent(imposed), to);
+}
+
+template <int inputs_, class Scalar_>
+auto AdhesionModel<inputs_, Scalar_>::solve_stages(const State& from, const RollingStep& step, Frame& frame, State& to,
+                                                   Workspace& workspace) const noexcept -> Step {
     detail::AdhesionStages<inputs, Scalar>& stages = workspace.stages();
-    const auto table = *detail::stage_table<Scalar>(integrator_);
-    const auto stage = [&](const detail::StagePlace<Scalar>& place) {
-        return detail::RollingStage<Scalar>::of(place, dq / units_.length, start, end);
-    };
-    const bool single = reshapes && shapes_->is_single();
-    if (reshapes) {
+    if (reshapes(frame)) {
         if constexpr (inputs == 3) {
-            const auto equations = [&](const detail::StagePlace<Scalar>& place) {
-                return detail::ShapeEquations<Scalar>(*shapes_, a_over_b_, stage(place));
-            };
-            // its matrices differ by rounding from those of a fixed mesh
-            stages.solve(~preparation_, equations, inputs_in_si_, table, start, start != end, from.traction, imposed,
-                         !by_length ? 0
-                         : single   ? 1
-                                    : 2,
-                         workspace.factors());
+            frame.model = reshaped_;
+            stages.solve(frame, [this](const auto& stage, const auto& use) {
+                use(detail::ShapeEquations<Scalar>(*shapes_, a_over_b_, stage));
+            });
         }
     } else {
-        const auto equations = [&](const detail::StagePlace<Scalar>& place) {
-            return detail::LineEquations<RollingSystem<Scalar>>(system_, stage(place));
-        };
-        stages.solve(preparation_, equations, inputs_in_si_, table, start, start != end, from.traction, imposed,
-                     by_length ? 1 : 0, workspace.factors());
+        stages.solve(frame, [this](const auto& stage, const auto& use) {
+            use(detail::LineEquations<RollingSystem<Scalar>>(system_, stage));
+        });
     }
     to.traction = from.traction + stages.change();
-    Step step = finish(from, semi_axes, dq, forces_of(stages.per_end(), end), to);
-    if (!by_length || step.status != StepStatus::ok) return step;
-    const auto tangent = [&](const VectorX<Scalar>& per_axis, const Axes& twice, Scalar power, Scalar at, Scalar unit) {
-        const Inputs direct = force_of(to.traction, end, twice) * (power / at);
-        return Values::force(Inputs(direct + force_of(per_axis, end) / unit));
+    Step result = finish(from, semi_axes(from, step), step.travel.dq, forces_of(stages.per_end(), frame.end), to);
+    if (result.status == Status::ok) add_tangents(frame, stages, to, result);
+    return result;
+}
+
+template <int inputs_, class Scalar_>
+void AdhesionModel<inputs_, Scalar_>::add_tangents(const Frame& frame,
+                                                   const detail::AdhesionStages<inputs, Scalar>& stages,
+                                                   const State& to, Step& step) const {
+    const bool keeps_shape = shapes_ && shapes_->is_single();
+    const auto tangent = [&](detail::Axis axis, const VectorX<Scalar>& per_axis, Scalar at, Scalar unit) {
+        const auto own = detail::OwnGrowth<Scalar>::by(axis, keeps_shape);
+        const Inputs direct = force_of(to.traction, frame.end, own.arms) * (own.power / at);
+        return Values::force(Inputs(direct + force_of(per_axis, frame.end) / unit));
     };
-    const Scalar a = semi_axes.half_length;
-    if (single) {  // forces grow as the square of the size, moments as its cube
-        step.tangent_by_half_length = tangent(stages.per_length(), {1.5, 1.5}, 2, a, units_.length);
-        if constexpr (inputs == 3) step.tangent_by_half_width = {0, 0, 0};
-        return step;
-    }
-    step.tangent_by_half_length = tangent(stages.per_length(), {2, 1}, 1, a, units_.length);
+    if (frame.axes == 0) return;
+    step.tangent_by_half_length =
+        tangent(detail::Axis::half_length, stages.per_length(), to.half_length, units_.length);
     if constexpr (inputs == 3) {
-        step.tangent_by_half_width = tangent(stages.per_width(), {1, 2}, 1, semi_axes.half_width, units_.half_width);
+        if (keeps_shape) step.tangent_by_half_width = {0, 0, 0};
+        if (frame.axes < 2) return;
+        step.tangent_by_half_width =
+            tangent(detail::Axis::half_width, stages.per_width(), to.half_width, units_.half_width);
     }
-    return step;
 }
 
 }  // namespace rollbem

@@ -98,7 +98,7 @@ ElementSystem<Scalar, 2> breathing_system(const PatchContact<Scalar>& contact, c
 ///
 ///     const PatchShapes<double> shapes(12, 12, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(0.28));
 ///     const FrictionModel model(contact, shapes.system(contact.a_over_b()), judge_stability(shapes), friction);
-///     model.advance(now, dq, creepage, load, next, workspace);  // load.half_length and half_width as they are then
+///     model.advance(now, {dq, creepage, load}, next, workspace);  // load.half_length and half_width as they are then
 template <class Scalar_ = double>
 class PatchShapes {
 public:

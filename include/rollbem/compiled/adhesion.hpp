@@ -8,9 +8,9 @@
 #include <Eigen/LU>
 
 #include "../adhesion/frequency.hpp"
-#include "../adhesion/state_space.hpp"
 #include "../adhesion/transient.hpp"
 #include "../closed_form/plane_lambda.hpp"
+#include "../spectral/state_space.hpp"
 #include "steady.hpp"
 
 namespace Eigen {

@@ -1,12 +1,12 @@
-// Contact patches of the half-space by node differences, compiled for double. Replaces adhesion/creep_coefficients.hpp,
+// Contact patches of the half-space by node differences, compiled for double. Replaces steady/creep_coefficients.hpp,
 // assembly/patch_shapes.hpp and assembly/patch_system.hpp; link rollbem::compiled.
 #pragma once
 
 #include <memory>
 #include <vector>
 
-#include "../adhesion/creep_coefficients.hpp"
 #include "../assembly/patch_shapes.hpp"
+#include "../steady/creep_coefficients.hpp"
 #include "steady.hpp"
 
 namespace rollbem {

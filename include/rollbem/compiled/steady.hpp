@@ -1,5 +1,5 @@
 // Systems of line contacts and their steady rolling, compiled for double: include this in addition to or in place of
-// adhesion/steady.hpp, assembly/influence.hpp, assembly/rolling_system.hpp and, for steady rolling,
+// steady/steady.hpp, assembly/influence.hpp, assembly/rolling_system.hpp and, for steady rolling,
 // spectral/chebyshev.hpp, and link rollbem::compiled. Each header in this folder declares the largest templates of
 // those it names as instantiated in that library, so that no translation unit compiles them again. Library and program
 // must be built with the same options that affect the layout of Eigen's objects (-march and the like).
@@ -9,7 +9,6 @@
 
 #include <Eigen/LU>
 
-#include "../adhesion/steady.hpp"
 #include "../assembly/rolling_system.hpp"
 #include "../detail/gauss_legendre.hpp"
 #include "../detail/reciprocal_condition.hpp"
@@ -17,6 +16,7 @@
 #include "../discretisation/any_scheme.hpp"
 #include "../elasticity/any_kernel.hpp"
 #include "../spectral/chebyshev.hpp"
+#include "../steady/steady.hpp"
 #include "detail/alignment.hpp"
 
 namespace Eigen {

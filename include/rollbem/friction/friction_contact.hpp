@@ -12,6 +12,7 @@
 
 #include "../detail/require.hpp"
 #include "../normal/load.hpp"
+#include "../rolling/rolling_step.hpp"
 #include "../scene/creepage.hpp"
 #include "../scene/force.hpp"
 #include "../scene/rigid_motion.hpp"
@@ -25,14 +26,14 @@ namespace rollbem {
 
 /// A FrictionModel whose law and number of directions are chosen at run time. States, motions and results have two
 /// directions: a model of one takes from them what lies along its own, and returns 0 across it, where spin and moment
-/// are unknown to it. Otherwise all is as in FrictionModel, but that every step has a speed or a duration, which a
-/// constant coefficient does not read. Immutable; copies share the model. Beside the solution a step costs a virtual
+/// are unknown to it. Otherwise all is as in FrictionModel, but that constant
+/// coefficients do not read durations. Immutable; copies share the model. Beside the solution a step costs a virtual
 /// call and, in one direction, copies of the states. Run takes it as any model.
 ///
 ///     const FrictionContact contact = falls ? FrictionContact(FrictionModel(line, system, verdict, falling))
 ///                                           : FrictionContact(FrictionModel(line, both, verdict, {0.3, pressure}));
 ///     Run run(contact);
-///     const FrictionStep<2> step = run.advance({dq, duration}, Creepage{1e-3});
+///     const FrictionStep<2> step = run.advance({{dq, duration}, Creepage{1e-3}});
 class FrictionContact {
     template <class Own>
     class Erased;
@@ -44,8 +45,7 @@ public:
     using Force = Step::Force;
     using Value = Creepage<double>;
     using Motion = RigidMotion<Value>;
-    using Travel = rollbem::Travel<double>;
-    using Load = NormalLoad<double>;
+    using RollingStep = rollbem::RollingStep<Motion, GivenLoad<NormalLoad<double>>>;
 
     /// Serves models of the same number of elements, directions and kind of law, as FrictionWorkspace does.
     class Workspace {
@@ -90,36 +90,14 @@ public:
     Force force(const State& state) const { return model_->force(state); }
     double elastic_energy(const State& state) const { return model_->elastic_energy(state); }
 
-    Step steady(const State& from, const Motion& motion, double speed, State& to, Workspace& workspace) const noexcept {
-        return model_->steady(from, motion, speed, nullptr, to, workspace);
+    Step steady(const State& from, const RollingStep& step, State& to, Workspace& workspace) const noexcept {
+        return model_->steady(from, step, to, workspace);
     }
-    Step steady(const State& from, const Motion& motion, double speed, const Load& load, State& to,
-                Workspace& workspace) const noexcept {
-        return model_->steady(from, motion, speed, &load, to, workspace);
-    }
-    Step advance(const State& from, const Travel& travel, const Motion& motion, State& to,
-                 Workspace& workspace) const noexcept {
-        return model_->advance(from, travel, motion, nullptr, to, workspace);
-    }
-    Step advance(const State& from, const Travel& travel, const Motion& motion, const Load& load, State& to,
-                 Workspace& workspace) const noexcept {
-        return model_->advance(from, travel, motion, &load, to, workspace);
-    }
-    /// The same at a constant creepage, which may stand in braces.
-    template <class... Rest>
-    Step steady(const State& from, const Value& creepage, Rest&&... rest) const noexcept {
-        return steady(from, Motion(creepage), std::forward<Rest>(rest)...);
-    }
-    template <class... Rest>
-    Step advance(const State& from, const Travel& travel, const Value& creepage, Rest&&... rest) const noexcept {
-        return advance(from, travel, Motion(creepage), std::forward<Rest>(rest)...);
-    }
-    Step shift(const State& from, const Value& shift, double duration, State& to, Workspace& workspace) const noexcept {
-        return advance(from, Travel{0, duration}, Motion::shift(shift), to, workspace);
+    Step advance(const State& from, const RollingStep& step, State& to, Workspace& workspace) const noexcept {
+        return model_->advance(from, step, to, workspace);
     }
 
 private:
-    // A null load is that of the state.
     struct Model {
         virtual ~Model() = default;
         virtual int directions() const = 0;
@@ -130,9 +108,9 @@ private:
         virtual Workspace workspace() const = 0;
         virtual Force force(const State& state) const = 0;
         virtual double elastic_energy(const State& state) const = 0;
-        virtual Step steady(const State& from, const Motion& motion, double speed, const Load* load, State& to,
+        virtual Step steady(const State& from, const RollingStep& step, State& to,
                             Workspace& workspace) const noexcept = 0;
-        virtual Step advance(const State& from, const Travel& travel, const Motion& motion, const Load* load, State& to,
+        virtual Step advance(const State& from, const RollingStep& step, State& to,
                              Workspace& workspace) const noexcept = 0;
     };
     std::shared_ptr<const Model> model_;
@@ -164,20 +142,14 @@ public:
     }
     Force force(const State& state) const override { return raise(model_.force(lower(state))); }
     double elastic_energy(const State& state) const override { return model_.elastic_energy(lower(state)); }
-    Step steady(const State& from, const Motion& motion, double speed, const Load* load, State& to,
-                Workspace& workspace) const noexcept override {
-        const typename Own::Motion moved = lower(motion);
+    Step steady(const State& from, const RollingStep& step, State& to, Workspace& workspace) const noexcept override {
         return solve(from, to, workspace, [&](const auto& start, auto& end, auto& own) {
-            return load == nullptr ? model_.steady(start, moved, speed, end, own)
-                                   : model_.steady(start, moved, speed, *load, end, own);
+            return model_.steady(start, {step.travel, lower(step.motion), step.load}, end, own);
         });
     }
-    Step advance(const State& from, const Travel& travel, const Motion& motion, const Load* load, State& to,
-                 Workspace& workspace) const noexcept override {
-        const typename Own::Motion moved = lower(motion);
+    Step advance(const State& from, const RollingStep& step, State& to, Workspace& workspace) const noexcept override {
         return solve(from, to, workspace, [&](const auto& start, auto& end, auto& own) {
-            return load == nullptr ? model_.advance(start, travel, moved, end, own)
-                                   : model_.advance(start, travel, moved, *load, end, own);
+            return model_.advance(start, {step.travel, lower(step.motion), step.load}, end, own);
         });
     }
 
@@ -269,16 +241,11 @@ private:
             return step;
         }
     }
-    static Step refused() {
-        Step step;
-        step.status = StepStatus::wrong_state;
-        return step;
-    }
 
     template <class Solve>
     Step solve(const State& from, State& to, Workspace& workspace, const Solve& call) const {
         auto* const own = std::get_if<Own::directions - 1>(&workspace.own_);
-        if (own == nullptr) return refused();
+        if (own == nullptr) return detail::failed<Step>(Status::wrong_state);
         if constexpr (both) {
             return call(from, to, *own);
         } else {
@@ -288,7 +255,7 @@ private:
                        state.normal_pressure.size() == n && workspace.from_.traction.size() == n &&
                        state.friction_coefficient.size() == workspace.from_.friction_coefficient.size();
             };
-            if (&from == &to || !fits(from) || !fits(to)) return refused();
+            if (&from == &to || !fits(from) || !fits(to)) return detail::failed<Step>(Status::wrong_state);
             workspace.direction_ = direction_;
             lower(from, workspace.from_);
             lower(to, workspace.to_);

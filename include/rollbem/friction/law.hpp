@@ -19,7 +19,7 @@ namespace rollbem {
 /// A friction law: the coefficient mu [-] as a continuous function of the slip velocity v >= 0 [m/s], finite and not
 /// negative. It is called in every step and must neither throw nor allocate. In time, a law that rises steeply from
 /// mu_s(0), such as a regularised Coulomb law within a few mm/s, needs a memory: without one many steps end with
-/// StepStatus::no_solution. Steady rolling does not need it.
+/// Status::no_solution. Steady rolling does not need it.
 template <class Law, class Scalar = double>
 concept SlipLaw = requires(const Law& law, Scalar velocity) {
     { law(velocity) } -> std::convertible_to<Scalar>;

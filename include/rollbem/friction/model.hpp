@@ -9,16 +9,18 @@
 
 #include <Eigen/Core>
 
-#include "../adhesion/integrator.hpp"
-#include "../adhesion/stability_verdict.hpp"
 #include "../detail/require.hpp"
 #include "../normal/load.hpp"
+#include "../rolling/integrator.hpp"
+#include "../rolling/rolling_step.hpp"
 #include "../rolling/stage_equations.hpp"
 #include "../scene/contact.hpp"
 #include "../scene/rigid_motion.hpp"
 #include "../status.hpp"
 #include "../system/contact_fit.hpp"
 #include "../system/element_blocks.hpp"
+#include "../system/stability_verdict.hpp"
+#include "../system/time_domain.hpp"
 #include "detail/core.hpp"
 #include "law.hpp"
 #include "state.hpp"
@@ -33,10 +35,10 @@ namespace rollbem {
 ///
 /// For steady rolling alone a system of G' is enough, steady_system(): no kernel must be integrated for G, no
 /// eigenvalue judged, and the half-width may be infinite. Such a model refuses to advance and to shift
-/// (StepStatus::invalid_step) and knows no elastic energy (NaN). Its states are those of a model with the same contact,
+/// (Status::invalid_step) and knows no elastic energy (NaN). Its states are those of a model with the same contact,
 /// G' and pressures, and so start a time-domain run. If the scheme does not converge to full adhesion (alpha <= 0, or
 /// alpha > 1), forces would be wrong wherever elements stick: the status of every solution is then
-/// StepStatus::assists_creepage, with the residual but without numbers, unless the model is made `unchecked`.
+/// Status::assists_creepage, with the residual but without numbers, unless the model is made `unchecked`.
 /// Collocation at the centres (alpha = 0) is a special case: its tractions assist the creepage in full adhesion, but
 /// are correct with friction. It dissipates no energy, whereas full adhesion loses energy at the singular trailing
 /// edge; the force of full adhesion is therefore zero. Dissipation by slip is represented: the force converges, with
@@ -44,7 +46,7 @@ namespace rollbem {
 ///
 ///     const FrictionModel model(contact, steady_system(mesh, scheme, kernel), {0.3, pressure});
 ///     Run run(model);
-///     for (double creepage : curve) const FrictionStep<> point = run.steady(creepage);  // starts from the one before
+///     for (double creepage : curve) const FrictionStep<> point = run.steady({.motion = creepage});  // starts from the one before
 ///
 /// If mu falls steeply with slip and has no memory, several solutions may exist at one creepage, which differ in where
 /// slip begins. The solver usually returns the one nearest to `from`, so that a creep curve whose points start from
@@ -72,14 +74,14 @@ namespace rollbem {
 ///     const FrictionModel model(contact, system, judge_stability(system), {0.3, pressure});
 ///     FrictionWorkspace<> workspace = model.workspace();
 ///     FrictionState<> now = model.at_rest(), next = now;
-///     const FrictionStep<> step = model.advance(now, dq, creepage, next, workspace);  // does not change now
+///     const FrictionStep<> step = model.advance(now, {dq, creepage}, next, workspace);  // does not change now
 ///     if (accepted) std::swap(now, next);
 ///
 /// in both directions
 ///
 ///     const ElementSystem system(rolling_system(mesh, scheme, StripKernel<double>::longitudinal(contact)),
 ///                                rolling_system(mesh, scheme, StripKernel<double>::lateral(contact)));
-///     const FrictionStep<2> step = model.advance(now, dq, Creepage{1e-3, 5e-4}, next, workspace);
+///     const FrictionStep<2> step = model.advance(now, {dq, {1e-3, 5e-4}}, next, workspace);
 ///
 /// on a patch, whose system has both directions and one verdict for both halves
 ///
@@ -88,12 +90,12 @@ namespace rollbem {
 ///     const FrictionModel model(contact, rolling_system(mesh, scheme, kernel),
 ///                               judge_stability(patch_parts(mesh, scheme, kernel)),
 ///                               {0.3, hertz_pressures(contact, mesh, load)});
-///     const FrictionStep<2> step = model.advance(now, dq, Creepage{1e-3, 5e-4, 0.1}, next, workspace);
+///     const FrictionStep<2> step = model.advance(now, {dq, {1e-3, 5e-4, 0.1}}, next, workspace);
 ///
 /// and with a coefficient that depends on slip
 ///
 ///     const FrictionModel model(contact, system, verdict, Friction{ExponentialFall<>{0.3, 0.18, 0.1}, pressure});
-///     const FrictionStep<> step = model.advance(now, {dq, duration}, creepage, next, workspace);
+///     const FrictionStep<> step = model.advance(now, {{dq, duration}, creepage}, next, workspace);
 template <class Law_ = ConstantFriction<double>, int directions_ = 1, class Scalar_ = double>
 class FrictionModel {
 public:
@@ -113,8 +115,8 @@ public:
     using Force = typename Step::Force;  ///< a number, or TangentialForce with two directions
     using Value = typename Core::Value;  ///< a creepage: a number, or Creepage with two directions
     using Motion = RigidMotion<Value>;
-    /// A plain dq will do if mu is constant.
-    using Travel = std::conditional_t<Core::slip_dependent, rollbem::Travel<Scalar>, detail::UntimedTravel<Scalar>>;
+    /// The load is a NormalLoad, or that of the state; travel has a duration if mu depends on slip.
+    using RollingStep = rollbem::RollingStep<Motion, GivenLoad<NormalLoad<Scalar>>>;
 
     /// A line contact, or a patch (PatchContact, in whose half_length() the system measures lengths); the verdict
     /// is that on the system, or `unchecked`. Throws std::invalid_argument if the verdict does not belong to this
@@ -162,8 +164,10 @@ public:
     /// Whether the scheme converges to full adhesion: false only of a system without G, never if `unchecked`.
     bool converges() const { return converges_; }
 
-    /// No traction, all elements stick, mu = mu_s(0).
+    /// No traction, all elements stick, mu = mu_s(0), under the pressures of the model.
     State at_rest() const { return core_.at_rest(); }
+    /// The same under a load. Throws std::invalid_argument if it is not one of the mesh.
+    State at_rest(const NormalLoad<Scalar>& load) const;
     Workspace workspace() const { return core_.workspace(); }
 
     /// The force of a state [N]. The state must have size() elements.
@@ -179,116 +183,40 @@ public:
     /// for any scheme. The sum of FrictionStep::slip_work agrees with it to the orders of both in n and dq.
     Scalar elastic_energy(const State& state) const { return core_.elastic_energy(state, system_); }
 
-    /// Steady rolling at a creepage [-] and a speed V > 0 [m/s], which a constant coefficient does not need, under the
-    /// load of `from`, sought from its zones and coefficients. `to` must be another state with the same number of
-    /// elements; it is not written if the status is wrong_state, invalid_load, invalid_step or needs_fixed_mesh or the
-    /// creepage is not finite. The status is no_solution also if coefficients and slip do not come to agree. Tangents
-    /// are at constant speed. Does not allocate.
-    Step steady(const State& from, const Value& creepage, Scalar speed, State& to,
-                Workspace& workspace) const noexcept {
-        return settle(from, creepage, speed, Core::load_of(from), to, workspace);
-    }
-    /// At the end of a motion that is no shift: with a rigid slip of each element besides (RigidMotion::with_rows).
-    Step steady(const State& from, const Motion& motion, Scalar speed, State& to, Workspace& workspace) const noexcept {
-        return settle(from, motion, speed, Core::load_of(from), to, workspace);
-    }
-    Step steady(const State& from, const Value& creepage, State& to, Workspace& workspace) const noexcept
-        requires(!Core::slip_dependent) {
-        return steady(from, creepage, 1, to, workspace);
-    }
-    /// Steady rolling under another load. If its semi-axes are not the contact's, the system must be able to breathe.
-    Step steady(const State& from, const Value& creepage, Scalar speed, const NormalLoad<Scalar>& load, State& to,
-                Workspace& workspace) const noexcept {
-        return steady(from, Motion(creepage), speed, load, to, workspace);
-    }
-    Step steady(const State& from, const Motion& motion, Scalar speed, const NormalLoad<Scalar>& load, State& to,
-                Workspace& workspace) const noexcept {
-        const StepStatus possible = check(from, load);
-        if (possible != StepStatus::ok) return Core::failed(possible);
-        return settle(from, motion, speed, core_.load_after(from, load), to, workspace);
-    }
-    Step steady(const State& from, const Value& creepage, const NormalLoad<Scalar>& load, State& to,
-                Workspace& workspace) const noexcept requires(!Core::slip_dependent) {
-        return steady(from, creepage, 1, load, to, workspace);
-    }
+    /// Steady rolling with the motion [-] at the end of a step, no shift, and its speed V > 0 [m/s], which a constant
+    /// coefficient does not need, sought from the zones and coefficients of `from`. If the semi-axes of the load are not
+    /// the contact's, the system must be able to breathe. `to` must be another state with the same number of elements;
+    /// it is not written if the status is wrong_state, invalid_load, invalid_step or needs_fixed_mesh or the creepage is
+    /// not finite. The status is no_solution also if coefficients and slip do not come to agree. Tangents are at
+    /// constant speed. Does not allocate.
+    Step steady(const State& from, const RollingStep& step, State& to, Workspace& workspace) const noexcept;
 
-    /// Rolls by travel.dq [m], positive and finite, or 0 for a rigid shift without rolling, in travel.duration [s],
-    /// positive and finite if mu depends on slip, under the load of `from`. `to` must be another state with the same
-    /// number of elements. It is not written if the status is invalid_step, wrong_state, invalid_load,
-    /// needs_fixed_mesh or needs_places (spin, but the places of the equations are unknown) or the motion is not
-    /// finite; if the result is not finite, it becomes a copy of `from`. The status is wrong_state also if a
-    /// coefficient of `from` is negative or not finite, and no_solution also if coefficients and slip do not come to
-    /// agree. Tangents are at constant dq and duration. The result depends on `from`, the travel and the motion alone,
-    /// to the last bit. Does not allocate; a new dq costs a factorisation.
-    Step advance(const State& from, const Travel& travel, const Motion& motion, State& to,
-                 Workspace& workspace) const noexcept {
-        return roll(from, travel, motion, Core::load_of(from), to, workspace);
-    }
-
-    /// The same under a load that varies linearly from that of `from` to this one at the end of the step. If the system
-    /// can breathe (log_strength), the mesh follows the half-length, |da| < dq; a new half-length costs a
-    /// factorisation, new pressures do not. Let steps end at kinks of the load, or sdirk2 loses its second order.
-    /// With a memory, the tangent by the half-length is one-sided if a particle arrives exactly from a collocation
-    /// point.
-    Step advance(const State& from, const Travel& travel, const Motion& motion, const NormalLoad<Scalar>& load,
-                 State& to, Workspace& workspace) const noexcept {
-        const StepStatus possible = check(from, load);
-        if (possible != StepStatus::ok) return Core::failed(possible);
-        return roll(from, travel, motion, core_.load_after(from, load), to, workspace);
-    }
-
-    /// Either of these at a constant creepage, which may stand in braces.
-    template <class... Rest>
-    Step advance(const State& from, const Travel& travel, const Value& creepage, Rest&&... rest) const noexcept {
-        return advance(from, travel, Motion(creepage), std::forward<Rest>(rest)...);
-    }
-
-    /// A rigid shift [m] of body 1 on body 2, positive like creepage, without rolling, in `duration` [s], which a
-    /// constant coefficient does not need.
-    Step shift(const State& from, const Value& shift, Scalar duration, State& to, Workspace& workspace) const noexcept {
-        return advance(from, rollbem::Travel<Scalar>{0, duration}, Motion::shift(shift), to, workspace);
-    }
-    Step shift(const State& from, const Value& shift, State& to, Workspace& workspace) const noexcept
-        requires(!Core::slip_dependent) {
-        return this->shift(from, shift, 1, to, workspace);
-    }
+    /// Rolls by travel.dq [m], positive and finite, or 0 for a rigid shift [m] of body 1 on body 2 without rolling, in
+    /// travel.duration [s], positive and finite if mu depends on slip. `to` must be another state with the same number
+    /// of elements. It is not written if the status is invalid_step, wrong_state, invalid_load, needs_fixed_mesh or
+    /// needs_places (spin, but the places of the equations are unknown) or the motion is not finite; if the result is
+    /// not finite, it becomes a copy of `from`. The status is wrong_state also if a coefficient of `from` is negative or
+    /// not finite, and no_solution also if coefficients and slip do not come to agree. Tangents are at constant dq and
+    /// duration. The result depends on `from` and the step alone, to the last bit. Does not allocate; a new dq costs a
+    /// factorisation.
+    ///
+    /// If the system can breathe (log_strength), the mesh follows the half-length of the load, |da| < dq; a new
+    /// half-length costs a factorisation, new pressures do not. Let steps end at kinks of the load, or sdirk2 loses its
+    /// second order. With a memory, the tangent by the half-length is one-sided if a particle arrives exactly from a
+    /// collocation point.
+    Step advance(const State& from, const RollingStep& step, State& to, Workspace& workspace) const noexcept;
 
 private:
-    using Load = typename Core::Load;
-
     static constexpr const char* name = "FrictionModel";
 
-    StepStatus check(const State& from, const NormalLoad<Scalar>& load) const noexcept {
-        const StepStatus possible = load.check(system_.element_count());
-        return possible == StepStatus::ok ? core_.check_width(from, load) : possible;
+    // Whether there can be a load after a state: ok, invalid_load or needs_fixed_mesh.
+    Status check_load(const State& from, const RollingStep& step) const noexcept {
+        if (!step.load) return Status::ok;
+        const Status possible = step.load->check(system_.element_count());
+        return possible == Status::ok ? core_.check_width(from, *step.load) : possible;
     }
-
-    Step settle(const State& from, const Motion& motion, Scalar speed, const Load& load, State& to,
-                Workspace& workspace) const noexcept {
-        StepStatus possible = core_.check(from, to, workspace);
-        const auto axes = core_.axes(load);
-        if (possible == StepStatus::ok) possible = detail::check_growth(system_, Scalar(0), axes, axes);
-        if (possible != StepStatus::ok) return Core::failed(possible);
-        const System* const shapes = detail::changes_shape(system_) ? &system_ : nullptr;
-        const Step step =
-            core_.solve_steady(detail::gradient(system_), shapes, from, motion, speed, load, to, workspace);
-        return converges_ ? step : Core::without_forces(step);
-    }
-
-    Step roll(const State& from, const rollbem::Travel<Scalar>& travel, const Motion& motion, const Load& load,
-              State& to, Workspace& workspace) const noexcept {
-        if (!system_.has_G()) return Core::failed(StepStatus::invalid_step);
-        const Scalar unit = core_.half_length();
-        const StepStatus belongs = core_.check(from, to, workspace);
-        if (belongs == StepStatus::wrong_state) return Core::failed(belongs);
-        StepStatus possible = motion.check(travel.dq / unit, size());
-        if (possible == StepStatus::ok) possible = belongs;
-        if (possible == StepStatus::ok) {
-            possible = detail::check_growth(system_, travel.dq / unit, core_.axes(from), core_.axes(load));
-        }
-        if (possible != StepStatus::ok) return Core::failed(possible);
-        const auto table = *detail::stage_table<Scalar>(integrator_);
-        return core_.roll(system_, table, from, travel, motion, load, to, workspace);
+    typename Core::Request request(const State& from, const RollingStep& step) const noexcept {
+        return {from, step.travel, step.motion, step.load ? core_.load_after(from, *step.load) : Core::load_of(from)};
     }
 
     System system_;
@@ -296,6 +224,52 @@ private:
     Integrator integrator_;
     bool converges_ = true;
 };
+
+template <class Law, int directions, class Scalar>
+auto FrictionModel<Law, directions, Scalar>::at_rest(const NormalLoad<Scalar>& load) const -> State {
+    State state = at_rest();
+    Status possible = load.check(system_.element_count());
+    if (possible == Status::ok) possible = core_.check_width(state, load);
+    const auto given = core_.load_after(state, load);
+    if (possible == Status::ok) {
+        possible = detail::check_growth(system_, Scalar(0), core_.axes(given), core_.axes(given));
+    }
+    detail::require(possible == Status::ok, name, "status of the load at rest", rollbem::name(possible), "be ok");
+    state.normal_pressure = given.pressure.head(size());
+    state.half_length = given.half_length;
+    state.half_width = given.half_width;
+    return state;
+}
+
+template <class Law, int directions, class Scalar>
+auto FrictionModel<Law, directions, Scalar>::steady(const State& from, const RollingStep& step, State& to,
+                                                    Workspace& workspace) const noexcept -> Step {
+    Status possible = check_load(from, step);
+    if (possible != Status::ok) return detail::failed<Step>(possible);
+    const auto asked = request(from, step);
+    possible = core_.check(from, to, workspace);
+    const auto axes = core_.axes(asked.load);
+    if (possible == Status::ok) possible = detail::check_growth(system_, Scalar(0), axes, axes);
+    if (possible != Status::ok) return detail::failed<Step>(possible);
+    const System* const shapes = detail::changes_shape(system_) ? &system_ : nullptr;
+    const Step solved = core_.solve_steady(detail::gradient(system_), shapes, asked, to, workspace);
+    return converges_ ? solved : Core::without_forces(solved);
+}
+
+template <class Law, int directions, class Scalar>
+auto FrictionModel<Law, directions, Scalar>::advance(const State& from, const RollingStep& step, State& to,
+                                                     Workspace& workspace) const noexcept -> Step {
+    Status possible = check_load(from, step);
+    if (possible != Status::ok) return detail::failed<Step>(possible);
+    if (!system_.has_G()) return detail::failed<Step>(Status::invalid_step);
+    const auto asked = request(from, step);
+    const Scalar dq = step.travel.dq / core_.half_length();
+    possible = detail::check_step(core_.check(from, to, workspace), step.motion, dq, size(), [&] {
+        return detail::check_growth(system_, dq, core_.axes(from), core_.axes(asked.load));
+    });
+    if (possible != Status::ok) return detail::failed<Step>(possible);
+    return core_.roll(system_, *detail::stage_table<Scalar>(integrator_), asked, to, workspace);
+}
 
 // A law in braces, which is not deduced, has a constant coefficient.
 template <class AnyContact, class Scalar, int directions, class Law = ConstantFriction<Scalar>>

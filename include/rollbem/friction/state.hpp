@@ -50,7 +50,7 @@ struct FrictionState {
     Scalar half_length = 0, half_width = 0;
     std::uint64_t system = 0;  ///< fingerprint() of the model that the state belongs to
     /// mu [-] of each unknown element, finite and not negative; empty if mu is constant. Without memory it is mu_s(v),
-    /// and the next solution is sought from it. After StepStatus::no_solution these are not coefficients to go on with.
+    /// and the next solution is sought from it. After Status::no_solution these are not coefficients to go on with.
     ArrayX<Scalar> friction_coefficient;
     detail::SolverRecord<Scalar> solver;
     /// The tractions if slip had never been turned (see Friction) [Pa], on whose slip the angles of the next step
@@ -141,7 +141,7 @@ struct FrictionStep {
     Eigen::Index stick_count = 0;  ///< elements that stick
     int rounds = 0;                ///< Newton steps; in one direction rounds of an active set
     int path_points = 0;           ///< points of the path that is followed where these do not converge; 0 if they do
-    StepStatus status = StepStatus::not_finite;
+    Status status = Status::not_finite;
 };
 
 }  // namespace rollbem

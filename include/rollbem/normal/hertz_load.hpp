@@ -23,7 +23,7 @@ namespace rollbem {
 ///     const HertzLoad<double> hertz = HertzLoad<double>::breathing(line, mesh);
 ///     NormalLoad<double> load = hertz.at(line.load_per_width());
 ///     hertz.set(load_per_width, load);                                   // no allocation
-///     const auto step = model.advance(now, dq, motion, load, next, workspace);
+///     const auto step = model.advance(now, {dq, motion, load}, next, workspace);
 ///     const auto by_load =
 ///         step.tangent_by_load + hertz.half_length_rate(load_per_width) * step.tangent_by_half_length;
 template <class Scalar_ = double>
@@ -60,13 +60,13 @@ public:
     /// P = 0, has no pressure. The status is invalid_load, which a step under the resulting `load` also returns, if P
     /// is negative or not finite, if a fixed mesh does not cover the contact, or if P = 0 on a mesh that breathes: it
     /// would have no length.
-    StepStatus set(Scalar load_per_width, NormalLoad<Scalar>& load) const noexcept {
+    Status set(Scalar load_per_width, NormalLoad<Scalar>& load) const noexcept {
         const Scalar a = half_length(load_per_width);
         const bool possible = detail::is_finite(load_per_width) && detail::is_finite(a) && load_per_width >= 0 &&
                               (fixed_ ? a <= *fixed_ * (1 + 4 * std::numeric_limits<Scalar>::epsilon()) : a > 0);
         const bool sized = load.normal_pressure.size() == size() && load.pressure_rate.size() == size();
         load.half_length = possible && sized ? fixed_.value_or(a) : std::numeric_limits<Scalar>::quiet_NaN();
-        if (!possible || !sized) return StepStatus::invalid_load;
+        if (!possible || !sized) return Status::invalid_load;
         if (fixed_) {
             cover(load_per_width, a, load);
         } else {
@@ -74,15 +74,15 @@ public:
             load.normal_pressure = peak * mean_;
             load.pressure_rate = peak / (2 * load_per_width) * mean_;
         }
-        return StepStatus::ok;
+        return Status::ok;
     }
 
     /// A new load, which set() can overwrite. Throws std::invalid_argument if the status of set() is not ok.
     NormalLoad<Scalar> at(Scalar load_per_width) const {
         NormalLoad<Scalar> load{ArrayX<Scalar>::Zero(size()), 0, ArrayX<Scalar>::Zero(size())};
-        const StepStatus status = set(load_per_width, load);
+        const Status status = set(load_per_width, load);
         detail::require(
-            status == StepStatus::ok, "HertzLoad", "load_per_width", load_per_width,
+            status == Status::ok, "HertzLoad", "load_per_width", load_per_width,
             breathes() ? "be positive and finite" : "be finite, not negative, and have a contact that the mesh covers");
         return load;
     }

@@ -41,7 +41,7 @@ SemiAxes<Scalar> least_resolved(const PatchContact<Scalar>& contact, const Patch
 ///     const HertzPatchLoad<double> hertz = HertzPatchLoad<double>::breathing(ellipse, contact, mesh);
 ///     NormalLoad<double> load = hertz.at(ellipse.load());
 ///     hertz.set(N, load);                                       // no allocation
-///     const auto step = model.advance(now, dq, motion, load, next, workspace);
+///     const auto step = model.advance(now, {dq, motion, load}, next, workspace);
 ///     const auto by_load = step.tangent_by_load + hertz.half_length_rate(N) * step.tangent_by_half_length +
 ///                          hertz.half_width_rate(N) * step.tangent_by_half_width;
 ///     hertz.set(HertzEllipse<double>(radii), load);  // other radii
@@ -82,12 +82,10 @@ public:
     /// a mesh that follows it: it would have no size. It is unresolved, with all of `result` set, if the ellipse under
     /// N > 0 is smaller than least_resolved() of a fixed mesh. The work on a fixed mesh is an integral for each
     /// element.
-    StepStatus set(Scalar load, NormalLoad<Scalar>& result) const noexcept {
-        return set(load, semi_axes(load), result);
-    }
+    Status set(Scalar load, NormalLoad<Scalar>& result) const noexcept { return set(load, semi_axes(load), result); }
 
     /// The same for other bodies, radii or load; also invalid_load if their axes do not lie along x and y.
-    StepStatus set(const HertzEllipse<Scalar>& ellipse, NormalLoad<Scalar>& result) const noexcept {
+    Status set(const HertzEllipse<Scalar>& ellipse, NormalLoad<Scalar>& result) const noexcept {
         const Scalar load = ellipse.turn() == 0 ? ellipse.load() : std::numeric_limits<Scalar>::quiet_NaN();
         return set(load, {ellipse.half_length(), ellipse.half_width()}, result);
     }
@@ -95,9 +93,9 @@ public:
     /// A new load, which set() can overwrite. Throws std::invalid_argument if the status of set() is invalid_load.
     NormalLoad<Scalar> at(Scalar load) const {
         NormalLoad<Scalar> result{ArrayX<Scalar>::Zero(size()), 0, ArrayX<Scalar>::Zero(size())};
-        const StepStatus status = set(load, result);
+        const Status status = set(load, result);
         detail::require(
-            status != StepStatus::invalid_load, "HertzPatchLoad", "load", load,
+            status != Status::invalid_load, "HertzPatchLoad", "load", load,
             breathes() ? "be positive and finite" : "be finite, not negative, and have a contact that the mesh covers");
         return result;
     }
@@ -117,19 +115,19 @@ private:
 
     Eigen::Index size() const { return shape_.size(); }
 
-    StepStatus set(Scalar load, const SemiAxes<Scalar>& ellipse, NormalLoad<Scalar>& result) const noexcept {
+    Status set(Scalar load, const SemiAxes<Scalar>& ellipse, NormalLoad<Scalar>& result) const noexcept {
         const bool sized = result.normal_pressure.size() == size() && result.pressure_rate.size() == size();
         const bool possible = sized && detail::is_finite(load) &&
                               (fixed_ ? load >= 0 && is_covered(ellipse) : load > 0 && detail::are_positive(ellipse));
         const SemiAxes<Scalar>& axes = fixed_ ? axes_ : ellipse;
         result.half_length = possible ? axes.half_length : std::numeric_limits<Scalar>::quiet_NaN();
         result.half_width = axes.half_width;
-        if (!possible) return StepStatus::invalid_load;
+        if (!possible) return Status::invalid_load;
         if (fixed_) return cover(load, ellipse, result);
         const Scalar mean = load / axes.half_length / axes.half_width;
         result.normal_pressure = mean * shape_;
         result.pressure_rate = mean / (3 * load) * shape_;
-        return StepStatus::ok;
+        return Status::ok;
     }
 
     bool is_covered(const SemiAxes<Scalar>& ellipse) const {
@@ -137,7 +135,7 @@ private:
         return ellipse.half_length <= axes_.half_length * rounding && ellipse.half_width <= axes_.half_width * rounding;
     }
 
-    StepStatus cover(Scalar load, const SemiAxes<Scalar>& ellipse, NormalLoad<Scalar>& result) const noexcept {
+    Status cover(Scalar load, const SemiAxes<Scalar>& ellipse, NormalLoad<Scalar>& result) const noexcept {
         // without load, a contact far smaller than any element: it begins in the middle
         const Scalar beginning = std::numeric_limits<Scalar>::epsilon();
         const Scalar a = (std::max)(ellipse.half_length, beginning * axes_.half_length),
@@ -146,10 +144,10 @@ private:
             detail::set_ellipse_pressures(a, b, load, elements_, result.normal_pressure, result.pressure_rate);
         if (share >= detail::least_share<Scalar>) {
             const bool resolved = a >= least_.half_length && b >= least_.half_width;
-            return resolved || load == 0 ? StepStatus::ok : StepStatus::unresolved;
+            return resolved || load == 0 ? Status::ok : Status::unresolved;
         }
         result.half_length = std::numeric_limits<Scalar>::quiet_NaN();
-        return StepStatus::invalid_load;
+        return Status::invalid_load;
     }
 
     HertzEllipse<Scalar> ellipse_;

@@ -38,13 +38,13 @@ struct NormalLoad {
     Scalar half_width = 0;
 
     /// Whether it can be the load of a mesh of `element_count` elements: ok or invalid_load.
-    StepStatus check(Eigen::Index element_count) const noexcept {
+    Status check(Eigen::Index element_count) const noexcept {
         const bool sized = normal_pressure.size() == element_count &&
                            (pressure_rate.size() == 0 || pressure_rate.size() == element_count);
         const bool valid = sized && detail::is_finite(half_length) && half_length > 0 &&
                            detail::is_finite(half_width) && half_width >= 0 && detail::all_pressures(normal_pressure) &&
                            detail::all_finite(pressure_rate);
-        return valid ? StepStatus::ok : StepStatus::invalid_load;
+        return valid ? Status::ok : Status::invalid_load;
     }
 };
 

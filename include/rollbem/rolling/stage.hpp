@@ -29,10 +29,11 @@ struct StagePlace {
 /// Motion and growth of the contact in a stage. Lengths in a_0, the half-length for which the system was assembled.
 template <class Scalar>
 struct RollingStage {
-    Scalar distance;                      ///< rolled in the stage
+    Scalar distance = 0;                  ///< rolled in the stage
     Scalar half_length = 1;               ///< a at its end
     Scalar growth = 0;                    ///< change of the half-length that belongs to the stage, |growth| < distance
     Scalar half_width = 1, widening = 0;  ///< the same of the half-width of a patch, in that of the contact
+    bool steady = false;                  ///< steady rolling, where tractions do not change: no distance
 
     /// A stage of a step that rolls by `dq` while the semi-axes vary linearly.
     static RollingStage of(const StagePlace<Scalar>& place, Scalar dq, const SemiAxes<Scalar>& from,
@@ -48,6 +49,12 @@ struct RollingStage {
     /// No step, at these semi-axes.
     static RollingStage resting(const SemiAxes<Scalar>& axes) {
         return {.distance = 0, .half_length = axes.half_length, .half_width = axes.half_width};
+    }
+    /// Steady rolling at these semi-axes.
+    static RollingStage steadily(const SemiAxes<Scalar>& axes) {
+        RollingStage stage = resting(axes);
+        stage.steady = true;
+        return stage;
     }
     SemiAxes<Scalar> axes() const { return {half_length, half_width}; }
 

@@ -329,19 +329,18 @@ bool can_breathe(const ElementSystem<Scalar, 2>& system) {
 /// equations of elements that move with the edge are no longer upwind. On a line the half-width is 1. `shapes` unless
 /// null are those of a patch whose a/b is `a_over_b` at its own semi-axes.
 template <class Scalar>
-StepStatus check_growth(bool can_breathe, Scalar half_length_limit, const ShapeSet<Scalar>* shapes, Scalar a_over_b,
-                        Scalar distance, const SemiAxes<Scalar>& from, const SemiAxes<Scalar>& to) {
-    if (from == contact_axes<Scalar> && to == contact_axes<Scalar>) return StepStatus::ok;
+Status check_growth(bool can_breathe, Scalar half_length_limit, const ShapeSet<Scalar>* shapes, Scalar a_over_b,
+                    Scalar distance, const SemiAxes<Scalar>& from, const SemiAxes<Scalar>& to) {
+    if (from == contact_axes<Scalar> && to == contact_axes<Scalar>) return Status::ok;
     const auto covers = [&](const SemiAxes<Scalar>& axes) {
         return shapes == nullptr || shapes->covers(a_over_b * axes.half_length / axes.half_width);
     };
     const bool possible = can_breathe && to.half_length < half_length_limit && covers(from) && covers(to) &&
                           (from == to || std::abs(to.half_length - from.half_length) < distance);
-    return possible ? StepStatus::ok : StepStatus::needs_fixed_mesh;
+    return possible ? Status::ok : Status::needs_fixed_mesh;
 }
 template <class System, class Scalar>
-StepStatus check_growth(const System& system, Scalar distance, const SemiAxes<Scalar>& from,
-                        const SemiAxes<Scalar>& to) {
+Status check_growth(const System& system, Scalar distance, const SemiAxes<Scalar>& from, const SemiAxes<Scalar>& to) {
     Scalar a_over_b = 1;
     if constexpr (columns_of<System> == 2) a_over_b = system.a_over_b();
     return check_growth(can_breathe(system), system.half_length_limit(), shapes_of(system), a_over_b, distance, from,

@@ -1,6 +1,8 @@
 // How far the contact rolls in a step, and the relative rigid-body motion of the two bodies meanwhile.
 #pragma once
 
+#include <limits>
+
 #include <Eigen/Core>
 
 #include "../detail/finite.hpp"
@@ -24,24 +26,23 @@ struct NumberOf<Creepage<Scalar>> {
 
 }  // namespace detail
 
-/// Distance and duration of one step. Only friction that depends on the velocity of slip needs the duration; everything
-/// else takes a plain dq.
+/// Distance and duration of one step, or of steady rolling any distance and its duration. Only friction that depends on
+/// the velocity of slip needs the duration; everything else takes a plain dq.
 template <class Scalar = double>
 struct Travel {
-    Scalar dq;        ///< distance rolled [m], positive, at least 1e-292; 0 for a rigid shift without rolling
-    Scalar duration;  ///< [s], positive
+    constexpr Travel() = default;
+    constexpr Travel(Scalar distance,
+                     Scalar seconds = std::numeric_limits<Scalar>::quiet_NaN())  // NOLINT: implicit on purpose
+        : dq(distance), duration(seconds) {}
+
+    /// A second of steady rolling at V [m/s].
+    static constexpr Travel at_speed(Scalar V) { return {V, 1}; }
+
+    Scalar dq = 0;  ///< distance rolled [m], positive, at least 1e-292; 0 for a rigid shift without rolling
+    Scalar duration = std::numeric_limits<Scalar>::quiet_NaN();  ///< [s], positive; NaN if it does not matter
+
+    constexpr Scalar speed() const { return dq / duration; }  ///< V [m/s]
 };
-
-namespace detail {
-
-/// A Travel whose duration does not matter: a plain dq will do.
-template <class Scalar>
-struct UntimedTravel : rollbem::Travel<Scalar> {
-    UntimedTravel(rollbem::Travel<Scalar> travel) : rollbem::Travel<Scalar>(travel) {}  // NOLINT: implicit on purpose
-    UntimedTravel(Scalar distance) : rollbem::Travel<Scalar>{distance, 0} {}            // NOLINT: implicit on purpose
-};
-
-}  // namespace detail
 
 /// Motion during one step. Value_ is a number for creepage in one direction (the direction is that of the kernel), and
 /// Creepage<Scalar> for both. With friction each element may have a rigid slip of its own besides: where surfaces are
@@ -51,12 +52,15 @@ class RigidMotion {
 public:
     using Value = Value_;
     using Scalar = typename detail::NumberOf<Value>::type;
+    static constexpr int directions = detail::NumberOf<Value>::directions;
     /// A row per unknown element, a column per direction.
-    using Rows = Eigen::Matrix<Scalar, Eigen::Dynamic, detail::NumberOf<Value>::directions>;
+    using Rows = Eigen::Matrix<Scalar, Eigen::Dynamic, directions>;
     using RowsView = Eigen::Map<const Rows>;
 
     /// Constant creepage xi [-].
     RigidMotion(Value creepage) : start_(creepage), end_(creepage) {}  // NOLINT: implicit on purpose
+    RigidMotion(Scalar longitudinal, Scalar lateral, Scalar spin = 0) requires(directions == 2)
+        : RigidMotion(Value{longitudinal, lateral, spin}) {}
 
     /// Creepage [-] that varies linearly over the step.
     static RigidMotion linear(Value start, Value end) { return {start, end, Kind::linear}; }
@@ -68,7 +72,7 @@ public:
     /// The same motion with a rigid slip [-], of a shift [m], of each element added to that of the creepage, at the
     /// point of the element's equation (Elements::x, y): constant over the step, or linear from `start` to `end`.
     /// Refers to the rows, which a temporary cannot be. Steps that have no rows, or have another number of elements,
-    /// refuse it (StepStatus::invalid_step).
+    /// refuse it (Status::invalid_step).
     RigidMotion with_rows(const Rows& rows) const { return with_rows(rows, rows); }
     RigidMotion with_rows(const Rows& start, const Rows& end) const {
         return with_rows(RowsView(start.data(), start.rows(), start.cols()),
@@ -97,17 +101,17 @@ public:
 
     /// Whether it can be used with a distance rolled dq, in any unit, and, if it has rows, with this number of
     /// elements: ok, invalid_step or not_finite.
-    StepStatus check(Scalar dq, Eigen::Index row_count = 0) const noexcept {
+    Status check(Scalar dq, Eigen::Index row_count = 0) const noexcept {
         const bool possible = is_shift() ? dq >= 0 : dq >= detail::negligible<Scalar>;
-        if (!detail::is_finite(dq) || !possible) return StepStatus::invalid_step;
+        if (!detail::is_finite(dq) || !possible) return Status::invalid_step;
         return check_rows(row_count);
     }
     /// The same of steady rolling.
-    StepStatus check_rows(Eigen::Index row_count) const noexcept {
-        if (has_rows() && row_count_ != row_count) return StepStatus::invalid_step;
+    Status check_rows(Eigen::Index row_count) const noexcept {
+        if (has_rows() && row_count_ != row_count) return Status::invalid_step;
         const bool finite = detail::is_finite(start_) && detail::is_finite(end_) &&
                             (!has_rows() || (detail::all_finite(start_rows()) && detail::all_finite(end_rows())));
-        return finite ? StepStatus::ok : StepStatus::not_finite;
+        return finite ? Status::ok : Status::not_finite;
     }
 
 private:

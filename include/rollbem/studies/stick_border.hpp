@@ -62,7 +62,7 @@ struct StickBorderSolution {
     Eigen::Index coefficients = 0;  ///< number of points of the pressure in the slip zone; 0 unless exact
     Eigen::Index unknowns = 0;      ///< of the linear system for the kernel's smooth part; 0 for the plane kernel
     int evaluations = 0;            ///< number of borders tried
-    StepStatus status = StepStatus::not_finite;
+    Status status = Status::not_finite;
 
     /// Traction p on body 1 [Pa] at x/a in [-1, 1]; with elements, that of the element at x. NaN outside, and if the
     /// status is neither ok nor no_solution.
@@ -100,7 +100,7 @@ struct StickBorderSolution {
 
 private:
     bool defined_at(Scalar x) const {
-        const bool solved = status == StepStatus::ok || status == StepStatus::no_solution;
+        const bool solved = status == Status::ok || status == Status::no_solution;
         return solved && detail::is_finite(x) && x >= -1 && x <= 1;
     }
 };
@@ -121,7 +121,7 @@ void solve_on_elements(const Contact<Scalar>& contact, const Kernel& kernel, Sca
     const FrictionState<1, Scalar> rest = model.at_rest();
     FrictionState<1, Scalar> state = rest;
     FrictionWorkspace<1, Scalar> workspace = model.workspace();
-    const FrictionStep<1, Scalar> step = model.steady(rest, creepage, state, workspace);
+    const FrictionStep<1, Scalar> step = model.steady(rest, {.motion = creepage}, state, workspace);
     result.elements.emplace(
         typename studies::StickBorderSolution<Scalar>::OnElements{mesh, state.traction, workspace.slip()});
     result.force_per_width = step.force / contact.width();
@@ -188,7 +188,7 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
         result.zone = exact->zone;
         result.bound = bound;
         result.smooth_slope = [kernel](Scalar x) { return kernel.smooth_slope(x); };
-        result.status = StepStatus::ok;
+        result.status = Status::ok;
     } else {
         detail::solve_on_elements<Scalar>(contact, kernel, friction_coefficient, pressure, creepage, fallback_elements,
                                           result);

@@ -12,13 +12,13 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
-#include "../adhesion/creep_coefficients.hpp"
 #include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../discretisation/patch_mesh.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/rectangle_kernel.hpp"
 #include "../scene/mirror.hpp"
+#include "../steady/creep_coefficients.hpp"
 #include "contact_row.hpp"
 #include "contact_zones.hpp"
 #include "creep_force_table.hpp"
@@ -205,7 +205,7 @@ inline Eigen::Matrix3d law_of(const std::vector<PatchLaws>& patches, const Conta
 /// An ellipse's rows of c11, c22, c23, and its linear law as law_of has it.
 inline Eigen::Matrix3d law_of_ellipse(const PatchContact<double>& contact, double load, const CreepForceTable& creep) {
     const TabulatedForce rest = creep.look_up(contact, 1, load, {0, 0, 0});
-    require(rest.status == StepStatus::ok, "creep_ellipse", "status of the table of creep forces", name(rest.status),
+    require(rest.status == Status::ok, "creep_ellipse", "status of the table of creep forces", name(rest.status),
             "be ok");
     Eigen::Matrix3d law;
     const CreepageTangent<double>& t = rest.tangent;

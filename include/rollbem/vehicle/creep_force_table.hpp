@@ -43,7 +43,7 @@ struct TabulatedForce {
     /// step, but the error is unknown.
     bool a_over_b_on_table = false;
     /// not_finite, invalid_load (mu or N is negative or not finite), or wrong_table
-    StepStatus status = StepStatus::not_finite;
+    Status status = Status::not_finite;
 };
 
 namespace detail {
@@ -452,17 +452,17 @@ template <std::same_as<double> Real>
 TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& contact, double friction_coefficient,
                                                    double load, const Creepage<double>& creepage) const noexcept {
     TabulatedForce result;
-    const auto ended = [&](StepStatus status) {
+    const auto ended = [&](Status status) {
         result.status = status;
         return result;
     };
     if (contact.outline() || !(std::abs(contact.poisson_ratio() - grid_.poisson_ratio()) <= 0.01 + 1e-12)) {
-        return ended(StepStatus::wrong_table);
+        return ended(Status::wrong_table);
     }
     for (const double given : {friction_coefficient, load}) {
-        if (!is_finite(given) || !(given >= 0)) return ended(StepStatus::invalid_load);
+        if (!is_finite(given) || !(given >= 0)) return ended(Status::invalid_load);
     }
-    if (!is_finite(creepage)) return ended(StepStatus::not_finite);
+    if (!is_finite(creepage)) return ended(Status::not_finite);
 
     const double bound = friction_coefficient * load, c = contact.c(), stiffness = contact.shear_modulus() * c * c;
     const Ellipse on = ellipse(contact);
@@ -476,10 +476,10 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     const CreepForceGrid::Stretch stretch = CreepForceGrid::stretch(bound / stiffness, size);
     if (!is_finite(stretch.factor)) {  // no creepage, and no friction or too little to divide by
         const TangentialForce<double> none{0, 0, 0};
-        return {none, {none, none, none}, none, none, none, none, result.a_over_b_on_table, StepStatus::ok};
+        return {none, {none, none, none}, none, none, none, none, result.a_over_b_on_table, Status::ok};
     }
     const Eigen::Array3d u = w * (stretch.factor * static_cast<double>(n_));
-    if (!is_finite(u.sum())) return ended(StepStatus::not_finite);  // creepage times c overflows
+    if (!is_finite(u.sum())) return ended(Status::not_finite);  // creepage times c overflows
     const auto sign = [](double value) { return value > 0 ? 1.0 : value < 0 ? -1.0 : 0.0; };
     const double x_sign = sign(u[0]), sign_of_pair = u[2] != 0 ? sign(u[2]) : sign(u[1]);
     const double turn = sign_of_pair < 0 ? -1 : 1;
@@ -558,7 +558,7 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     result.tangent_by_friction_coefficient = in_si(load * by_bound);
     result.tangent_by_half_length = in_si((by_size / 2 + by_a_over_b) / a);
     result.tangent_by_half_width = in_si((by_size / 2 - by_a_over_b) / b);
-    return is_finite(result) ? ended(StepStatus::ok) : TabulatedForce{};
+    return is_finite(result) ? ended(Status::ok) : TabulatedForce{};
 }
 
 template <std::same_as<double> Real>
@@ -616,7 +616,7 @@ BasicCreepForceTable<Real> BasicCreepForceTable<Real>::read(std::istream& stream
 ///     const CreepForceTable table = CreepForceTable::read("share/rollbem/steel.creep");
 ///     const PatchContact<double> contact({a, b, G, nu});
 ///     const TabulatedForce now = table.look_up(contact, mu, load, {xi, eta, phi});
-///     if (now.status != StepStatus::ok) ...
+///     if (now.status != Status::ok) ...
 using CreepForceTable = detail::BasicCreepForceTable<>;
 
 }  // namespace rollbem

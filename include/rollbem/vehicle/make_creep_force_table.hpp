@@ -13,7 +13,6 @@
 
 #include <Eigen/Core>
 
-#include "../adhesion/creep_coefficients.hpp"
 #include "../assembly/patch_system.hpp"
 #include "../detail/parallel_for.hpp"
 #include "../detail/require.hpp"
@@ -26,6 +25,7 @@
 #include "../scene/creepage.hpp"
 #include "../scene/patch_contact.hpp"
 #include "../status.hpp"
+#include "../steady/creep_coefficients.hpp"
 #include "creep_force_grid.hpp"
 #include "creep_force_table.hpp"
 
@@ -57,7 +57,7 @@ public:
         Solution solution = patch_.solve(contact_, creepage, from_rest);
         if (from_rest && shifted_) shifted_->run.now() = shifted_->rest;
         const double share = share_of_shifted(creepage);
-        if (share == 0 || solution.step.status != StepStatus::ok) return solution;
+        if (share == 0 || solution.step.status != Status::ok) return solution;
 
         if (!shifted_) shifted_.emplace(contact_, shifted());
         Solution other = shifted_->solve(contact_, creepage, from_rest);
@@ -92,8 +92,8 @@ private:
             const Creepage<double> given{creepage.longitudinal, creepage.lateral, creepage.spin / contact.c()};
             if (from_rest) run.now() = rest;
             Solution solution;
-            solution.step = run.steady(given);
-            if (!from_rest && solution.step.status == StepStatus::no_solution) return solve(contact, creepage, true);
+            solution.step = run.steady({.motion = given});
+            if (!from_rest && solution.step.status == Status::no_solution) return solve(contact, creepage, true);
             const auto& force = solution.step.force;
             solution.force =
                 -Eigen::Array3d(force.longitudinal, force.lateral, force.moment / contact.c()) / contact.half_width();
@@ -162,8 +162,8 @@ inline CreepForceGrid make_creep_force_grid(const CreepForceGrid::Range& range, 
         CreepForceSource source(a_over_b, range.poisson_ratio, range.n);
         const Response<double> found = source.in_adhesion();
         // with a spin so large that both meshes count
-        const StepStatus sliding = source.solve({0, 0, 10}, true).step.status;
-        if (found.status != Status::ok || sliding != StepStatus::ok) {
+        const Status sliding = source.solve({0, 0, 10}, true).step.status;
+        if (found.status != Status::ok || sliding != Status::ok) {
             throw std::invalid_argument(std::string(who) + ": a/b = " + detail::to_text(a_over_b) +
                                         " with n = " + detail::to_text(range.n) + " must have the status ok, not " +
                                         (found.status != Status::ok ? name(found.status) : name(sliding)));
@@ -191,7 +191,7 @@ inline CreepForceTable make_creep_force_table(
             CreepForceSource source(grid.a_over_b(shape), range.poisson_ratio, range.n);
             for (Eigen::Index node = first; node < last; ++node) {
                 const auto solution = source.solve(grid.creepage(shape, node), grid.begins_line(node));
-                if (solution.step.status != StepStatus::ok) {
+                if (solution.step.status != Status::ok) {
                     throw std::runtime_error("make_creep_force_table: no forces at node " + std::to_string(node) +
                                              " of ellipse " + std::to_string(shape) + ": " +
                                              name(solution.step.status));

@@ -41,7 +41,7 @@ struct PatchForce {
     double slip_work = std::numeric_limits<double>::quiet_NaN();  ///< heat per distance rolled [J/m]
     Eigen::ArrayXd edges{}, strip_work{};  ///< of the strips along s [m], and the part of each in slip_work [J/m]
     Eigen::Index elements = 0;
-    StepStatus status = StepStatus::not_finite;
+    Status status = Status::not_finite;
 };
 
 inline PatchForce mirrored(PatchForce friction, const Mirror& mirror) {
@@ -147,7 +147,8 @@ inline std::vector<PatchForce> friction_on(const PieceMeshes& meshes, const Patc
     auto state = model.at_rest();
     const ElementVectors<double> rows = slip_besides(meshes, system.elements(), rolling, friction);
     const RigidMotion<Creepage<double>> motion(rolling.creepage(0));
-    const FrictionStep<2> step = model.steady(model.at_rest(), motion.with_rows(rows), 1, state, workspace);
+    const FrictionStep<2> step =
+        model.steady(model.at_rest(), {Travel<>::at_speed(1), motion.with_rows(rows)}, state, workspace);
     std::vector<PatchForce> found;
     for (std::size_t k = 0; k < meshes.pieces.size(); ++k) {
         const PatchMesh<double>& mesh = meshes.pieces[k];
@@ -156,7 +157,7 @@ inline std::vector<PatchForce> friction_on(const PieceMeshes& meshes, const Patc
         piece.elements = mesh.size();
         piece.status = step.status;
         piece.force = step.force;  // not finite without a result
-        if (step.status == StepStatus::assists_creepage || !is_finite(step.force)) continue;
+        if (step.status == Status::assists_creepage || !is_finite(step.force)) continue;
         piece.force = force_of(mesh.rectangles(meshes.unit), state.traction.middleRows(meshes.first(k), mesh.size()));
         piece.edges.resize(mesh.strip_count() + 1);
         piece.edges << meshes.unit * mesh.lower(), meshes.unit * mesh.upper().tail(1);
@@ -196,13 +197,13 @@ inline std::vector<PatchForce> plane_forces(const std::vector<RailPatch>& pieces
     const bool known = rolls >= (std::numeric_limits<double>::min)() && is_finite(rolling.creepage(0));
     if (is_finite(speeds) && !known) {
         return std::vector<PatchForce>(pieces.size(),
-                                       {.force = {0, 0, 0}, .slip_work = 0, .status = StepStatus::invalid_step});
+                                       {.force = {0, 0, 0}, .slip_work = 0, .status = Status::invalid_step});
     }
     const PatchContact<double> contact = contact_of(pieces[0], dimensions);
     std::vector<PatchForce> found;
     with_fewer_strips(elements, [&](const std::vector<PatchElements>& fewer) {
         found = friction_on(friction_meshes(rolling.pieces, fewer, contact.half_length()), contact, rolling, friction);
-        return found[0].status != StepStatus::assists_creepage;
+        return found[0].status != Status::assists_creepage;
     });
     return found;
 }

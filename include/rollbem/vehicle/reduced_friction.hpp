@@ -77,7 +77,7 @@ public:
                   double speed, const Creepage<double>& creepage) const noexcept {
         Force result;
         if (!detail::is_finite(speed) || !detail::is_finite(creepage)) return result;
-        result.status = StepStatus::invalid_step;
+        result.status = Status::invalid_step;
         if (speed < 0) return result;
         const auto& [xi, eta, phi] = creepage;
         const double a = contact.half_length(), b = contact.half_width();
@@ -86,7 +86,7 @@ public:
         const double part = left + p_.friction_ratio, mu = mu_0 * part;
         const TabulatedForce clean = table.look_up(contact, mu, load, creepage);
         static_cast<TabulatedForce&>(result) = clean;
-        if (clean.status != StepStatus::ok) return result;
+        if (clean.status != Status::ok) return result;
         result.friction_coefficient = mu;
 
         const CreepForceTable::LinearForce linear = table.linear_force_size(contact, creepage);

@@ -204,7 +204,7 @@ private:
         for (const Side side : WheelsetOnTrack::sides) {
             Status& status = wheel(side).status;
             for (const PatchForce& patch : result_.patches[std::size_t(side)]) {
-                if (patch.status == StepStatus::invalid_step) status = (std::max)(status, Status::unbalanced);
+                if (patch.status == Status::invalid_step) status = (std::max)(status, Status::unbalanced);
             }
         }
         result_.contacts.status = (std::max)(wheel(Side::left).status, wheel(Side::right).status);

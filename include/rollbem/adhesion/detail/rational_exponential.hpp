@@ -4,8 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "../../rolling/integrator.hpp"
 #include "../../scene/rigid_motion.hpp"
-#include "../integrator.hpp"
 #include "../state.hpp"
 
 namespace rollbem::detail {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -40,7 +41,7 @@ private:
     MatrixX<Scalar> factors_;
     std::vector<Eigen::Index> swaps_;
     std::uint64_t model_ = 0;
-    RollingStage<Scalar> stage_{.distance = -1};
+    std::optional<RollingStage<Scalar>> stage_;
 };
 
 }  // namespace rollbem::detail

@@ -9,10 +9,10 @@
 #include <Eigen/Core>
 
 #include "../../rolling/stage_equations.hpp"
+#include "../../rolling/step_frame.hpp"
 #include "../../scene/semi_axes.hpp"
 #include "../../types.hpp"
-#include "../integrator.hpp"
-#include "rational_exponential.hpp"
+#include "../state.hpp"
 #include "stage_factors.hpp"
 
 namespace rollbem::detail {
@@ -28,6 +28,18 @@ auto in_columns(Unknowns&& unknowns) requires(!std::is_const_v<std::remove_refer
     using Columns = Eigen::Matrix<typename std::remove_reference_t<Unknowns>::Scalar, Eigen::Dynamic, columns>;
     return Eigen::Map<Columns>(unknowns.data(), unknowns.rows() / columns, columns);
 }
+
+/// A step in full adhesion while its stages are solved, from the unknowns `old`. Stages of one `model` have the same
+/// matrices. `inputs` times a motion in metres is in the unit of the unknowns. Of the derivatives with respect to the
+/// semi-axes at the end `axes` are computed: 0, 1 (by the half-length) or 2.
+template <int k, class Scalar>
+struct AdhesionFrame : StepFrame<typename AdhesionValues<k, Scalar>::Value, Scalar> {
+    std::uint64_t model;
+    const VectorX<Scalar>& old;
+    const MatrixX<Scalar>& inputs;
+    std::size_t axes;
+    StageFactors<Scalar>& factors;
+};
 
 /// Solves a step by the stages of a StageTable for k creepages. Lengths are in units of a_0, the half-length for which
 /// the system was made; everything else is in the unit of the unknowns y.
@@ -56,74 +68,13 @@ public:
         carried_per_axis_.fill(change_);
     }
 
-    /// From the unknowns `old` at the semi-axes `from`. at(place) are the equations of the stage at that StagePlace;
-    /// `varies`: the semi-axes change. `inputs` times the travel is in the unit of y. Of the derivatives with respect
-    /// to the semi-axes at the end `axes` are computed: 0, 1 (by the half-length) or 2.
-    template <class EquationsAt>
-    void solve(std::uint64_t model, const EquationsAt& at, const MatrixX<Scalar>& inputs,
-               const StageTable<Scalar>& table, const SemiAxes<Scalar>& from, bool varies, const Vector& old,
-               const ImposedMotion<k, Scalar>& motion, std::size_t axes, StageFactors<Scalar>& factors) {
-        constexpr int columns = decltype(at(table.place(1)))::columns;
-        const auto in = [](auto&& unknowns) { return in_columns<columns>(unknowns); };
+    /// with(stage, use) calls use(equations) with those of a stage.
+    template <class Frame, class With>
+    void solve(Frame& frame, const With& with) {
         carried_.setZero();
         carried_per_end_.setZero();
-        for (std::size_t axis = 0; axis < axes; ++axis) carried_per_axis_[axis].setZero();
-        for (int index = 1; index <= table.count(); ++index) {
-            const StagePlace<Scalar> place = table.place(index);
-            const auto [part, progress, is_second] = place;
-            const auto equations = at(place);
-            factors.prepare(model, equations.stage, [&](MatrixX<Scalar>& M) {
-                fill<columns>(M, equations, [&](auto d, auto e, auto&& block) { equations.fill(d, e, block); });
-            });
-
-            change_ = carried_;
-            equations.add_travel(in(old), in(scratch_), in(change_));
-            if (varies) {
-                if (!is_second) equations.find_start(from, in(old), in(start_));
-                equations.find_growth(from, in(old), in(start_), in(growth_));
-                change_ -= growth_;
-            }
-            const Scalar per_end = part * (motion.shift_per_end + progress * motion.ramp_per_end);
-            for (Eigen::Index j = 0; j < k; ++j) {
-                const Eigen::Ref<const Vector> input = rigid<columns>(inputs, j, equations.stage, scratch_);
-                change_ -= part * (motion.shift[j] + progress * motion.ramp[j]) * input;
-                per_end_.col(j) = carried_per_end_.col(j) - per_end * input;
-                factors.solve(per_end_.col(j));
-            }
-            factors.solve(change_);
-            if (axes > 0) now_ = old + change_;
-            const Scalar spin = motion.shift[k - 1] + progress * motion.ramp[k - 1];
-            for (std::size_t axis = 0; axis < axes; ++axis) {
-                Vector& response = per_axis_[axis];
-                response.setZero();
-                equations.add_rates(of[axis], place, in(now_), in(scratch_), in(response));
-                if constexpr (columns == 2) {  // the rigid slip of spin follows the points
-                    const Scalar turned = part * progress * spin;
-                    const bool by_length = axis == 0;
-                    turn(inputs, by_length && !equations.is_single() ? Scalar(0) : turned,
-                         by_length ? turned : Scalar(0), scratch_);
-                    response += scratch_;
-                }
-                response = carried_per_axis_[axis] - response;
-                factors.solve(response);
-            }
-            if (place.is_last()) return;
-
-            const Scalar ratio = place.ratio();
-            equations.find_displacements(in(change_), in(carried_));
-            if (varies) carried_ += growth_;
-            carried_ *= ratio;
-            for (Eigen::Index j = 0; j < k; ++j) {
-                equations.find_displacements(in(per_end_.col(j)), in(carried_per_end_.col(j)));
-            }
-            carried_per_end_ *= ratio;
-            for (std::size_t axis = 0; axis < axes; ++axis) {
-                Vector& carried = carried_per_axis_[axis];
-                equations.find_displacements(in(per_axis_[axis]), in(carried));
-                equations.add_displacement_rates(of[axis], progress, in(now_), in(scratch_), in(carried));
-                carried *= ratio;
-            }
-        }
+        for (std::size_t axis = 0; axis < frame.axes; ++axis) carried_per_axis_[axis].setZero();
+        Frame::solve_stages(frame, Stages<With>{*this, with});
     }
 
     /// The unknowns per creepage of steady rolling of a patch, in per_end().
@@ -147,10 +98,103 @@ public:
 private:
     static constexpr std::array<Axis, 2> of{Axis::half_length, Axis::half_width};
 
+    template <class With>
+    struct Stages {
+        AdhesionStages& own;
+        const With& with;
+
+        template <class Frame>
+        void solve_stage(Frame& frame) const {
+            with(frame.stage, [&](const auto& equations) {
+                own.prepare(frame, equations);
+                own.find_change(frame, equations);
+                own.find_per_end(frame, equations);
+                own.find_per_axis(frame, equations);
+            });
+        }
+        template <class Frame>
+        void carry(Frame& frame) const {
+            with(frame.stage, [&](const auto& equations) { own.carry(frame, equations); });
+        }
+    };
+    template <class Equations>
+    static constexpr int columns = std::remove_cvref_t<Equations>::columns;
+
+    template <class Frame, class Equations>
+    void prepare(const Frame& frame, const Equations& equations) {
+        frame.factors.prepare(frame.model, equations.stage, [&](MatrixX<Scalar>& M) {
+            fill<columns<Equations>>(M, equations, [&](auto d, auto e, auto&& block) { equations.fill(d, e, block); });
+        });
+    }
+    template <class Frame, class Equations>
+    void find_change(const Frame& frame, const Equations& equations) {
+        const auto in = [](auto&& unknowns) { return in_columns<columns<Equations>>(unknowns); };
+        change_ = carried_;
+        equations.add_travel(in(frame.old), in(scratch_), in(change_));
+        if (frame.varies()) {
+            if (!frame.place.is_second) equations.find_start(frame.start, in(frame.old), in(start_));
+            equations.find_growth(frame.start, in(frame.old), in(start_), in(growth_));
+            change_ -= growth_;
+        }
+        const InputVector<k, Scalar> moved =
+            frame.unit * frame.factor() * AdhesionValues<k, Scalar>::vector(frame.moved());
+        for (Eigen::Index j = 0; j < k; ++j) {
+            change_ -= moved[j] * rigid<columns<Equations>>(frame.inputs, j, equations.stage, scratch_);
+        }
+        frame.factors.solve(change_);
+    }
+    template <class Frame, class Equations>
+    void find_per_end(const Frame& frame, const Equations& equations) {
+        const Scalar per_end = frame.unit * frame.per_end();
+        for (Eigen::Index j = 0; j < k; ++j) {
+            per_end_.col(j) = carried_per_end_.col(j) -
+                              per_end * rigid<columns<Equations>>(frame.inputs, j, equations.stage, scratch_);
+            frame.factors.solve(per_end_.col(j));
+        }
+    }
+    template <class Frame, class Equations>
+    void find_per_axis(const Frame& frame, const Equations& equations) {
+        const auto in = [](auto&& unknowns) { return in_columns<columns<Equations>>(unknowns); };
+        if (frame.axes > 0) now_ = frame.old + change_;
+        for (std::size_t axis = 0; axis < frame.axes; ++axis) {
+            Vector& response = per_axis_[axis];
+            response.setZero();
+            equations.add_rates(of[axis], frame.place, in(now_), in(scratch_), in(response));
+            if constexpr (columns<Equations> == 2) {  // the rigid slip of spin follows the points
+                const Scalar spin = AdhesionValues<k, Scalar>::vector(frame.moved())[k - 1];
+                const Scalar turned = frame.place.progress * frame.unit * frame.factor() * spin;
+                const bool by_length = axis == 0;
+                turn(frame.inputs, by_length && !equations.is_single() ? Scalar(0) : turned,
+                     by_length ? turned : Scalar(0), scratch_);
+                response += scratch_;
+            }
+            response = carried_per_axis_[axis] - response;
+            frame.factors.solve(response);
+        }
+    }
+    template <class Frame, class Equations>
+    void carry(const Frame& frame, const Equations& equations) {
+        const auto in = [](auto&& unknowns) { return in_columns<columns<Equations>>(unknowns); };
+        const Scalar ratio = frame.place.ratio();
+        equations.find_displacements(in(change_), in(carried_));
+        if (frame.varies()) carried_ += growth_;
+        carried_ *= ratio;
+        for (Eigen::Index j = 0; j < k; ++j) {
+            equations.find_displacements(in(per_end_.col(j)), in(carried_per_end_.col(j)));
+        }
+        carried_per_end_ *= ratio;
+        for (std::size_t axis = 0; axis < frame.axes; ++axis) {
+            Vector& carried = carried_per_axis_[axis];
+            equations.find_displacements(in(per_axis_[axis]), in(carried));
+            equations.add_displacement_rates(of[axis], frame.place.progress, in(now_), in(scratch_), in(carried));
+            carried *= ratio;
+        }
+    }
+
     // The matrix of all unknowns, by fill_block(d, e, block).
-    template <int columns, class Equations, class FillBlock>
+    template <int columns_of_unknowns, class Equations, class FillBlock>
     static void fill(MatrixX<Scalar>& M, [[maybe_unused]] const Equations& equations, const FillBlock& fill_block) {
-        if constexpr (columns == 1) {
+        if constexpr (columns_of_unknowns == 1) {
             fill_block(std::size_t(0), std::size_t(0), M);
         } else {
             const Eigen::Index n = M.rows() / 2;
@@ -168,10 +212,10 @@ private:
     }
 
     // The rigid slip of a unit input; on a patch that of spin, (-y, x), is stretched with its semi-axes, into `spin`.
-    template <int columns>
+    template <int columns_of_unknowns>
     static Eigen::Ref<const Vector> rigid(const MatrixX<Scalar>& inputs, Eigen::Index j,
                                           const RollingStage<Scalar>& stage, Vector& spin) {
-        if (columns == 1 || j < 2) return inputs.col(j);
+        if (columns_of_unknowns == 1 || j < 2) return inputs.col(j);
         turn(inputs, stage.half_width, stage.half_length, spin);
         return spin;
     }

@@ -63,6 +63,10 @@ public:
     using Start = SolutionStart<directions, Scalar>;
     static constexpr bool are_given = true;
 
+    /// Of what SlipDependentBounds read.
+    template <class... Read>
+    explicit ConstantBounds(const Read&...) noexcept {}
+
     /// Called before each stage is solved.
     void enter(const StagePlace<Scalar>&, const RollingStage<Scalar>&) noexcept {}
     auto solve(Solver& solver, const VectorX<Scalar>& bound, const Start& start) noexcept {

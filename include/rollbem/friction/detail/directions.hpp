@@ -1,8 +1,11 @@
 // What distinguishes one direction of creepage from two outside the solver: creepages, systems and the blocks of G'.
 #pragma once
 
+#include <cstdint>
+
 #include <Eigen/Core>
 
+#include "../../detail/fingerprint.hpp"
 #include "../../scene/creepage.hpp"
 #include "../../system/element_blocks.hpp"
 #include "../../system/rolling_system.hpp"
@@ -37,6 +40,22 @@ bool is_coupled(const MatrixX<Scalar>&) {
 template <class Scalar>
 bool is_coupled(const DirectionBlocks<Scalar>& G_prime) {
     return G_prime[0][1].size() > 0;
+}
+
+/// The fingerprint of G' and the elements' areas, by which states are recognised.
+template <class Scalar>
+std::uint64_t fingerprint_of_steady(const MatrixX<Scalar>& G_prime, const ArrayX<Scalar>& areas) {
+    Fingerprint fingerprint;
+    fingerprint.add(G_prime);
+    fingerprint.add(areas);
+    return fingerprint.value();
+}
+template <class Scalar>
+std::uint64_t fingerprint_of_steady(const DirectionBlocks<Scalar>& G_prime, const ArrayX<Scalar>& areas) {
+    Fingerprint fingerprint;
+    add_blocks(G_prime, fingerprint);
+    fingerprint.add(areas);
+    return fingerprint.value();
 }
 
 }  // namespace rollbem::detail

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include <Eigen/Core>
 
@@ -57,7 +58,7 @@ struct FrictionScratch {
     StickSlip<directions, Scalar> solver;
     SlipDependentScratch<directions, Scalar> falling;
     std::uint64_t system = 0;  // the solver's matrices are those of this system and stage
-    RollingStage<Scalar> stage{.distance = std::numeric_limits<Scalar>::quiet_NaN()};
+    std::optional<RollingStage<Scalar>> stage;
     Vectors slip, stage_slip;                 // of all stages so far; of the present one
     Vectors start;                            // tractions from which the search for the present stage starts
     Vectors displacement;                     // from which the present stage starts

@@ -118,7 +118,7 @@ public:
             scale = follow(settled, scale, restart, find, friction);
         }
         if (!(outcome.change <= settled)) {
-            outcome.solution.status = is_finite(outcome.change) ? StepStatus::no_solution : StepStatus::not_finite;
+            outcome.solution.status = is_finite(outcome.change) ? Status::no_solution : Status::not_finite;
             outcome.solution.tangent_exists = false;
         }
         return outcome;

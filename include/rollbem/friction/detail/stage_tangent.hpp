@@ -1,5 +1,5 @@
-// Derivatives of the tractions of a solved stage by a creepage, the load or the half-length, including the contribution
-// of an earlier stage.
+// Derivatives of the tractions of a solved stage by a creepage, the load or a semi-axis, with the contribution of an
+// earlier stage.
 #pragma once
 
 #include <cstddef>
@@ -7,121 +7,161 @@
 #include <Eigen/Core>
 
 #include "../../rolling/stage_equations.hpp"
-#include "../../types.hpp"
-#include "directions.hpp"
 #include "scratch.hpp"
 
 namespace rollbem::detail {
 
-/// Derivatives with respect to one parameter of the stage that `bounds` have solved last in scratch.solver, while no
-/// element changes its zone. Each leaves dp in scratch.response.
-template <int directions, class Scalar, class Bounds>
-class StageTangent {
-    // Columns of an angle of turn; empty where places are not known, and then the angle is 0.
-    template <class Columns, class Vectors>
-    static void add_turned(Scalar first, Scalar second, const Columns& columns, Vectors& sum) {
-        if (columns.rows() == 0) return;
-        sum.col(0) += first * columns.col(0);
-        sum.col(1) += second * columns.col(1);
-    }
+/// The semi-axis of a parameter of TangentBy that is one.
+template <int directions>
+constexpr Axis axis_of(std::size_t parameter) {
+    return parameter == TangentBy<directions>::half_length ? Axis::half_length : Axis::half_width;
+}
+template <int directions>
+constexpr bool is_axis(std::size_t parameter) {
+    return parameter >= TangentBy<directions>::half_length;
+}
 
-public:
-    using Scratch = FrictionScratch<directions, Scalar>;
-    using System = typename Directions<directions, Scalar>::System;
-    using Vectors = ElementVectors<Scalar, directions>;
-
-    /// `parameter`: see TangentBy. `carried`: scratch.carried of an earlier stage shifts the equations.
-    StageTangent(Bounds& bounds, Scratch& scratch, std::size_t parameter, bool carried)
-        : bounds_(bounds), scratch_(scratch), parameter_(parameter) {
-        scratch.right.setZero();
-        if (carried) scratch.right = scratch.carried[parameter];
-        if constexpr (directions == 2) {
-            Vectors& plain = scratch.solver.plain_change();
-            plain.setZero();
-            if (carried) plain = scratch.plain_carried[parameter];
-        }
-    }
-
-    /// By a creepage, with d(imposed motion)/d creepage = `imposed`.
-    void by_creepage(Scalar imposed) {
-        add([&](const Vectors&, Vectors& right) {
-            right.col(static_cast<Eigen::Index>(parameter_)).array() += imposed;
-        });
-        bounds_.respond(scratch_.solver, scratch_.right, scratch_.response, parameter_);
-    }
-
-    /// By spin, whose rigid slip changes by `imposed` times `columns`, stretched to these semi-axes.
-    template <class Columns>
-    void by_spin(Scalar imposed, const SemiAxes<Scalar>& axes, const Columns& columns) {
-        add([&](const Vectors&, Vectors& right) {
-            add_turned(imposed * axes.half_width, imposed * axes.half_length, columns, right);
-        });
-        bounds_.respond(scratch_.solver, scratch_.right, scratch_.response, parameter_);
-    }
-
-    /// By the load: bounds change by `progress` times scratch.bound_rate, and slipping elements follow theirs.
-    void by_load(Scalar progress) {
-        bounds_.respond(scratch_.solver, scratch_.right, scratch_.response, parameter_, &scratch_.bound_rate, progress);
-    }
-
-    /// By a semi-axis at the end of the step, in that of the contact. The rigid slip of spin follows the points: it
-    /// changes by `rate` times `columns` in the directions that the axis stretches.
-    template <class Columns>
-    void by_axis(const System& system, Axis axis, const StagePlace<Scalar>& place, Scalar rate,
-                 const Columns& columns) {
-        const bool by_length = axis == Axis::half_length;
-        const Scalar across = by_length && changes_shape(system) ? Scalar(0) : rate;
-        add([&](const Vectors& p, Vectors& right) {
-            if constexpr (directions == 2) add_turned(across, by_length ? rate : Scalar(0), columns, right);
-            with_equations(system, scratch_.stage,
-                           [&](const auto& equations) { equations.add_rates(axis, place, p, scratch_.change, right); });
-        });
-        if (by_length) {
-            bounds_.respond_to_half_length(scratch_.solver, scratch_.right, scratch_.response, parameter_);
-        } else {
-            bounds_.respond(scratch_.solver, scratch_.right, scratch_.response, parameter_);
-        }
-    }
-
-    /// For the next stage, which starts from U + ratio (U_1 - U): what dp of this one adds to its constants, with the
-    /// direct effect of a semi-axis if that is the parameter.
-    void carry(const System& system, const StagePlace<Scalar>& place) {
-        carry(system, place, scratch_.solver.traction(), scratch_.response, scratch_.carried[parameter_]);
-        if constexpr (directions == 2) {
-            if (scratch_.solver.keeps_plain()) {
-                carry(system, place, scratch_.solver.plain_traction(), scratch_.solver.plain_response(),
-                      scratch_.plain_carried[parameter_]);
-            }
-        }
-        bounds_.carry_response(parameter_);
-    }
-
-private:
+/// dp of the stage of a friction frame that was solved last, by one of TangentBy while no element changes its zone, in
+/// scratch.response.
+template <class Frame>
+void respond(Frame& frame, std::size_t parameter) {
+    constexpr int directions = Frame::directions;
     using By = TangentBy<directions>;
-
-    void carry(const System& system, const StagePlace<Scalar>& place, const Vectors& traction, const Vectors& response,
-               Vectors& carried) {
-        with_equations(system, scratch_.stage, [&](const auto& equations) {
-            equations.find_displacements(response, carried);
-            if (parameter_ != By::half_length && parameter_ != By::half_width) return;
-            const Axis axis = parameter_ == By::half_length ? Axis::half_length : Axis::half_width;
-            equations.add_displacement_rates(axis, place.progress, traction, scratch_.change, carried);
+    auto& scratch = frame.scratch;
+    auto& solver = scratch.solver;
+    const auto add = [&](const auto& traction, auto& right) {
+        if (parameter < By::creepages) frame.slip.add_rate(frame, parameter, right);
+        if (!is_axis<directions>(parameter)) return;
+        const Axis axis = axis_of<directions>(parameter);
+        frame.slip.add_rate(frame, axis, !changes_shape(*frame.system), right);
+        with_equations(*frame.system, frame.stage, [&](const auto& equations) {
+            equations.add_rates(axis, frame.place, traction, scratch.change, right);
         });
-        carried *= -place.ratio();
+    };
+    const auto begin = [&](const auto& carried, auto& right) {
+        if (frame.place.is_second) {
+            right = carried;
+        } else {
+            right.setZero();
+        }
+    };
+    begin(scratch.carried[parameter], scratch.right);
+    add(solver.traction(), scratch.right);
+    if constexpr (directions == 2) {  // for slip that is not turned, if angles follow it
+        begin(scratch.plain_carried[parameter], solver.plain_change());
+        if (solver.keeps_plain()) add(solver.plain_traction(), solver.plain_change());
     }
+    if (parameter == By::load) {
+        frame.bounds.respond(solver, scratch.right, scratch.response, parameter, &scratch.bound_rate,
+                             frame.place.progress);
+    } else if (parameter == By::half_length) {
+        frame.bounds.respond_to_half_length(solver, scratch.right, scratch.response, parameter);
+    } else {
+        frame.bounds.respond(solver, scratch.right, scratch.response, parameter);
+    }
+}
 
-    // Calls with the stage's tractions and dc; also with those for slip that is not turned, if angles follow them.
-    template <class Add>
-    void add(const Add& call) {
-        call(scratch_.solver.traction(), scratch_.right);
-        if constexpr (directions == 2) {
-            if (scratch_.solver.keeps_plain()) call(scratch_.solver.plain_traction(), scratch_.solver.plain_change());
+/// For the next stage, which starts from U + ratio (U_1 - U): what dp of this one, after respond(), adds to its
+/// constants, with the direct effect of a semi-axis if that is the parameter.
+template <class Frame>
+void carry_response(Frame& frame, std::size_t parameter) {
+    constexpr int directions = Frame::directions;
+    auto& scratch = frame.scratch;
+    auto& solver = scratch.solver;
+    const auto carry = [&](const auto& traction, const auto& response, auto& carried) {
+        with_equations(*frame.system, frame.stage, [&](const auto& equations) {
+            equations.find_displacements(response, carried);
+            if (!is_axis<directions>(parameter)) return;
+            equations.add_displacement_rates(axis_of<directions>(parameter), frame.place.progress, traction,
+                                             scratch.change, carried);
+        });
+        carried *= -frame.place.ratio();
+    };
+    carry(solver.traction(), scratch.response, scratch.carried[parameter]);
+    if constexpr (directions == 2) {
+        if (solver.keeps_plain()) {
+            carry(solver.plain_traction(), solver.plain_response(), scratch.plain_carried[parameter]);
         }
     }
+    frame.bounds.carry_response(parameter);
+}
 
-    Bounds& bounds_;
-    Scratch& scratch_;
-    std::size_t parameter_;
-};
+/// Calls use(parameter) after respond() by the creepages, unless their tangents are kept, and by what is asked for.
+template <class Frame, class Use>
+void for_responses(Frame& frame, const Use& use) {
+    using By = TangentBy<Frame::directions>;
+    const auto find = [&](std::size_t parameter) {
+        respond(frame, parameter);
+        use(parameter);
+    };
+    for (std::size_t j = 0; !Frame::keeps_tangents && j < frame.slip.creepage_count(); ++j) find(j);
+    if (frame.asked.by_load) find(By::load);
+    if (frame.asked.by_half_length) find(By::half_length);
+    if constexpr (Frame::directions == 2) {
+        if (frame.asked.by_half_width) find(By::half_width);
+    }
+}
+
+/// What the second of two stages needs of the responses of the first; of kept ones that to a unit of the constants.
+template <class Frame>
+void carry_responses(Frame& frame) {
+    if constexpr (Frame::keeps_tangents) {
+        auto& scratch = frame.scratch;
+        if (scratch.carried_revision != scratch.solver.roles_revision()) {
+            scratch.solver.respond(frame.slip.unit(), scratch.response);
+            carry_response(frame, 0);
+            scratch.carried_revision = scratch.solver.roles_revision();
+            scratch.tangent_revision = scratch.never;
+        }
+    }
+    for_responses(frame, [&](std::size_t parameter) { carry_response(frame, parameter); });
+}
+
+/// The sum of areas times the response to the creepage at the end of a step, by those to units of the constants, which
+/// are kept as long as the sticking elements.
+template <class Frame, class Areas>
+auto kept_tangent(const Frame& frame, const Areas& areas) {
+    auto& scratch = frame.scratch;
+    if (scratch.tangent_revision != scratch.solver.roles_revision()) {
+        scratch.solver.respond(frame.slip.unit(), scratch.response);
+        scratch.unit_tangent = areas.dot(scratch.response);
+        scratch.solver.respond(scratch.carried[0], scratch.response);
+        scratch.carried_tangent = areas.dot(scratch.response);
+        scratch.tangent_revision = scratch.solver.roles_revision();
+    }
+    // without a first stage, carried_tangent is that of an earlier step
+    const auto last = frame.per_end() * scratch.unit_tangent, carried = frame.carried_per_end();
+    return carried == 0 ? last : last + carried * scratch.carried_tangent;
+}
+
+/// Adds the tangents at the end of the last or only stage to the result.
+template <class Frame, class Forces, class Step>
+void add_tangents(Frame& frame, const Forces& forces, Step& step) {
+    constexpr int directions = Frame::directions;
+    using By = TangentBy<directions>;
+    const auto& scratch = frame.scratch;
+    if constexpr (Frame::keeps_tangents) step.tangent = forces.unit(frame.end) * kept_tangent(frame, forces.areas());
+    for_responses(frame, [&](std::size_t parameter) {
+        if (is_axis<directions>(parameter)) {
+            const Axis axis = axis_of<directions>(parameter);
+            const bool follows = keeps_shape(*frame.system);  // the half-width follows
+            (axis == Axis::half_length ? step.tangent_by_half_length : step.tangent_by_half_width) =
+                forces.rate(scratch.start, scratch.response, frame.end, axis, follows);
+            if constexpr (directions == 2) {
+                if (follows) step.tangent_by_half_width = {0, 0, 0};
+            }
+            return;
+        }
+        const auto caused = forces.of(scratch.response, frame.end);
+        if (parameter == By::load) {
+            step.tangent_by_load = caused;
+        } else if constexpr (directions == 1) {
+            step.tangent = caused;
+        } else {
+            auto& by = step.tangent;
+            (parameter == 0 ? by.by_longitudinal : parameter == 1 ? by.by_lateral : by.by_spin) = caused;
+        }
+    });
+}
 
 }  // namespace rollbem::detail

@@ -52,7 +52,7 @@ public:
         /// estimate of the error of s = M p + c.
         Scalar residual = 0;
         bool tangent_exists = false;
-        StepStatus status = StepStatus::not_finite;
+        Status status = Status::not_finite;
     };
 
     /// `coupled`: traction in one direction causes slip in the other, too.
@@ -358,7 +358,7 @@ auto StickSlip<directions, Scalar>::solve(const Vector& bound) noexcept -> Outco
     outcome.residual = publish(bound);
     outcome.tangent_exists = settled && wants_tangents_ && factorise(bound);
     const bool solved = is_finite(outcome.residual) && outcome.residual <= 10000 * Search::rounding(size());
-    outcome.status = solved ? StepStatus::ok : StepStatus::no_solution;
+    outcome.status = solved ? Status::ok : Status::no_solution;
     return outcome;
 }
 

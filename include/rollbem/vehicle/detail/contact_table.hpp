@@ -103,7 +103,7 @@ struct WheelForces {
     /// differ), invalid_load (load or mu is negative), invalid_step (the wheel does not roll: the mean of its speed and
     /// the circumferential one is 0), not_finite, no_solution (the rail cannot carry the load: friction holds the wheel
     /// up)
-    StepStatus status = StepStatus::not_finite;
+    Status status = Status::not_finite;
 
     auto derivative(Input input) const { return tangent.col(input); }
 };
@@ -166,8 +166,7 @@ public:
         double load = std::numeric_limits<double>::quiet_NaN();  ///< Q [N]; 0: lifted
         double by_height = 0;                                    ///< stiffness [N/m]
         double by_lateral = 0, by_yaw = 0;                       ///< [N/m], [N/rad]
-        StepStatus status =
-            StepStatus::not_finite;  ///< or wrong_table: the position lies beyond it, or it has one load
+        Status status = Status::not_finite;  ///< or wrong_table: the position lies beyond it, or it has one load
     };
 
     /// Half the distance of the points at which heights of wheels are taken [m].
@@ -485,10 +484,10 @@ inline auto ContactTable::support(WheelsetSide side, double lateral, double yaw,
     const double mirror = side == WheelsetSide::left ? -1 : 1;
     const Stored& own = sides_[index_of(side)];
     if (!detail::is_finite(lateral) || !detail::is_finite(yaw) || !detail::is_finite(height)) return {};
-    if (!covers(lateral, yaw) || grid_.loads.size() < 2) return {.status = StepStatus::wrong_table};
+    if (!covers(lateral, yaw) || grid_.loads.size() < 2) return {.status = Status::wrong_table};
     const auto at = [&](double load) { return wheel_on_rails(own, mirror * lateral, mirror * yaw, load).height; };
     const auto result = [&](double load, double by_load, double by_lateral, double by_yaw) -> Support {
-        return {load, 1 / by_load, -mirror * by_lateral / by_load, -mirror * by_yaw / by_load, StepStatus::ok};
+        return {load, 1 / by_load, -mirror * by_lateral / by_load, -mirror * by_yaw / by_load, Status::ok};
     };
     // below the first load heights grow with the square of its cube root, from where the wheel touches
     const double least = grid_.loads.front();
@@ -496,7 +495,7 @@ inline auto ContactTable::support(WheelsetSide side, double lateral, double yaw,
     if (height < first[0]) {
         const double inside = at(least * (1 + 1e-9))[3];
         const double share = inside > 0 ? 3 * inside * least / 2 : 0, touch = first[0] - share;
-        if (!(height > touch)) return {.load = 0, .status = StepStatus::ok};
+        if (!(height > touch)) return {.load = 0, .status = Status::ok};
         const double load = least * std::pow((height - touch) / share, 1.5);
         return result(load, 2 * (height - touch) / (3 * load), first[1], first[2]);
     }

@@ -26,9 +26,9 @@ public:
     WheelForces operator()(WheelsetSide side, const WheelsetPosition& position, const WheelsetSpeeds& speeds,
                            const WheelLoad& load) {
         result_.status = take(side, position, speeds, load);
-        if (result_.status != StepStatus::ok) return result_;
+        if (result_.status != Status::ok) return result_;
         result_.status = locate();
-        if (result_.status != StepStatus::ok) return result_;
+        if (result_.status != Status::ok) return result_;
         const auto& loads = table_.grid_.loads;
         result_.load_on_table = inputs_[WheelForces::load] >= loads.front() * (1 - 1e-12) &&
                                 inputs_[WheelForces::load] <= loads.back() * (1 + 1e-12);
@@ -68,8 +68,8 @@ private:
 
     // --- what is asked
 
-    StepStatus take(WheelsetSide side, const WheelsetPosition& position, const WheelsetSpeeds& speeds,
-                    const WheelLoad& load) {
+    Status take(WheelsetSide side, const WheelsetPosition& position, const WheelsetSpeeds& speeds,
+                const WheelLoad& load) {
         mirror_ = side == WheelsetSide::left ? -1 : 1;
         side_ = &table_.sides_[table_.index_of(side)];
         has_roll_ = load.roll.has_value();
@@ -85,18 +85,18 @@ private:
                    friction_.coefficient,
                    has_roll_ ? mirror_ * *load.roll : 0};
         for (const double input : inputs_) {
-            if (!is_finite(input)) return StepStatus::not_finite;
+            if (!is_finite(input)) return Status::not_finite;
         }
         bool valid = load.vertical >= 0 && load.vertical <= most_load && friction_.coefficient >= 0;
         for (const double factor : friction_.factor) valid = valid && factor >= 0 && is_finite(factor);
-        if (!valid) return StepStatus::invalid_load;
-        return table_.covers(position.lateral, position.yaw) ? StepStatus::ok : StepStatus::wrong_table;
+        if (!valid) return Status::invalid_load;
+        return table_.covers(position.lateral, position.yaw) ? Status::ok : Status::wrong_table;
     }
 
     // --- where it is
 
     /// The shift at which the profiles meet, the cell, and whether the wheel rolls forward.
-    StepStatus locate() {
+    Status locate() {
         const double radius = side_->given.radius;
         along_ = inputs_[WheelForces::forward] - inputs_[WheelForces::pitch_rate] * radius < 0 ? -1 : 1;
         for (const auto which :
@@ -115,7 +115,7 @@ private:
             equal.derivatives()[WheelForces::yaw] = table[2];
             equal.derivatives()[WheelForces::load] = table[3];
             shift_ = Dual<all>(shift_ - radius * (input<all>(WheelForces::roll) - equal));
-            if (!(std::abs(shift_.value()) <= table_.largest_shift())) return StepStatus::wrong_table;
+            if (!(std::abs(shift_.value()) <= table_.largest_shift())) return Status::wrong_table;
         }
         cell_ = table_.cell(shift_.value(), inputs_[WheelForces::yaw]);
         loads_ = table_.grid_.loads.size();
@@ -128,7 +128,7 @@ private:
                 of.carries = of.carries || of.share[l].value[0] > 0;
             }
         }
-        return StepStatus::ok;
+        return Status::ok;
     }
 
     // --- geometry at a load
@@ -259,7 +259,7 @@ private:
 
     /// Forces of one zone under its normal load.
     template <int partials>
-    StepStatus press(Pass<partials>& pass, std::size_t zone, const Dual<partials>& load) {
+    Status press(Pass<partials>& pass, std::size_t zone, const Dual<partials>& load) {
         using Number = Dual<partials>;
         using enum ContactRow::Of;
         const Zone& of = zones_[zone];
@@ -284,7 +284,7 @@ private:
         found.creepage.fill(constant<partials>(0));
         if (!(reference.value() >= (std::numeric_limits<double>::min)())) {
             pass.stands = true;
-            return StepStatus::ok;
+            return Status::ok;
         }
         const std::array<Number, 3> slip = pass.velocity->slip(found.arm, found.sine, found.cosine);
         found.creepage = {slip[0] / reference, slip[1] / reference, slip[2] / reference};
@@ -306,8 +306,8 @@ private:
         const Dual<partials>&N, &mu, &a, &b, &speed;
     };
     template <int partials>
-    StepStatus creep_forces(const PatchContact<double>& ellipse, const std::array<Dual<partials>, 3>& own,
-                            const Terms<partials>& terms, std::array<Dual<partials>, 3>& force) const {
+    Status creep_forces(const PatchContact<double>& ellipse, const std::array<Dual<partials>, 3>& own,
+                        const Terms<partials>& terms, std::array<Dual<partials>, 3>& force) const {
         const Creepage<double> creepage{own[0].value(), own[1].value(), own[2].value()};
         TabulatedForce now;
         TangentialForce<double> by_speed{0, 0, 0};
@@ -374,18 +374,18 @@ private:
         double sum = inputs_[WheelForces::load];
         for (int round = 0; round < 30; ++round) {
             result_.status = at_sum(pass, sum);
-            if (result_.status != StepStatus::ok) return;
+            if (result_.status != Status::ok) return;
             const double change = pass.excess.value() / pass.excess.derivatives()[by_sum<partials>];
             if (!is_finite(change)) break;
             if (std::abs(change) <= settled * sum) return finish(pass, change);
             sum -= std::clamp(change, -sum, sum / 2);
         }
-        result_.status = StepStatus::no_solution;
+        result_.status = Status::no_solution;
     }
 
     /// Forces of all zones whose vertical normal loads sum up to `sum`, and what they carry beyond the load.
     template <int partials>
-    StepStatus at_sum(Pass<partials>& pass, double sum) {
+    Status at_sum(Pass<partials>& pass, double sum) {
         using Number = Dual<partials>;
         const double root = std::cbrt(sum);
         const auto weights = hermite_weights<ContactTable::most_loads>(table_.roots_, root);
@@ -408,11 +408,11 @@ private:
             sample<partials>(zones_[k], Eigen::Index(k));
             interpolate<partials>(zones_[k], weights, root);
             result_.points[k].load_share = part.value();
-            const StepStatus status = press(pass, k, load);
-            if (status != StepStatus::ok) return status;
+            const Status status = press(pass, k, load);
+            if (status != Status::ok) return status;
             pass.excess -= pass.contacts[k].force[1] * pass.contacts[k].sine;
         }
-        return StepStatus::ok;
+        return Status::ok;
     }
 
     /// A point after the last step, so that its numbers agree with the wrench.
@@ -467,9 +467,9 @@ private:
                 }
             }
         }
-        if (!is_finite(result_.force.sum() + result_.tangent.sum())) result_.status = StepStatus::not_finite;
-        if (pass.stands && result_.status == StepStatus::ok) {
-            result_.status = StepStatus::invalid_step;
+        if (!is_finite(result_.force.sum() + result_.tangent.sum())) result_.status = Status::not_finite;
+        if (pass.stands && result_.status == Status::ok) {
+            result_.status = Status::invalid_step;
             result_.tangent.setZero();
         }
     }

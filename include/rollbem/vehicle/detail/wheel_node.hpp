@@ -47,7 +47,7 @@ inline RollingForces forces_of_patches(const WheelNode& node, const WheelsetSpee
     const std::vector<PatchForce> forces = patch_forces(patches, node.at, speeds, dimensions, {.coefficient = mu});
     for (std::size_t k = 0; k < patches.size(); ++k) {
         const PatchForce& own = forces[k];  // none for a patch without an outline
-        if (own.status != StepStatus::ok) return RollingForces::Constant(std::nan(""));
+        if (own.status != Status::ok) return RollingForces::Constant(std::nan(""));
         const std::array<double, 3> place = creepage_place(patches[k]);
         const double across = own.force.lateral * std::cos(patches[k].angle);
         sum += RollingForces(own.force.longitudinal, across,

@@ -1,87 +1,22 @@
-// Time integrators, and the check of a scheme's eigenvalues that they require.
+// What every model in the time domain requires of its scheme: eigenvalues that do not grow, and convergence to full
+// adhesion.
 #pragma once
 
 #include <cstddef>
 #include <limits>
-#include <numbers>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "../detail/finite.hpp"
 #include "../detail/in_place_lu.hpp"
 #include "../detail/require.hpp"
-#include "../rolling/stage.hpp"
-#include "../system/element_blocks.hpp"
-#include "../system/rolling_system.hpp"
 #include "../types.hpp"
 #include "dissipation.hpp"
+#include "element_blocks.hpp"
+#include "rolling_system.hpp"
 #include "stability_verdict.hpp"
 
-namespace rollbem {
-
-/// The time integration of a step. With w = dq G^-1 G', each method replaces e^w by a rational function r(w) with one
-/// real pole that tends to 0 for w -> -inf (L-stable): stiff modes, which a nearly singular G has, decay instead of
-/// ringing.
-enum class Integrator {
-    implicit_euler,      ///< first order
-    sdirk2,              ///< second order, two stages, gamma = 1 - 1/sqrt(2) (Alexander 1977); the default
-    matrix_exponential,  ///< e^w to rounding: exact in dq for constant (zero-order hold) or linear creepage
-                         ///< (first-order hold); in full adhesion only
-};
-
-constexpr const char* name(Integrator integrator) {
-    switch (integrator) {
-        case Integrator::implicit_euler: return "implicit_euler";
-        case Integrator::sdirk2: return "sdirk2";
-        case Integrator::matrix_exponential: break;
-    }
-    return "matrix_exponential";
-}
-
-namespace detail {
-
-/// What a row that does not compile calls: not constexpr.
-void a_scheme_has_one_stage_of_the_whole_step_or_two_with_a_part_from_1_minus_1_over_sqrt_2_to_1();
-
-/// The stages of a step, solved one by one, each of which takes `part` of it, gamma of Hairer & Wanner (II, IV.6). The
-/// last one ends with the step; the one before it, if there are two, ends after its own part, and the last one starts
-/// from U + (1 - part)/part (U_1 - U). A step's slip is that ratio times the slip of the first plus that of the second.
-///
-/// Invariant: one stage has part = 1, and two have 1 - 1/sqrt(2) <= part < 1. So tractions at the end of a step are
-/// those of a stage, which friction bounds, every slip counts with a positive weight, loads and lengths are never
-/// extrapolated, and e^w becomes 1/(1 - w) or (1 + (1 - 2 part) w)/(1 - part w)^2, which are L-stable.
-template <class Scalar>
-class StageTable {
-public:
-    consteval StageTable(int count, Scalar part) : count_(count), part_(part) {
-        const bool possible =
-            count == 1 ? part == 1 : count == 2 && part >= 1 - std::numbers::sqrt2_v<Scalar> / 2 && part < 1;
-        if (!possible) {
-            a_scheme_has_one_stage_of_the_whole_step_or_two_with_a_part_from_1_minus_1_over_sqrt_2_to_1();
-        }
-    }
-
-    int count() const { return count_; }
-    Scalar part() const { return part_; }
-    /// Of a stage, counted from 1.
-    StagePlace<Scalar> place(int stage) const { return {part_, stage == count_ ? Scalar(1) : part_, stage == 2}; }
-
-private:
-    int count_;
-    Scalar part_;
-};
-
-/// Of an integrator that solves stages; empty of matrix_exponential.
-template <class Scalar>
-std::optional<StageTable<Scalar>> stage_table(Integrator integrator) {
-    switch (integrator) {
-        case Integrator::implicit_euler: return StageTable<Scalar>(1, 1);
-        case Integrator::sdirk2: return StageTable<Scalar>(2, 1 - std::numbers::sqrt2_v<Scalar> / 2);
-        case Integrator::matrix_exponential: break;
-    }
-    return std::nullopt;
-}
+namespace rollbem::detail {
 
 /// The tractions of steady rolling at unit creepage, G' p = 1, by an LU that needs no Eigen header; with several
 /// directions, the n unknowns of this one begin at `first`.
@@ -176,6 +111,4 @@ void require_usable_in_time(const char* who, const ElementSystem<Scalar, 2>& sys
     }
 }
 
-}  // namespace detail
-
-}  // namespace rollbem
+}  // namespace rollbem::detail

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "../adhesion/response.hpp"
 #include "../assembly/patch_system.hpp"
 #include "../detail/require.hpp"
 #include "../discretisation/patch_mesh.hpp"
@@ -19,7 +20,6 @@
 #include "../scene/patch_contact.hpp"
 #include "../status.hpp"
 #include "../types.hpp"
-#include "response.hpp"
 
 namespace rollbem {
 

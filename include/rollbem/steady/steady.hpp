@@ -4,13 +4,13 @@
 
 #include <utility>
 
+#include "../adhesion/response.hpp"
 #include "../assembly/influence.hpp"
 #include "../detail/array_functions.hpp"
 #include "../discretisation/mesh.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/line_kernel.hpp"
 #include "../types.hpp"
-#include "response.hpp"
 
 namespace rollbem {
 

@@ -1,0 +1,58 @@
+// FrictionFrame: a step with friction, or steady rolling, while its stages are solved.
+#pragma once
+
+#include "../../rolling/step_frame.hpp"
+#include "../../scene/rigid_motion.hpp"
+#include "../../types.hpp"
+#include "../state.hpp"
+#include "directions.hpp"
+#include "imposed_slip.hpp"
+#include "scratch.hpp"
+
+namespace rollbem::detail {
+
+/// The load at the end of a step: pressures [Pa] of at least all unknown elements, half-length and half-width [m].
+template <class Scalar>
+struct StepLoad {
+    const ArrayX<Scalar>& pressure;
+    Scalar half_length, half_width;
+    const ArrayX<Scalar>* pressure_rate = nullptr;  ///< of a step under a load of its own, else null
+};
+
+/// What is asked for. The load has been checked, and in a step the motion.
+template <int directions, class Scalar>
+struct FrictionRequest {
+    const FrictionState<directions, Scalar>& from;
+    rollbem::Travel<Scalar> travel;
+    const RigidMotion<typename Directions<directions, Scalar>::Value>& motion;
+    StepLoad<Scalar> load;
+};
+
+/// `system` is null in steady rolling of one shape.
+template <int directions_, class Scalar, class Bounds>
+struct FrictionFrame : StepFrame<typename Directions<directions_, Scalar>::Value, Scalar> {
+    static constexpr int directions = directions_;
+    /// With one direction and given bounds tangents depend on M and the sticking elements alone, and are kept.
+    static constexpr bool keeps_tangents = directions == 1 && Bounds::are_given;
+
+    /// Derivatives in addition to those by the creepages.
+    struct Asked {
+        bool by_load = false, by_half_length = false, by_half_width = false;
+    };
+    /// Of all stages so far.
+    struct Summary {
+        Scalar residual = 0;
+        int rounds = 0, path_points = 0;
+        bool tangent_exists = true, solved = true, finite = true;
+    };
+
+    const typename Directions<directions, Scalar>::System* system;
+    const FrictionRequest<directions, Scalar>& request;
+    const ImposedSlip<directions, Scalar>& slip;
+    Bounds bounds;
+    FrictionScratch<directions, Scalar>& scratch;
+    Asked asked{};
+    Summary summary{};
+};
+
+}  // namespace rollbem::detail

@@ -1,0 +1,48 @@
+// RollingStep: what a step or steady rolling is asked for, the same for all models.
+#pragma once
+
+#include "../scene/rigid_motion.hpp"
+
+namespace rollbem {
+
+/// A load that a step refers to, or none: that of the state.
+template <class Load_>
+class GivenLoad {
+public:
+    using Load = Load_;
+
+    GivenLoad() = default;
+    GivenLoad(const Load& load) : load_(&load) {}  // NOLINT: implicit on purpose
+    GivenLoad(const Load&&) = delete;
+
+    explicit operator bool() const { return load_ != nullptr; }
+    const Load& operator*() const { return *load_; }
+    const Load* operator->() const { return load_; }
+
+private:
+    const Load* load_ = nullptr;
+};
+
+/// One step: how far the contact rolls, the motion of the bodies meanwhile, and the load at its end, towards which that
+/// of the state varies linearly. Without a load that of the state remains. A model's `Load` is a GivenLoad with friction,
+/// the half-length or the semi-axes in full adhesion. Written in braces:
+///
+///     model.advance(now, {dq, creepage}, next, workspace);
+///     model.advance(now, {{dq, duration}, Motion::linear(start, end), load}, next, workspace);
+///     model.advance(now, {0, Motion::shift(shift)}, next, workspace);  // without rolling
+///
+/// Steady rolling takes the motion at the end of such a step, its load, and its speed if friction depends on slip:
+///
+///     model.steady(now, {.motion = creepage}, next, workspace);
+///     model.steady(now, {Travel<>::at_speed(V), creepage, load}, next, workspace);
+template <class Motion_, class Load_>
+struct RollingStep {
+    using Motion = Motion_;
+    using Load = Load_;
+
+    Travel<typename Motion::Scalar> travel{};
+    Motion motion;
+    Load load{};
+};
+
+}  // namespace rollbem
