@@ -192,9 +192,11 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
                      .x_label = creepage_label(falling, "δ = ξ"),
                      .y_label = force_label(falling),
                      .beside = draw_tractions(tractions, curve.line)};
-    study::add_series(
-        plot, columns, rows,
-        {.by = scheme_columns, .x = "creepage_ratio", .y = "force_ratio", .apart = study::columns_of(study::distinctions)});
+    study::add_series(plot, columns, rows,
+                      {.by = scheme_columns,
+                       .x = "creepage_ratio",
+                       .y = "force_ratio",
+                       .apart = study::columns_of(study::distinctions)});
     for (study::Series& series : plot.series) {
         series.line = false;
         series.open = true;

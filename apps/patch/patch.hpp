@@ -80,11 +80,17 @@ Pressure read_pressure(const study::Options& options);
 /// Declares --longitudinal, --lateral, --spin, --pressure and --tractions.
 void add_friction_options(study::Options& options);
 
-/// Whether any of the creepages was given.
+/// The options that ask for friction, the last five in the time domain.
+std::vector<std::string> ways_of_friction();
+
+/// Whether any of these was given.
 bool asks_for_friction(const study::Options& options);
 
 /// All creepages, longitudinal outermost. Throws BadInput, also if a patch would gain energy from rolling with spin.
 std::vector<CreepPoint> read_points(const study::Options& options, const std::vector<Patch>& patches);
+
+/// Throws BadInput if a patch would gain energy from rolling with spin.
+void require_no_gain(const study::Options& options, const std::vector<Patch>& patches);
 
 /// The columns and their meanings, of forces and of tractions.
 std::string friction_help();
@@ -118,8 +124,8 @@ study::Plot draw_friction(const std::vector<std::string>& columns, const std::ve
 study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint& point,
                             const friction::Tractions& tractions);
 
-/// Forces and moment over the distance rolled, with the load if that varies: in one panel if there is one patch.
-study::Plot draw_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
-                         bool load_varies);
+/// Forces, or along x the creepage found `by_force`, and moment over the distance rolled, with the load if that varies.
+study::Plot draw_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows, bool load_varies,
+                         bool by_force);
 
 }  // namespace patch

@@ -256,15 +256,19 @@ study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint&
     return study::side_by_side(std::move(panels));
 }
 
-study::Plot draw_in_time(const Columns& columns, const Rows& rows, bool load_varies) {
+study::Plot draw_in_time(const Columns& columns, const Rows& rows, bool load_varies, bool by_force) {
     const std::string force = load_varies ? "μ N_0" : "μ N", c = load_varies ? "c_0" : "c";
-    const Columns identifying = study::joined(patch_columns, by_scheme(columns, rows));
-    study::Selection selection{.by = study::joined(identifying, {"longitudinal", "lateral", "spin"}),
+    study::Selection selection{.by = study::joined(patch_columns, by_scheme(columns, rows)),
                                .x = "q_over_a",
                                .y = "load_ratio",
                                .markers = false};
+    for (const char* creepage : {"longitudinal", "lateral", "spin"}) {  // which a history varies within a curve
+        if (values(columns, rows, creepage).size() == 1) selection.by.emplace_back(creepage);
+    }
+    std::vector<Axis> shown = forces_over(force, c);
+    if (by_force) shown[0] = {"longitudinal", "ξ G a b / (μ N)"};
     const study::Plot frame{.title = "Patch in time", .x_label = "distance rolled q/a"};
-    std::vector<study::Plot> panels = panels_of(frame, columns, rows, selection, forces_over(force, c));
+    std::vector<study::Plot> panels = panels_of(frame, columns, rows, selection, shown);
     selection.prefix = "load N/N_0";
     selection.reference = true;
     if (load_varies && !rows.empty()) study::add_series(panels[0], columns, rows, selection);
