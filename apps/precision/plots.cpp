@@ -24,6 +24,20 @@ std::vector<std::string> all_schemes(const std::vector<study::Row>& rows) {
     return names;
 }
 
+/// As many schemes as can be told apart, those on the front of a quantity first.
+std::vector<std::string> drawn_schemes(const std::vector<std::string>& schemes, const std::vector<Point>& points) {
+    std::vector<std::string> drawn;
+    for (const bool on_front : {true, false}) {
+        for (const std::string& scheme : schemes) {
+            const bool leads = std::any_of(points.begin(), points.end(), [&](const Point& point) {
+                return point.scheme == scheme && point.on_front.value_or(false);
+            });
+            if (leads == on_front && drawn.size() < study::most_curves) drawn.push_back(scheme);
+        }
+    }
+    return drawn;
+}
+
 std::string title_of(const Quantity& quantity) {
     if (quantity.name == "c11") return "c_{11} in steady rolling";
     if (quantity.problem == Problem::harmonic) return "c_{11} at ω a/V = " + study::Cell(quantity.frequency).text(6);
@@ -50,9 +64,10 @@ study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, co
     std::sort(front.points.begin(), front.points.end());
     front.markers = front.points.size() == 1;
     int left_out = 0;  // of the front: they serve for comparison
-    const std::vector<std::string> schemes = all_schemes(rows);
+    const std::vector<std::string> schemes = all_schemes(rows), drawn = drawn_schemes(schemes, points);
     for (std::size_t k = 0; k < schemes.size(); ++k) {
         const std::string& scheme = schemes[k];
+        if (!study::contains(drawn, scheme)) continue;
         study::Series series{.label = scheme, .style = k};
         for (const study::Row& cells : rows) {
             if (cells[0].text() != scheme || cells[2].text() != quantity) continue;
@@ -92,6 +107,10 @@ study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<
     if (shown.size() < quantities.size()) {
         plot.title +=
             " (" + std::to_string(shown.size()) + " of " + std::to_string(quantities.size()) + " quantities drawn)";
+    }
+    const std::size_t schemes = all_schemes(rows).size();
+    if (schemes > study::most_curves) {
+        plot.title += " (" + std::to_string(study::most_curves) + " of " + std::to_string(schemes) + " schemes drawn)";
     }
     for (std::size_t i = 1; i < shown.size(); ++i) plot.beside.push_back(panel(shown[i], rows, points));
     return plot;
