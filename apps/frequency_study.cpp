@@ -181,7 +181,7 @@ Polynomials solve_polynomials(const study::Options& options, const std::vector<d
     for (const std::ptrdiff_t given : orders) {
         for (const rollbem::Contact<double>& contact : contacts) {
             const auto kernel = rollbem::AnyKernel<double>::longitudinal(rollbem::LineModel::plane, contact);
-            all.scenes.push_back({.method = "polynomial", .contact = contact, .kernel = kernel});
+            all.scenes.push_back({{.method = "polynomial"}, contact, kernel});
             std::vector<Response>& responses = all.responses.emplace_back();
             for (const double omega : omegas) {
                 if (given == 0 && omega > 1e8) {

@@ -109,11 +109,11 @@ void add_steady_options(study::Options& options) {
 
 void add_rolling_options(study::Options& options) {
     options.add_flag("transient", "roll in time from rest, one row per step");
+    study::add_history_options(options, friction::history_columns, "transient");
     options
-        .add("sine", "AMP,OMEGA",
-             "creepage ratio AMP sin(OMEGA q/a), AMP finite and not 0, OMEGA in V/a above 0 "
-             "(dimensionless)")
+        .add("force", "F", "-F_x/(mu N_0) in place of a creepage, which is found; from rest by a shift (dimensionless)")
         .only_with({"transient"});
+    options.not_with({"step", "ramp", "sine", "creepage-ratio"}, "force");
     options.add("shift", "W", "rigid shift in mu p0 a/G first, any finite, without rolling (dimensionless)")
         .only_with({"transient"});
     study::add_run_options(options,
@@ -123,7 +123,7 @@ void add_rolling_options(study::Options& options) {
                            "the largest contact");
     options.not_with({"from"}, "shift", ", which starts from rest");
     options.only_with({"lambda"}, {"transient"}, ": a steady problem builds no G, the only matrix lambda acts on");
-    options.not_with({"creepage-ratio"}, "sine");
+    for (const char* way : {"step", "ramp", "sine"}) options.not_with({"creepage-ratio"}, way);
     options.add_flag("unchecked", "step even a scheme that is, or may be, unstable, or that does not converge")
         .only_with({"transient"});
 }

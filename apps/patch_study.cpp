@@ -88,7 +88,7 @@ Sheet make_sheet(const Columns& before, bool harmonic, const Columns& behind) {
                       coefficients({"11", "22", "23", "32", "33"}, harmonic, "Kalker's; empty if status is not ok")),
         study::joined(study::joined(behind, status),
                       coefficients({"12", "13", "21", "31"}, harmonic, "0 if y -> -y leaves the patch unchanged")));
-    return {patch::identity, columns, "nodes"};
+    return {patch::identity, columns, patch::distinctions};
 }
 
 /// A number of the verdict.
@@ -221,7 +221,9 @@ more of them.
 --plot draws up to three patches at one creepage from above, with y down: z points away from who looks. At the pole of
 spin the rigid slip vanishes.
 
---transient: creepages are constant, have one value each, and are as above with N_0, a_0 and b_0: those of load_ratio 1.
+--transient: creepages have one value each, or a --history, and are as above with N_0, a_0 and b_0: those of load_ratio
+1. shift_x and shift_y displace the bodies besides; where they, or a force, jump, without rolling, in the time of a
+step; a jump at q = 0 has a row of its own.
 p_0 is 3 N/(2 pi a b) always. One row for each step:
 )" + patch::transient_help() +
            R"(With --breathing, the default where --load has a_ratio,b_ratio and never vanishes, the mesh follows the
@@ -246,7 +248,7 @@ int main(int argc, char** argv) {
     study::add_state_space_options(options, "one patch");
     patch::add_friction_options(options);
     patch::add_transient_options(options);
-    const std::vector<std::string> friction{"longitudinal", "lateral", "spin"};
+    const std::vector<std::string> friction = patch::ways_of_friction();
     options.not_with({"stability", "state-space"}, "omega");
     for (const std::string& creepage : friction) options.not_with({"stability", "omega", "state-space"}, creepage);
     options.only_with({"pressure", "tractions", "transient"}, friction);

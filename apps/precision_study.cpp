@@ -2,7 +2,7 @@
 // and the cheapest scheme for a tolerance:
 //
 //     ./precision_study --output precision.csv --cheapest cheapest.csv --plot precision.svg
-//     ./precision_study --schemes cosine,richardson-cosine --quantity c11 --n 7,14,28
+//     ./precision_study --scheme cosine:collocation:0.5/0.5,richardson:cosine:nodes --quantity c11 --n 7,14,28
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "precision/comparison.hpp"
+#include "support/named_scheme.hpp"
 #include "support/options.hpp"
 #include "support/table.hpp"
 #include "support/timing.hpp"
@@ -32,15 +33,15 @@ constexpr const char* help =
   precision_study --output precision.csv --cheapest cheapest.csv --plot precision.svg
 
 One row for each scheme, n and quantity. n counts elements, those of the finer mesh where two (n/2 and n) are
-extrapolated; for chebyshev-states it is the number of states (1 to 48 without --n), for polynomial, the paper's
+extrapolated; for chebyshev it is the number of states (1 to 48 without --n), for polynomial, the paper's
 approach, the order; the closed form has none. relative_error is measured against the closed forms of the plane
 model. traction: the norm of the differences from Carter's mean traction of each element over the norm of those
 mean tractions, both with the weight sqrt(1 - x^2/a^2). Without the weight, Carter's traction, singular at the
 trailing edge, has no such norm; with it, the norm bounds the error of the force.
-step_force: the largest relative error at q/a = 1, 2, ... 10 after a step of creepage, exact in time.
-friction_force: creepage ratio 0.5. closed-form: the difference of two closed forms where there are two.
-combined_force: creepage ratio 0.5 at 45 degrees to the rolling direction; the error of the force as a vector,
-|F - reference| over |reference|. load_force: creepage ratio 0.5 from steady rolling over a period of a load
+response: c11 at --omega. transient: the largest relative error at q = dq, 2 dq, ... 10 dq after a step of creepage,
+exact in time. friction: steady, at --creepage-ratio. closed-form: the difference of two closed forms where there are two.
+combined_force: the creepage ratio at 45 degrees to the rolling direction; the error of the force as a vector,
+|F - reference| over |reference|. load_force: from steady rolling over a period of a load
 N = N_0 (1 + 0.5 sin(2 pi q/(8 a_0))), in 160 steps of sdirk2; the largest error of F/(mu N_0). Collocation
 and node differences on graded meshes breathe with the half-length where the kernel is plane; all other meshes
 cover the largest contact. Neither force has a closed form: references are extrapolated from cosine meshes of 320
@@ -50,12 +51,11 @@ turns. stable: no eigenvalue grows, as computed. on_front: no other scheme is bo
 scheme's error counts as the largest at this and every larger n, so that a change of sign does not pass for
 precision. on_front is empty for polynomial and closed-form, and with --shard or --jobs above 1, where times are
 missing: concatenate the shards and use --front. model_error is the error that the strip kernel alone makes.
---plot draws up to three quantities; of more, those of c11, c11_z5 and friction_force that are there.
+--plot draws up to three quantities; of more, those of c11, response and friction that are there.
 status: ok, or why relative_error is empty, by the library's names; in the file of --cheapest none where no
-scheme reaches the tolerance. size_ratio and epsilon are empty except for geometric and knothe.
+scheme reaches the tolerance. size_ratio and epsilon are those of the scheme's mesh.
 patch_c11 ... patch_c33: Kalker's creep coefficients of an ellipse between half-spaces, by n elements in each of as
-many strips (--strips: others) along the rolling direction, with nodes-chebyshev or richardson-nodes (n/2 and
-strips/2 as well); two more columns, a_over_b and strips. They have no closed form: the reference is extrapolated
+many strips (--strips: others) along the rolling direction, extrapolated from n/2 and strips/2 as well; two more columns, a_over_b and strips. They have no closed form: the reference is extrapolated
 from 24 x 24 and 48 x 48 elements; from 32 x 32 and 64 x 64 it differs by 2e-4 (a/b = 0.5, 1) and 6e-4 (a/b = 5, 20).
 uniform-strips: strips of equal width, without --strips as many as recommended_patch gives (a/b from 0.1 to 25).
 patch_force: -F_x and -F_y under Hertz's pressure for three creepages, xi with eta, spin alone, all three. Alone, each
@@ -63,34 +63,33 @@ would make 0.7, 2.5 and 0.6 mu N without slip (by Kalker's c11, c22, c23). relat
 difference over mu N from strips of equal width, at most 500 elements, extrapolated from a third of them in each
 direction; that reference is good to about 1e-3 (below a/b = 0.1 5e-3, above 25 1e-2). time_us is that of all three from
 the mesh to the forces. stable is empty above 256 elements. Without --n, n is 4 to 24, with patch_force to 16.
-Without --n, c11_z* stop at n = 320, step_force and the forces with friction at 160: two to three minutes in all.
+Without --n, c11_z* and response stop at n = 320, transient and the forces with friction at 160: two to three minutes in all.
 )";
 
 const std::string elements_by_default = "4,6,8,10,14,20,28,40,56,80,112,160,224,320,448,640";
 void add_options(study::Options& options) {
-    const std::string fixed = "each scheme of this study has its own mesh and equations; see --schemes";
-    options.refuse_group("Discretisation", fixed, {"n", "size-ratio", "epsilon"});
+    options.refuse_group("Discretisation", "--scheme has mesh and equations in one word", {"n", "scheme"});
     options.set_default("n", elements_by_default);
     options.set_default("kernel", "plane");
-    options.set_default("size-ratio", "1.89");
-    options.set_default("epsilon", "0.37");
-    options.set_help("size-ratio",
-                     "scheme geometric: dx_trailing / dx_leading, one value, 1e-12 to 1e12 (dimensionless)");
-    options.set_help("epsilon",
-                     "scheme knothe: size of the end element over that of an inner one, one value, 1e-12 to 1e12 "
-                     "(dimensionless)");
+    options.set_help("scheme",
+                     "MESH:METHOD[:PARAMETERS] or richardson:MESH:METHOD[:PARAMETERS], from n/2 and n; chebyshev, "
+                     "polynomial, closed-form. Default: " +
+                         study::join(line_schemes, ", ") + "; for quantities of patches " +
+                         study::join(patch_schemes, ", "));
     options.set_help("aspect", "b/a, one value above 0; inf for quantities of steady rolling (dimensionless)");
     options.set_help("poisson", "Poisson's ratio, one value, 0 to 0.5 (dimensionless)");
-    options.add("schemes", "LIST",
-                "all, or some of " + study::join(line_schemes(), ", ") + "; or, for quantities of patches, of " +
-                    study::join(patch_schemes(), ", "),
-                "all");
     options.add("quantity", "LIST",
-                "all, or some of c11,traction,c11_z0.1,c11_z1,c11_z5 (z = omega a/V),step_force,friction_force,"
+                "all, or some of c11,traction,c11_z0.1,c11_z1 (z = omega a/V),response,transient,friction,"
                 "combined_force,load_force; or some of " +
                     study::join(names_of(patch_quantities()), ",") +
                     ", creep coefficients of a contact patch and its forces with friction",
                 "all");
+    options.add("omega", "Z", "response: omega a/V, one value above 0 (dimensionless)", "5");
+    options.add("dq", "STEP", "transient: length of each of ten steps in a, above 0 (dimensionless)", "1");
+    options.add("creepage-ratio", "X",
+                "friction, combined_force, load_force: creepage as delta = xi G/(2 (1-nu) mu p0), one value above 0 "
+                "(dimensionless)",
+                "0.5");
     options.add("a-over-b", "RATIO",
                 "quantities of patches: ratio of semi-axes, one value, 0.001 to 1000; with --recommend 0.1 to 25", "1");
     options.add(
@@ -107,8 +106,7 @@ void add_options(study::Options& options) {
     options.add("recommend", "TOLERANCE",
                 "compute nothing: print command lines whose relative error stays below TOLERANCE, above 0 and below 1 "
                 "(dimensionless)");
-    options.not_with({"n", "schemes", "kernel", "aspect", "poisson", "size-ratio", "epsilon", "shard", "jobs"},
-                     "front");
+    options.not_with({"n", "scheme", "kernel", "aspect", "poisson", "dq", "creepage-ratio", "shard", "jobs"}, "front");
     options.footer(help);
 }
 
@@ -278,7 +276,7 @@ int main(int argc, char** argv) {
         }
         const bool patches = given.text("quantity").find("patch_") != std::string::npos;
         const std::vector<precision::Quantity> quantities =
-            chosen(given, patches ? precision::patch_quantities() : precision::line_quantities());
+            chosen(given, patches ? precision::patch_quantities() : precision::line_quantities(given));
         for (const char* name : {"a-over-b", "strips"}) {
             if (!patches) given.ignored(name, "without quantities of patches");
         }

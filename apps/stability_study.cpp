@@ -13,6 +13,7 @@
 #include <iterator>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -89,8 +90,37 @@ Count count(const study::Scene& scene, bool timed) {
     return found;
 }
 
-/// The share of growing modes over the swept quantity.
+/// The two quantities of a map: with at least five values each, where nothing else varies.
+std::vector<std::string> map_axes(const std::vector<study::Row>& rows) {
+    const std::vector<std::string> columns = counts.names();
+    std::vector<std::string> varied;
+    for (const std::string& name :
+         {std::string("n"), std::string("alpha_L"), std::string("alpha_T"), std::string("lambda"),
+          std::string("aspect"), std::string("poisson"), std::string("size_ratio"), std::string("epsilon")}) {
+        std::set<std::string> values;
+        for (const study::Row& row : rows) values.insert(row[study::index_of(columns, name)].text());
+        if (values.size() > 1 && values.size() < 5) return {};
+        if (values.size() > 1) varied.push_back(name);
+    }
+    const bool differ =
+        varied.size() == 2 && std::any_of(rows.begin(), rows.end(), [&](const study::Row& row) {
+            const auto text = [&](std::size_t k) { return row[study::index_of(columns, varied[k])].text(); };
+            return text(0) != text(1);
+        });
+    return differ ? varied : std::vector<std::string>{};
+}
+
+/// The share of growing modes over the swept quantity, or as a map over two.
 study::Plot draw_counts(const std::vector<study::Scene>& scenes, const std::vector<study::Row>& rows) {
+    if (const std::vector<std::string> axes = map_axes(rows); !axes.empty()) {
+        study::Plot plot{.title = "Stability, n = " + std::to_string(scenes.front().n()),
+                         .x_label = study::shown_name(axes[1]),
+                         .y_label = study::shown_name(axes[0]),
+                         .z_label = "share of unstable eigenvalues"};
+        if (axes[0] == "n") plot.title = "Stability";
+        plot.series.push_back(study::map_of(counts.names(), rows, axes[1], axes[0], "unstable_fraction"));
+        return plot;
+    }
     const study::Axis x = study::most_varied(scenes);
     study::Plot plot{.title = "Stability",
                      .x_label = x.label,
@@ -123,7 +153,7 @@ Critical critical(const study::Scene& scene) {
     study::Scene changed = scene;
     const auto scheme_of = [&](double alpha_T) {
         changed.alpha_T = alpha_T;
-        return study::scheme_of(changed);
+        return changed.equations();
     };
     const std::optional<double> alpha_T = rollbem::studies::critical_alpha_T(*scene.mesh, scheme_of, scene.kernel);
     return {alpha_T, alpha_T ? study::ok : "all_stable"};
@@ -315,7 +345,9 @@ with --method nodes and knothe-bc.
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         const auto scenes = study::make_non_steady_scenes(given, study::Methods::elements_and_states);
         for (const study::Scene& scene : scenes) {
-            if (!given.flag("critical") || scene.n() >= 2) continue;
+            if (!given.flag("critical")) break;
+            if (!scene.alpha_T) throw study::BadInput("--critical has no effect with schemes without an alpha_T");
+            if (scene.n() >= 2) continue;
             throw study::BadInput("--critical needs at least 2 elements, alpha_T and alpha_L differ; given is n = " +
                                   std::to_string(scene.n()));
         }

@@ -25,62 +25,51 @@ namespace {
 
 using Model = rollbem::AdhesionModel<>;
 
+const study::HistoryColumns columns{"creepage"};
+
 /// Creepage over q/a from rest, and the exact force -F_bar/(a G) if there is one.
-struct History {
+struct Creepage {
     std::string label;
-    /// Just before (or at) q, or `behind` it: they differ at a jump only.
-    std::function<double(double q, bool behind)> at;
+    study::History history;
     std::function<double(const rollbem::reference::StepResponse& response, double q)> exact;
-    bool resolved = true;                   // steps follow a sine
-    study::Numbers knots{}, knot_values{};  // of a table, ascending; equal knots make a jump
+
+    double at(double q, bool behind) const { return history.at(columns.main, q, behind); }
 };
 
-History make_history(const study::Options& options, double dq) {
+Creepage make_creepage(const study::Options& options) {
     using Response = rollbem::reference::StepResponse;
-    const study::Rule not_zero{[](double value) { return std::isfinite(value) && value != 0; }, "be finite and not 0"};
+    const std::optional<study::History> given = study::read_history(options, columns);
+    if (!given) throw study::BadInput("one of --step, --ramp, --sine and --history must be given");
+    const double at_1 = given->at(columns.main, 1, false);
     if (options.given("step")) {
-        const double size = options.number("step", not_zero);
-        return {"a step of creepage", [=](double, bool) { return size; },
-                [=](const Response& response, double q) { return size * response.step(q); }};
+        return {"a step of creepage", *given,
+                [=](const Response& response, double q) { return at_1 * response.step(q); }};
     }
     if (options.given("ramp")) {
-        const double rate = options.number("ramp", not_zero);
-        return {"a ramp of creepage", [=](double q, bool) { return rate * q; },
-                [=](const Response& response, double q) { return rate * response.ramp(q); }};
+        return {"a ramp of creepage", *given,
+                [=](const Response& response, double q) { return at_1 * response.ramp(q); }};
     }
     if (options.given("sine")) {
-        const auto [size, omega] = study::read_sine(options);
-        return {
-            "a sine of creepage, ω a/V = " + study::Cell(omega).text(6),
-            [size = size, omega = omega](double q, bool) { return size * std::sin(omega * q); },
-            [size = size, omega = omega](const Response& response, double q) { return size * response.sine(omega, q); },
-            study::resolves(omega, dq)};
+        const study::Sine sine = study::read_sine(options);
+        return {"a sine of creepage, ω a/V = " + study::Cell(sine.omega).text(6), *given,
+                [=](const Response& response, double q) { return sine.amplitude * response.sine(sine.omega, q); }};
     }
-    if (!options.given("history")) throw study::BadInput("one of --step, --ramp, --sine and --history must be given");
-    const study::Rule rolled{[](double q) { return q >= 0; }, "be at least 0: rolling starts from rest there"};
-    const study::Pairs pairs = study::read_pairs(options, "history", "q_over_a,creepage", rolled);
-    const auto at = [pairs](double q, bool behind) {
-        const bool begun = behind ? q >= pairs.places.front() : q > pairs.places.front();
-        return begun ? study::interpolate(pairs.places, pairs.values, q, behind) : 0;
-    };
-    return {"creepage of a table",
-            at,
-            [pairs](const Response& response, double q) { return response.history(pairs.places, pairs.values, q); },
-            true,
-            pairs.places,
-            pairs.values};
+    return {"creepage of a table", *given, [table = *given](const Response& response, double q) {
+                return response.history(table.places(), table.values(columns.main), q);
+            }};
 }
 
 /// The largest |creepage| of the run, the reference for the force, knots within the run included. Throws BadInput if it
 /// is 0.
-double largest_creepage(const History& history, const study::Steps& steps) {
+double largest_creepage(const Creepage& creepage, const study::Steps& steps) {
     double largest = 0;
     for (std::size_t k = 1; k <= steps.count; ++k) {
-        largest = std::max(largest, std::abs(history.at(static_cast<double>(k) * steps.dq, false)));
+        largest = std::max(largest, std::abs(creepage.at(static_cast<double>(k) * steps.dq, false)));
     }
     const double end = static_cast<double>(steps.count) * steps.dq;
-    for (std::size_t j = 0; j < history.knots.size(); ++j) {
-        if (history.knots[j] <= end) largest = std::max(largest, std::abs(history.knot_values[j]));
+    const study::Numbers& places = creepage.history.places();
+    for (std::size_t j = 0; j < places.size(); ++j) {
+        if (places[j] <= end) largest = std::max(largest, std::abs(creepage.history.values(columns.main)[j]));
     }
     if (largest == 0) throw study::BadInput("the creepage must not be 0 all the way up to --until");
     return largest;
@@ -117,21 +106,22 @@ const study::Sheet<Moment> sheet{
     study::settings};
 
 /// One run: emits the rows of `range`, but steps from the start, because each state needs the one before.
-void run(const Model& model, const History& history, const study::Steps& steps,
+void run(const Model& model, const Creepage& creepage, const study::Steps& steps,
          const std::optional<rollbem::reference::StepResponse>& exact, bool checked, study::RowRange range,
          const study::Results<Moment>& emit) {
-    const std::string status = !history.resolved ? study::unresolved : checked ? study::ok : study::unchecked;
+    const bool resolved = creepage.history.resolved(steps.dq);
+    const std::string status = !resolved ? study::unresolved : checked ? study::ok : study::unchecked;
 
     // 3. The reference for the force.
-    const double reference = largest_creepage(history, steps);
+    const double reference = largest_creepage(creepage, steps);
 
     // 4. Step by step, with creepage linear over each. A step with a knot inside is divided there.
     rollbem::Run contact(model);
     for (std::size_t k = 1; k <= std::min(range.last, steps.count); ++k) {
         const double start = static_cast<double>(k - 1) * steps.dq, end = static_cast<double>(k) * steps.dq;
         double force = 0;
-        const auto failed = study::roll(start, end, history.knots, [&](double from, double to) {
-            const auto motion = rollbem::RigidMotion<double>::linear(history.at(from, true), history.at(to, false));
+        const auto failed = study::roll(start, end, creepage.history.places(), [&](double from, double to) {
+            const auto motion = rollbem::RigidMotion<double>::linear(creepage.at(from, true), creepage.at(to, false));
             const auto step = contact.advance({from == start && to == end ? steps.dq : to - from, motion});
             force = -step.force_per_width / reference;  // a = G = 1
             return step.status;
@@ -143,16 +133,16 @@ void run(const Model& model, const History& history, const study::Steps& steps,
         if (k <= range.first) continue;
 
         // 5. Compare with the exact response of the plane model.
-        emit({end, history.at(end, false), history.resolved ? force : std::nan(""),
-              exact ? std::optional(history.exact(*exact, end) / reference) : std::nullopt,
+        emit({end, creepage.at(end, false), resolved ? force : std::nan(""),
+              exact ? std::optional(creepage.exact(*exact, end) / reference) : std::nullopt,
               study::word(model.integrator()), status});
     }
 }
 
 /// The force over the distance with the exact one if there is one, and beside it their difference, as the curves
 /// coincide.
-study::Plot draw_force(const History& history, const std::vector<study::Row>& rows) {
-    study::Plot plot{.title = "Rolling from rest, " + history.label,
+study::Plot draw_force(const Creepage& creepage, const std::vector<study::Row>& rows) {
+    study::Plot plot{.title = "Rolling from rest, " + creepage.label,
                      .x_label = "distance rolled q/a",
                      .y_label = "-F / (a G ξ_{ref})"};
     sheet.draw(plot, rows, {.x = "q_over_a", .y = "force", .markers = false});
@@ -161,11 +151,11 @@ study::Plot draw_force(const History& history, const std::vector<study::Row>& ro
     plot.x_range = study::PlotRange{0, rows.back()[0].number().value_or(0)};
     study::Plot beside{
         .x_label = plot.x_label, .y_label = "|F - F_{exact}| / (a G ξ_{ref})", .log_y = true, .x_range = plot.x_range};
-    const std::vector<std::string> columns = sheet.names();
+    const std::vector<std::string> names = sheet.names();
     std::vector<study::Row> errors = rows;
     for (study::Row& row : errors) {
-        study::Cell& cell = row[study::index_of(columns, "force")];
-        const std::optional<double> force = cell.number(), known = row[study::index_of(columns, "exact")].number();
+        study::Cell& cell = row[study::index_of(names, "force")];
+        const std::optional<double> force = cell.number(), known = row[study::index_of(names, "exact")].number();
         cell = force && known ? study::Cell(*force - *known) : study::Cell();
     }
     sheet.draw(beside, errors, {.x = "q_over_a", .y = "force", .absolute = true, .markers = false});
@@ -177,17 +167,7 @@ study::Plot draw_force(const History& history, const std::vector<study::Row>& ro
 
 void add_options(study::Options& options) {
     options.set_default("n", "40");
-    options.add("step", "X", "creepage X from q = 0 on, not 0 (dimensionless)");
-    options.add("ramp", "RATE", "creepage RATE q/a, not 0 (dimensionless)");
-    options.add("sine", "AMP,OMEGA",
-                "creepage AMP sin(OMEGA q/a), AMP not 0, OMEGA in V/a above 0; steps take its chords, which are too "
-                "low by a fraction (OMEGA D)^2/12 (dimensionless)");
-    options.add_input("history",
-                      "CSV file with the columns q_over_a,creepage; linear between its rows, zero before the first, "
-                      "constant after the last; two rows at one q_over_a make a jump (dimensionless)");
-    options.not_with({"ramp", "sine", "history"}, "step");
-    options.not_with({"sine", "history"}, "ramp");
-    options.not_with({"history"}, "sine");
+    study::add_history_options(options, columns);
     study::add_steps(options);
     study::add_integrator(options, false);
     options.add_flag("unchecked", "also step schemes that are unstable, may be unstable, or do not converge");
@@ -215,7 +195,7 @@ int main(int argc, char** argv) {
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         const study::Steps steps = study::read_steps(given);
-        const History history = make_history(given, steps.dq);
+        const Creepage creepage = make_creepage(given);
         const rollbem::Integrator integrator = study::read_integrator(given, false);
 
         // 2. One model for each scene, if eigenvalues and steady rolling tell that stepping makes sense, and the exact
@@ -241,9 +221,9 @@ int main(int argc, char** argv) {
             sheet.table(scenes, one_each_step,
                         [&](const study::Scene& scene, study::RowRange range, const study::Results<Moment>& emit) {
                             const Rolling& rolling = runs[std::size_t(&scene - scenes.data())];
-                            run(rolling.model, history, steps, rolling.exact, !given.flag("unchecked"), range, emit);
+                            run(rolling.model, creepage, steps, rolling.exact, !given.flag("unchecked"), range, emit);
                         });
-        table.plot = [&](const std::vector<study::Row>& rows) { return draw_force(history, rows); };
+        table.plot = [&](const std::vector<study::Row>& rows) { return draw_force(creepage, rows); };
         study::write_table(given, table);
         return study::exit_ok;
     });

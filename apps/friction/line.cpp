@@ -51,8 +51,9 @@ Pressure make_pressure(const study::Options& options) {
     }
 }
 
-std::optional<study::LoadHistory> read_load(const study::Options& options, double until) {
-    std::optional<study::LoadHistory> history = study::read_load_history(options, until);
+std::optional<study::LoadHistory> read_load(const study::Options& options, double until,
+                                            const study::History& imposed) {
+    std::optional<study::LoadHistory> history = study::read_load_history(options, until, imposed);
     if (history && history->breathing && options.text("kernel") != "plane") {
         throw study::BadInput("--kernel = " + options.text("kernel") +
                               " must be plane with --breathing: only that kernel knows other half-lengths");

@@ -39,9 +39,8 @@ struct Pressure {
 /// Hertz's pressure, or that of --pressure. Throws BadInput.
 Pressure make_pressure(const study::Options& options);
 
-/// --load-sine or --load, and --breathing; nothing if the load is constant. The run is `until` long [a_0]. Throws
-/// BadInput.
-std::optional<study::LoadHistory> read_load(const study::Options& options, double until);
+/// The load of a run `until` long [a_0]; nothing if it is constant. Throws BadInput.
+std::optional<study::LoadHistory> read_load(const study::Options& options, double until, const study::History& history);
 
 /// Half-length of a mesh that covers the contact during the whole run [a_0].
 double largest_half_length(const study::LoadHistory& history);

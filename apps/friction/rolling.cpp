@@ -1,5 +1,9 @@
 #include "rolling.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include <rollbem/rolling/run.hpp>
 
 namespace friction {
@@ -8,11 +12,18 @@ namespace {
 
 using rollbem::Status;
 using Creepage = rollbem::Creepage<double>;
+using Step = rollbem::FrictionStep<2>;
+using Motion = rollbem::FrictionContact::Motion;
 
 /// -F.s of a relative motion s.
-double work(const rollbem::FrictionStep<2>& step, const Creepage& motion) {
+double work(const Step& step, const Creepage& motion) {
     const auto& [F_x, F_y, M_z] = step.force;
     return 0 - F_x * motion.longitudinal - F_y * motion.lateral - (motion.spin == 0 ? 0 : M_z * motion.spin);
+}
+
+Creepage sum(const Creepage& one, const Creepage& other, double factor = 1) {
+    return {one.longitudinal + factor * other.longitudinal, one.lateral + factor * other.lateral,
+            one.spin + factor * other.spin};
 }
 
 std::string word(const Rolling& rolling, const Moment& moment) {
@@ -21,78 +32,198 @@ std::string word(const Rolling& rolling, const Moment& moment) {
     return !moment.valid ? study::unresolved : rolling.checked ? study::ok : study::unchecked;
 }
 
+/// One run, step by step.
+class Driver {
+public:
+    explicit Driver(const Rolling& rolling) : rolling_(rolling), run_(rolling.contact) {
+        now_.step.force = {0, 0, 0};
+        now_.step.status = Status::ok;
+        if (rolling.load_at) run_.now() = rolling.contact.at_rest(rolling.load_at(0));
+    }
+
+    std::string roll(study::RowRange range, const std::function<void(const Moment&)>& emit) {
+        std::size_t row = 0;
+        const auto emit_row = [&] {
+            if (row++ < range.first) return;
+            now_.elastic_energy = rolling_.contact.elastic_energy(run_.now());
+            now_.valid = now_.step.status == Status::ok && (!rolling_.resolved || rolling_.resolved(now_.q));
+            now_.status = word(rolling_, now_);
+            emit(now_);
+        };
+        if (rolling_.begins_with_shift()) {
+            now_.shifted = true;
+            const Status status = jump(0);
+            if (status != Status::ok) end(0, failed_);
+            emit_row();
+            now_.shifted = false;
+        }
+        if (rolling_.run.from_steady) begin_steadily();
+        for (std::size_t k = 0; row < range.last; ++k) {
+            roll_row(k);
+            emit_row();
+        }
+        return ended_;
+    }
+
+private:
+    void roll_row(std::size_t k) {
+        const double dq = rolling_.run.steps.dq;
+        now_.q = double(k + 1) * dq;
+        now_.computed = ended_.empty();
+        now_.rounds = 0;
+        now_.shift = {0, 0, 0};
+        if (!now_.computed) return;
+        const auto failed_at = study::roll(double(k) * dq, now_.q, rolling_.knots, [this](double from, double to) {
+            const Status status = jump(from);
+            return status == Status::ok ? step(from, to) : status;
+        });
+        if (failed_at) end(*failed_at, failed_);
+    }
+
+    void begin_steadily() {
+        Creepage creepage = rolling_.creepage(0, true);
+        const auto at = [&](double longitudinal) {
+            creepage.longitudinal = longitudinal;
+            return run_.try_steady({rollbem::Travel<>::at_speed(1.0), creepage});
+        };
+        now_.step = rolling_.force ? found(rolling_.force(0, true), 0, at).step : at(creepage.longitudinal);
+        now_.creepage = creepage;
+        jumped_at_ = 0;
+        if (now_.step.status != Status::ok) return end(0, now_.step);
+        run_.accept();
+    }
+
+    /// Displaces without rolling, once, where what is imposed jumps.
+    Status jump(double q) {
+        if (jumped_at_ == q) return Status::ok;
+        const std::optional<Creepage> given = rolling_.jump(q);
+        if (!given) return Status::ok;
+        Creepage shift = *given;
+        const auto by = [&](double longitudinal) {
+            shift.longitudinal = longitudinal;
+            return run_.try_advance({{0, rolling_.run.steps.dq}, Motion::shift(shift)});
+        };
+        const Step next =
+            rolling_.force ? found(rolling_.force(q, true), given->longitudinal, by).step : by(shift.longitudinal);
+        if (next.status != Status::ok) return refuse(next);
+        keep(next, (work(now_.step, shift) + work(next, shift)) / 2);
+        now_.shift = sum(now_.shift, shift);
+        jumped_at_ = q;
+        return next.status;
+    }
+
+    Status step(double from, double to) {
+        const double distance = rolling_.a_0 * (to - from);
+        Creepage start = rolling_.creepage(from, true), end = rolling_.creepage(to, false), shift{0, 0, 0};
+        if (rolling_.shift) {
+            shift = sum(rolling_.shift(to, false), rolling_.shift(from, true), -1);
+            start = sum(start, shift, 1 / distance);
+            end = sum(end, shift, 1 / distance);
+        }
+        rollbem::NormalLoad<double> load;
+        if (rolling_.load_at) load = rolling_.load_at(to);
+        const auto advance = [&] {
+            const rollbem::Travel<double> travel{distance, distance};
+            const Motion motion = Motion::linear(start, end);
+            return rolling_.load_at ? run_.try_advance({travel, motion, load}) : run_.try_advance({travel, motion});
+        };
+        const auto at = [&](double longitudinal) {
+            start.longitudinal = end.longitudinal = longitudinal;
+            return advance();
+        };
+        const Step next =
+            rolling_.force ? found(rolling_.force(to, false), now_.creepage.longitudinal, at).step : advance();
+        if (next.status != Status::ok) return refuse(next);
+        const double before = work(now_.step, start), after = work(next, end);  // implicit Euler knows no other
+        keep(next, distance * (study::named(rolling_.run.integrator).order > 1 ? (before + after) / 2 : after));
+        now_.creepage = end;
+        now_.shift = sum(now_.shift, shift);
+        return next.status;
+    }
+
+    FoundMotion found(double force, double guess, const std::function<Step(double)>& trial) const {
+        return find_for_force(force, rolling_.full, guess, trial);
+    }
+
+    /// The trial of the run becomes its present state.
+    void keep(const Step& step, double creep_work) {
+        run_.accept();
+        now_.step = step;
+        now_.rounds += step.rounds;
+        now_.slip_work += step.slip_work;
+        now_.jump_work += step.jump_work;
+        now_.creep_work += creep_work;
+    }
+
+    Status refuse(const Step& step) {
+        failed_ = step;
+        return step.status;
+    }
+
+    // the state before a failed step is not that of a later instant: the run is over
+    void end(double q, const Step& failed) {
+        now_.step = failed;
+        now_.rounds += failed.rounds;
+        ended_ = study::why_ended(q, failed.status);
+    }
+
+    const Rolling& rolling_;
+    rollbem::Run<rollbem::FrictionContact> run_;
+    Moment now_;
+    Step failed_;
+    std::string ended_;
+    double jumped_at_ = std::numeric_limits<double>::quiet_NaN();
+};
+
 }  // namespace
 
-std::string roll(const Rolling& rolling, study::RowRange range, const std::function<void(const Moment&)>& emit) {
-    const rollbem::FrictionContact& contact = rolling.contact;
-    rollbem::Run run(contact);
-    Moment now;
-    now.step.force = {0, 0, 0};
-    now.step.status = Status::ok;
-    std::string ended;
-    std::size_t row = 0;
+std::optional<Creepage> Rolling::jump(double q) const {
+    const Creepage by = shift ? sum(shift(q, true), shift(q, false), -1) : Creepage{0, 0, 0};
+    const bool moves = by.longitudinal != 0 || by.lateral != 0 || by.spin != 0;
+    return moves || (force && force(q, true) != force(q, false)) ? std::optional(by) : std::nullopt;
+}
 
-    const auto emit_row = [&] {
-        if (row++ < range.first) return;
-        now.elastic_energy = contact.elastic_energy(run.now());
-        now.valid = now.step.status == Status::ok && (!rolling.resolved || rolling.resolved(now.q));
-        now.status = word(rolling, now);
-        emit(now);
+FoundMotion find_for_force(double force, double full, double guess, const std::function<Step(double)>& trial) {
+    constexpr double precision = 1e-13;  // of the force
+    FoundMotion last{guess, {}};
+    const auto miss = [&](double motion) {
+        last = {motion, trial(motion)};
+        const bool solved = last.step.status == Status::ok;
+        return solved ? -last.step.force.longitudinal / full - force : std::numeric_limits<double>::quiet_NaN();
     };
-    // the state before a failed step is not that of a later instant: the run is over
-    const auto keep = [&](const rollbem::FrictionStep<2>& step, double creep_work) {
-        now.step = step;
-        now.rounds += step.rounds;
-        if (step.status != Status::ok) return;
-        now.slip_work += step.slip_work;
-        now.jump_work += step.jump_work;
-        now.creep_work += creep_work;
-    };
-    if (rolling.load_at) run.now() = contact.at_rest(rolling.load_at(0));
-    if (rolling.shift) {
-        const auto step =
-            run.advance({{0, rolling.run.steps.dq}, rollbem::FrictionContact::Motion::shift(*rolling.shift)});
-        keep(step, work(step, *rolling.shift) / 2);  // the mean force, from none
-        now.shifted = true;
-        if (step.status != Status::ok) ended = study::why_ended(0, step.status);
-        emit_row();
-        now.shifted = false;
+    const auto is_done = [](double miss_) { return !(std::abs(miss_) > precision); };
+    double a = guess, at_a = miss(a), stride = at_a < 0 ? 0.05 : -0.05;
+    if (is_done(at_a)) return last;
+    double b = a, at_b = at_a;
+    for (int k = 0; at_a * at_b > 0 && k < 40; ++k, stride *= 2) {
+        a = b;
+        at_a = at_b;
+        b += stride;
+        at_b = miss(b);
+        if (is_done(at_b)) return last;
     }
-    if (rolling.run.from_steady) {
-        now.step = run.steady({rollbem::Travel<>::at_speed(1.0), rolling.creepage(0)});
-        if (now.step.status != Status::ok) ended = study::why_ended(0, now.step.status);
+    if (at_a * at_b > 0) {
+        last.step.status = Status::no_solution;
+        return last;
     }
-    rollbem::FrictionStep<2> failed;
-    const auto step = [&](double from, double to) {
-        const Creepage start = rolling.creepage(from), end = rolling.creepage(to);
-        const double distance = rolling.a_0 * (to - from), before = work(now.step, start);
-        const rollbem::Travel<double> travel{distance, distance};
-        const auto motion = rollbem::FrictionContact::Motion::linear(start, end);
-        rollbem::NormalLoad<double> load;
-        if (rolling.load_at) load = rolling.load_at(to);
-        const auto next = rolling.load_at ? run.advance({travel, motion, load}) : run.advance({travel, motion});
-        if (next.status != Status::ok) {
-            failed = next;
-            return next.status;
+    for (int k = 0; k < 200; ++k) {  // regula falsi, by Illinois
+        const double middle = (at_a * b - at_b * a) / (at_a - at_b), at_middle = miss(middle);
+        if (is_done(at_middle) || std::abs(b - a) <= 1e-15 * std::max(std::abs(a), std::abs(b))) return last;
+        if (at_middle * at_b < 0) {
+            a = b;
+            at_a = at_b;
+        } else {
+            at_a /= 2;
         }
-        const double after = work(next, end);  // implicit Euler knows no other
-        keep(next, distance * (study::named(rolling.run.integrator).order > 1 ? (before + after) / 2 : after));
-        return next.status;
-    };
-    for (std::size_t k = 0; row < range.last; ++k) {
-        now.q = double(k + 1) * rolling.run.steps.dq;
-        now.computed = ended.empty();
-        now.rounds = 0;
-        if (now.computed) {
-            const auto failed_at = study::roll(double(k) * rolling.run.steps.dq, now.q, rolling.knots, step);
-            if (failed_at) {
-                keep(failed, 0);
-                ended = study::why_ended(*failed_at, failed.status);
-            }
-        }
-        emit_row();
+        b = middle;
+        at_b = at_middle;
     }
-    return ended;
+    last.step.status = Status::no_solution;
+    return last;
+}
+
+std::string roll(const Rolling& rolling, study::RowRange range, const std::function<void(const Moment&)>& emit) {
+    return Driver(rolling).roll(range, emit);
 }
 
 }  // namespace friction

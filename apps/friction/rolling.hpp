@@ -15,24 +15,36 @@
 
 namespace friction {
 
-/// A contact and what happens to it over the distance rolled q [a_0], at the rolling velocity 1.
+/// A contact and what happens to it over the distance rolled q [a_0], at the rolling velocity 1. Motions are those just
+/// before (or at) q, or `behind` it.
 struct Rolling {
+    using Motion = std::function<rollbem::Creepage<double>(double q, bool behind)>;
+
     rollbem::FrictionContact contact;
-    study::RunSettings run;                                       ///< steps in a_0
-    std::function<rollbem::Creepage<double>(double q)> creepage;  ///< linear over a step
-    std::optional<rollbem::Creepage<double>> shift{};  ///< rigid, before rolling; it takes as long as a step of dq
+    study::RunSettings run;  ///< steps in a_0
+    Motion creepage;         ///< linear over a step
+    Motion shift{};  ///< rigid displacement besides, in the unit of a_0: where it jumps, without rolling, in dq's time
+    std::function<double(double q, bool behind)> force{};  ///< -F_x/full, in place of the longitudinal creepage
+    double full = 1;                                       ///< force of full sliding
     double a_0 = 1;
-    study::Numbers knots{};                                        ///< of the load
+    study::Numbers knots{};                                        ///< of the load and of what is imposed
     std::function<rollbem::NormalLoad<double>(double)> load_at{};  ///< at q; where it is not constant
     std::function<bool(double q)> resolved{};  ///< whether steps and elements are small enough there
     bool checked = true;                       ///< whether the scheme is known to be stable
+
+    /// What a jump at q displaces; nothing where there is none. Where a force jumps, its displacement is to be found.
+    std::optional<rollbem::Creepage<double>> jump(double q) const;
+    /// Whether the first row is that of a jump before rolling.
+    bool begins_with_shift() const { return !run.from_steady && jump(0).has_value(); }
 };
 
 /// What a row has come to, in the units of the contact.
 struct Moment {
     double q = 0;
-    bool shifted = false;                                 ///< the row of the shift
+    bool shifted = false;                                 ///< the row of the shift before rolling
     rollbem::FrictionStep<2> step{};                      ///< the last one, also if it failed
+    rollbem::Creepage<double> creepage{0, 0, 0};          ///< at the end, also if it was found
+    rollbem::Creepage<double> shift{0, 0, 0};             ///< in this row, also if it was found
     double slip_work = 0, jump_work = 0, creep_work = 0;  ///< cumulative
     double elastic_energy = 0;
     int rounds = 0;        ///< of all steps of the row
@@ -40,6 +52,15 @@ struct Moment {
     bool valid = true;     ///< whether there are results
     std::string status{};
 };
+
+/// The longitudinal creepage, or shift, under which trial() has the force -F_x/full = `force`, near `guess`. Its step is
+/// the last trial; no_solution where there is none.
+struct FoundMotion {
+    double motion;
+    rollbem::FrictionStep<2> step;
+};
+FoundMotion find_for_force(double force, double full, double guess,
+                           const std::function<rollbem::FrictionStep<2>(double)>& trial);
 
 /// Rolls from the start, as the state requires, and emits the rows of `range`. Returns why the run ended before these
 /// rows did; nothing if it did not.
@@ -55,14 +76,15 @@ auto if_computed(const Value& value) {
     return study::where([](const auto& r) { return r.moment.computed; }, value);
 }
 
-/// Writes the table of a run of each case, `rows` long: prepare(case) makes its Rolling, row(case, moment) its
+/// Writes the table of a run of each case, of as many `steps` and a row for a shift before: prepare(case) makes its Rolling, row(case, moment) its
 /// rows for the sheet, plot(rows) the picture. Throws what these and write_runs throw.
 template <class Sheet, class Case, class Prepare, class Row, class Draw>
-void write_rolling(const study::Options& options, const Sheet& sheet, const std::vector<Case>& cases, std::size_t rows,
+void write_rolling(const study::Options& options, const Sheet& sheet, const std::vector<Case>& cases, std::size_t steps,
                    const Prepare& prepare, const Row& row, const Draw& plot) {
     const auto runs = study::prepared<Rolling>(options, cases, prepare);
     std::vector<std::string> ended(cases.size());
-    study::Table table = study::table_of(sheet.names(), cases, rows);
+    const bool shifts = !runs.empty() && runs.front().begins_with_shift();
+    study::Table table = study::table_of(sheet.names(), cases, steps + (shifts ? 1 : 0));
     table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
         ended[task] = roll(runs[task], range,
                            [&](const Moment& moment) { emit(sheet.row(cases[task], row(cases[task], moment))); });

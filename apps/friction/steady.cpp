@@ -192,9 +192,11 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
                      .x_label = creepage_label(falling, "δ = ξ"),
                      .y_label = force_label(falling),
                      .beside = draw_tractions(tractions, curve.line)};
-    study::add_series(
-        plot, columns, rows,
-        {.by = scheme_columns, .x = "creepage_ratio", .y = "force_ratio", .apart = study::columns_of(study::settings)});
+    study::add_series(plot, columns, rows,
+                      {.by = scheme_columns,
+                       .x = "creepage_ratio",
+                       .y = "force_ratio",
+                       .apart = study::columns_of(study::distinctions)});
     for (study::Series& series : plot.series) {
         series.line = false;
         series.open = true;
@@ -219,7 +221,7 @@ study::Plot combined_creep(const std::vector<std::string>& columns, const std::v
                           {.by = study::joined(scheme_columns, {"lateral_ratio", "spin_ratio"}),
                            .x = "creepage_ratio",
                            .y = y,
-                           .apart = study::columns_of(study::settings)});
+                           .apart = study::columns_of(study::distinctions)});
         plot.y_range = force_range(plot);
         return plot;
     };

@@ -47,6 +47,10 @@ void solve_by_border(const Curve& curve, const study::Scene& scene, study::RowRa
 /// The points without a solution, where G' is not finite, as for b/a or a layer near the limits of double.
 void leave_out(const study::Scene& scene, study::RowRange range, const Line& line, const See& see);
 
+/// What may be imposed in the time domain.
+inline const study::HistoryColumns history_columns{"creepage_ratio",
+                                                   {"lateral_ratio", "spin_ratio", "shift", "force", "load_ratio"}};
+
 // --- the modes: their columns and meanings, and what writes their tables and throws what write_table throws
 
 std::string creep_help();

@@ -14,43 +14,56 @@ namespace friction {
 
 namespace {
 
-/// What all runs share: the creepage ratios over q/a, and what comes before.
+/// What all runs share.
 struct History {
     Line line;
     study::RunSettings run;
+    study::History imposed;  ///< creepage ratios, shift [mu p0 a/G] and force over q/a
     std::optional<study::LoadHistory> load;
-    CreepPoint point{};
-    std::optional<double> omega{};  ///< of a sine [V/a]; constant without
-    std::optional<double> shift{};  ///< [mu p0 a/G]
     bool checked;
 
-    CreepPoint at(double q) const {
-        CreepPoint now = point;
-        if (omega) now.longitudinal *= std::sin(*omega * q);
-        return now;
+    CreepPoint at(double q, bool behind) const {
+        const auto value = [&](const char* column) { return imposed.at(column, q, behind); };
+        const std::optional<double> lateral = line.both ? std::optional(value("lateral_ratio")) : std::nullopt;
+        return {value("creepage_ratio"), lateral, value("spin_ratio")};
     }
-    bool resolved() const {
-        return (!omega || study::resolves(*omega, run.steps.dq)) && (!load || load->resolved(run.steps.dq));
-    }
+    bool resolved() const { return imposed.resolved(run.steps.dq) && (!load || load->resolved(run.steps.dq)); }
 };
+
+/// What is imposed: one of the ways of a creepage or force along x, and constants besides.
+study::History read_imposed(const study::Options& options) {
+    study::History imposed = study::read_history(options, history_columns).value_or(study::History());
+    const bool along = imposed.has("creepage_ratio") || options.given("creepage-ratio");
+    const bool by_force = imposed.has("force") || options.given("force");
+    for (const auto& [option, column] : {std::pair("creepage-ratio", "creepage_ratio"),
+                                         {"lateral-ratio", "lateral_ratio"},
+                                         {"spin-ratio", "spin_ratio"},
+                                         {"shift", "shift"},
+                                         {"force", "force"}}) {
+        if (!options.given(option)) continue;
+        if (imposed.has(column)) options.ignored(option, std::string("with the column ") + column + " of --history");
+        imposed.set(column, options.number(option, study::finite()));
+    }
+    if (along && by_force) throw study::BadInput("a force and a creepage along x must not be given together");
+    if (!imposed.has("creepage_ratio") && !by_force && !imposed.has("shift")) {
+        throw study::BadInput(
+            "one of --creepage-ratio, --step, --ramp, --sine, --history, --force and --shift must be given with "
+            "--transient");
+    }
+    return imposed;
+}
 
 History read_history(const study::Options& options) {
     const study::RunSettings run(options);
+    study::History imposed = read_imposed(options);
     History history{.line = Line(options),
                     .run = run,
-                    .load = read_load(options, run.until()),
+                    .imposed = imposed,
+                    .load = read_load(options, run.until(), imposed),
                     .checked = !options.flag("unchecked")};
-    if (history.line.both) history.point.lateral = options.number("lateral-ratio", study::finite());
-    if (options.given("spin-ratio")) history.point.spin = options.number("spin-ratio", study::finite());
-    if (options.given("shift")) history.shift = options.number("shift", study::finite());
-    if (options.given("sine")) {
-        const study::Sine sine = study::read_sine(options);
-        history.point.longitudinal = sine.amplitude;
-        history.omega = sine.omega;
-    } else if (options.given("creepage-ratio")) {
-        history.point.longitudinal = options.number("creepage-ratio", study::finite());
-    } else {
-        throw study::BadInput("one of --creepage-ratio and --sine must be given with --transient");
+    history.line.both = imposed.has("lateral_ratio");
+    if (imposed.has("spin_ratio") && !history.line.both) {
+        throw study::BadInput("the column spin_ratio must go with lateral_ratio");
     }
     return history;
 }
@@ -95,14 +108,24 @@ rollbem::FrictionContact make_contact(const study::Options& options, const Histo
 }
 
 Rolling make_rolling(const study::Options& options, const History& history, const study::Scene& scene) {
+    const double unit = creepage_unit(scene);
     Rolling rolling{.contact = make_contact(options, history, scene),
                     .run = history.run,
-                    .creepage = [&history, unit = creepage_unit(scene)](double q) { return history.at(q).times(unit); },
+                    .creepage = [&history, unit](double q, bool behind) { return history.at(q, behind).times(unit); },
+                    .full = mu_N * scene.contact.width(),
+                    .knots = history.imposed.places(),
                     .resolved = [&history](double) { return history.resolved(); },
                     .checked = history.checked};
-    if (history.shift) rolling.shift = rollbem::Creepage<double>{*history.shift};
+    if (history.imposed.has("shift")) {
+        rolling.shift = [&history](double q, bool behind) {
+            return rollbem::Creepage<double>{history.imposed.at("shift", q, behind)};
+        };
+    }
+    if (history.imposed.has("force")) {
+        rolling.force = [&history](double q, bool behind) { return history.imposed.at("force", q, behind); };
+    }
     if (history.load) {
-        rolling.knots = history.load->knots;
+        rolling.knots = study::merged(rolling.knots, history.load->knots);
         rolling.load_at = [hertz = hertz_load(*history.load, *scene.mesh), &load = *history.load](double q) {
             rollbem::NormalLoad<double> normal = hertz.at(mu_N);
             hertz.set(load.at(q) * mu_N, normal);  // a step refuses what is no load
@@ -122,14 +145,18 @@ struct TimeRow {
     double full;  ///< force of full sliding
 
     CreepPoint ratios() const {
-        return moment.shifted ? CreepPoint{0, line.both ? std::optional(0.0) : std::nullopt} : history.at(moment.q);
+        if (moment.shifted) return {0, line.both ? std::optional(0.0) : std::nullopt};
+        CreepPoint point = history.at(moment.q, false);
+        if (history.imposed.has("force")) point.longitudinal = moment.creepage.longitudinal / creepage_unit(scene);
+        return point;
     }
     double load_ratio() const { return history.load ? history.load->at(moment.q) : 1; }
     double force_ratio() const { return 0 - moment.step.force.longitudinal / full; }  // 0 without load, not -0
     std::optional<double> exact() const {
         const bool holds = moment.shifted && line.carter() && !history.load && study::plane_model_decays(scene.contact);
         if (!holds) return std::nullopt;
-        return rollbem::cattaneo_force_ratio(*history.shift, scene.contact.poisson_ratio(), scene.contact.aspect());
+        return rollbem::cattaneo_force_ratio(moment.shift.longitudinal, scene.contact.poisson_ratio(),
+                                             scene.contact.aspect());
     }
     study::Cell if_both(double value) const { return line.both ? study::Cell(value) : study::Cell(); }
 };
@@ -141,10 +168,10 @@ const study::Sheet<TimeRow>& time_sheet() {
         study::joined<study::Column<R>>(
             {{"q_over_a", "distance rolled, of a_0; the first row is at q = dq, with --shift one at q = 0 comes before",
               [](const R& r) { return r.moment.q; }},
-             {"creepage_ratio", "there; linear over a step (its end value with implicit-euler)",
+             {"creepage_ratio", "there; linear over a step (its end value with implicit-euler), found for --force",
               [](const R& r) { return r.ratios().longitudinal; }},
-             {"shift", "imposed in this row, in mu p0 a/G",
-              [](const R& r) { return r.moment.shifted ? *r.history.shift : 0.0; }},
+             {"shift", "in this row, in mu p0 a/G, imposed or found for --force",
+              [](const R& r) { return r.moment.shift.longitudinal; }},
              {"force_ratio", "-F_x/(mu N_0)", if_valid(&R::force_ratio)},
              {"stick_count", "elements that stick", if_valid([](const R& r) { return r.moment.step.stick_count; })},
              {"rounds", "of all solutions of a step, two with sdirk2",
@@ -188,32 +215,43 @@ const study::Sheet<TimeRow>& time_sheet() {
 // --- pictures ------------------------------------------------------------------------------------------------------
 
 /// The forces over the distance, with the load if it changes; in a second panel over the creepage if that changes.
-study::Plot force_in_time(const std::vector<study::Row>& rows, const History& history, const std::string& scene) {
+study::Plot force_in_time(const std::vector<study::Row>& rows, const History& history, const study::Options& options) {
     const bool lateral = history.line.both, load_changes = history.load.has_value();
     const bool carter = history.line.carter() && !lateral && !load_changes;
-    const double ratio = history.point.longitudinal, end = history.run.until();
+    const double end = history.run.until();
     const auto add = [&](study::Plot& plot, const char* x, const char* y, const std::string& prefix,
                          bool reference = false) {
         time_sheet().draw(plot, rows, {.x = x, .y = y, .prefix = prefix, .markers = false, .reference = reference});
     };
-    study::Plot plot{.title = "Rolling with friction" + scene,
+    study::Plot plot{.title = "Rolling with friction" + scene_in_title(options),
                      .x_label = "distance rolled q/a",
                      .y_label = force_label(history.line.law.has_value(), "-F", load_changes ? "N_0" : "N"),
                      .x_range = study::PlotRange{0, end}};
-    if (rows.empty()) return plot;  // of a shard
+    if (rows.empty()) return plot;       // of a shard
+    if (history.imposed.has("force")) {  // what is found is the creepage
+        plot.y_label = "creepage ratio δ";
+        add(plot, "q_over_a", "creepage_ratio", "computed");
+        return plot;
+    }
     add(plot, "q_over_a", "force_ratio", lateral ? "longitudinal" : "computed");
     if (lateral) add(plot, "q_over_a", "lateral_force_ratio", "lateral");
     if (load_changes) add(plot, "q_over_a", "load_ratio", "load N/N_0", true);
-    if (history.omega) {
+    const bool constant = options.given("creepage-ratio") || options.given("step");
+    const bool swept =
+        options.given("sine") || options.given("ramp") || history.imposed.values("creepage_ratio").size() > 1;
+    if (swept) {
         study::Plot loop{.x_label = "creepage ratio δ", .y_label = plot.y_label};
         add(loop, "creepage_ratio", "force_ratio", "computed");
         loop.title = "Hysteresis";
-        const double most = std::abs(ratio);
+        double most = 0;
+        for (const study::Series& series : loop.series) {
+            for (const auto& point : series.points) most = std::max(most, std::abs(point.first));
+        }
         if (carter) loop.series.push_back(carter_curve(-most, most));
         if (!load_changes) loop.y_range = force_range(loop);
         plot.beside.push_back(std::move(loop));
-    } else if (carter) {
-        const double force = rollbem::carter_force_ratio(ratio);
+    } else if (carter && constant) {
+        const double force = rollbem::carter_force_ratio(history.at(end, false).longitudinal);
         plot.series.push_back(
             {.label = "Carter, steady", .points = {{0, force}, {end, force}}, .markers = false, .reference = true});
     }
@@ -240,9 +278,8 @@ void run_transient(const study::Options& options) {
     const auto row = [&](const study::Scene& scene, const Moment& moment) {
         return TimeRow{history, history.line, scene, moment, mu_N * scene.contact.width()};
     };
-    write_rolling(
-        options, time_sheet(), scenes, history.run.steps.count + (history.shift ? 1 : 0), prepare, row,
-        [&](const std::vector<study::Row>& rows) { return force_in_time(rows, history, scene_in_title(options)); });
+    const auto draw = [&](const std::vector<study::Row>& rows) { return force_in_time(rows, history, options); };
+    write_rolling(options, time_sheet(), scenes, history.run.steps.count, prepare, row, draw);
 }
 
 }  // namespace friction

@@ -56,7 +56,7 @@ const study::Sheet<FrictionRow, Patch>& friction_sheet() {
                         [](const R& r) { return r.step.complementarity_residual; }},
                        {"time_us", "[microseconds] of the solution, matrices ready", &R::time_us},
                        {"status", "ok, or why there are no forces", [](const R& r) { return name(r.step.status); }}}),
-        "nodes"};
+        distinctions};
     return columns;
 }
 
@@ -81,7 +81,7 @@ const study::Sheet<FrictionRow, Patch>& traction_sheet() {
              {"stick", "1 or 0",
               if_ok([](const R& r) { return int(r.state.zones[std::size_t(r.i)] == rollbem::Zone::stick); })},
              {"status", "as above", [](const R& r) { return name(r.step.status); }}}),
-        ""};
+        "scheme"};
     return columns;
 }
 
@@ -110,8 +110,13 @@ void add_friction_options(study::Options& options) {
     options.add_table("tractions", "with these, also write a CSV file with one row per element, and FILE.toml");
 }
 
+std::vector<std::string> ways_of_friction() {
+    return {"longitudinal", "lateral", "spin", "step", "ramp", "sine", "history", "force"};
+}
+
 bool asks_for_friction(const study::Options& options) {
-    return options.given("longitudinal") || options.given("lateral") || options.given("spin");
+    const std::vector<std::string> ways = ways_of_friction();
+    return std::any_of(ways.begin(), ways.end(), [&](const std::string& way) { return options.given(way); });
 }
 
 std::vector<CreepPoint> read_points(const study::Options& options, const std::vector<Patch>& patches) {
@@ -123,7 +128,11 @@ std::vector<CreepPoint> read_points(const study::Options& options, const std::ve
         }
     }
     const auto spins = [](const CreepPoint& point) { return point.spin != 0; };
-    if (std::none_of(points.begin(), points.end(), spins)) return points;
+    if (std::any_of(points.begin(), points.end(), spins)) require_no_gain(options, patches);
+    return points;
+}
+
+void require_no_gain(const study::Options& options, const std::vector<Patch>& patches) {
     for (const Patch& patch : patches) {
         // moments are those of tractions at the middles of elements, slip is taken elsewhere in them: creep work
         // without slip, a quadratic form, may become negative where elements are few
@@ -131,10 +140,9 @@ std::vector<CreepPoint> read_points(const study::Options& options, const std::ve
         const Eigen::Matrix3d C = steady.coefficients;
         options.require(steady.status != rollbem::Status::ok ||
                             Eigen::LLT<Eigen::Matrix3d>(C + C.transpose()).info() == Eigen::Success,
-                        "spin",
+                        options.given("spin") ? "spin" : "history",
                         "go with more elements or strips than " + patch.label() + ": rolling could gain energy");
     }
-    return points;
 }
 
 std::string friction_help() {

@@ -15,6 +15,7 @@
 #include <rollbem/scene/patch_contact.hpp>
 
 #include "friction/tractions.hpp"
+#include "support/named_scheme.hpp"
 #include "support/options.hpp"
 #include "support/plot.hpp"
 #include "support/sheet.hpp"
@@ -29,6 +30,7 @@ struct Patch {
     rollbem::PatchMesh<double> mesh;
     rollbem::Mesh<double> across;  ///< that cuts it into strips
     rollbem::NodeDifference scheme;
+    study::NamedScheme named;  ///< scheme and strips by their names
 
     std::string label() const;  ///< for the progress line
     rollbem::HalfSpace<double> kernel() const { return rollbem::HalfSpace<double>(contact.poisson_ratio()); }
@@ -41,10 +43,11 @@ void add_options(study::Options& options);
 /// All patches: n is the outermost loop, then the number of strips, a/b and Poisson's ratio. Throws BadInput.
 std::vector<Patch> make_patches(const study::Options& options);
 
-/// The first columns of every table; nodes stands behind them.
+/// The first columns of every table, and the last.
 inline constexpr const char* identity = "a_over_b, poisson, n, strips";
+inline constexpr const char* distinctions = "nodes, scheme";
 
-/// The cell of one of them, or of nodes.
+/// The cell of one of these.
 study::Cell scene_cell(const Patch& patch, const std::string& column);
 
 // --- friction
@@ -77,11 +80,17 @@ Pressure read_pressure(const study::Options& options);
 /// Declares --longitudinal, --lateral, --spin, --pressure and --tractions.
 void add_friction_options(study::Options& options);
 
-/// Whether any of the creepages was given.
+/// The options that ask for friction, the last five in the time domain.
+std::vector<std::string> ways_of_friction();
+
+/// Whether any of these was given.
 bool asks_for_friction(const study::Options& options);
 
 /// All creepages, longitudinal outermost. Throws BadInput, also if a patch would gain energy from rolling with spin.
 std::vector<CreepPoint> read_points(const study::Options& options, const std::vector<Patch>& patches);
+
+/// Throws BadInput if a patch would gain energy from rolling with spin.
+void require_no_gain(const study::Options& options, const std::vector<Patch>& patches);
 
 /// The columns and their meanings, of forces and of tractions.
 std::string friction_help();
@@ -115,8 +124,8 @@ study::Plot draw_friction(const std::vector<std::string>& columns, const std::ve
 study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint& point,
                             const friction::Tractions& tractions);
 
-/// Forces and moment over the distance rolled, with the load if that varies: in one panel if there is one patch.
-study::Plot draw_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
-                         bool load_varies);
+/// Forces, or along x the creepage found `by_force`, and moment over the distance rolled, with the load if that varies.
+study::Plot draw_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows, bool load_varies,
+                         bool by_force);
 
 }  // namespace patch

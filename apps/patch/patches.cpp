@@ -39,8 +39,18 @@ Outline read_outline(const study::Options& options) {
     }
 }
 
+/// Of --scheme, or of --method, --nodes and --strip-grading.
+std::vector<study::NamedScheme> make_schemes(const study::Options& options) {
+    if (options.given("scheme")) return study::named_schemes(options.texts("scheme"), true);
+    study::NamedScheme scheme{.method = options.choice("method", {"nodes"}), .mesh_name = "cosine"};
+    scheme.nodes = options.choice("nodes", {"centres", "chebyshev"});
+    const std::string grading = options.choice("strip-grading", {"cosine", "uniform"});
+    scheme.strips = options.given("strip-edges") ? "edges" : grading;
+    return {scheme};
+}
+
 /// The strips across the height low ... high: --strip-edges, or one mesh for each of `counts`.
-std::vector<Mesh> make_strips(const study::Options& options, double low, double high,
+std::vector<Mesh> make_strips(const study::Options& options, double low, double high, bool cosine,
                               const std::vector<std::ptrdiff_t>& counts) {
     if (options.given("strip-edges")) {
         const auto end = [](double y, const char* which) { return study::Cell(y).text(12) + ", the " + which + " y"; };
@@ -48,7 +58,6 @@ std::vector<Mesh> make_strips(const study::Options& options, double low, double 
             study::read_edges(options, "strip-edges", low, high, end(low, "smallest"), end(high, "largest"));
         return {rollbem::mesh_from_edges(array(edges))};
     }
-    const bool cosine = options.choice("strip-grading", {"cosine", "uniform"}) == "cosine";
     std::vector<Mesh> strips;
     for (const std::ptrdiff_t m : counts) {
         strips.push_back(cosine ? rollbem::cosine_mesh(m) : rollbem::uniform_mesh(m));
@@ -84,15 +93,17 @@ void add_options(study::Options& options) {
     options.set_default("nodes", "chebyshev");
     options.set_help("nodes", "chebyshev, or centres of elements");
     options.refuse_group("Discretisation", "each strip has the cosine mesh, and rows between nodes",
-                         {"n", "method", "nodes"});
+                         {"n", "method", "nodes", "scheme"});
+    options.set_help("scheme",
+                     "in place of --method, --nodes and --strip-grading: cosine:nodes or cosine:nodes-chebyshev, with "
+                     ":cosine-strips (default) or :uniform-strips");
+    options.not_with({"strip-grading", "strip-edges"}, "scheme");
     options.refuse("kernel", "the bodies are half-spaces");
     options.refuse("aspect", "a patch is wide and long: --a-over-b");
 }
 
 std::vector<Patch> make_patches(const study::Options& options) {
-    options.choice("method", {"nodes"});
-    const bool chebyshev = options.choice("nodes", {"centres", "chebyshev"}) == "chebyshev";
-    const rollbem::NodeDifference scheme{chebyshev ? rollbem::Nodes::chebyshev : rollbem::Nodes::centres};
+    const std::vector<study::NamedScheme> schemes = make_schemes(options);
     const Numbers poisson = options.numbers("poisson", study::between(0, 0.5));
     std::optional<Outline> outline;
     std::vector<Contact> contacts;
@@ -109,15 +120,21 @@ std::vector<Patch> make_patches(const study::Options& options) {
     if (options.given("strips")) counts = options.integers("strips", 1, most_elements);
     std::vector<Patch> patches;
     const double low = outline ? outline->low() : -1, high = outline ? outline->high() : 1;
+    const auto add = [&](std::ptrdiff_t n, const study::NamedScheme& scheme, const Mesh& across) {
+        if (n * across.size() > most_elements) {
+            throw study::BadInput("--n = " + std::to_string(n) + " times " + std::to_string(across.size()) +
+                                  " strips must be at most " + std::to_string(most_elements));
+        }
+        for (const Contact& contact : contacts) {
+            patches.push_back({contact, rollbem::patch_mesh(contact, rollbem::cosine_mesh(n), across), across,
+                               *scheme.equations().get_if<rollbem::NodeDifference>(), scheme});
+        }
+    };
     for (const std::ptrdiff_t n : numbers) {
-        for (const Mesh& across : make_strips(options, low, high, counts.empty() ? std::vector{n} : counts)) {
-            if (n * across.size() > most_elements) {
-                throw study::BadInput("--n = " + std::to_string(n) + " times " + std::to_string(across.size()) +
-                                      " strips must be at most " + std::to_string(most_elements));
-            }
-            for (const Contact& contact : contacts) {
-                patches.push_back(
-                    {contact, rollbem::patch_mesh(contact, rollbem::cosine_mesh(n), across), across, scheme});
+        for (const study::NamedScheme& scheme : schemes) {
+            const std::vector<std::ptrdiff_t> strips = counts.empty() ? std::vector{n} : counts;
+            for (const Mesh& across : make_strips(options, low, high, scheme.strips == "cosine", strips)) {
+                add(n, scheme, across);
             }
         }
     }
@@ -128,7 +145,8 @@ study::Cell scene_cell(const Patch& patch, const std::string& column) {
     if (column == "poisson") return patch.contact.poisson_ratio();
     if (column == "n") return patch.mesh.elements_per_strip();
     if (column == "strips") return patch.mesh.strip_count();
-    if (column == "nodes") return patch.scheme.nodes == rollbem::Nodes::chebyshev ? "chebyshev" : "centres";
+    if (column == "nodes") return patch.named.nodes;
+    if (column == "scheme") return patch.named.word();
     return patch.contact.outline() ? study::Cell() : study::Cell(patch.contact.a_over_b());
 }
 

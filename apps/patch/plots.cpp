@@ -28,6 +28,13 @@ std::set<double> values(const Columns& columns, const Rows& rows, const std::str
     return found;
 }
 
+/// The column `scheme` where there are several.
+Columns by_scheme(const Columns& columns, const Rows& rows) {
+    std::set<std::string> words;
+    for (const study::Row& row : rows) words.insert(row[study::index_of(columns, "scheme")].text());
+    return words.size() > 1 ? Columns{"scheme"} : Columns{};
+}
+
 /// What a picture of patches may have along x.
 struct Axis {
     std::string column, label;
@@ -49,7 +56,7 @@ Columns others(const Columns& columns, const Rows& rows, const Axis& x) {
     const bool as_many = std::all_of(rows.begin(), rows.end(), [](const study::Row& row) {
         return row[2].number() == row[3].number();  // n and strips
     });
-    Columns by;
+    Columns by = by_scheme(columns, rows);
     for (const Axis& axis : picture_axes) {
         const bool is_there = study::index_of(columns, axis.column) < columns.size();
         if (is_there && axis.column != x.column && !(x.column == "n" && axis.column == "strips" && as_many)) {
@@ -249,14 +256,19 @@ study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint&
     return study::side_by_side(std::move(panels));
 }
 
-study::Plot draw_in_time(const Columns& columns, const Rows& rows, bool load_varies) {
+study::Plot draw_in_time(const Columns& columns, const Rows& rows, bool load_varies, bool by_force) {
     const std::string force = load_varies ? "μ N_0" : "μ N", c = load_varies ? "c_0" : "c";
-    study::Selection selection{.by = study::joined(patch_columns, {"nodes", "longitudinal", "lateral", "spin"}),
+    study::Selection selection{.by = study::joined(patch_columns, by_scheme(columns, rows)),
                                .x = "q_over_a",
                                .y = "load_ratio",
                                .markers = false};
+    for (const char* creepage : {"longitudinal", "lateral", "spin"}) {  // which a history varies within a curve
+        if (values(columns, rows, creepage).size() == 1) selection.by.emplace_back(creepage);
+    }
+    std::vector<Axis> shown = forces_over(force, c);
+    if (by_force) shown[0] = {"longitudinal", "ξ G a b / (μ N)"};
     const study::Plot frame{.title = "Patch in time", .x_label = "distance rolled q/a"};
-    std::vector<study::Plot> panels = panels_of(frame, columns, rows, selection, forces_over(force, c));
+    std::vector<study::Plot> panels = panels_of(frame, columns, rows, selection, shown);
     selection.prefix = "load N/N_0";
     selection.reference = true;
     if (load_varies && !rows.empty()) study::add_series(panels[0], columns, rows, selection);

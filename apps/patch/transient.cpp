@@ -51,8 +51,11 @@ struct Load : study::LoadHistory {
     }
 };
 
-std::optional<Load> read_load(const study::Options& options, double until) {
-    std::optional<study::LoadHistory> history = study::read_load_history(options, until, "a_ratio,b_ratio");
+std::optional<Load> read_load(const study::Options& options, double until, const study::History& imposed) {
+    std::optional<study::LoadHistory> history = study::read_load_history(options, until, imposed, "a_ratio,b_ratio");
+    if (!history && (imposed.has("a_ratio") || imposed.has("b_ratio"))) {
+        throw study::BadInput(options.said("history") + " must have load_ratio with a_ratio and b_ratio");
+    }
     if (!history) return std::nullopt;
     Load load{std::move(*history)};
     // of a shape of its own, which need not shrink with the load
@@ -63,8 +66,8 @@ std::optional<Load> read_load(const study::Options& options, double until) {
     for (const study::Numbers& column : load.further) {
         for (const double ratio : column) {
             if (rule.holds(ratio)) continue;
-            throw study::BadInput(options.said("load") + ": a_ratio and b_ratio must " + rule.text + ", not " +
-                                  study::Cell(ratio).text(6));
+            throw study::BadInput(options.said(options.given("load") ? "load" : "history") +
+                                  ": a_ratio and b_ratio must " + rule.text + ", not " + study::Cell(ratio).text(6));
         }
     }
     return load;
@@ -74,10 +77,14 @@ std::optional<Load> read_load(const study::Options& options, double until) {
 
 /// What all runs share.
 struct Scene {
-    CreepPoint point;
+    study::History imposed;
     std::optional<Load> load;
     study::RunSettings run;
 
+    CreepPoint at(double q, bool behind) const {
+        return {imposed.at("longitudinal", q, behind), imposed.at("lateral", q, behind), imposed.at("spin", q, behind)};
+    }
+    bool resolved() const { return imposed.resolved(run.steps.dq) && (!load || load->resolved(run.steps.dq)); }
     bool breathes() const { return load && load->breathing; }
 };
 
@@ -135,12 +142,23 @@ Rolling make_rolling(const Scene& scene, const Patch& patch, const Pressure& pre
         load ? rollbem::hertz_pressures(covered.contact, covered.mesh, mu_N(patch)) : pressure(patch);
     Rolling rolling{.contact = make_contact(scene, patch, covered, pressures),
                     .run = scene.run,
-                    .creepage = [constant = creepage(patch, scene.point)](double) { return constant; },
-                    .a_0 = patch.contact.half_length()};
+                    .creepage = [&](double q, bool behind) { return creepage(patch, scene.at(q, behind)); },
+                    .full = mu_N(patch),
+                    .a_0 = patch.contact.half_length(),
+                    .knots = scene.imposed.places(),
+                    .resolved = [&scene](double) { return scene.resolved(); }};
+    if (scene.imposed.has("shift_x") || scene.imposed.has("shift_y")) {
+        rolling.shift = [&scene, a_0 = rolling.a_0](double q, bool behind) {
+            const auto value = [&](const char* column) { return a_0 * scene.imposed.at(column, q, behind); };
+            return rollbem::Creepage<double>{value("shift_x"), value("shift_y"), 0};
+        };
+    }
+    if (scene.imposed.has("force")) {
+        rolling.force = [&scene](double q, bool behind) { return scene.imposed.at("force", q, behind); };
+    }
     if (!load) return rolling;
-    rolling.knots = load->knots;
+    rolling.knots = study::merged(rolling.knots, load->knots);
     if (scene.breathes()) {
-        rolling.resolved = [&scene](double) { return scene.load->resolved(scene.run.steps.dq); };
         rolling.load_at = [&patch, &load, pressures](double q) {
             const AxisRatios axes = load->axes(q);
             return rollbem::NormalLoad<double>{load->at(q) / (axes.a * axes.b) * pressures,
@@ -152,7 +170,7 @@ Rolling make_rolling(const Scene& scene, const Patch& patch, const Pressure& pre
     }
     const rollbem::SemiAxes<double> least = rollbem::least_resolved(covered.contact, covered.mesh);
     rolling.resolved = [&scene, &patch, &load, least](double q) {
-        const bool follows = load->resolved(scene.run.steps.dq);
+        const bool follows = scene.resolved();
         if (!follows || load->at(q) == 0) return follows;
         const PatchContact now = stretched(patch.contact, load->axes(q));
         return now.half_length() >= least.half_length && now.half_width() >= least.half_width;
@@ -174,7 +192,7 @@ Rolling make_rolling(const Scene& scene, const Patch& patch, const Pressure& pre
 
 struct TimeRow {
     const Scene& scene;
-    const CreepPoint& point;
+    const CreepPoint point;  ///< at the end of the row
     const Patch& patch;
     const friction::Moment& moment;
 
@@ -221,22 +239,50 @@ const study::Sheet<TimeRow, Patch>& time_sheet() {
              {"complementarity_residual", "how far the law is violated",
               if_computed([](const R& r) { return r.moment.step.complementarity_residual; })},
              {"integrator", "as given", [](const R& r) { return study::word(r.scene.run.integrator); }}},
-            creepage_columns<R>()),
-        "nodes"};
+            study::joined(
+                creepage_columns<R>(),
+                {{"shift_x", "rigid shift in this row over a_0, times G a b/(mu N), imposed or found for --force",
+                  [](const R& r) { return r.moment.shift.longitudinal / r.patch.contact.half_length(); }},
+                 {"shift_y", "the same across",
+                  [](const R& r) { return r.moment.shift.lateral / r.patch.contact.half_length(); }}})),
+        distinctions};
     return columns;
+}
+
+const study::HistoryColumns history_columns{
+    "longitudinal", {"lateral", "spin", "shift_x", "shift_y", "force", "load_ratio", "a_ratio", "b_ratio"}};
+
+/// What is imposed: tables, and constants besides.
+study::History read_imposed(const study::Options& options) {
+    study::History imposed = study::read_history(options, history_columns).value_or(study::History());
+    const bool by_force = imposed.has("force") || options.given("force");
+    const bool along = imposed.has("longitudinal") || options.given("longitudinal");
+    if (along && by_force) throw study::BadInput("a force and a creepage along x must not be given together");
+    for (const char* name : {"longitudinal", "lateral", "spin", "force"}) {
+        if (!options.given(name)) continue;
+        if (imposed.has(name)) options.ignored(name, std::string("with the column ") + name + " of --history");
+        imposed.set(name, options.number(name, study::between(-1e6, 1e6)));
+    }
+    return imposed;
 }
 
 }  // namespace
 
 void add_transient_options(study::Options& options) {
     options.add_flag("transient",
-                     "with one value of each creepage: roll in time, one row for each step; lengths over a, N, a and b "
-                     "at load_ratio 1");
+                     "with one value of each creepage, or a history: roll in time, one row for each step; lengths over "
+                     "a, N, a and b at load_ratio 1");
+    study::add_history_options(options, history_columns, "transient");
+    options
+        .add("force", "F", "-F_x/(mu N_0) in place of a creepage, which is found; from rest by a shift (dimensionless)")
+        .only_with({"transient"});
+    options.not_with({"step", "ramp", "sine", "longitudinal"}, "force");
+    for (const char* way : {"step", "ramp", "sine"}) options.not_with({"longitudinal"}, way);
     study::add_run_options(
         options,
         " and, if known, a_ratio,b_ratio: N/N_0, a/a_0 and b/b_0 over the distance rolled in a_0, linear between its "
         "rows, which must cover the run (dimensionless); without them both are the cube root of load_ratio",
-        "the mesh follows the ellipse, as it does by default where --load has a_ratio,b_ratio and the load never "
+        "the mesh follows the ellipse, as it does by default where a table has a_ratio,b_ratio and the load never "
         "vanishes; --breathing=false: it covers the largest one");
 }
 
@@ -245,19 +291,23 @@ std::string transient_help() { return time_sheet().help(); }
 void run_transient(const study::Options& options, const std::vector<Patch>& patches) {
     const Pressure pressure = read_pressure(options);
     const study::RunSettings run(options);
-    const std::vector<CreepPoint> points = read_points(options, patches);
-    if (points.size() != 1) {
+    for (const char* name : {"longitudinal", "lateral", "spin"}) {
+        if (options.numbers(name, study::between(-1e6, 1e6)).size() == 1) continue;
         throw study::BadInput("--longitudinal, --lateral and --spin must have one value each with --transient");
     }
-    const Scene scene{points.front(), read_load(options, run.until()), run};
+    const study::History imposed = read_imposed(options);
+    if (imposed.has("spin")) require_no_gain(options, patches);
+    const Scene scene{imposed, read_load(options, run.until(), imposed), run};
+    const auto row = [&](const Patch& patch, const friction::Moment& moment) {
+        CreepPoint point = moment.shifted ? CreepPoint{0, 0, 0} : scene.at(moment.q, false);
+        if (imposed.has("force") && !moment.shifted) point.longitudinal = moment.creepage.longitudinal;
+        return TimeRow{scene, point, patch, moment};
+    };
     friction::write_rolling(
         options, time_sheet(), patches, run.steps.count,
-        [&](const Patch& patch) { return make_rolling(scene, patch, pressure); },
-        [&](const Patch& patch, const friction::Moment& moment) {
-            return TimeRow{scene, scene.point, patch, moment};
-        },
+        [&](const Patch& patch) { return make_rolling(scene, patch, pressure); }, row,
         [&](const std::vector<study::Row>& rows) {
-            return draw_in_time(time_sheet().names(), rows, scene.load.has_value());
+            return draw_in_time(time_sheet().names(), rows, scene.load.has_value(), imposed.has("force"));
         });
 }
 

@@ -33,7 +33,7 @@ double error_of(const Quantity& quantity, const Values& found, const Values& exa
     };
     const auto largest = [](const Eigen::ArrayXd& errors) { return errors.abs().maxCoeff<Eigen::PropagateNaN>(); };
     if (quantity.problem == Problem::harmonic) return std::abs(found[0] / exact[0] - 1.0);
-    if (quantity.problem == Problem::step) return largest(real(found) / real(exact) - 1);
+    if (quantity.problem == Problem::transient) return largest(real(found) / real(exact) - 1);
     if (quantity.problem == Problem::varying_load) return largest(real(found) - real(exact));
     if (quantity.name == "traction" || quantity.problem == Problem::combined_friction) {
         double error = 0, size = 0;
@@ -51,22 +51,23 @@ double error_of(const Quantity& quantity, const Values& found, const Values& exa
 /// and 1280 it differs by 7e-6 of itself. Those under a load that varies are extrapolated from cosine meshes of 160 and
 /// 320 elements that breathe, in steps of a quarter of those of the schemes; from 320 and 640 in steps half as long
 /// they differ by at most 4e-6.
-Values reference(const Contact<double>& contact, const Quantity& quantity) {
+Values reference(const Scene& scene, const Quantity& quantity) {
+    const Contact<double>& contact = scene.contact;
     const double nu = contact.poisson_ratio();
     switch (quantity.problem) {
         case Problem::harmonic: return {rollbem::reference::plane_c11({0, quantity.frequency}, nu, contact.aspect())};
-        case Problem::step: {
+        case Problem::transient: {
             const rollbem::reference::StepResponse response(nu, contact.aspect());
             Values forces;
-            for (int k = 1; k <= steps; ++k) forces.emplace_back(response.step(k));
+            for (int k = 1; k <= steps; ++k) forces.emplace_back(response.step(k * scene.dq));
             return forces;
         }
-        case Problem::friction: return {rollbem::carter_force_ratio(creepage_ratio)};
+        case Problem::friction: return {rollbem::carter_force_ratio(scene.creepage_ratio)};
         case Problem::combined_friction:
         case Problem::varying_load: {
             const long n = quantity.problem == Problem::varying_load ? 320 : 640;
-            return evaluate({.contact = contact, .load_parts = 4}, scheme_of("richardson-cosine"), n, quantity, {})
-                .values;
+            const Scene plane{.contact = contact, .creepage_ratio = scene.creepage_ratio, .load_parts = 4};
+            return evaluate(plane, scheme_of("richardson:cosine:collocation:0.5/0.5"), n, quantity, {}).values;
         }
         default: break;
     }
@@ -78,9 +79,9 @@ double model_error(const Scene& scene, const Quantity& quantity) {
     const auto on = [&](LineModel model) {
         Scene own = scene;
         own.model = model;
-        Discrete discrete = discretise(own, scheme_of("cosine"), 60)[0];
+        Discrete discrete = discretise(own, scheme_of("cosine:collocation:0.5/0.5"), 60)[0];
         discrete.breathes = false;
-        return quantity.name == "traction" ? tractions({discrete}, 0).values : values(discrete, quantity);
+        return quantity.name == "traction" ? tractions({discrete}).values : values(discrete, quantity);
     };
     return error_of(quantity, on(scene.model), on(LineModel::plane));
 }
@@ -111,19 +112,29 @@ std::optional<bool> stable(const Scene& scene, const Scheme& scheme, long n) {
 
 // --- the command line
 
-/// Times and the front are those of one contact and one mesh of each kind.
-Scene make_scene(const study::Options& options, const std::vector<std::string>& used,
+/// Throws BadInput for an option that only other quantities than those asked for read.
+void refuse_unread(const study::Options& options, const std::vector<Quantity>& quantities) {
+    const auto asked = [&](const auto& reads) { return std::any_of(quantities.begin(), quantities.end(), reads); };
+    const auto is_response = [](const Quantity& q) { return q.name == "response"; };
+    const auto is_transient = [](const Quantity& q) { return q.problem == Problem::transient; };
+    const auto has_friction = [](const Quantity& q) { return q.problem >= Problem::friction; };
+    if (!asked(is_response)) options.ignored("omega", "without the quantity response");
+    if (!asked(is_transient)) options.ignored("dq", "without the quantity transient");
+    if (!asked(has_friction)) options.ignored("creepage-ratio", "without a quantity with friction");
+}
+
+/// Times and the front are those of one contact.
+Scene make_scene(const study::Options& options, const std::vector<Scheme>& schemes,
                  const std::vector<Quantity>& quantities) {
-    for (const char* name : {"kernel", "aspect", "poisson", "size-ratio", "epsilon"}) {
+    for (const char* name : {"kernel", "aspect", "poisson"}) {
         options.require(options.said(name).find(',') == std::string::npos, name,
-                        "be a single value: schemes are compared for one contact, each with one mesh of a kind; run "
-                        "the study once for each value");
+                        "be a single value: schemes are compared for one contact; run the study once for each value");
     }
-    const auto is_used = [&](const char* name) { return study::contains(used, name); };
-    if (!is_used("geometric")) options.ignored("size-ratio", "without the scheme geometric");
-    if (!is_used("knothe")) options.ignored("epsilon", "without the scheme knothe");
+    refuse_unread(options, quantities);
+    const bool has_states =
+        std::any_of(schemes.begin(), schemes.end(), [](const Scheme& s) { return s.method == "chebyshev"; });
     const bool steady = std::none_of(quantities.begin(), quantities.end(), [](const Quantity& quantity) {
-        return quantity.problem == Problem::harmonic || quantity.problem == Problem::step ||
+        return quantity.problem == Problem::harmonic || quantity.problem == Problem::transient ||
                quantity.problem == Problem::varying_load;
     });
     const Contact<double> contact =
@@ -131,11 +142,10 @@ Scene make_scene(const study::Options& options, const std::vector<std::string>& 
     if (!steady) study::require_plane_model(contact);
     // the strip of infinite width is the plane
     const bool plane = options.choice("kernel", {"strip", "plane"}) == "plane" || !std::isfinite(contact.aspect());
-    options.require(plane || !is_used("chebyshev-states") || contact.aspect() >= 0.001, "aspect",
-                    "be at least 0.001 for the scheme chebyshev-states");
-    return {contact, plane ? LineModel::plane : LineModel::strip,
-            options.number("size-ratio", study::between(1e-12, 1e12)),
-            options.number("epsilon", study::between(1e-12, 1e12))};
+    options.require(plane || !has_states || contact.aspect() >= 0.001, "aspect",
+                    "be at least 0.001 for the scheme chebyshev");
+    return {contact, plane ? LineModel::plane : LineModel::strip, options.number("dq", study::positive()),
+            options.number("creepage-ratio", study::positive())};
 }
 
 /// Without --n, costly problems stop at smaller n.
@@ -145,8 +155,8 @@ bool affordable(Problem problem, long n) {
 
 /// Numbers of elements, states, or the order of the polynomial; 0 for the closed form, which has none.
 std::vector<std::ptrdiff_t> sizes_of(const study::Options& options, const Scheme& scheme) {
-    if (scheme.kind == Scheme::Kind::closed_form) return {0};
-    if (scheme.kind == Scheme::Kind::states && !options.given("n")) {
+    if (scheme.method == "closed-form") return {0};
+    if (scheme.method == "chebyshev" && !options.given("n")) {
         return {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 20, 24, 32, 48};
     }
     return options.integers("n", 1, largest_n);
@@ -154,54 +164,57 @@ std::vector<std::ptrdiff_t> sizes_of(const study::Options& options, const Scheme
 
 /// kernel, aspect, poisson, and size_ratio and epsilon if the scheme's mesh has them.
 std::vector<std::string> setting(const Scene& scene, const Scheme& scheme) {
-    const auto grading = [&](std::string_view kind, double value) {
-        return scheme.graded_by(kind) ? study::Cell(value).text() : "";
+    const auto grading = [&](std::string_view kind) {
+        return scheme.graded_by(kind) ? study::Cell(*scheme.grading).text() : "";
     };
     return {scene.plane() || !scheme.discrete() ? "plane" : "strip", study::aspect_cell(scene.contact).text(),
-            study::Cell(scene.nu()).text(), grading("size_ratio", scene.size_ratio), grading("epsilon", scene.epsilon)};
+            study::Cell(scene.nu()).text(), grading("size_ratio"), grading("epsilon")};
 }
 
 }  // namespace
 
-const std::vector<Quantity>& line_quantities() {
-    static const std::vector<Quantity> all{{"c11", Problem::steady},
-                                           {"traction", Problem::steady},
-                                           {"c11_z0.1", Problem::harmonic, 0.1},
-                                           {"c11_z1", Problem::harmonic, 1},
-                                           {"c11_z5", Problem::harmonic, 5},
-                                           {"step_force", Problem::step},
-                                           {"friction_force", Problem::friction},
-                                           {"combined_force", Problem::combined_friction},
-                                           {"load_force", Problem::varying_load}};
-    return all;
+std::vector<Quantity> line_quantities(const study::Options& options) {
+    const double omega = options.number("omega", study::positive());
+    return {{"c11", Problem::steady},
+            {"traction", Problem::steady},
+            {"c11_z0.1", Problem::harmonic, 0.1},
+            {"c11_z1", Problem::harmonic, 1},
+            {"response", Problem::harmonic, omega},
+            {"transient", Problem::transient},
+            {"friction", Problem::friction},
+            {"combined_force", Problem::combined_friction},
+            {"load_force", Problem::varying_load}};
 }
 
 Comparison compare_on_line(const study::Options& options) {
-    const std::vector<std::string> names = options.choices("schemes", line_schemes());
-    const std::vector<Quantity> quantities = chosen(options, line_quantities());
-    const auto scene = std::make_shared<Scene>(make_scene(options, names, quantities));
+    std::vector<Scheme> schemes;
+    for (study::NamedScheme& scheme :
+         study::named_schemes(options.given("scheme") ? options.texts("scheme") : line_schemes)) {
+        schemes.push_back({std::move(scheme)});
+    }
+    const std::vector<Quantity> quantities = chosen(options, line_quantities(options));
+    const auto scene = std::make_shared<Scene>(make_scene(options, schemes, quantities));
     const auto references = std::make_shared<std::map<std::string, Values>>();
     Comparison result{columns(), quantities, {}, {}, {}};
-    for (const std::string& name : names) {
-        const Scheme& scheme = scheme_of(name);
+    for (const Scheme& scheme : schemes) {
         for (const long n : sizes_of(options, scheme)) {
             if (!scheme.exists(n)) continue;
-            Task task{scheme.name, n > 0 ? std::optional(n) : std::nullopt, {}, setting(*scene, scheme)};
+            Task task{scheme.word(), n > 0 ? std::optional(n) : std::nullopt, {}, setting(*scene, scheme)};
             for (const Quantity& quantity : quantities) {
                 const bool wanted = options.given("n") || affordable(quantity.problem, n);
                 if (wanted && scheme.has(quantity.problem)) task.quantities.push_back(quantity);
             }
             if (task.quantities.empty()) continue;
-            task.error = [=, &scheme](const Quantity& quantity) {
+            task.error = [=](const Quantity& quantity) {
                 const Values& exact = references->at(quantity.name);
                 const Found found = evaluate(*scene, scheme, n, quantity, exact);
                 return error_of(quantity, found.values, found.exact.empty() ? exact : found.exact);
             };
-            task.status = [=, &scheme](const Quantity&) { return status_of(*scene, scheme, n); };
-            task.run = [=, &scheme](const Quantity& quantity) {
+            task.status = [=](const Quantity&) { return status_of(*scene, scheme, n); };
+            task.run = [=](const Quantity& quantity) {
                 return evaluate(*scene, scheme, n, quantity, references->at(quantity.name)).values[0].real();
             };
-            task.stable = [=, &scheme] { return stable(*scene, scheme, n); };
+            task.stable = [=] { return stable(*scene, scheme, n); };
             result.tasks.push_back(std::move(task));
         }
     }
@@ -215,7 +228,7 @@ Comparison compare_on_line(const study::Options& options) {
     std::stable_sort(result.tasks.begin(), result.tasks.end(),
                      [&](const Task& one, const Task& other) { return place(one) < place(other); });
     result.prepare = [=] {
-        for (const Quantity& quantity : quantities) (*references)[quantity.name] = reference(scene->contact, quantity);
+        for (const Quantity& quantity : quantities) (*references)[quantity.name] = reference(*scene, quantity);
     };
     result.model_error = [=](const Quantity& quantity) {
         return scene->plane() ? std::nullopt : std::optional(model_error(*scene, quantity));

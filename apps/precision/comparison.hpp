@@ -20,7 +20,7 @@ namespace precision {
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// A problem is computed, and timed, as a whole.
-enum class Problem { steady, harmonic, step, friction, combined_friction, varying_load, patch, patch_friction };
+enum class Problem { steady, harmonic, transient, friction, combined_friction, varying_load, patch, patch_friction };
 
 struct Quantity {
     std::string name;
@@ -58,12 +58,33 @@ struct Comparison {
     std::function<std::optional<double>(const Quantity&)> model_error;
 };
 
-/// All quantities of a line, in the order of the rows, and the names of its schemes.
-const std::vector<Quantity>& line_quantities();
-std::vector<std::string> line_schemes();
+/// All quantities of a line, in the order of the rows; the response is at --omega.
+std::vector<Quantity> line_quantities(const study::Options& options);
 /// The same of patches.
 const std::vector<Quantity>& patch_quantities();
-const std::vector<std::string>& patch_schemes();
+
+/// What --scheme is by default, of a line and of patches.
+inline const std::vector<std::string> line_schemes{"uniform:collocation:0.5/0.5",
+                                                   "uniform:collocation:0/0.63",
+                                                   "geometric-1.89:collocation:0.5/0.5",
+                                                   "knothe-0.37:collocation:0.5/0.5",
+                                                   "cosine:collocation:0.5/0.5",
+                                                   "uniform:galerkin:0/0.63",
+                                                   "uniform:galerkin:0/0.75:q7",
+                                                   "cosine:galerkin:0.5/0.5",
+                                                   "cosine:galerkin:0.5/0.5:q7",
+                                                   "richardson:uniform:collocation:0.5/0.5",
+                                                   "richardson:cosine:collocation:0.5/0.5",
+                                                   "uniform:nodes",
+                                                   "cosine:nodes",
+                                                   "cosine:nodes-chebyshev",
+                                                   "richardson:cosine:nodes",
+                                                   "chebyshev",
+                                                   "polynomial",
+                                                   "closed-form"};
+inline const std::vector<std::string> patch_schemes{"cosine:nodes-chebyshev:cosine-strips",
+                                                    "richardson:cosine:nodes-chebyshev:cosine-strips",
+                                                    "cosine:nodes-chebyshev:uniform-strips"};
 
 /// Those of `all` that --quantity gives.
 std::vector<Quantity> chosen(const study::Options& options, const std::vector<Quantity>& all);
@@ -86,7 +107,7 @@ void write_cheapest(study::OutputFile& file, const std::vector<Point>& points, c
 /// The recommended command line for each purpose, for the plane kernel or a strip with b/a >= 10.
 void print_recommendations(const study::Options& options);
 
-/// Panels for up to three quantities; of more, those of c11, c11_z5 and friction_force that are there. Each shows the
+/// Panels for up to three quantities; of more, those of c11, response and friction that are there. Each shows the
 /// error of every scheme over its time, and the front of `points`.
 study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<study::Row>& rows,
                      const std::vector<Point>& points);

@@ -35,9 +35,7 @@ struct Point {
 inline bool is_discretisation(const std::string& scheme) { return scheme != "polynomial" && scheme != "closed-form"; }
 
 /// Element schemes also work with friction.
-inline bool is_element_scheme(const std::string& scheme) {
-    return is_discretisation(scheme) && scheme != "chebyshev-states";
-}
+inline bool is_element_scheme(const std::string& scheme) { return is_discretisation(scheme) && scheme != "chebyshev"; }
 
 /// For each point the largest |error| of its scheme and quantity at its own and all larger n; infinite if one of them
 /// has no result.

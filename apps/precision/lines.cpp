@@ -18,10 +18,7 @@ namespace precision {
 namespace {
 
 using rollbem::Chebyshev;
-using rollbem::Collocation;
-using rollbem::Galerkin;
 using rollbem::Mesh;
-using rollbem::NodeDifference;
 using rollbem::Status;
 using rollbem::Topology;
 using Array = rollbem::ArrayX<double>;
@@ -34,47 +31,19 @@ constexpr int load_steps = 160;         // in a period
 
 }  // namespace
 
-const std::vector<Scheme>& schemes() {
-    using enum Topology;
-    constexpr auto elements = Scheme::Kind::elements;
-    constexpr Collocation halves{.alpha_L = 0.5, .alpha_T = 0.5};
-    constexpr NodeDifference centres{};
-    static const std::vector<Scheme> all{
-        {"uniform-0.5/0.5", elements, uniform, halves},
-        {"uniform-0/0.63", elements, uniform, Collocation{.alpha_L = 0, .alpha_T = 0.63}},
-        {"geometric", elements, geometric, halves},
-        {"knothe", elements, knothe, halves},
-        {"cosine", elements, cosine, halves},
-        {"galerkin-uniform", elements, uniform, Galerkin{.alpha_L = 0, .alpha_T = 0.63}},
-        {"galerkin-cosine", elements, cosine, Galerkin{.alpha_L = 0.5, .alpha_T = 0.5}},
-        {"richardson-uniform", elements, uniform, halves, 1},
-        {"richardson-cosine", elements, cosine, halves, 2},
-        {"nodes-uniform", elements, uniform, centres},
-        {"nodes-cosine", elements, cosine, centres},
-        {"nodes-chebyshev", elements, cosine, NodeDifference{rollbem::Nodes::chebyshev}},
-        {"richardson-nodes", elements, cosine, centres, 2},
-        {"chebyshev-states", Scheme::Kind::states},
-        {"polynomial", Scheme::Kind::polynomial},
-        {"closed-form", Scheme::Kind::closed_form}};
-    return all;
-}
-
-const Scheme& scheme_of(const std::string& name) {
-    return *std::find_if(schemes().begin(), schemes().end(), [&](const Scheme& each) { return each.name == name; });
-}
-
 std::vector<Discrete> discretise(const Scene& scene, const Scheme& scheme, long n) {
-    if (scheme.kind == Scheme::Kind::states) return {{scene, scheme.equations, std::nullopt, Chebyshev{n}}};
+    if (!scheme.has_elements()) return {{scene, {}, std::nullopt, Chebyshev{n}}};
     // A uniform mesh gains nothing from edges that move with those of the contact, and only equations that hold at
     // points, with the plane kernel, can change the half-length.
-    const bool breathes =
-        scheme.topology != Topology::uniform && scene.plane() && scheme.equations.get_if<Galerkin>() == nullptr;
-    const double grading = scheme.graded_by("size_ratio") ? scene.size_ratio
-                           : scheme.graded_by("epsilon")  ? scene.epsilon
-                                                          : nan;  // refused by a mesh that takes one
+    const bool breathes = scheme.topology() != Topology::uniform && scene.plane() && scheme.method != "galerkin" &&
+                          scheme.lambda.value_or(1) == 1;
     std::vector<Discrete> meshes;
-    for (const long own : scheme.order > 0 ? std::vector{n / 2, n} : std::vector{n}) {
-        meshes.push_back({scene, scheme.equations, rollbem::make_mesh(scheme.topology, own, grading), {}, breathes});
+    for (const long own : scheme.richardson ? std::vector{n / 2, n} : std::vector{n}) {
+        meshes.push_back({scene,
+                          scheme.equations(),
+                          rollbem::make_mesh(scheme.topology(), own, scheme.grading.value_or(nan)),
+                          {},
+                          breathes});
     }
     return meshes;
 }
@@ -83,21 +52,21 @@ namespace {
 
 // --- what a quantity consists of; not a number if the status is not ok
 
-/// -F/(a G xi) at q/a = 1, 2, ... after a step of creepage, exact in the time domain.
+/// -F/(a G xi) at q = dq, 2 dq, ... after a step of creepage, exact in the time domain.
 Values step_forces(const Discrete& discrete) {
     const rollbem::AdhesionModel<> model(discrete.scene.contact, discrete.system(), rollbem::unchecked,
                                          rollbem::Integrator::matrix_exponential);
     rollbem::Run contact(model);
     Values forces(steps);
-    for (Complex& force : forces) force = -contact.advance({1, 1.0}).force_per_width;
+    for (Complex& force : forces) force = -contact.advance({discrete.scene.dq, 1.0}).force_per_width;
     return forces;
 }
 
 /// -F/(mu N) at the creepage ratio.
 Values friction_force(const Discrete& discrete) {
     const Scene& scene = discrete.scene;
-    const rollbem::FrictionModel<> model(scene.contact, {{}, discrete.slopes(), discrete.mesh->widths()},
-                                         discrete.friction());
+    const rollbem::FrictionModel<> model(
+        scene.contact, steady_system(*discrete.mesh, discrete.equations, scene.kernel()), discrete.friction());
     const auto step = rollbem::Run(model).steady({.motion = scene.creepage()});
     return {step.status == Status::ok ? -step.force / scene.full() : nan};
 }
@@ -157,7 +126,7 @@ Values values(const Discrete& discrete, const Quantity& quantity) {
             const auto response = rollbem::solve_response<double>(discrete.system(), {0, quantity.frequency});
             return {response.status == rollbem::Status::ok ? response.c11() : Complex(nan, nan)};
         }
-        case Problem::step: return step_forces(discrete);
+        case Problem::transient: return step_forces(discrete);
         case Problem::friction: return friction_force(discrete);
         case Problem::combined_friction: return combined_forces(discrete);
         case Problem::varying_load: return load_forces(discrete);
@@ -208,9 +177,15 @@ Found tractions(const std::vector<Discrete>& meshes, double order) {
         if (steady.status != rollbem::Status::ok) return {{nan}, {1}};
         return at_points(nu, rollbem::ChebyshevTraction<double>{steady.unknowns.col(0)});
     }
-    Array tractions = first.steady().unknowns.col(0);
+    const auto steady = [](const Discrete& discrete) {  // Knothe and Gross-Thebing's leading element carries none
+        const Array found = discrete.steady().unknowns.col(0);
+        Array all = Array::Zero(discrete.mesh->size());
+        all.head(found.size()) = found;
+        return all;
+    };
+    Array tractions = steady(first);
     if (meshes.size() > 1) {
-        const Array fine = meshes[1].steady().unknowns.col(0), forces = fine * meshes[1].mesh->widths();
+        const Array fine = steady(meshes[1]), forces = fine * meshes[1].mesh->widths();
         for (Eigen::Index i = 0; i < tractions.size(); ++i) {
             const double mean = forces.segment(2 * i, 2).sum() / first.mesh->widths()[i];
             tractions[i] = rollbem::richardson(tractions[i], mean, order);
@@ -221,10 +196,10 @@ Found tractions(const std::vector<Discrete>& meshes, double order) {
 
 Found evaluate(const Scene& scene, const Scheme& scheme, long n, const Quantity& quantity, const Values& reference) {
     const double nu = scene.nu(), aspect = scene.finite_aspect();
-    const bool traction = quantity.name == "traction", step = quantity.problem == Problem::step;
-    const auto after_step = [](const auto& force) {
+    const bool traction = quantity.name == "traction", step = quantity.problem == Problem::transient;
+    const auto after_step = [&](const auto& force) {
         Values forces(steps);
-        for (int k = 0; k < steps; ++k) forces[std::size_t(k)] = force(k + 1.0);
+        for (int k = 0; k < steps; ++k) forces[std::size_t(k)] = force((k + 1) * scene.dq);
         return forces;
     };
     const auto polynomial_c11 = [&](Eigen::Index order) {
@@ -232,16 +207,16 @@ Found evaluate(const Scene& scene, const Scheme& scheme, long n, const Quantity&
     };
     if (scheme.discrete()) {
         const std::vector<Discrete> meshes = discretise(scene, scheme, n);
-        if (traction) return tractions(meshes, scheme.order);
+        if (traction) return tractions(meshes, scheme.order());
         Values found = values(meshes.back(), quantity);
         if (meshes.size() == 1) return {found};
         const Values coarse = values(meshes.front(), quantity);
         for (std::size_t k = 0; k < found.size(); ++k) {
-            found[k] = rollbem::richardson(coarse[k], found[k], scheme.order);
+            found[k] = rollbem::richardson(coarse[k], found[k], scheme.order());
         }
         return {found};
     }
-    if (scheme.kind == Scheme::Kind::polynomial) {
+    if (scheme.method == "polynomial") {
         if (traction) {
             const auto solution = rollbem::solve_polynomial(Complex(0), nu, aspect, n);
             return at_points(nu, [&](double x) { return solution.traction(x); });
@@ -258,12 +233,6 @@ Found evaluate(const Scene& scene, const Scheme& scheme, long n, const Quantity&
     if (quantity.problem == Problem::harmonic)
         return {reference, {polynomial_c11(rollbem::default_polynomial_order(Complex(0, quantity.frequency)))}};
     return {reference, reference};
-}
-
-std::vector<std::string> line_schemes() {
-    std::vector<std::string> names;
-    for (const Scheme& scheme : schemes()) names.push_back(scheme.name);
-    return names;
 }
 
 }  // namespace precision

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <rollbem/compiled/steady.hpp>
-#include <rollbem/discretisation/any_scheme.hpp>
 #include <rollbem/discretisation/mesh.hpp>
 #include <rollbem/elasticity/any_kernel.hpp>
 #include <rollbem/friction/law.hpp>
@@ -16,18 +15,19 @@
 #include <rollbem/spectral/chebyshev.hpp>
 
 #include "comparison.hpp"
+#include "support/named_scheme.hpp"
 
 namespace precision {
 
-inline constexpr double peak = 1e-3;           ///< mu p0 / G
-inline constexpr double creepage_ratio = 0.5;  ///< of the problems with friction
-inline constexpr int steps = 10;               ///< of the response to a step, at q/a = 1 ... 10
+inline constexpr double peak = 1e-3;  ///< mu p0 / G
+inline constexpr int steps = 10;      ///< of the response to a step, each by dq
 
 /// What the schemes are applied to.
 struct Scene {
     rollbem::Contact<double> contact;                      ///< a = G = 1
     rollbem::LineModel model = rollbem::LineModel::plane;  ///< of the kernel
-    double size_ratio = 1, epsilon = 1;                    ///< of the geometric and the Knothe mesh
+    double dq = 1;                                         ///< [a]
+    double creepage_ratio = 0.5;                           ///< of the problems with friction
     int load_parts = 1;                                    ///< of each step under a load that varies
 
     double nu() const { return contact.poisson_ratio(); }
@@ -40,35 +40,25 @@ struct Scene {
     double finite_aspect() const { return std::isfinite(contact.aspect()) ? contact.aspect() : 1000; }
 };
 
-/// A scheme's name, its mesh and equations, and the order of its extrapolation from n/2 and n (0: none).
-struct Scheme {
-    enum class Kind { elements, states, polynomial, closed_form };
-    std::string name;
-    Kind kind = Kind::elements;
-    rollbem::Topology topology = rollbem::Topology::uniform;
-    rollbem::AnyScheme equations{};
-    double order = 0;
-
-    bool discrete() const { return kind == Kind::elements || kind == Kind::states; }
-    bool graded_by(std::string_view grading) const {
-        return kind == Kind::elements && rollbem::topology_info(topology).grading == grading;
-    }
+/// A scheme, which may be extrapolated from n/2 and n.
+struct Scheme : study::NamedScheme {
+    bool discrete() const { return has_elements() || method == "chebyshev"; }
     bool exists(long n) const {
-        if (kind == Kind::closed_form) return n == 0;
-        if (kind == Kind::polynomial) return n >= 1;
-        if (kind == Kind::states) return n >= 1 && n <= 10000;
-        const long least = std::max(2l, long(rollbem::topology_info(topology).least_n));
-        return order > 0 ? n % 2 == 0 && n / 2 >= least : n >= least;
+        if (method == "closed-form") return n == 0;
+        if (method == "polynomial") return n >= 1;
+        if (!has_elements()) return n >= 1 && n <= 10000;
+        const long least = std::max(2l, long(rollbem::topology_info(topology()).least_n));
+        return richardson ? n % 2 == 0 && n / 2 >= least : n >= least;
     }
     /// Coulomb's law takes elements.
     bool has(Problem problem) const {
-        return kind == Kind::elements || problem < Problem::friction ||
-               (kind == Kind::closed_form && problem == Problem::friction);
+        return has_elements() || problem < Problem::friction ||
+               (method == "closed-form" && problem == Problem::friction);
     }
 };
 
-const std::vector<Scheme>& schemes();
-const Scheme& scheme_of(const std::string& name);
+/// The scheme of a word that is known to be one.
+inline Scheme scheme_of(const std::string& word) { return {*study::scheme_named(word)}; }
 
 /// Elements on one mesh, or a number of states.
 struct Discrete {
@@ -87,7 +77,7 @@ struct Discrete {
         return rollbem::rolling_system(states, scene.kernel());
     }
     rollbem::Response<double> steady() const {
-        if (mesh) return rollbem::solve_steady<double>(slopes(), mesh->widths());
+        if (mesh) return rollbem::solve_steady<double>(slopes(), rollbem::unknown_widths(*mesh, equations));
         return solve_steady(states, scene.kernel());
     }
     rollbem::Friction<> friction() const { return {1, peak * rollbem::mean_hertz_pressure(*mesh)}; }
@@ -105,7 +95,7 @@ struct Found {
 };
 
 /// Tractions, on one mesh, or extrapolated from two to pairs of elements, which form the coarser mesh.
-Found tractions(const std::vector<Discrete>& meshes, double order);
+Found tractions(const std::vector<Discrete>& meshes, double order = 0);
 
 /// The values of a scheme at n; `reference` holds those of the closed form.
 Found evaluate(const Scene& scene, const Scheme& scheme, long n, const Quantity& quantity, const Values& reference);

@@ -17,16 +17,17 @@
 #include <rollbem/studies/kalker_table.hpp>
 
 #include "comparison.hpp"
+#include "support/named_scheme.hpp"
 
 namespace precision {
 
 namespace {
 
-constexpr rollbem::NodeDifference chebyshev{rollbem::Nodes::chebyshev};
-constexpr long reference_n = 48;                                   // and half of it
+constexpr rollbem::NodeDifference chebyshev{rollbem::Nodes::chebyshev};  // of references
+constexpr long reference_n = 48;                                         // and half of it
 constexpr std::ptrdiff_t most_elements = 4096, most_judged = 256;  // eigenvalues cost much more than the coefficients
 constexpr std::ptrdiff_t reference_elements = 500;                 // with friction
-const std::string direct = "nodes-chebyshev", richardson = "richardson-nodes", uniform = "uniform-strips";
+enum class Strips { cosine, uniform };
 
 using PatchContact = rollbem::PatchContact<double>;
 
@@ -35,9 +36,10 @@ struct PatchValues {
     std::string status = "ok";
 };
 
-rollbem::PatchMesh<double> mesh_of(const PatchContact& contact, const std::string& by, long n, long strips) {
-    return rollbem::patch_mesh(contact, rollbem::cosine_mesh(n),
-                               by == uniform ? rollbem::uniform_mesh(strips) : rollbem::cosine_mesh(strips));
+rollbem::PatchMesh<double> mesh_of(const PatchContact& contact, Strips grading, long n, long strips) {
+    return rollbem::patch_mesh(
+        contact, rollbem::cosine_mesh(n),
+        grading == Strips::uniform ? rollbem::uniform_mesh(strips) : rollbem::cosine_mesh(strips));
 }
 
 /// By order 2, from meshes of which the fine one has `ratio` times as many elements and strips.
@@ -56,17 +58,19 @@ PatchValues coefficients(const PatchContact& contact, const rollbem::Response<do
 }
 
 /// By one mesh alone, whose error is what is asked for.
-PatchValues coefficients(const PatchContact& contact, const rollbem::PatchMesh<double>& mesh) {
+PatchValues coefficients(const PatchContact& contact, const rollbem::PatchMesh<double>& mesh,
+                         const rollbem::NodeDifference& scheme) {
     return coefficients(contact,
-                        rollbem::solve_steady(mesh, chebyshev, rollbem::HalfSpace<double>(contact.poisson_ratio())));
+                        rollbem::solve_steady(mesh, scheme, rollbem::HalfSpace<double>(contact.poisson_ratio())));
 }
 
 /// -F_x and -F_y over mu N under both creepages, spin alone, and all three together. Kalker's coefficients serve to
 /// choose their sizes only.
-PatchValues forces(const PatchContact& contact, const rollbem::PatchMesh<double>& mesh) {
-    const rollbem::FrictionModel model(
-        contact, steady_system(mesh, chebyshev, rollbem::HalfSpace<double>(contact.poisson_ratio())),
-        {1.0, rollbem::hertz_pressures(contact, mesh, 1.0)});
+PatchValues forces(const PatchContact& contact, const rollbem::PatchMesh<double>& mesh,
+                   const rollbem::NodeDifference& scheme) {
+    const rollbem::FrictionModel model(contact,
+                                       steady_system(mesh, scheme, rollbem::HalfSpace<double>(contact.poisson_ratio())),
+                                       {1.0, rollbem::hertz_pressures(contact, mesh, 1.0)});
     const double a_over_b = contact.a_over_b(), c = 1 / std::sqrt(a_over_b);
     const auto nearest = std::min_element(rollbem::studies::kalker_table.begin(), rollbem::studies::kalker_table.end(),
                                           [&](const auto& one, const auto& other) {
@@ -92,17 +96,24 @@ PatchValues reference_forces(const PatchContact& contact) {
     long n = 10;
     while (n > 2 && 9 * n * rollbem::recommended_strips(n, a_over_b) > reference_elements) --n;
     const long strips = rollbem::recommended_strips(n, a_over_b);
-    return extrapolate(forces(contact, mesh_of(contact, uniform, n, strips)),
-                       forces(contact, mesh_of(contact, uniform, 3 * n, 3 * strips)), 3);
+    return extrapolate(forces(contact, mesh_of(contact, Strips::uniform, n, strips), chebyshev),
+                       forces(contact, mesh_of(contact, Strips::uniform, 3 * n, 3 * strips), chebyshev), 3);
 }
 
-PatchValues compute(const PatchContact& contact, Problem problem, const std::string& scheme, long n, long strips) {
-    const auto of = [&](const std::string& by, long own_n, long own_strips) {
-        const rollbem::PatchMesh<double> mesh = mesh_of(contact, by, own_n, own_strips);
-        return problem == Problem::patch ? coefficients(contact, mesh) : forces(contact, mesh);
+/// How a scheme discretises a patch.
+struct PatchScheme : study::NamedScheme {
+    rollbem::NodeDifference difference() const { return *equations().get_if<rollbem::NodeDifference>(); }
+    Strips grading() const { return strips == "uniform" ? Strips::uniform : Strips::cosine; }
+};
+
+PatchValues compute(const PatchContact& contact, Problem problem, const PatchScheme& scheme, long n, long strips) {
+    const auto of = [&](long own_n, long own_strips) {
+        const rollbem::PatchMesh<double> mesh = mesh_of(contact, scheme.grading(), own_n, own_strips);
+        return problem == Problem::patch ? coefficients(contact, mesh, scheme.difference())
+                                         : forces(contact, mesh, scheme.difference());
     };
-    if (scheme != richardson) return of(scheme, n, strips);
-    return extrapolate(of(direct, n / 2, strips / 2), of(direct, n, strips), 2);
+    if (!scheme.richardson) return of(n, strips);
+    return extrapolate(of(n / 2, strips / 2), of(n, strips), 2);
 }
 
 /// What the quantities of a problem should be; not numbers if that was not found out.
@@ -110,8 +121,8 @@ std::vector<double> reference(const PatchContact& contact, Problem problem) {
     if (problem == Problem::patch_friction) return reference_forces(contact).values;
     const long part = contact.a_over_b() > 10 ? 2 : 1;  // elements of long patches must not be as much longer than wide
     const long n = part * reference_n, strips = reference_n / part;
-    const auto fine = rollbem::solve_steady(contact, mesh_of(contact, direct, n, strips), chebyshev);
-    const PatchValues coarse = coefficients(contact, mesh_of(contact, direct, n / 2, strips / 2));
+    const auto fine = rollbem::solve_steady(contact, mesh_of(contact, Strips::cosine, n, strips), chebyshev);
+    const PatchValues coarse = coefficients(contact, mesh_of(contact, Strips::cosine, n / 2, strips / 2), chebyshev);
     PatchValues found = extrapolate(coarse, coefficients(contact, fine), 2);
     for (const auto& [k, i, j] : {std::tuple{0, 0, 0}, {1, 1, 1}, {2, 1, 2}, {3, 2, 2}}) {
         const bool known = coarse.status == "ok" && is_confirmed(fine, i, j);
@@ -121,10 +132,11 @@ std::vector<double> reference(const PatchContact& contact, Problem problem) {
 }
 
 /// Empty if the eigenvalues were not found or are too many.
-std::optional<bool> stable(const PatchContact& contact, const rollbem::PatchMesh<double>& mesh) {
+std::optional<bool> stable(const PatchContact& contact, const PatchScheme& scheme, long n, long strips) {
+    const rollbem::PatchMesh<double> mesh = mesh_of(contact, scheme.grading(), n, strips);
     if (mesh.size() > most_judged) return std::nullopt;
     const rollbem::StabilityVerdict verdict = rollbem::judge_stability(
-        rollbem::patch_parts(mesh, chebyshev, rollbem::HalfSpace<double>(contact.poisson_ratio())));
+        rollbem::patch_parts(mesh, scheme.difference(), rollbem::HalfSpace<double>(contact.poisson_ratio())));
     if (verdict.status != rollbem::Status::ok) return std::nullopt;
     return verdict.unstable_count == 0;
 }
@@ -147,9 +159,9 @@ double patch_error(const Quantity& quantity, const std::vector<double>& found, c
 }
 
 /// A scheme on one mesh; each problem is computed once for all its quantities.
-Task task_of(const PatchContact& contact, const std::string& scheme, long n, long strips,
+Task task_of(const PatchContact& contact, const PatchScheme& scheme, long n, long strips,
              const std::vector<Quantity>& quantities, const std::shared_ptr<const References>& references) {
-    Task task{scheme,
+    Task task{scheme.word(),
               n,
               quantities,
               {"half-space", "", study::Cell(contact.poisson_ratio()).text(), "", "",
@@ -171,9 +183,8 @@ Task task_of(const PatchContact& contact, const std::string& scheme, long n, lon
         return compute(contact, quantity.problem, scheme, n, strips).values[0];
     };
     task.stable = [=]() -> std::optional<bool> {
-        const std::optional<bool> fine = stable(contact, mesh_of(contact, scheme, n, strips));
-        if (scheme != richardson || !fine.value_or(false)) return fine;
-        return stable(contact, mesh_of(contact, direct, n / 2, strips / 2));
+        const std::optional<bool> fine = stable(contact, scheme, n, strips);
+        return scheme.richardson && fine.value_or(false) ? stable(contact, scheme, n / 2, strips / 2) : fine;
     };
     return task;
 }
@@ -189,15 +200,10 @@ const std::vector<Quantity>& patch_quantities() {
     return all;
 }
 
-const std::vector<std::string>& patch_schemes() {
-    static const std::vector<std::string> names{direct, richardson, uniform};
-    return names;
-}
-
 Comparison compare_on_patch(const study::Options& options) {
     const auto contact = PatchContact::dimensionless(options.number("a-over-b", study::between(1e-3, 1e3)),
                                                      options.number("poisson", study::between(0, 0.5)));
-    for (const char* name : {"kernel", "aspect", "size-ratio", "epsilon", "front"}) {
+    for (const char* name : {"kernel", "aspect", "front", "omega", "dq", "creepage-ratio"}) {
         options.ignored(name, "with quantities of patches");
     }
     Comparison result{columns(), chosen(options, patch_quantities()), {}, {}, {}};
@@ -214,18 +220,23 @@ Comparison compare_on_patch(const study::Options& options) {
     if (result.quantities.back().problem == Problem::patch) sizes.push_back(24);
     if (options.given("n")) sizes = options.integers("n", 1, most_elements);
     if (options.given("strips")) all_strips = options.integers("strips", 1, most_elements);
+    std::vector<PatchScheme> schemes;
+    for (study::NamedScheme& scheme :
+         study::named_schemes(options.given("scheme") ? options.texts("scheme") : patch_schemes, true)) {
+        schemes.push_back({std::move(scheme)});
+    }
     const double a_over_b = contact.a_over_b();
     for (const std::ptrdiff_t n : sizes) {
-        for (const std::string& name : options.choices("schemes", patch_schemes())) {
-            const bool own = name == uniform && a_over_b >= 0.1 && a_over_b <= 25;
+        for (const PatchScheme& scheme : schemes) {
+            const bool own = scheme.grading() == Strips::uniform && a_over_b >= 0.1 && a_over_b <= 25;
             const std::ptrdiff_t usual = own ? rollbem::recommended_strips(n, a_over_b) : n;
             for (const std::ptrdiff_t m : all_strips.empty() ? std::vector{usual} : all_strips) {
                 if (n * m > most_elements) {
                     throw study::BadInput("--n = " + std::to_string(n) + " times " + std::to_string(m) +
                                           " strips must be at most " + std::to_string(most_elements));
                 }
-                if (name == richardson && (n % 2 != 0 || m % 2 != 0)) continue;
-                Task task = task_of(contact, name, n, m, result.quantities, references);
+                if (scheme.richardson && (n % 2 != 0 || m % 2 != 0)) continue;
+                Task task = task_of(contact, scheme, n, m, result.quantities, references);
                 // a series in n for each number of strips, unless there are as many as elements
                 if (options.given("strips")) task.series = task.setting.back();
                 result.tasks.push_back(std::move(task));

@@ -15,16 +15,28 @@ namespace {
 
 constexpr double floor = 1e-14;  // smaller errors are round-off, or 0, which a logarithmic axis cannot show
 
-std::vector<std::string> all_schemes() {
-    std::vector<std::string> names = line_schemes();
-    for (const std::string& name : patch_schemes()) {
-        if (!study::contains(names, name)) names.push_back(name);
+/// The schemes of all rows. The place of one among them is its colour, dashes and marker, the same in all panels.
+std::vector<std::string> all_schemes(const std::vector<study::Row>& rows) {
+    std::vector<std::string> names;
+    for (const study::Row& cells : rows) {
+        if (!study::contains(names, cells[0].text())) names.push_back(cells[0].text());
     }
     return names;
 }
 
-/// The colour, dashes and marker of a scheme, the same in all panels.
-std::size_t style_of(const std::string& scheme) { return study::index_of(all_schemes(), scheme); }
+/// As many schemes as can be told apart, those on the front of a quantity first.
+std::vector<std::string> drawn_schemes(const std::vector<std::string>& schemes, const std::vector<Point>& points) {
+    std::vector<std::string> drawn;
+    for (const bool on_front : {true, false}) {
+        for (const std::string& scheme : schemes) {
+            const bool leads = std::any_of(points.begin(), points.end(), [&](const Point& point) {
+                return point.scheme == scheme && point.on_front.value_or(false);
+            });
+            if (leads == on_front && drawn.size() < study::most_curves) drawn.push_back(scheme);
+        }
+    }
+    return drawn;
+}
 
 std::string title_of(const Quantity& quantity) {
     if (quantity.name == "c11") return "c_{11} in steady rolling";
@@ -52,8 +64,11 @@ study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, co
     std::sort(front.points.begin(), front.points.end());
     front.markers = front.points.size() == 1;
     int left_out = 0;  // of the front: they serve for comparison
-    for (const std::string& scheme : all_schemes()) {
-        study::Series series{.label = scheme, .style = style_of(scheme)};
+    const std::vector<std::string> schemes = all_schemes(rows), drawn = drawn_schemes(schemes, points);
+    for (std::size_t k = 0; k < schemes.size(); ++k) {
+        const std::string& scheme = schemes[k];
+        if (!study::contains(drawn, scheme)) continue;
+        study::Series series{.label = scheme, .style = k};
         for (const study::Row& cells : rows) {
             if (cells[0].text() != scheme || cells[2].text() != quantity) continue;
             const std::optional<double> error = cells[3].number(), time = cells[4].number();
@@ -80,7 +95,7 @@ study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<
         });
     };
     const auto is_usual = [](const Quantity& quantity) {
-        return quantity.name == "c11" || quantity.name == "c11_z5" || quantity.name == "friction_force";
+        return quantity.name == "c11" || quantity.name == "response" || quantity.name == "friction";
     };
     std::vector<Quantity> all, shown;
     std::copy_if(quantities.begin(), quantities.end(), std::back_inserter(all), has_points);
@@ -92,6 +107,10 @@ study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<
     if (shown.size() < quantities.size()) {
         plot.title +=
             " (" + std::to_string(shown.size()) + " of " + std::to_string(quantities.size()) + " quantities drawn)";
+    }
+    const std::size_t schemes = all_schemes(rows).size();
+    if (schemes > study::most_curves) {
+        plot.title += " (" + std::to_string(study::most_curves) + " of " + std::to_string(schemes) + " schemes drawn)";
     }
     for (std::size_t i = 1; i < shown.size(); ++i) plot.beside.push_back(panel(shown[i], rows, points));
     return plot;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +12,7 @@
 
 #include "comparison.hpp"
 #include "support/input.hpp"
+#include "support/named_scheme.hpp"
 
 namespace precision {
 
@@ -46,6 +48,7 @@ std::vector<Point> read_points(const study::Options& options, const std::vector<
     study::Lines lines(options, "front");
     const std::string header = study::join(columns(), ",");
     std::vector<Point> points;
+    std::set<std::vector<std::string>> seen;
     while (lines.next()) {
         const std::string where = lines.where();
         const std::vector<std::string> cells = study::cells_of(lines.text(), ',');
@@ -56,12 +59,16 @@ std::vector<Point> read_points(const study::Options& options, const std::vector<
         if (cells.size() != columns().size()) {
             throw study::BadInput(where + " must have " + std::to_string(columns().size()) + " cells");
         }
-        if (!study::contains(line_schemes(), cells[0])) {
+        if (!study::scheme_named(cells[0])) {
             throw study::BadInput(where + " must name a scheme: " + cells[0]);
         }
         const bool wanted = std::any_of(quantities.begin(), quantities.end(),
                                         [&](const Quantity& quantity) { return quantity.name == cells[2]; });
         if (!wanted) continue;
+        if (!seen.insert({cells[0], cells[1], cells[2]}).second) {
+            throw study::BadInput(where + " must not repeat a row: " + cells[0] + ", n = " + cells[1] + ", " +
+                                  cells[2]);
+        }
         const auto cell = [&](std::size_t column) { return read_cell(cells[column], where); };
         const std::optional<double> n = cell(1), stable = cell(5);
         if (n && !(*n >= 1 && *n <= 1e9)) throw study::BadInput(where + " must have a number of elements: " + cells[1]);
@@ -136,12 +143,14 @@ void print_recommendations(const study::Options& options) {
     };
     using rollbem::Purpose;
     print("steady rolling, c11", [&] { return "steady_study --kernel plane " + states(Purpose::steady); });
-    print("the same by elements, extrapolated from half as many and all",
-          [&] { return "precision_study --quantity c11 --schemes richardson-nodes --n " + elements(Purpose::steady); });
+    print("the same by elements, extrapolated from half as many and all", [&] {
+        return "precision_study --quantity c11 --scheme richardson:cosine:nodes --n " + elements(Purpose::steady);
+    });
     print("c11 at frequencies omega a/V up to 5",
           [&] { return "frequency_study --kernel plane " + states(Purpose::frequency) + " --omega 5"; });
     print("the same by elements", [&] {
-        return "precision_study --quantity c11_z5 --schemes richardson-nodes --n " + elements(Purpose::frequency);
+        return "precision_study --quantity response --scheme richardson:cosine:nodes --n " +
+               elements(Purpose::frequency);
     });
     const std::string after_step = "transient_study --step 1 --dq 1 --integrator exponential --kernel plane ";
     print("force in time, from q/a = 1 on after a step", [&] { return after_step + states(Purpose::time_loop); });

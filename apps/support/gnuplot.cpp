@@ -288,6 +288,7 @@ std::string style_of(const Series& given, std::size_t style) {
     constexpr std::array open{6, 4, 8, 12, 10, 14};
     const std::string colour =
         std::string(" lc rgb '") + (series.reference ? "#000000" : colours[style % colours.size()]) + "'";
+    if (!given.values.empty()) return "boxxyerror lc palette fs solid 1 noborder";
     if (given.shape == Shape::rectangles) return "boxxyerror" + colour + " fs solid 0.5 border rgb '#ffffff'";
     if (given.shape == Shape::arrows) return "vectors head filled size graph 0.012,20 lw 1.2" + colour;
     if (given.alarm) return "points pt 2 ps 1.8 lw 3 lc rgb '#D55E00'";
@@ -319,20 +320,21 @@ std::string data_of(const Plot& plot, const Series& series) {
         if (++i == series.points.size()) break;
         const double dx = series.points[i].first - x, dy = series.points[i].second - y;
         if (series.shape == Shape::arrows) add({x, y, dx, dy});
-        if (series.shape == Shape::rectangles) add({x + dx / 2, y + dy / 2, std::abs(dx) / 2, std::abs(dy) / 2});
+        if (series.shape == Shape::rectangles) {
+            Row numbers{x + dx / 2, y + dy / 2, std::abs(dx) / 2, std::abs(dy) / 2};
+            if (!series.values.empty()) numbers.emplace_back(series.values[i / 2]);
+            add(numbers);
+        }
     }
     return text;
 }
 
-/// What a title says besides: curves and values that are not drawn.
-std::string title_of(const Plot& plot, std::size_t labelled) {
+/// What a title says besides: values that are not drawn.
+std::string title_of(const Plot& plot) {
     std::string title = plot.title;
     const auto add = [&](const std::string& between, const std::string& note) {
         if (!note.empty()) title += (title.empty() ? "" : between) + note;
     };
-    if (labelled > most_curves) {
-        add(": ", "the first " + std::to_string(most_curves) + " of " + std::to_string(labelled) + " curves");
-    }
     add("; ", missing_values(plot));
     return title;
 }
@@ -347,19 +349,28 @@ std::string panel_script(Plot plot, bool alone) {
         return shows(series) && !series.label.empty() && !series.reference && !series.alarm;
     };
     const auto labelled = static_cast<std::size_t>(std::count_if(plot.series.begin(), plot.series.end(), is_counted));
-    std::string script = title_command(title_of(plot, labelled), alone ? 105 : 76) + "set xlabel " +
+    if (labelled > most_curves) {
+        throw PlotError("the plot would have " + std::to_string(labelled) + " curves, of which at most " +
+                        std::to_string(most_curves) + " can be told apart; give fewer values of what is not along x");
+    }
+    std::string script = title_command(title_of(plot), alone ? 105 : 76) + "set xlabel " +
                          gnuplot_string(plot.x_label) + "\nset ylabel " + gnuplot_string(plot.y_label) +
                          "\nset grid lt 1 lc rgb '#dddddd' lw 1\n";
     script += "set key above Left reverse samplen 3\nset autoscale xfix\nset format '%h'\n";
     script += axis_commands(plot);
+    if (!plot.z_label.empty()) {
+        script +=
+            "set palette defined (0 '#f7fbff', 0.001 '#c6dbef', 0.5 '#2171b5', 1 '#08306b')\nset cbrange [0:1]\n"
+            "set cblabel " +
+            gnuplot_string(plot.z_label) + "\n";
+    }
     plot.series.push_back(arrows_to_hidden(plot));
     std::vector<std::string> commands;
-    std::size_t curves = 0, drawn = 0, references = 0;  // drawn: of those with a label
+    std::size_t curves = 0, references = 0;
     for (std::size_t k = 0; k < plot.series.size(); ++k) {
         const Series& series = plot.series[k];
         const std::size_t style = series.style.value_or(series.reference ? references++ : curves++);
         if (!shows(series)) continue;
-        if (is_counted(series) && ++drawn > most_curves) continue;
         const auto add = [&](const Series& one, const std::string& label) {
             const std::string data = "$data" + std::to_string(commands.size());
             script += data + " << EOD\n" + data_of(plot, one) + "EOD\n";

@@ -125,7 +125,8 @@ void require_meant(const std::string& cell, const std::vector<std::string>& name
 
 std::vector<Numbers> read_columns(
     const Options& options, const std::string& name, const std::string& names, const std::string& further,
-    const std::function<void(const std::vector<Numbers>& columns, const std::string& where)>& check) {
+    const std::function<void(const std::vector<Numbers>& columns, const std::string& where)>& check,
+    const std::vector<std::string>& only) {
     std::string expected = names;
     std::vector<std::string> all = cells_of(names), groups;
     if (!further.empty()) groups = cells_of(further, ';');
@@ -150,7 +151,12 @@ std::vector<Numbers> read_columns(
                 if (count(one) > 1) throw BadInput(where + " must have one column " + one + " only");
                 places.emplace_back(index_of(all, one), index_of(cells, one));
             }
-            for (const std::string& cell : cells) require_meant(cell, all, where);
+            for (const std::string& cell : cells) {
+                require_meant(cell, all, where);
+                if (only.empty() || cell.empty() || contains(all, cell)) continue;
+                throw BadInput(where + ": the column " + cell + " does not apply here; those that do are " +
+                               listed(only, "and"));
+            }
             present = cells.size();
             continue;
         }

@@ -194,6 +194,10 @@ std::vector<std::string> Options::choices(const std::string& name, const std::ve
     return result;
 }
 
+std::vector<std::string> Options::texts(const std::string& name) const {
+    return list<std::string>(name, [](const std::string& item) { return item; });
+}
+
 std::string Options::suggestion(const std::string& word) const {
     const auto letters = [](std::string name) {  // and digits
         const auto is_other = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; };

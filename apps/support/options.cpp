@@ -13,6 +13,7 @@
 #include "build_info.hpp"
 #include "csv.hpp"
 #include "input.hpp"
+#include "named_scheme.hpp"
 #include "output.hpp"
 #include "sidecar.hpp"
 
@@ -107,6 +108,9 @@ Options::Options(std::string program, const std::string& purpose)
     only_with({"alpha-L", "alpha-T", "alpha", "lambda"}, {"method=collocation", "method=galerkin"});
     add("derivative", "NAME", "fd or analytic; default: fd, but analytic for galerkin with exact quadrature");
     not_with({"derivative"}, "method=nodes", ", which takes differences");
+    add_scheme_option(*this, joined<std::string>({"mesh", "edges", "method", "nodes", "quadrature", "derivative",
+                                                  "alpha-L", "alpha-T", "alpha", "lambda"},
+                                                 grading_options()));
 
     group("Contact");
     add("kernel", "NAME", "strip (half-width b) or plane (its limit b >> a)", "strip");

@@ -220,6 +220,9 @@ public:
     /// A list of some of `known`, or of all where one item is "all"; in the order of `known`.
     std::vector<std::string> choices(const std::string& name, const std::vector<std::string>& known) const;
 
+    /// A list of texts.
+    std::vector<std::string> texts(const std::string& name) const;
+
     double number(const std::string& name, const Rule& rule) const;
 
     /// FIRST,SECOND as two finite numbers; nothing where the one value is something else.

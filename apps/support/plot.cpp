@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
+#include <set>
 
 namespace study {
 
@@ -99,6 +100,37 @@ void add_series(Plot& plot, const std::vector<std::string>& columns, const std::
         each.reference = selection.reference;
     }
     plot.series.insert(plot.series.end(), series.begin(), series.end());
+}
+
+Series map_of(const std::vector<std::string>& columns, const std::vector<Row>& rows, const std::string& x,
+              const std::string& y, const std::string& z) {
+    const auto number = [&](const Row& row, const std::string& name) { return row[index_of(columns, name)].number(); };
+    /// The borders between the values of a column, the outer ones as far from it as the inner ones.
+    const auto borders_of = [&](const std::string& name) {
+        std::set<double> values;
+        for (const Row& row : rows) {
+            if (const auto value = number(row, name)) values.insert(*value);
+        }
+        std::map<double, std::pair<double, double>> cells;
+        for (auto at = values.begin(); at != values.end(); ++at) {
+            const bool first = at == values.begin(), last = std::next(at) == values.end();
+            const double to_last = last && !first ? *at - *std::prev(at) : last ? 1 : *std::next(at) - *at;
+            const double to_first = first ? to_last : *at - *std::prev(at);
+            cells[*at] = {*at - to_first / 2, *at + to_last / 2};
+        }
+        return cells;
+    };
+    const auto wide = borders_of(x), high = borders_of(y);
+    Series series{.label = "map", .markers = false, .shape = Shape::rectangles};
+    for (const Row& row : rows) {
+        const auto at_x = number(row, x), at_y = number(row, y), value = number(row, z);
+        if (!at_x || !at_y || !value) continue;
+        const auto &across = wide.at(*at_x), &along = high.at(*at_y);
+        series.points.emplace_back(across.first, along.first);
+        series.points.emplace_back(across.second, along.second);
+        series.values.push_back(*value);
+    }
+    return series;
 }
 
 Plot side_by_side(std::vector<Plot> panels) {

@@ -30,9 +30,10 @@ struct Series {
     bool reference = false;              ///< such as exact values: black, and drawn however many curves there are
     bool alarm = false;                  ///< such as modes that grow: crosses on other markers, drawn in any case
     Shape shape = Shape::curve;
+    std::vector<double> values{};  ///< of rectangles: 0 to 1, their colour
 };
 
-/// How many curves with a label a panel draws at most; its title says if there are more.
+/// How many curves with a label a panel draws at most: more cannot be told apart.
 inline constexpr std::size_t most_curves = 12;
 
 /// How pictures name a column: "α_T" for alpha_T.
@@ -44,6 +45,7 @@ struct PlotRange {
 
 struct Plot {
     std::string title{}, x_label{}, y_label{};
+    std::string z_label{};  ///< what the colours of rectangles with values mean
     bool log_x = false, log_y = false;
     int log_base = 10;                              ///< of the marks on a logarithmic x axis
     double linear_within = 0;                       ///< if > 0: both axes, with ranges, are logarithmic beyond, +-
@@ -78,6 +80,10 @@ struct Selection {
 
 void add_series(Plot& plot, const std::vector<std::string>& columns, const std::vector<Row>& rows,
                 const Selection& selection);
+
+/// A map: the cells around the places (x, y) of rows, halfway to their neighbours, in colours of the column z.
+Series map_of(const std::vector<std::string>& columns, const std::vector<Row>& rows, const std::string& x,
+              const std::string& y, const std::string& z);
 
 /// The first panel with the others to its right; an empty plot if there is none.
 Plot side_by_side(std::vector<Plot> panels);

@@ -12,13 +12,6 @@
 
 namespace study {
 
-Sine read_sine(const Options& options) {
-    const auto sine = options.pair("sine");
-    options.require(sine && sine->first != 0 && sine->second > 0, "sine",
-                    "be AMP,OMEGA with AMP finite and not 0 and OMEGA > 0");
-    return {sine->first, sine->second};
-}
-
 void add_steps(Options& options, const std::string& mode) {
     const auto dq = options.add("dq", "D", "distance rolled in a step, in units of a, above 0 (dimensionless)", "0.05");
     const auto until =
@@ -76,16 +69,6 @@ rollbem::Integrator read_integrator(const Options& options, bool friction) {
     return known[index_of(words, options.choice("integrator", words))].integrator;
 }
 
-double interpolate(const Numbers& places, const Numbers& values, double q, bool behind) {
-    const auto next =
-        behind ? std::upper_bound(places.begin(), places.end(), q) : std::lower_bound(places.begin(), places.end(), q);
-    const auto j = static_cast<std::size_t>(next - places.begin());
-    if (j == 0) return values.front();
-    if (j == places.size()) return values.back();
-    const double part = (q - places[j - 1]) / (places[j] - places[j - 1]);
-    return values[j - 1] + part * (values[j] - values[j - 1]);
-}
-
 double LoadHistory::at(double q) const {
     return knots.empty() ? 1 + amplitude * std::sin(2 * std::numbers::pi * q / length) : at(q, ratios);
 }
@@ -101,6 +84,12 @@ double next_stop(const Numbers& knots, double from, double to) {
     return next == knots.end() ? to : std::min(*next, to);
 }
 
+Numbers merged(const Numbers& places, const Numbers& others) {
+    Numbers all;
+    std::merge(places.begin(), places.end(), others.begin(), others.end(), std::back_inserter(all));
+    return all;
+}
+
 void add_run_options(Options& options, const std::string& load, const std::string& breathing) {
     options
         .add("load-sine", "A,LENGTH",
@@ -110,7 +99,7 @@ void add_run_options(Options& options, const std::string& load, const std::strin
         .only_with({"transient"})
         .not_with("load-sine");
     options.only_with({"breathing"}, {"transient"});
-    options.add_flag("breathing", breathing).only_with({"load-sine", "load"}, ": the contact does not change");
+    options.add_flag("breathing", breathing);
     options.add("from", "rest|steady", "the state that the run starts from", "rest").only_with({"transient"});
     add_steps(options, "transient");
     add_integrator(options, true).only_with({"transient"});
@@ -121,9 +110,17 @@ RunSettings::RunSettings(const Options& options)
       from_steady(options.choice("from", {"rest", "steady"}) == "steady"),
       integrator(read_integrator(options, true)) {}
 
-std::optional<LoadHistory> read_load_history(const Options& options, double until, const std::string& further) {
+std::optional<LoadHistory> read_load_history(const Options& options, double until, const History& imposed,
+                                             const std::string& further) {
     const bool breathing = options.flag("breathing"), by_sine = options.given("load-sine");
-    if (!by_sine && !options.given("load")) return std::nullopt;
+    const bool by_history = imposed.has("load_ratio");
+    for (const char* option : {"load-sine", "load"}) {
+        if (by_history) options.ignored(option, "with the column load_ratio of --history");
+    }
+    if (!by_sine && !by_history && !options.given("load")) {
+        options.ignored("breathing", "without --load-sine, --load or the column load_ratio of --history");
+        return std::nullopt;
+    }
     options.ignored("pressure", "under a load that varies: how the contact of a table grows is not known");
     if (by_sine) {
         const auto sine = options.pair("load-sine");
@@ -133,21 +130,29 @@ std::optional<LoadHistory> read_load_history(const Options& options, double unti
                             (breathing ? "|A| < 1 where the mesh breathes" : "|A| <= 1") + " and LENGTH > 0");
         return LoadHistory{.amplitude = sine->first, .length = sine->second, .breathing = breathing};
     }
-    const std::string said = options.said("load");
-    Pairs pairs = read_pairs(options, "load", "q_over_a,load_ratio", finite(), further);
-    LoadHistory history{.knots = std::move(pairs.places),
-                        .ratios = std::move(pairs.values),
-                        .further = std::move(pairs.further),
-                        .breathing = breathing};
+    const std::string said = options.said(by_history ? "history" : "load");
+    LoadHistory history{.breathing = breathing};
+    if (by_history) {
+        history.knots = imposed.places();
+        history.ratios = imposed.values("load_ratio");
+        for (const std::string& column : cells_of(further)) history.further.push_back(imposed.values(column));
+    } else {
+        Pairs pairs = read_pairs(options, "load", "q_over_a,load_ratio", finite(), further);
+        history.knots = std::move(pairs.places);
+        history.ratios = std::move(pairs.values);
+        history.further = std::move(pairs.further);
+    }
     const auto require = [&](bool holds, const std::string& what, double value, const std::string& rest) {
         if (!holds) throw BadInput(said + what + Cell(value).text(6) + rest);
     };
     require(history.knots.front() <= 0 && history.knots.back() >= until,
             " must cover the run: its rows go from q_over_a = " + Cell(history.knots.front()).text(6) + " to ",
             history.knots.back(), ", the run from 0 to " + Cell(until).text(6));
-    const auto twin = std::adjacent_find(history.knots.begin(), history.knots.end());
-    require(twin == history.knots.end(),
-            " must have one row only at q_over_a = ", twin == history.knots.end() ? 0 : *twin, "");
+    for (std::size_t k = 1; k < history.knots.size(); ++k) {  // a table of motions may have two rows there
+        const bool jumps = history.ratios[k] != history.ratios[k - 1] || !by_history;
+        require(history.knots[k] > history.knots[k - 1] || !jumps,
+                " must have one row only at q_over_a = ", history.knots[k], by_history ? ": the load cannot jump" : "");
+    }
     for (const double ratio : history.ratios) {
         require(ratio <= 1e12, ": load_ratio = ", ratio, " must be at most 1e12");
         require(breathing ? ratio > 0 : ratio >= 0, ": load_ratio = ", ratio,

@@ -11,23 +11,13 @@
 #include <rollbem/rolling/integrator.hpp>
 #include <rollbem/status.hpp>
 
+#include "history.hpp"
 #include "input.hpp"
 #include "options.hpp"
 #include "progress.hpp"
 #include "table.hpp"
 
 namespace study {
-
-/// A sinusoidal creepage: amplitude * sin(omega q), omega in V/a.
-struct Sine {
-    double amplitude, omega;
-};
-
-/// --sine AMP,OMEGA. Throws BadInput unless both are finite, AMP is not 0 and OMEGA is positive.
-Sine read_sine(const Options& options);
-
-/// Whether steps of dq follow a sine: omega dq <= 1, six steps a period.
-inline bool resolves(double omega, double dq) { return omega * dq <= 1; }
 
 /// Declares --dq and --until, and reads them as 1 to 1e7 steps of dq, in units of a. With `mode`, only that option
 /// makes steps. Throws BadInput.
@@ -57,12 +47,11 @@ inline constexpr const char* unresolved = "unresolved";        ///< a sine with 
 inline constexpr const char* after_failure = "after_failure";  ///< a step before has failed
 inline constexpr const char* unchecked = "unchecked";  ///< ok, except for the checks that --unchecked leaves out
 
-/// The value at q between places that ascend, linear, and constant beyond them. At two equal places, which make a jump,
-/// that before it unless `behind`.
-double interpolate(const Numbers& places, const Numbers& values, double q, bool behind = true);
-
 /// Where a step has to end: at the first knot between two places, otherwise at the second place.
 double next_stop(const Numbers& knots, double from, double to);
+
+/// All of these places, ascending.
+Numbers merged(const Numbers& places, const Numbers& others);
 
 /// N/N_0 = 1 + amplitude sin(2 pi q/length), or linear between the knots of a table.
 struct LoadHistory {
@@ -97,9 +86,10 @@ struct RunSettings {
     double until() const { return double(steps.count) * steps.dq; }
 };
 
-/// --load-sine or --load, and --breathing; nothing if the load is constant. The run is `until` long [a_0]. A table may
-/// have the columns `further` besides. Throws BadInput.
-std::optional<LoadHistory> read_load_history(const Options& options, double until, const std::string& further = "");
+/// --load-sine, --load or load_ratio of a table of `history`, and --breathing; nothing if the load is constant. The run
+/// is `until` long [a_0]. A table may have the columns `further` besides. Throws BadInput.
+std::optional<LoadHistory> read_load_history(const Options& options, double until, const History& history,
+                                             const std::string& further = "");
 
 /// What make(case) returns for each of the cases, which have a label(), with a progress line: checks may take long.
 template <class Run, class Case, class Make>

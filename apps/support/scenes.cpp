@@ -15,40 +15,15 @@ namespace {
 constexpr std::ptrdiff_t largest_n = 100000, most_states = 10000;
 constexpr double narrowest_for_states = 0.001;  // b/a; the library's bounds
 
-/// Like `common` for every n, with a mesh of each grading or Chebyshev states.
-std::vector<std::vector<Scene>> discretised(const Options& options, const Scene& common) {
-    std::vector<std::vector<Scene>> scenes;
-    if (common.method == "chebyshev") {
-        for (const Eigen::Index n : options.integers("n", 1, most_states)) {
-            scenes.emplace_back(1, common)[0].chebyshev = rollbem::Chebyshev{n};
-        }
-        return scenes;
+/// The scheme's mesh of n elements.
+std::shared_ptr<const rollbem::Mesh<double>> make_mesh(const NamedScheme& scheme, Eigen::Index n) {
+    const rollbem::TopologyInfo& info = rollbem::topology_info(scheme.topology());
+    const std::string where = "--n = " + std::to_string(n) + " must be at least ";
+    if (n < info.least_n) {
+        throw BadInput(where + std::to_string(info.least_n) + " with --mesh " + scheme.mesh_name);
     }
-    if (options.given("edges")) {
-        const Eigen::ArrayXd edges = array(read_edges(options, "edges"));
-        scenes.emplace_back(1, common)[0].mesh =
-            std::make_shared<rollbem::Mesh<double>>(rollbem::mesh_from_edges<double>(edges));
-        return scenes;
-    }
-    const std::string name = options.choice("mesh", mesh_names());
-    const rollbem::Topology topology = *rollbem::topology_named(name);
-    const rollbem::TopologyInfo& info = rollbem::topology_info(topology);
-    std::vector<double> gradings{0};  // without effect if the mesh has none
-    const bool graded = !info.grading.empty();
-    if (graded) gradings = options.numbers(option_of(std::string(info.grading)), between(1e-12, 1e12));
-    for (const Eigen::Index n : options.integers("n", 1, largest_n)) {
-        if (n < info.least_n) {
-            throw BadInput("--n = " + std::to_string(n) + " must be at least " + std::to_string(info.least_n) +
-                           " with --mesh " + name);
-        }
-        scenes.emplace_back();
-        for (const double grading : gradings) {
-            Scene& scene = scenes.back().emplace_back(common);
-            scene.mesh = std::make_shared<rollbem::Mesh<double>>(rollbem::make_mesh(topology, n, grading));
-            if (graded) scene.grading = grading;
-        }
-    }
-    return scenes;
+    return std::make_shared<rollbem::Mesh<double>>(
+        rollbem::make_mesh(scheme.topology(), n, scheme.grading.value_or(0)));
 }
 
 /// The pairs (alpha_L, alpha_T) in the order of the rows.
@@ -74,20 +49,6 @@ rollbem::AnyKernel<double> make_kernel(const Options& options, const rollbem::Co
 
 }  // namespace
 
-rollbem::AnyScheme scheme_of(const Scene& scene) {
-    using rollbem::Derivative;
-    const Derivative d = scene.derivative == "fd" ? Derivative::finite_difference : Derivative::analytic;
-    const double alpha_L = scene.alpha_L.value_or(0), alpha_T = scene.alpha_T.value_or(0);
-    const double lambda = scene.lambda.value_or(1);
-    if (scene.method == "collocation") return rollbem::Collocation{alpha_L, alpha_T, d, lambda};
-    if (scene.method == "knothe-bc") return rollbem::KnotheBoundary{d};
-    if (scene.method == "nodes") {
-        return rollbem::NodeDifference{scene.nodes == "centres" ? rollbem::Nodes::centres : rollbem::Nodes::chebyshev};
-    }
-    const int points = scene.quadrature == "exact" ? rollbem::exact_quadrature : std::stoi(scene.quadrature);
-    return rollbem::Galerkin{alpha_L, alpha_T, d, lambda, points};
-}
-
 std::vector<std::string> columns_of(const std::string& text) {
     return text.empty() ? std::vector<std::string>{} : cells_of(text);
 }
@@ -105,11 +66,11 @@ Cell scene_cell(const Scene& scene, const std::string& column) {
         {"aspect", [](const Scene& s) { return aspect_cell(s.contact); }},
         {"poisson", [](const Scene& s) { return Cell(s.contact.poisson_ratio()); }},
         {"quadrature", [](const Scene& s) { return Cell(s.quadrature); }},
-        {"nodes", [](const Scene& s) { return Cell(s.nodes); }}};
+        {"nodes", [](const Scene& s) { return Cell(s.nodes); }},
+        {"scheme", [](const Scene& s) { return Cell(s.word()); }}};
     const auto found = cells.find(column);
     if (found != cells.end()) return found->second(scene);
-    const std::optional<rollbem::Topology> topology = rollbem::topology_named(scene.mesh_name);
-    return topology && rollbem::topology_info(*topology).grading == column ? Cell(scene.grading) : Cell();
+    return scene.graded_by(column) ? Cell(scene.grading) : Cell();
 }
 
 Cell aspect_cell(const rollbem::Contact<double>& contact) {
@@ -139,57 +100,107 @@ void offer_chebyshev(Options& options, const std::string& further) {
                          further);
 }
 
-std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods methods) {
-    std::vector<std::string> names{"collocation", "galerkin", "knothe-bc", "nodes"};
-    if (methods == Methods::elements_and_states) names.emplace_back("chebyshev");
-    options.require(
-        methods != Methods::elements || options.text("method") != "chebyshev", "method",
-        "be one of " + join(names, ", ") + ": friction bounds the traction of elements, which chebyshev does not have");
-    // 1. What does not vary.
-    const std::string method = options.choice("method", names);
-    const bool has_alphas = method == "collocation" || method == "galerkin", has_elements = method != "chebyshev";
-    const std::vector<rollbem::Contact<double>> contacts = make_contacts(options, problem);
-    Scene common{.method = method, .contact = contacts[0], .kernel = make_kernel(options, contacts[0])};
-    if (has_elements) common.mesh_name = options.given("edges") ? "edges" : options.text("mesh");
-    if (method == "galerkin") common.quadrature = options.text("quadrature");
-    if (method == "galerkin" && common.quadrature != "exact") options.integer("quadrature", 1, 1000);
-    if (options.given("derivative")) {
-        common.derivative = options.choice("derivative", {"fd", "analytic"});
-    } else if (has_elements && method != "nodes") {
-        common.derivative = common.quadrature == "exact" ? "analytic" : "fd";
-    }
-    if (method == "nodes") common.nodes = options.choice("nodes", {"centres", "chebyshev"});
+namespace {
+
+/// The schemes of the options of the command line, lambda outermost, then alpha_L, alpha_T and the mesh's grading.
+std::vector<NamedScheme> listed_schemes(const Options& options, const std::vector<std::string>& methods) {
+    NamedScheme common{.method = options.choice("method", methods)};
+    if (common.method == "chebyshev") return {common};
+    const bool has_edges = options.given("edges");
+    const bool has_alphas = common.method == "collocation" || common.method == "galerkin";
+    common.mesh_name = has_edges ? "edges" : options.choice("mesh", mesh_names());
+    if (common.method == "galerkin") common.quadrature = options.text("quadrature");
+    if (common.method == "galerkin" && common.quadrature != "exact") options.integer("quadrature", 1, 1000);
+    common.derivative =
+        options.given("derivative") ? options.choice("derivative", {"fd", "analytic"}) : usual_derivative(common);
+    if (common.method == "nodes") common.nodes = options.choice("nodes", {"centres", "chebyshev"});
     options.require(common.nodes != "chebyshev" || common.mesh_name == "cosine", "nodes",
                     "be centres unless --mesh is cosine");
+    std::vector<NamedScheme> graded{common};
+    const std::string grading(has_edges ? "" : rollbem::topology_info(common.topology()).grading);
+    if (!grading.empty()) {
+        graded.clear();
+        for (const double value : options.numbers(option_of(grading), between(1e-12, 1e12))) {
+            graded.emplace_back(common).grading = value;
+        }
+    }
+    if (!has_alphas) return graded;
+    std::vector<NamedScheme> schemes;
+    const std::vector<std::pair<double, double>> alphas = make_alphas(options);
+    for (const double lambda : options.numbers("lambda", between(0, 1))) {
+        for (const auto& [alpha_L, alpha_T] : alphas) {
+            for (NamedScheme scheme : graded) {
+                scheme.lambda = lambda;
+                scheme.alpha_L = alpha_L;
+                scheme.alpha_T = alpha_T;
+                schemes.push_back(scheme);
+            }
+        }
+    }
+    return schemes;
+}
 
-    // 2. What does, n in the outermost loop.
-    const std::vector<double> lambdas = has_alphas ? options.numbers("lambda", between(0, 1)) : std::vector<double>{1};
-    const std::vector<std::pair<double, double>> alphas =
-        has_alphas ? make_alphas(options) : std::vector<std::pair<double, double>>{{0, 0}};
+/// The schemes that a study of elements takes.
+std::vector<NamedScheme> make_schemes(const Options& options, Problem problem, Methods methods) {
+    std::vector<std::string> names{"collocation", "galerkin", "knothe-bc", "nodes"};
+    if (methods == Methods::elements_and_states) names.emplace_back("chebyshev");
+    const std::string no_states = "friction bounds the traction of elements, which chebyshev does not have";
+    options.require(methods != Methods::elements || options.text("method") != "chebyshev", "method",
+                    "be one of " + join(names, ", ") + ": " + no_states);
+    if (!options.given("scheme")) return listed_schemes(options, names);
+    std::vector<NamedScheme> schemes = named_schemes(options.texts("scheme"));
+    for (const NamedScheme& scheme : schemes) {
+        const std::string said = "--scheme = " + scheme.word();
+        if (scheme.richardson || scheme.method == "polynomial" || scheme.method == "closed-form") {
+            throw BadInput(said +
+                           " must not be extrapolated, a polynomial or a closed form, which precision_study has");
+        }
+        if (!contains(names, scheme.method)) throw BadInput(said + " must be one of elements: " + no_states);
+        if (problem == Problem::steady && scheme.lambda.value_or(1) != 1) {
+            throw BadInput(said + " must have no lambda: " + no_lambda);
+        }
+    }
+    return schemes;
+}
+
+}  // namespace
+
+std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods methods) {
+    const std::vector<NamedScheme> schemes = make_schemes(options, problem, methods);
+    const std::vector<rollbem::Contact<double>> contacts = make_contacts(options, problem);
+    std::shared_ptr<const rollbem::Mesh<double>> given;
+    if (options.given("edges")) {
+        const Eigen::ArrayXd edges = array(read_edges(options, "edges"));
+        given = std::make_shared<rollbem::Mesh<double>>(rollbem::mesh_from_edges<double>(edges));
+    }
+    const bool has_elements =
+        std::any_of(schemes.begin(), schemes.end(), [](const auto& s) { return s.has_elements(); });
+    const std::vector<std::ptrdiff_t> numbers = given
+                                                    ? std::vector<std::ptrdiff_t>{given->size()}
+                                                    : options.integers("n", 1, has_elements ? largest_n : most_states);
+    const std::string few = given ? options.said("edges") + ": n = " : "--n = ";
     std::vector<Scene> scenes;
-    const auto add = [&](Scene scene, double lambda, double alpha_L, double alpha_T) {
-        const std::string too_few = (options.given("edges") ? options.said("edges") + ": n = " : "--n = ") +
-                                    std::to_string(scene.n()) + " must be at least 2 ";
-        if (method == "knothe-bc" && scene.n() < 2) throw BadInput(too_few + "with --method knothe-bc");
-        if (scene.n() < 2 && alpha_L != alpha_T) throw BadInput(too_few + "where alpha-L and alpha-T differ");
-        if (has_alphas) {
-            scene.alpha_L = alpha_L;
-            scene.alpha_T = alpha_T;
-            scene.lambda = lambda;
-        }
-        if (has_elements) scene.scheme = scheme_of(scene);
-        for (const rollbem::Contact<double>& contact : contacts) {
-            scene.contact = contact;
-            scene.kernel = make_kernel(options, contact);
-            options.require(has_elements || scene.is_plane() || contact.aspect() >= narrowest_for_states, "aspect",
-                            "be at least 0.001 with --method chebyshev: so narrow a strip needs elements");
-            scenes.push_back(scene);
-        }
-    };
-    for (const std::vector<Scene>& graded : discretised(options, common)) {
-        for (const double lambda : lambdas) {
-            for (const auto& [alpha_L, alpha_T] : alphas) {
-                for (const Scene& one : graded) add(one, lambda, alpha_L, alpha_T);
+    for (const std::ptrdiff_t n : numbers) {
+        for (const NamedScheme& scheme : schemes) {
+            Scene scene{scheme, contacts[0], make_kernel(options, contacts[0])};
+            if (scheme.has_elements()) {
+                scene.mesh = given ? given : make_mesh(scheme, n);
+                scene.scheme = scheme.equations();
+            } else {
+                scene.chebyshev = rollbem::Chebyshev{n};
+            }
+            const std::string too_few = few + std::to_string(n) + " must be at least 2 ";
+            if (n < 2 && scheme.method == "knothe-bc") throw BadInput(too_few + "with --method knothe-bc");
+            if (n < 2 && scheme.alpha_L != scheme.alpha_T) {
+                throw BadInput(too_few + "where alpha-L and alpha-T differ");
+            }
+            for (const rollbem::Contact<double>& contact : contacts) {
+                scene.contact = contact;
+                scene.kernel = make_kernel(options, contact);
+                options.require(!scene.chebyshev || scene.is_plane() || contact.aspect() >= narrowest_for_states,
+                                "aspect",
+                                "be at least 0.001 with --method chebyshev: so narrow a strip needs elements");
+                scenes.push_back(scene);
             }
         }
     }

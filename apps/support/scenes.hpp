@@ -7,14 +7,13 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/discretisation/any_scheme.hpp>
-#include <rollbem/discretisation/mesh.hpp>
 #include <rollbem/elasticity/any_kernel.hpp>
 #include <rollbem/scene/contact.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
 #include <rollbem/status.hpp>
 
 #include "csv.hpp"
+#include "named_scheme.hpp"
 #include "options.hpp"
 #include "plot.hpp"
 
@@ -27,17 +26,12 @@ enum class Problem { steady, non_steady };
 enum class Methods { elements, elements_and_states };
 
 /// One case to compute, and its names in the columns.
-struct Scene {
-    std::string method, derivative{}, mesh_name{};         ///< the latter two empty where the method has none
-    std::optional<double> alpha_L{}, alpha_T{}, lambda{};  ///< [-]; empty where the method has none
-    std::optional<double> grading{};                       ///< [-]; empty where the mesh has none
-    std::string quadrature{};                              ///< a number of points or exact; empty except for galerkin
-    std::string nodes{};                                   ///< empty except for nodes
-    rollbem::Contact<double> contact;                      ///< a = G = 1
-    std::optional<rollbem::Chebyshev> chebyshev{};         ///< in place of mesh and scheme
+struct Scene : NamedScheme {
+    rollbem::Contact<double> contact;  ///< a = G = 1
+    rollbem::AnyKernel<double> kernel;
+    std::optional<rollbem::Chebyshev> chebyshev{};  ///< in place of mesh and equations
     std::shared_ptr<const rollbem::Mesh<double>> mesh{};
     rollbem::AnyScheme scheme{};
-    rollbem::AnyKernel<double> kernel;
 
     Eigen::Index n() const { return chebyshev ? chebyshev->states : mesh ? mesh->size() : 0; }
 
@@ -50,15 +44,15 @@ struct Scene {
 /// The cell under a column: method, derivative, mesh, n, alpha_L, alpha_T, lambda and those of `settings`.
 Cell scene_cell(const Scene& scene, const std::string& column);
 
-/// The scheme of a scene with elements, by its names and alphas.
-rollbem::AnyScheme scheme_of(const Scene& scene);
-
 /// The columns that tell scenes apart behind the others, separated by commas; among them those of the gradings.
-inline const std::string settings = [] {
+inline const std::string distinctions = [] {
     std::string names = "kernel,aspect,poisson";
     for (const rollbem::GradingInfo& grading : rollbem::gradings) names += std::string(",") + grading.name;
     return names + ",quadrature,nodes";
 }();
+
+/// The same, and the scheme in one word.
+inline const std::string settings = distinctions + ",scheme";
 
 /// The names in such a text.
 std::vector<std::string> columns_of(const std::string& text);

@@ -112,7 +112,7 @@ public:
         const std::vector<std::string> also = std::move(selection.by);
         selection.by.clear();
         const auto add = [&](const std::string& name) {
-            if (name != selection.x && !contains(without, name)) selection.by.push_back(name);
+            if (name != selection.x && name != "scheme" && !contains(without, name)) selection.by.push_back(name);
         };
         for (const std::string& name : before_) add(name);
         for (const Column<Result>& column : own_) {
@@ -120,6 +120,7 @@ public:
         }
         selection.by = joined(std::move(selection.by), also);
         selection.apart = behind_;
+        std::erase(selection.apart, "scheme");  // which says what the other columns say
         const std::size_t curves = plot.series.size();
         add_series(plot, names(), rows, selection);
         if (plot.series.size() == curves + 1 && selection.prefix.empty()) plot.series.back().label = "computed";

@@ -72,7 +72,7 @@ set label 2 "the paper's scheme" at 2.6e4,8e-6 textcolor rgb 'black'
 set label 3 'cosine, extrapolated' at 2.6e4,4.5e-12 textcolor rgb '#009e73'
 set label 4 'Chebyshev states' at 30,1e-15 textcolor rgb blue
 scheme(name) = sprintf('< grep "^%s,[0-9]*,c11," error_against_time.csv', name)
-plot scheme('uniform-0.5/0.5') using 5:(abs($4)) with lines lw 3 lc rgb red, \
-    scheme('uniform-0/0.63') using 5:(abs($4)) with lines lw 3 dt 3 lc rgb 'black', \
-    scheme('richardson-nodes') using 5:(abs($4)) with lines lw 3 dt 2 lc rgb '#009e73', \
-    scheme('chebyshev-states') using 5:(abs($4) < 1e-15 ? 1e-15 : abs($4)) with lines lw 3 lc rgb blue
+plot scheme('uniform:collocation:0.5/0.5') using 5:(abs($4)) with lines lw 3 lc rgb red, \
+    scheme('uniform:collocation:0/0.63') using 5:(abs($4)) with lines lw 3 dt 3 lc rgb 'black', \
+    scheme('richardson:cosine:nodes') using 5:(abs($4)) with lines lw 3 dt 2 lc rgb '#009e73', \
+    scheme('chebyshev') using 5:(abs($4) < 1e-15 ? 1e-15 : abs($4)) with lines lw 3 lc rgb blue

@@ -129,4 +129,11 @@ for fixed in --breathing=false --quiet; do
 done
 for topic in outline pressure stability friction transient; do "$patch" --help $topic >out || fail "--help $topic"; done
 
+# --- CONTACT's catt_to_cart: a force of 0.657 mu N on a circle, first by a shift, 1.7746e-2 mm, then rolling, until the
+# creepage is 3.168e-3, with mu N/G = 0.18881 mm^2 and a = 3.5 mm
+good 34 "$programs/patch_study" --n 12 --transient --force 0.657 --dq 0.25 --until 8
+check "CONTACT's shift" '$q_over_a > 0 || ($shift_x * 0.18881 / 3.5 / 1.7746e-2 - 1) ^ 2 < 0.004 ^ 2 && $longitudinal == 0'
+check "CONTACT's creepage" '$q_over_a < 7.9 || ($longitudinal * 0.18881 / 3.5 ^ 2 / 3.168e-3 - 1) ^ 2 < 0.004 ^ 2'
+check 'the force' '($longitudinal_force - 0.657) ^ 2 < 1e-24'
+
 finish

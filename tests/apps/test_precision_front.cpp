@@ -60,7 +60,7 @@ TEST_CASE("No other discretisation is as fast and as precise as one on the front
     CHECK(on_front(8) == true);  // a front for each quantity
     CHECK_FALSE(on_front(9).has_value());
 
-    points.push_back(point("chebyshev-states", 8, 1e-3, 9));  // faster and more precise than elements
+    points.push_back(point("chebyshev", 8, 1e-3, 9));  // faster and more precise than elements
     precision::mark_front(points);
     CHECK(on_front(10) == true);
     CHECK(on_front(0) == false);
@@ -75,8 +75,8 @@ TEST_CASE("The cheapest scheme for a tolerance is the fastest that keeps it", "[
                                     point("uniform-0/0.63", 10, 1e-5, 5, false),
                                     point("uniform-0/0.63", 20, 1e-3, 8, false),
                                     point("knothe", 10, 1e-3, 7, std::nullopt),
-                                    point("chebyshev-states", 5, 1e-5, 3),
-                                    point("chebyshev-states", 6, 1e-6, 4, std::nullopt),
+                                    point("chebyshev", 5, 1e-5, 3),
+                                    point("chebyshev", 6, 1e-6, 4, std::nullopt),
                                     point("polynomial", 10, 1e-9, 1)};
     const std::vector<double> sustained = precision::sustained_errors(points);
     const auto best = [&](double tolerance, Among among) {

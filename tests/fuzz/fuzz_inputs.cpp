@@ -55,7 +55,7 @@ void require(bool holds, const char* what) {
 /// Reads the words as a study would. Only std::invalid_argument escapes.
 void take(const std::vector<std::string>& words) {
     study::Options options("fuzz", "purpose");
-    options.add_input("history", "a file");
+    study::add_history_options(options, {"creepage"});
     options.add("omega", "LIST", "numbers");
     options.refuse("plot", "there is nothing to draw");
     std::vector<const char*> argv{"fuzz"};
@@ -63,11 +63,10 @@ void take(const std::vector<std::string>& words) {
     if (options.parse(static_cast<int>(argv.size()), argv.data())) return;
     if (options.given("omega")) options.numbers("omega", study::positive());
     if (options.given("history")) {
-        const study::Pairs pairs = study::read_pairs(options, "history", "q_over_a,creepage", study::between(0, 1e9));
-        require(!pairs.places.empty() && pairs.places.size() == pairs.values.size(), "as many places as values");
-        for (std::size_t k = 1; k < pairs.places.size(); ++k) {
-            require(pairs.places[k] >= pairs.places[k - 1], "places ascend");
-        }
+        const auto history = study::read_history(options, {"creepage"});
+        const study::Numbers& places = history->places();
+        require(!places.empty() && places.size() == history->values("creepage").size(), "as many places as values");
+        require(std::is_sorted(places.begin(), places.end()), "places ascend");
     }
     for (const study::Scene& scene : study::make_scenes(options, study::Problem::steady)) {
         require(scene.n() >= 1 && (scene.mesh->widths() > 0).all(), "every element has a width");
@@ -96,7 +95,7 @@ void take_friction(const std::vector<std::string>& words) {
     require((pressure(mesh) >= 0).all() && pressure(mesh).allFinite(), "pressures press");
     const study::Steps steps = study::read_steps(options);
     const double until = steps.dq * static_cast<double>(steps.count);
-    const auto history = friction::read_load(options, until);
+    const auto history = friction::read_load(options, until, {});
     if (!history) return;
     const rollbem::HertzLoad<double> hertz = friction::hertz_load(*history, mesh);
     rollbem::NormalLoad<double> load = hertz.at(friction::mu_N);

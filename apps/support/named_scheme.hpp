@@ -1,0 +1,52 @@
+// Schemes by name: what discretises a contact in one word, MESH:METHOD[:PARAMETERS], as --scheme takes it and the
+// columns `scheme` show it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <rollbem/discretisation/any_scheme.hpp>
+#include <rollbem/discretisation/mesh.hpp>
+
+#include "options.hpp"
+
+namespace study {
+
+/// A scheme by what its columns show. Texts are empty where the method has none.
+struct NamedScheme {
+    std::string method;  ///< of elements as --method; chebyshev, polynomial or closed-form
+    std::string derivative{}, mesh_name{}, quadrature{}, nodes{};
+    std::optional<double> alpha_L{}, alpha_T{}, lambda{};  ///< [-]; empty where the method has none
+    std::optional<double> grading{};                       ///< [-]; empty where the mesh has none
+    std::string strips{};                                  ///< of a patch: cosine or uniform, elsewhere empty
+    bool richardson = false;                               ///< extrapolated from n/2 and n elements
+
+    bool has_elements() const { return !mesh_name.empty(); }
+    /// Of named meshes.
+    rollbem::Topology topology() const { return *rollbem::topology_named(mesh_name); }
+    bool graded_by(std::string_view name) const {
+        return grading.has_value() && rollbem::topology_info(topology()).grading == name;
+    }
+    /// Of convergence, which extrapolation takes for granted.
+    double order() const { return mesh_name == "cosine" ? 2 : 1; }
+    /// The equations of elements.
+    rollbem::AnyScheme equations() const;
+
+    /// The shortest word for it.
+    std::string word() const;
+};
+
+/// What --derivative is by default: fd, but analytic for galerkin with exact quadrature, and none with nodes.
+std::string usual_derivative(const NamedScheme& scheme);
+
+/// The scheme of a word, if there is one. Those of patches alone have strips.
+std::optional<NamedScheme> scheme_named(const std::string& word, bool of_patch = false);
+
+/// Declares --scheme, beside which `others` are refused; `further` continues its help.
+void add_scheme_option(Options& options, const std::vector<std::string>& others, const std::string& further = "");
+
+/// The schemes of these words, as of --scheme. Throws BadInput with what they may be.
+std::vector<NamedScheme> named_schemes(const std::vector<std::string>& words, bool of_patch = false);
+
+}  // namespace study
