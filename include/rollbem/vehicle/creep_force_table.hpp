@@ -570,8 +570,6 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
 
     const double bound = friction_coefficient * load, c = contact.c(), stiffness = contact.shear_modulus() * c * c;
     const Ellipse on = ellipse(contact);
-    const Eigen::Index cell = on.cell;
-    const SplineWeights& by_shape = on.by_shape;
     const Eigen::Array4d &linear = on.linear, &linear_by_shape = on.linear_by_shape;
     result.a_over_b_on_table = on.on_table;
     const Eigen::Array4d unit = linear * Eigen::Array4d(1, 1, c, c);  // of creepages in coordinates X mu N/(G a b)
