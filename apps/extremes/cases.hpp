@@ -114,7 +114,8 @@ void patch_cases(Cases& cases);
 
 /// A random patch with friction, steady and in the time domain.
 Case patch_scene(std::uint64_t seed);
-/// A random position and load of a wheel on a rail: what violates its bound most, over this bound.
-Case contact_scene(std::uint64_t seed);
+/// A random position and load of a wheel on a rail, or on the same as a surface that changes along the way: what
+/// violates its bound most, over this bound.
+Case contact_scene(std::uint64_t seed, bool in_slices);
 
 }  // namespace extremes

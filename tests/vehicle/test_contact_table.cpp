@@ -478,6 +478,10 @@ TEST_CASE("look-ups say what is wrong", "[contact_table]") {
     const WheelForces lifted = look_up(x);
     CHECK(lifted.status == Status::ok);
     CHECK(lifted.force.isZero(0));
+    const ContactTable soft(s1002().grid(), {8.2e10, 0.3}, {s1002().side(WheelsetSide::right)});
+    const WheelsetSpeeds speeds{.forward = 30, .pitch_rate = -30 / 0.46};
+    CHECK(soft.look_up(creep(), WheelsetSide::right, {}, speeds, 1e5, 0.3).status == Status::wrong_table);
+    CHECK(soft.forces(creep(), WheelsetSide::right, {}, speeds, 1e5, 0.3).status == Status::wrong_table);
 }
 
 }  // namespace contact_table_tests

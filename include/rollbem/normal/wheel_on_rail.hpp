@@ -166,7 +166,6 @@ inline void WheelOnRail::collect(const Parts& parts, double lower, Contact& cont
     for (const RailPatch& patch : contact.patches) contact.dropped -= patch.vertical_load();
     contact.status = contact.patches.empty() ? Status::no_contact : Status::ok;
     for (const RailPatch& patch : contact.patches) contact.status = (std::max)(contact.status, patch.status);
-    contact.status = (std::max)(contact.status, parts.failure());
     if (parts.is_too_deep()) contact.status = (std::max)(contact.status, Status::too_deep);
     if (has_numbers(contact.status) && parts.outgrown()) contact.status = Status::not_converged;
 }

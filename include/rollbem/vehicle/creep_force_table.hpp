@@ -88,12 +88,19 @@ public:
     void write(std::ostream& stream) const;
 
     const CreepForceGrid& grid() const { return grid_; }
+    /// Whether it is for this Poisson's ratio, to 0.01.
+    bool fits(double poisson_ratio) const { return std::abs(poisson_ratio - grid_.poisson_ratio()) <= 0.01 + 1e-12; }
 
     /// The forces of an ellipse under the load N [N] with the coefficient of friction mu, in SI units. status is
     /// wrong_table if Poisson's ratio differs from the table's by more than 0.01, or for an outline. Without friction
     /// or load, or if mu N is below 1e-308 G a b, there is no force at rest and no tangent. Does not allocate.
     TabulatedForce look_up(const PatchContact<double>& contact, double friction_coefficient, double load,
                            const Creepage<double>& creepage) const noexcept;
+
+    /// The force of look_up() alone, to the rounding of Digits, in less time; not finite where creepages are not.
+    template <std::floating_point Digits = double>
+    TangentialForce<double> force(const PatchContact<double>& contact, double friction_coefficient, double load,
+                                  const Creepage<double>& creepage) const noexcept;
 
     /// How far a contact that look_up() takes is from rest: full sliding begins at 1 to 3 mu N. Does not allocate.
     LinearForce linear_force_size(const PatchContact<double>& contact, const Creepage<double>& creepage) const noexcept;
@@ -128,6 +135,33 @@ private:
         Eigen::Array3d value, by_x, by_y, by_spin, by_shape;
     };
     Sample sample(double shape, double x, double y, double spin) const noexcept;
+    /// The value alone, to the rounding of Digits.
+    template <class Digits>
+    Eigen::Array3d value(double shape, double x, double y, double spin) const noexcept;
+
+    /// Where a point lies between nodes.
+    struct Cell {
+        Eigen::Index s, i, j, k;
+        SplineWeights by_shape, by_x, by_y, by_spin;
+
+        Cell(const BasicCreepForceTable& of, double shape, double x, double y, double spin)
+            : s(below(shape, 0, of.grid_.shapes() - 2)),
+              i(below(x, 0, of.n_ - 1)),
+              j(below(y, -of.n_, of.n_ - 1)),
+              k(below(spin, 0, of.n_ - 1)),
+              by_shape(shape - static_cast<double>(s)),
+              by_x(x - static_cast<double>(i)),
+              by_y(y - static_cast<double>(j)),
+              by_spin(spin - static_cast<double>(k)) {}
+        static Eigen::Index below(double u, Eigen::Index low, Eigen::Index high) {
+            return std::clamp(static_cast<Eigen::Index>(std::floor(u)), low, high);
+        }
+    };
+    /// The first of four neighbours in phi, each of four numbers, of which the last is not used.
+    const float* row_of(const Cell& cell, std::size_t p, std::size_t q) const {
+        return coefficients_.data() + at(cell.s - 1, cell.i - 1 + static_cast<Eigen::Index>(p),
+                                         cell.j - 1 + static_cast<Eigen::Index>(q), cell.k - 1);
+    }
 
     /// An ellipse between those of the table.
     struct Ellipse {
@@ -139,6 +173,13 @@ private:
         Eigen::Array4d linear, linear_by_shape;  ///< the scales of the grid
     };
     Ellipse ellipse(const PatchContact<double>& contact) const noexcept;
+    /// What the splines lack of the linear law where creepage vanishes, by the coordinates of the lattice, and its
+    /// derivative by the shape.
+    struct Lack {
+        Eigen::Matrix3d value, by_shape;
+        Eigen::Vector3d moment_by_shape;  ///< of the linear law itself
+    };
+    Lack lack_at_rest(const Ellipse& on) const noexcept;
     /// X mu N/(G a b) by scales of the grid.
     static Eigen::Array3d linear_law(const Eigen::Array4d& scales, double c, const Creepage<double>& v) noexcept {
         return {scales[0] * v.longitudinal, scales[1] * v.lateral + scales[2] * c * v.spin, scales[3] * c * v.spin};
@@ -350,26 +391,16 @@ void BasicCreepForceTable<Real>::look_at_rest() {
 
 template <std::same_as<double> Real>
 auto BasicCreepForceTable<Real>::sample(double shape, double x, double y, double spin) const noexcept -> Sample {
-    const auto cell = [](double u, Eigen::Index low, Eigen::Index high) {
-        return std::clamp(static_cast<Eigen::Index>(std::floor(u)), low, high);
-    };
-    const Eigen::Index s = cell(shape, 0, grid_.shapes() - 2), i = cell(x, 0, n_ - 1), j = cell(y, -n_, n_ - 1),
-                       k = cell(spin, 0, n_ - 1);
-    const SplineWeights by_shape(shape - static_cast<double>(s)), by_x(x - static_cast<double>(i)),
-        by_y(y - static_cast<double>(j)), by_spin(spin - static_cast<double>(k));
-    // Rows of four neighbours in phi, each of four numbers, of which the last is not used.
+    const Cell cell(*this, shape, x, y, spin);
+    const SplineWeights &by_shape = cell.by_shape, &by_x = cell.by_x, &by_y = cell.by_y, &by_spin = cell.by_spin;
     using Number = Eigen::Array4d;
     Number value = Number::Zero(), along_x = value, along_y = value, along_spin = value;
     const std::array<double, 4>& share = by_shape.value;
     const std::size_t next_shape = static_cast<std::size_t>(per_shape()) * width;
-    const auto row_of = [&](std::size_t p, std::size_t q) {
-        return coefficients_.data() +
-               at(s - 1, i - 1 + static_cast<Eigen::Index>(p), j - 1 + static_cast<Eigen::Index>(q), k - 1);
-    };
     for (std::size_t p = 0; p < 4; ++p) {
         Number row = Number::Zero(), row_y = row, row_spin = row;
         for (std::size_t q = 0; q < 4; ++q) {
-            const float* from = row_of(p, q);
+            const float* from = row_of(cell, p, q);
             Number here = Number::Zero(), here_spin = here;
             for (std::size_t t = 0; t < 4; ++t, from += width) {
                 const auto of_shape = [&](std::size_t r) {
@@ -395,7 +426,7 @@ auto BasicCreepForceTable<Real>::sample(double shape, double x, double y, double
     differences.fill(Single::Zero());
     for (std::size_t p = 0; p < 4; ++p) {
         for (std::size_t q = 0; q < 4; ++q) {
-            const float* from = row_of(p, q);
+            const float* from = row_of(cell, p, q);
             for (std::size_t t = 0; t < 4; ++t, from += width) {
                 const auto weight = static_cast<float>(by_x.value[p] * by_y.value[q] * by_spin.value[t]);
                 const Single first = Eigen::Map<const Single>(from);
@@ -409,6 +440,33 @@ auto BasicCreepForceTable<Real>::sample(double shape, double x, double y, double
     for (std::size_t r = 0; r < 3; ++r) along_shape += static_cast<float>(by_shape.slope[r + 1]) * differences[r];
     return {value.head<3>(), along_x.head<3>(), along_y.head<3>(), along_spin.head<3>(),
             along_shape.head<3>().cast<double>()};
+}
+
+template <std::same_as<double> Real>
+template <class Digits>
+Eigen::Array3d BasicCreepForceTable<Real>::value(double shape, double x, double y, double spin) const noexcept {
+    const Cell cell(*this, shape, x, y, spin);
+    using Number = Eigen::Array<Digits, 4, 1>;
+    const auto digits = [](const std::array<double, 4>& of) {
+        return std::array{Digits(of[0]), Digits(of[1]), Digits(of[2]), Digits(of[3])};
+    };
+    const auto share = digits(cell.by_shape.value), by_spin = digits(cell.by_spin.value);
+    const std::size_t next_shape = static_cast<std::size_t>(per_shape()) * width;
+    Eigen::Array4d sum = Eigen::Array4d::Zero();
+    for (std::size_t p = 0; p < 4; ++p) {
+        for (std::size_t q = 0; q < 4; ++q) {
+            const float* from = row_of(cell, p, q);
+            Number here = Number::Zero();
+            for (std::size_t t = 0; t < 4; ++t, from += width) {
+                const auto of_shape = [&](std::size_t r) {
+                    return share[r] * Eigen::Map<const Eigen::Array4f>(from + r * next_shape).cast<Digits>();
+                };
+                here += by_spin[t] * (of_shape(0) + of_shape(1) + of_shape(2) + of_shape(3));
+            }
+            sum += (cell.by_x.value[p] * cell.by_y.value[q]) * here.template cast<double>();
+        }
+    }
+    return sum.head<3>();
 }
 
 template <std::same_as<double> Real>
@@ -449,6 +507,52 @@ auto BasicCreepForceTable<Real>::linear_force_size(const PatchContact<double>& c
 }
 
 template <std::same_as<double> Real>
+auto BasicCreepForceTable<Real>::lack_at_rest(const Ellipse& on) const noexcept -> Lack {
+    const double step = CreepForceGrid::half_way / static_cast<double>(n_);  // of X, for one level, at rest
+    Eigen::Array<double, 7, 1> rest = Eigen::Array<double, 7, 1>::Zero(), changed = rest;
+    for (Eigen::Index k = 0; k < 4; ++k) {
+        const Eigen::Array<double, 7, 1> of = at_rest_.col(on.cell + k).template head<7>();
+        rest += on.by_shape.value[static_cast<std::size_t>(k)] * of;
+        changed += on.by_shape.slope[static_cast<std::size_t>(k)] * of;
+    }
+    const double c22 = on.linear[1], c23 = on.linear[2], c32 = rest[5], c33 = rest[6];
+    const double couples = c32 / c22, turns = (c33 - couples * c23) / on.linear[3];
+    Lack lack;
+    lack.value.col(0) << step - rest[0], 0, 0;
+    lack.value.col(1) << 0, step - rest[1], couples * step - rest[3];
+    lack.value.col(2) << 0, -rest[2], turns * step - rest[4];
+    const double couples_by_shape = (changed[5] - couples * on.linear_by_shape[1]) / c22;
+    const double turns_by_shape =
+        (changed[6] - couples_by_shape * c23 - couples * on.linear_by_shape[2] - turns * on.linear_by_shape[3]) /
+        on.linear[3];
+    lack.by_shape.col(0) << -changed[0], 0, 0;
+    lack.by_shape.col(1) << 0, -changed[1], couples_by_shape * step - changed[3];
+    lack.by_shape.col(2) << 0, -changed[2], turns_by_shape * step - changed[4];
+    lack.moment_by_shape << 0, step * couples_by_shape, step * turns_by_shape;
+    return lack;
+}
+
+template <std::same_as<double> Real>
+template <std::floating_point Digits>
+TangentialForce<double> BasicCreepForceTable<Real>::force(const PatchContact<double>& contact,
+                                                          double friction_coefficient, double load,
+                                                          const Creepage<double>& creepage) const noexcept {
+    const double bound = friction_coefficient * load, c = contact.c(), stiffness = contact.shear_modulus() * c * c;
+    const Ellipse on = ellipse(contact);
+    const Eigen::Array3d w = linear_law(on.linear, c, creepage);
+    const CreepForceGrid::Stretch stretch = CreepForceGrid::stretch(bound / stiffness, w.matrix().stableNorm());
+    if (!is_finite(stretch.factor)) return {0, 0, 0};
+    const Eigen::Array3d u = w * (stretch.factor * static_cast<double>(n_));
+    if (!is_finite(u.sum())) return {u.sum(), u.sum(), u.sum()};
+    const double turn = u[2] < 0 || (u[2] == 0 && u[1] < 0) ? -1 : 1;
+    const Eigen::Vector3d place(std::abs(u[0]), turn * u[1], turn * u[2]);
+    Eigen::Array3d of = value<Digits>(on.shape, place[0], place[1], place[2]);
+    const double left = 1 - place.norm();
+    if (left > 0) of += left * left * left * (3 - 2 * left) * (lack_at_rest(on).value * place).array();
+    return {(u[0] < 0 ? bound : -bound) * of[0], -bound * turn * of[1], -bound * turn * c * of[2]};
+}
+
+template <std::same_as<double> Real>
 TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& contact, double friction_coefficient,
                                                    double load, const Creepage<double>& creepage) const noexcept {
     TabulatedForce result;
@@ -456,7 +560,7 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
         result.status = status;
         return result;
     };
-    if (contact.outline() || !(std::abs(contact.poisson_ratio() - grid_.poisson_ratio()) <= 0.01 + 1e-12)) {
+    if (contact.outline() || !fits(contact.poisson_ratio())) {
         return ended(Status::wrong_table);
     }
     for (const double given : {friction_coefficient, load}) {
@@ -466,8 +570,6 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
 
     const double bound = friction_coefficient * load, c = contact.c(), stiffness = contact.shear_modulus() * c * c;
     const Ellipse on = ellipse(contact);
-    const Eigen::Index cell = on.cell;
-    const SplineWeights& by_shape = on.by_shape;
     const Eigen::Array4d &linear = on.linear, &linear_by_shape = on.linear_by_shape;
     result.a_over_b_on_table = on.on_table;
     const Eigen::Array4d unit = linear * Eigen::Array4d(1, 1, c, c);  // of creepages in coordinates X mu N/(G a b)
@@ -489,38 +591,18 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     const double distance = u.matrix().norm();
     const Eigen::Vector3d place(std::abs(u[0]), turn * u[1], turn * u[2]);
     if (distance < 1) {
-        const double step = CreepForceGrid::half_way / static_cast<double>(n_);  // of X, for one level, at rest
-        Eigen::Array<double, 7, 1> rest = Eigen::Array<double, 7, 1>::Zero(), changed = rest;
-        for (Eigen::Index k = 0; k < 4; ++k) {
-            const Eigen::Array<double, 7, 1> of = at_rest_.col(cell + k).head<7>();
-            rest += by_shape.value[static_cast<std::size_t>(k)] * of;
-            changed += by_shape.slope[static_cast<std::size_t>(k)] * of;
-        }
-        const double c22 = linear[1], c23 = linear[2], c32 = rest[5], c33 = rest[6];
-        const double couples = c32 / c22, turns = (c33 - couples * c23) / linear[3];
-        Eigen::Matrix3d lack;
-        lack.col(0) << step - rest[0], 0, 0;
-        lack.col(1) << 0, step - rest[1], couples * step - rest[3];
-        lack.col(2) << 0, -rest[2], turns * step - rest[4];
-        const double couples_by_shape = (changed[5] - couples * linear_by_shape[1]) / c22;
-        const double turns_by_shape =
-            (changed[6] - couples_by_shape * c23 - couples * linear_by_shape[2] - turns * linear_by_shape[3]) /
-            linear[3];
-        Eigen::Matrix3d lack_by_shape;
-        lack_by_shape.col(0) << -changed[0], 0, 0;
-        lack_by_shape.col(1) << 0, -changed[1], couples_by_shape * step - changed[3];
-        lack_by_shape.col(2) << 0, -changed[2], turns_by_shape * step - changed[4];
-        const Eigen::Vector3d all = lack * place;
+        const Lack lack = lack_at_rest(on);
+        const Eigen::Vector3d all = lack.value * place;
         const double left = 1 - distance, share = left * left * left * (1 + 2 * distance);
         const double slope = distance > 0 ? -left * left * (1 + 8 * distance) / distance : 0;  // d share, over |u|
         at.value += share * all.array();
-        at.by_shape += share * (lack_by_shape * place).array();
+        at.by_shape += share * (lack.by_shape * place).array();
         if (distance < 1e-9) {  // no rounding
-            at.by_shape = Eigen::Array3d(0, 0, step * (couples_by_shape * place[1] + turns_by_shape * place[2]));
+            at.by_shape = Eigen::Array3d(0, 0, lack.moment_by_shape.dot(place));
         }
-        at.by_x += share * lack.col(0).array() + slope * place[0] * all.array();
-        at.by_y += share * lack.col(1).array() + slope * place[1] * all.array();
-        at.by_spin += share * lack.col(2).array() + slope * place[2] * all.array();
+        at.by_x += share * lack.value.col(0).array() + slope * place[0] * all.array();
+        at.by_y += share * lack.value.col(1).array() + slope * place[1] * all.array();
+        at.by_spin += share * lack.value.col(2).array() + slope * place[2] * all.array();
     }
     if (distance < 1e-9) {  // no rounding
         at.value = at.by_x * place[0] + at.by_y * place[1] + at.by_spin * place[2];

@@ -184,16 +184,6 @@ public:
         return false;
     }
 
-    /// Why a part has no pressures although it touches: ok if there is none.
-    Status failure() const {
-        Status worst = Status::ok;
-        for (const ContactPart& part : parts_) {
-            const Status status = part.solution.status;
-            if (!(part.solution.load > 0) && status != Status::no_contact) worst = (std::max)(worst, status);
-        }
-        return worst;
-    }
-
     /// By decreasing load, with the wheel lower than the gaps say.
     std::vector<RailPatch> patches(double lower) const {
         constexpr double crumb = 1e-3;  // of the normal forces
@@ -251,13 +241,7 @@ private:
     CellGrid first_grid(const ContactPlane& plane) const {
         constexpr Eigen::Index cells = 24;
         constexpr double least = 2e-6;
-        double half = (plane.x_high - plane.x_low) / 2 * 1.1;
-        if (half == 0) {
-            const WheelSurface::Point wheel = geometry_->wheel().at(plane.wheel_part, plane.wheel_s, 0);
-            half = 1.1 * std::sqrt(2 * plane.deepest * (geometry_->dimensions().radius + wheel.z) /
-                                   (std::max)(plane.cosine, 0.05));
-        }
-        half = (std::max)(half, least);
+        const double half = (std::max)(1.1 * (plane.x_high - plane.x_low) / 2, least);
         const double height = (std::max)(1.04 * (plane.high - plane.low), least);
         const double dx = 2 * half / cells, dy = height / cells, middle = (plane.x_low + plane.x_high) / 2;
         return {cells, cells, middle - half + dx / 2, (plane.low + plane.high - height + dy) / 2, dx, dy};

@@ -63,7 +63,7 @@ struct RailStretch {
 struct Region {
     std::size_t wheel_part = 0, rail_part = 0;
     std::vector<SurfaceCut> cuts;
-    double x_low = 0, x_high = 0;  ///< of what lies below the rail, where that changes along x [m]
+    double x_low = 0, x_high = 0;  ///< of what lies below the rail [m]
     double power = 2.5;            ///< of the depth in the weights of cuts
     RailStretch rail{};            ///< what is beyond belongs to other regions
 };
@@ -75,7 +75,7 @@ struct ContactPlane {
     double wheel_s = 0, rail_s = 0;  ///< of both curves at the origin
     double deepest = 0;              ///< the largest depth [m]
     double low = 0, high = 0;        ///< ends of the region along s [m]
-    double x_low = 0, x_high = 0;    ///< and along x, from the origin; 0 where the silhouette does not tell
+    double x_low = 0, x_high = 0;    ///< and along x, from the origin
     RailStretch rail{};              ///< that of the region
 
     double s(double y_track, double z_track) const { return (y_track - y) * cosine + (z_track - z) * sine; }
@@ -149,10 +149,8 @@ inline ContactPlane plane_of(const ContactGeometry& geometry, const Region& regi
         plane.high = first ? s : (std::max)(plane.high, s);
         first = false;
     }
-    if (region.x_high > region.x_low) {
-        plane.x_low = region.x_low - plane.x;
-        plane.x_high = region.x_high - plane.x;
-    }
+    plane.x_low = region.x_low - plane.x;
+    plane.x_high = region.x_high - plane.x;
     return plane;
 }
 
@@ -170,6 +168,31 @@ double mean_angle(Iterator first, Iterator last, double power) {
         angle += weight * first->foot.angle();
     }
     return sum > 0 ? angle / sum : 0;
+}
+
+/// Where a run of depths, of cuts or samples in the order of the wheel's curve, holds two contacts: at the least deep one
+/// between two maxima whose surroundings have different normals, if it is that much less deep than both; `last` if
+/// nowhere. Where a wheel yaws, contacts with different normals lie far apart along x, but one run holds them.
+template <class Iterator>
+Iterator parting(Iterator first, Iterator last) {
+    // depth over the largest at the long edges of an ellipse twelve times as long as wide, as flanges have
+    constexpr double edge = 0.75;
+    const auto deeper = [](const auto& one, const auto& other) { return one.foot.depth < other.foot.depth; };
+    const double power = Region{}.power;
+    Iterator found = last;
+    if (last - first < 3) return found;
+    double before = first->foot.depth;
+    for (Iterator at = first + 1; at + 1 != last; ++at) {
+        const double depth = at->foot.depth;
+        const bool lowest = depth < (at - 1)->foot.depth && depth <= (at + 1)->foot.depth && depth < edge * before;
+        if (lowest && (found == last || depth < found->foot.depth) &&
+            depth < edge * std::max_element(at, last, deeper)->foot.depth &&
+            std::abs(mean_angle(first, at, power) - mean_angle(at, last, power)) >= joined_angle) {
+            found = at;
+        }
+        before = (std::max)(before, depth);
+    }
+    return found;
 }
 
 /// The height at which the wheel's deepest point is on the rail's surface, from a first guess; deepest(height) returns

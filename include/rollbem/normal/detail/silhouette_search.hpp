@@ -141,44 +141,21 @@ private:
                           Region{}.power);
     }
 
-    // Where a wheel yaws, contacts with different normals lie far apart along x, but one run holds them.
-    void part(std::vector<Run>& runs) {
+    void part(std::vector<Run>& runs) const {
         for (std::size_t k = 0; k < runs.size();) {
-            const std::optional<std::size_t> next = parting(runs[k]);
-            if (!next) {
+            const auto last = samples_.begin() + std::ptrdiff_t(runs[k].last) + 1,
+                       at = parting(samples_.begin() + std::ptrdiff_t(runs[k].first), last);
+            if (at == last) {
                 ++k;
                 continue;
             }
             Run beyond = runs[k];
-            beyond.first = *next;
-            beyond.rail.low = samples_[*next].foot.s;
-            runs[k].last = *next - 1;
+            beyond.first = std::size_t(at - samples_.begin());
+            beyond.rail.low = at->foot.s;
+            runs[k].last = beyond.first - 1;
             runs[k].rail.high = beyond.rail.low;
             runs.insert(runs.begin() + std::ptrdiff_t(k) + 1, beyond);
         }
-    }
-
-    // The least deep sample between two maxima whose surroundings have different normals, if it is that much less deep
-    // than both.
-    std::optional<std::size_t> parting(const Run& run) {
-        // depth over the largest at the long edges of an ellipse twelve times as long as wide, as flanges have
-        constexpr double edge = 0.75;
-        const auto depth = [this](std::size_t i) { return samples_[i].foot.depth; };
-        beyond_.resize(samples_.size());
-        beyond_[run.last] = depth(run.last);
-        for (std::size_t i = run.last; i-- > run.first;) beyond_[i] = (std::max)(beyond_[i + 1], depth(i));
-        std::optional<std::size_t> found;
-        double before = depth(run.first);
-        for (std::size_t i = run.first + 1; i < run.last; ++i) {
-            const bool lowest =
-                depth(i) < depth(i - 1) && depth(i) <= depth(i + 1) && depth(i) < edge * (std::min)(before, beyond_[i]);
-            if (lowest && (!found || depth(i) < depth(*found)) &&
-                std::abs(mean_angle_of({run.first, i - 1}) - mean_angle_of({i, run.last})) >= joined_angle) {
-                found = i;
-            }
-            before = (std::max)(before, depth(i));
-        }
-        return found;
     }
 
     void join(std::vector<Run>& runs) const {
@@ -196,12 +173,20 @@ private:
         }
     }
 
+    // How far along x the wheel lies below the rail about a point of the silhouette.
+    double reach_along(const Foot& foot) const {
+        constexpr double steepest = 0.05;
+        return std::sqrt(2 * foot.depth * placed_->radius() / (std::max)(std::cos(foot.angle()), steepest));
+    }
+
     Region region(const Run& run, double height) const {
         const Sample &one = samples_[run.first > 0 ? run.first - 1 : 0],
                      &two = samples_[(std::min)(run.last + 1, samples_.size() - 1)];
         constexpr int count = 160;
         Region region;
         region.rail = run.rail;
+        region.x_low = std::numeric_limits<double>::infinity();
+        region.x_high = -region.x_low;
         double rail_s = samples_[run.first].foot.s;
         for (int k = 0; k <= count; ++k) {
             const double s = one.s + (two.s - one.s) * k / count;
@@ -211,6 +196,10 @@ private:
             rail_s = foot.s;
             region.cuts.push_back({s, p.x, p.y, p.z + height, foot, 0});
             if (!foot.inside) region.cuts.back().foot.depth = 0;
+            if (!(region.cuts.back().foot.depth > 0)) continue;
+            const double reach = reach_along(foot);
+            region.x_low = (std::min)(region.x_low, p.x - reach);
+            region.x_high = (std::max)(region.x_high, p.x + reach);
         }
         for (std::size_t k = 0; k < region.cuts.size(); ++k) {
             const SurfaceCut &before = region.cuts[k > 0 ? k - 1 : 0],
@@ -223,8 +212,7 @@ private:
     const ContactGeometry* geometry_ = nullptr;
     std::optional<PlacedWheel> placed_;
     std::vector<Sample> samples_;
-    std::vector<double> beyond_;  // the largest depth from a sample to the end of its run
-    bool is_whole_ = true;        // the silhouette is defined everywhere
+    bool is_whole_ = true;  // the silhouette is defined everywhere
     double touch_ = 0, height_ = 0, searched_at_ = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -31,7 +31,7 @@ public:
             }
         }
         if (!is_finite(touch_)) return Status::no_contact;
-        find_valleys();
+        find_valleys(touch_);
         bool found = false;
         touch_ = touching_height(touch_, [&](double height) {
             const Foot* deepest = nullptr;
@@ -67,19 +67,25 @@ public:
 
     std::vector<Region> regions(double height) {
         height_ = height;
+        // what lay too high above the rail to be a valley may touch now
+        if (height - valleys_at_ > seen_above / 2) {
+            find_valleys(height);
+            for (Point& valley : valleys_) descend(valley, height);
+            keep_different();
+        }
         std::vector<Region> found;
         for (const Point& valley : valleys_) {
             Point seed = valley;
             descend(seed, height);
             if (!(seed.foot.depth > 0) || lies_in(found, seed)) continue;
-            Region region = explore(seed, height);
-            if (!region.cuts.empty()) join(found, std::move(region));
+            for (Region& region : explore(seed, height)) join(found, std::move(region));
         }
         return found;
     }
 
 private:
     static constexpr double slice_distance = 4e-3;  // along x [m]
+    static constexpr double seen_above = 1e-3;      // the rail, by valleys [m]
 
     struct Slice {
         double x;
@@ -117,17 +123,18 @@ private:
     }
 
     // Points of slices that lie as deep as their neighbours on the wheel and in both slices beside, or deeper, and not
-    // above the rail by a millimetre when the wheel touches.
-    void find_valleys() {
-        constexpr double high = -1e-3, none = -std::numeric_limits<double>::infinity();
+    // above the rail by a millimetre at this height.
+    void find_valleys(double height) {
+        constexpr double none = -std::numeric_limits<double>::infinity();
+        valleys_at_ = height;
         std::vector<std::vector<Point>> points(slices_.size());
         for (std::size_t k = 0; k < slices_.size(); ++k) {
             const Slice& slice = slices_[k];
             for (const SurfaceSample& sample : slice.wheel) {
-                const double z = sample.z + touch_;
+                const double z = sample.z + height;
                 Point& p = points[k].emplace_back(Point{sample.part, 0, slice.x, sample.s, sample.y, z, {}, true});
                 p.foot.depth = none;
-                if (z - slice.rail.top(sample.y) < high - CurveIndex::reach) continue;
+                if (z - slice.rail.top(sample.y) < -seen_above - CurveIndex::reach) continue;
                 const SurfaceSample* rail = slice.rail.facing(sample.y, z, sample.normal_y, sample.normal_z);
                 if (rail == nullptr) continue;
                 p.rail_part = rail->part;
@@ -139,7 +146,7 @@ private:
         for (std::size_t k = 0; k < points.size(); ++k) {
             for (std::size_t i = 0; i < points[k].size(); ++i) {
                 const Point& p = points[k][i];
-                if (!(p.foot.depth > high)) continue;
+                if (!(p.foot.depth > -seen_above)) continue;
                 // on a plateau, the first
                 const auto deeper = [&](const Point& other) {
                     const bool first = other.x < p.x || (other.x == p.x && other.s < p.s);
@@ -270,7 +277,8 @@ private:
         return range;
     }
 
-    Region explore(const Point& seed, double height) const {
+    // The regions about a point: one, or those of contacts that it holds.
+    std::vector<Region> explore(const Point& seed, double height) const {
         Region region{.wheel_part = seed.part, .rail_part = seed.rail_part, .cuts = {}, .x_low = 0, .x_high = 0};
         region.power = 2;
         // A tenth of the half-length, as far as the wheel's radius tells, and a fortieth of the width.
@@ -279,10 +287,9 @@ private:
         for (int k = 0; k < 2; ++k) {
             region.cuts.clear();
             const auto range = cut_slice(seed, step_s, height, region.cuts);
-            if (!range) return region;
+            if (!range) return {};
             step_s = std::clamp(((*range)[1] - (*range)[0]) / 40, 1e-6, 2.5e-4);
         }
-        region.x_low = region.x_high = seed.x;
         for (const int direction : {-1, 1}) {
             Point about = seed;
             for (int k = 1; k < 400; ++k) {
@@ -291,13 +298,47 @@ private:
                 const auto range = cut_slice(about, step_s, height, region.cuts);
                 if (!range) break;
                 about = point_at(about, x, ((*range)[0] + (*range)[1]) / 2, height);
-                (direction > 0 ? region.x_high : region.x_low) = x;
             }
         }
-        region.x_low -= step_x;
-        region.x_high += step_x;
         for (SurfaceCut& cut : region.cuts) cut.width *= step_x;
-        return region;
+        std::vector<Region> parts;
+        part(std::move(region), step_x, parts);
+        return parts;
+    }
+
+    // `step_x` [m] is that between cuts.
+    static void part(Region region, double step_x, std::vector<Region>& parts) {
+        const std::vector<SurfaceCut> ridge = ridge_of(region.cuts);
+        const auto at = parting(ridge.begin(), ridge.end());
+        if (at != ridge.end()) {
+            Region beyond = region;
+            std::erase_if(beyond.cuts, [&](const SurfaceCut& cut) { return cut.wheel_s < at->wheel_s; });
+            std::erase_if(region.cuts, [&](const SurfaceCut& cut) { return cut.wheel_s >= at->wheel_s; });
+            region.rail.high = beyond.rail.low = at->foot.s;
+            part(std::move(region), step_x, parts);
+            part(std::move(beyond), step_x, parts);
+            return;
+        }
+        const auto [low, high] =
+            std::minmax_element(region.cuts.begin(), region.cuts.end(),
+                                [](const SurfaceCut& one, const SurfaceCut& other) { return one.x < other.x; });
+        region.x_low = low->x - step_x;
+        region.x_high = high->x + step_x;
+        parts.push_back(std::move(region));
+    }
+
+    // Along the wheel's curve, the deepest cut of each tenth of a millimetre.
+    static std::vector<SurfaceCut> ridge_of(std::vector<SurfaceCut> cuts) {
+        constexpr double distance = 1e-4;
+        const auto place = [](const SurfaceCut& cut) { return std::floor(cut.wheel_s / distance); };
+        std::sort(cuts.begin(), cuts.end(), [&](const SurfaceCut& one, const SurfaceCut& other) {
+            return std::pair(place(one), -one.foot.depth) < std::pair(place(other), -other.foot.depth);
+        });
+        cuts.erase(
+            std::unique(cuts.begin(), cuts.end(),
+                        [&](const SurfaceCut& one, const SurfaceCut& other) { return place(one) == place(other); }),
+            cuts.end());
+        return cuts;
     }
 
     static double angle_of(const Region& region) {
@@ -327,6 +368,7 @@ private:
     const ContactGeometry* geometry_ = nullptr;
     std::optional<PlacedWheel> placed_;
     double track_x_ = 0, touch_ = 0, height_ = 0;
+    double valleys_at_ = 0;  // the height at which valleys were looked for
     std::vector<Slice> slices_;
     std::vector<Point> valleys_;
 };

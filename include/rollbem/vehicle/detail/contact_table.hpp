@@ -241,6 +241,13 @@ private:
         ContactRow::Values means;
         Eigen::ArrayXXf points, slopes;
         Eigen::ArrayXXd on_rails_slopes;
+        /// Whether a zone carries a load at any node on either side of an interval between shifts, for each zone all of
+        /// them.
+        std::vector<char> carrying;
+
+        bool carries(Eigen::Index zone, std::size_t interval) const {
+            return carrying[std::size_t(zone) * (carrying.size() / std::size_t(given.zones.count())) + interval] != 0;
+        }
     };
     std::size_t index_of(WheelsetSide side) const { return is_mirrored() ? 0 : std::size_t(side); }
     Stored stored(Side side) const;
@@ -382,7 +389,12 @@ inline Eigen::ArrayXXd slopes_of(const ContactTable::Grid& grid, const Eigen::Ar
 }  // namespace detail
 
 inline auto ContactTable::stored(Side side) const -> Stored {
-    Stored made{.given = {}, .means = ContactRow::Values::Zero(), .points = {}, .slopes = {}, .on_rails_slopes = {}};
+    Stored made{.given = {},
+                .means = ContactRow::Values::Zero(),
+                .points = {},
+                .slopes = {},
+                .on_rails_slopes = {},
+                .carrying = {}};
     for (Eigen::Index zone = 0; zone < side.zones.count(); ++zone) {
         detail::fill_zone(grid_, side.points.middleCols(zone * grid_.nodes(), grid_.nodes()));
     }
@@ -392,6 +404,15 @@ inline auto ContactTable::stored(Side side) const -> Stored {
     side.points = made.points.cast<double>().colwise() + Eigen::ArrayXd(made.means);
     made.slopes = detail::slopes_of(grid_, side.points, true).cast<float>();
     made.on_rails_slopes = detail::slopes_of(grid_, side.on_rails, false);
+    const auto shifts = Eigen::Index(grid_.shifts.size()), lines = grid_.nodes() / shifts;
+    for (Eigen::Index zone = 0; zone < side.zones.count(); ++zone) {
+        const Eigen::Map<const Eigen::ArrayXXf, 0, Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>> shares(
+            made.points.col(zone * grid_.nodes()).data() + ContactRow::share, shifts, lines,
+            {shifts * ContactRow::rows, Eigen::Index(ContactRow::rows)});
+        for (Eigen::Index i = 0; i + 1 < shifts; ++i) {
+            made.carrying.push_back((shares.middleRows(i, 2) > 0).any() ? 1 : 0);
+        }
+    }
     made.given = std::move(side);
     return made;
 }
@@ -409,13 +430,13 @@ auto ContactTable::sample(const Cell& at, const Field& values, const Field& slop
                           *const high_slope = &slopes(row, node + 1);
         const double across = at.across.value[k], turning = at.across.rate[k];
         for (int i = 0; i < Rows; ++i) {  // compilers make packets of a plain loop
-            const double one = double(low[i]), two = double(high[i]), three = double(low_slope[i]),
+            const double one = double(low[i]), rise = double(high[i] - low[i]), three = double(low_slope[i]),
                          four = double(high_slope[i]);
-            const double here = w[0] * one + w[1] * two + w[2] * three + w[3] * four;
+            const double here = one + w[1] * rise + w[2] * three + w[3] * four;  // the first two weights add up to 1
             found.value[i] += across * here;
             if constexpr (!derivatives) continue;
             found.by_yaw[i] += turning * here;
-            found.by_shift[i] += across * (rate[0] * one + rate[1] * two + rate[2] * three + rate[3] * four);
+            found.by_shift[i] += across * (rate[1] * rise + rate[2] * three + rate[3] * four);
         }
     }
     return found;

@@ -36,7 +36,7 @@ public:
             result_.force.setZero();
             return result_;
         }
-        tangents_ ? balance<all>() : balance<one>();
+        tangents_ ? balance<all>() : balance_values();
         return result_;
     }
 
@@ -45,12 +45,12 @@ private:
     static constexpr double least_share = 1e-3;
 
     // A number with its derivatives by all of WheelForces::Input, where tangents are asked for, and, last, by the sum of
-    // the vertical normal loads.
+    // the vertical normal loads; or with none.
     template <int partials>
     using Gradient = Eigen::Matrix<double, partials, 1>;
     template <int partials>
     using Dual = Eigen::AutoDiffScalar<Gradient<partials>>;
-    static constexpr int one = 1, all = WheelForces::inputs + 1;
+    static constexpr int none = 0, one = 1, all = WheelForces::inputs + 1;
     template <int partials>
     static constexpr bool by_inputs = partials == all;
     template <int partials>
@@ -90,6 +90,7 @@ private:
         bool valid = load.vertical >= 0 && load.vertical <= most_load && friction_.coefficient >= 0;
         for (const double factor : friction_.factor) valid = valid && factor >= 0 && is_finite(factor);
         if (!valid) return Status::invalid_load;
+        if (!creep_.fits(table_.poisson_ratio())) return Status::wrong_table;
         return table_.covers(position.lateral, position.yaw) ? Status::ok : Status::wrong_table;
     }
 
@@ -119,9 +120,12 @@ private:
         }
         cell_ = table_.cell(shift_.value(), inputs_[WheelForces::yaw]);
         loads_ = table_.grid_.loads.size();
+        for (std::size_t l = 0; l < loads_ && !has_roll_; ++l) {
+            rolls_[l] = table_.sample<1>(cell_, side_->given.on_rails, side_->on_rails_slopes, 1, table_.first_node(l));
+        }
         for (Eigen::Index zone = 0; zone < side_->given.zones.count(); ++zone) {
             Zone& of = zones_[std::size_t(zone)];
-            of.carries = false;
+            if (!side_->carries(zone, cell_.shift)) continue;
             for (std::size_t l = 0; l < loads_; ++l) {
                 const Eigen::Index first = zone * table_.grid_.nodes() + table_.first_node(l);
                 of.share[l] = table_.sample<1>(cell_, side_->points, side_->slopes, ContactRow::share, first);
@@ -141,13 +145,13 @@ private:
         Values value, by_shift, by_yaw, by_sum;  // at the present sum of loads
     };
 
-    template <int partials>
     void sample(Zone& of, Eigen::Index zone) {
         constexpr int rows = static_cast<int>(ContactRow::rows);
         if (std::exchange(of.is_sampled, true)) return;
         for (std::size_t l = 0; l < loads_; ++l) {
             const Eigen::Index first = zone * table_.grid_.nodes() + table_.first_node(l);
-            of.rows[l] = table_.sample<rows, by_inputs<partials>>(cell_, side_->points, side_->slopes, 0, first);
+            of.rows[l] = tangents_ ? table_.sample<rows, true>(cell_, side_->points, side_->slopes, 0, first)
+                                   : table_.sample<rows, false>(cell_, side_->points, side_->slopes, 0, first);
         }
     }
     /// The rows of a zone at a sum of loads. Odd parts are over the yaw.
@@ -160,10 +164,12 @@ private:
             values.segment<9>(correction) += yaw * values.segment<9>(correction_by_yaw);
         };
         of.value = side_->means;
-        of.by_sum.setZero();
-        for (std::size_t l = 0; l < loads_; ++l) {
-            of.value += weights.value[l] * of.rows[l].value;
-            of.by_sum += weights.rate[l] / (3 * root * root) * of.rows[l].value;
+        for (std::size_t l = 0; l < loads_; ++l) of.value += weights.value[l] * of.rows[l].value;
+        if constexpr (partials > none) {
+            of.by_sum.setZero();
+            for (std::size_t l = 0; l < loads_; ++l) {
+                of.by_sum += weights.rate[l] / (3 * root * root) * of.rows[l].value;
+            }
         }
         if constexpr (by_inputs<partials>) {
             of.by_shift.setZero();
@@ -178,7 +184,7 @@ private:
             times_yaw(of.by_shift);
         }
         times_yaw(of.value);
-        times_yaw(of.by_sum);
+        if constexpr (partials > none) times_yaw(of.by_sum);
     }
     template <int partials>
     Dual<partials> dual(const Zone& of, Eigen::Index row) const {
@@ -191,7 +197,7 @@ private:
             }
             found.derivatives()[WheelForces::yaw] += of.by_yaw[row];
         }
-        found.derivatives()[by_sum<partials>] = of.by_sum[row];
+        if constexpr (partials > none) found.derivatives()[by_sum<partials>] = of.by_sum[row];
         return found;
     }
 
@@ -229,9 +235,11 @@ private:
             };
             const Number low = at(i), high = at(i + 1), low_slope = slope(i), high_slope = slope(i + 1);
             found = w.value[0] * low + w.value[1] * high + w.value[2] * low_slope + w.value[3] * high_slope;
-            found.derivatives()[by_sum<partials>] = (w.rate[0] * low.value() + w.rate[1] * high.value() +
-                                                     w.rate[2] * low_slope.value() + w.rate[3] * high_slope.value()) /
-                                                    (3 * root * root);
+            if constexpr (partials > none)
+                found.derivatives()[by_sum<partials>] =
+                    (w.rate[0] * low.value() + w.rate[1] * high.value() + w.rate[2] * low_slope.value() +
+                     w.rate[3] * high_slope.value()) /
+                    (3 * root * root);
         }
         constexpr double e = least_share;
         if (!(found.value() > 0)) return constant<partials>(0);
@@ -311,6 +319,16 @@ private:
         const Creepage<double> creepage{own[0].value(), own[1].value(), own[2].value()};
         TabulatedForce now;
         TangentialForce<double> by_speed{0, 0, 0};
+        if constexpr (partials == none) {
+            if (friction_.reduced == nullptr) {
+                const double mu = terms.mu.value(), N = terms.N.value();
+                const TangentialForce<double> alone = is_rough_ ? creep_.force<float>(ellipse, mu, N, creepage)
+                                                                : creep_.force<double>(ellipse, mu, N, creepage);
+                force = {constant<none>(alone.longitudinal), constant<none>(alone.lateral),
+                         constant<none>(alone.moment)};
+                return Status::ok;
+            }
+        }
         if (friction_.reduced != nullptr) {
             const ReducedFriction::Force reduced = friction_.reduced->look_up(
                 creep_, ellipse, terms.mu.value(), terms.N.value(), terms.speed.value(), creepage);
@@ -344,14 +362,14 @@ private:
         if (!has_roll_) {
             rolled = constant<partials>(0);
             for (std::size_t l = 0; l < loads_; ++l) {
-                const auto own =
-                    table_.sample<1>(cell_, side_->given.on_rails, side_->on_rails_slopes, 1, table_.first_node(l));
+                const ContactTable::Sample<1>& own = rolls_[l];
                 rolled.value() += weights.value[l] * own.value[0];
                 if constexpr (by_inputs<partials>) {
                     rolled.derivatives()[WheelForces::lateral] += weights.value[l] * own.by_shift[0];
                     rolled.derivatives()[WheelForces::yaw] += weights.value[l] * own.by_yaw[0];
                 }
-                rolled.derivatives()[by_sum<partials>] += weights.rate[l] * own.value[0] / (3 * root * root);
+                if constexpr (partials > none)
+                    rolled.derivatives()[by_sum<partials>] += weights.rate[l] * own.value[0] / (3 * root * root);
             }
         }
         pass.velocity.emplace(
@@ -371,7 +389,8 @@ private:
         // errors are as the square of the last step: in values, but in tangents as the step
         constexpr double settled = by_inputs<partials> ? 1e-7 : 1e-5;
         Pass<partials> pass;
-        double sum = inputs_[WheelForces::load];
+        Pass<none> values;
+        double sum = secants(values).value_or(inputs_[WheelForces::load]);
         for (int round = 0; round < 30; ++round) {
             result_.status = at_sum(pass, sum);
             if (result_.status != Status::ok) return;
@@ -381,6 +400,37 @@ private:
             sum -= std::clamp(change, -sum, sum / 2);
         }
         result_.status = Status::no_solution;
+    }
+
+    /// Without tangents.
+    void balance_values() {
+        Pass<none> pass;
+        if (!secants(pass)) return balance<one>();
+        result_.status = Status::ok;
+        finish(pass, 0);
+    }
+
+    /// The sum of vertical normal loads by secants on values alone, in single precision and, where no tangents follow,
+    /// then in double; nothing where that is not found at once.
+    std::optional<double> secants(Pass<none>& pass) {
+        constexpr double settled = 1e-6, settled_values = 1e-8, known = 1e-5;
+        const double load = inputs_[WheelForces::load];
+        double sum = load, last = 0, before = -load, rate = 0;  // nothing carries nothing
+        is_rough_ = true;
+        for (int round = 0; round < 10; ++round) {
+            if (at_sum(pass, sum) != Status::ok) break;
+            const double excess = pass.excess.value();
+            if (std::abs(sum - last) > known * sum) rate = (excess - before) / (sum - last);
+            const double change = excess / rate;
+            if (!(std::abs(change) < sum / 2)) break;
+            if (std::abs(change) <= (is_rough_ ? settled : settled_values) * sum) {
+                if (tangents_ || !is_rough_) return sum - change;
+                is_rough_ = false;
+            }
+            before = excess;
+            last = std::exchange(sum, sum - change);
+        }
+        return std::nullopt;
     }
 
     /// Forces of all zones whose vertical normal loads sum up to `sum`, and what they carry beyond the load.
@@ -397,7 +447,8 @@ private:
             shares[k] = zones_[k].carries ? share<partials>(zones_[k], root) : constant<partials>(0);
             total += shares[k];
         }
-        const Number whole(sum, partials, by_sum<partials>);
+        Number whole = constant<partials>(sum);
+        if constexpr (partials > none) whole.derivatives()[by_sum<partials>] = 1;
         pass.excess = whole - input<partials>(WheelForces::load);
         pass.stands = false;
         for (std::size_t k = 0; k < count; ++k) {
@@ -405,7 +456,7 @@ private:
             if (!(shares[k].value() > 0)) continue;
             const Number part = shares[k] / total, load = part * whole;
             if (load.value() < least_load) continue;
-            sample<partials>(zones_[k], Eigen::Index(k));
+            sample(zones_[k], Eigen::Index(k));
             interpolate<partials>(zones_[k], weights, root);
             result_.points[k].load_share = part.value();
             const Status status = press(pass, k, load);
@@ -415,12 +466,20 @@ private:
         return Status::ok;
     }
 
+    /// A number when the sum has fallen by `change`.
+    template <int partials>
+    static double after(const Dual<partials>& number, double change) {
+        if constexpr (partials == none) {
+            return number.value();
+        } else {
+            return number.value() - number.derivatives()[by_sum<partials>] * change;
+        }
+    }
+
     /// A point after the last step, so that its numbers agree with the wrench.
     template <int partials>
     void settle(WheelForces::Point& point, const Contact<partials>& of, double change) const {
-        const auto settled = [&](const Dual<partials>& number) {
-            return number.value() - number.derivatives()[by_sum<partials>] * change;
-        };
+        const auto settled = [&](const Dual<partials>& number) { return after(number, change); };
         point.normal_load = settled(of.normal);
         point.angle = settled(of.angle);
         point.arm = {along_ * settled(of.arm[0]), settled(of.arm[1]), settled(of.arm[2])};
@@ -456,9 +515,9 @@ private:
         const std::array<double, 6> signs{along_, mirror_, 1, mirror_, along_, along_ * mirror_};
         for (Eigen::Index i = 0; i < 6; ++i) {
             const Number& component = wrench[std::size_t(i)];
-            const double slope = component.derivatives()[by_sum<partials>];
-            result_.force[i] = signs[std::size_t(i)] * (component.value() - slope * change);
+            result_.force[i] = signs[std::size_t(i)] * after(component, change);
             if constexpr (by_inputs<partials>) {
+                const double slope = component.derivatives()[by_sum<partials>];
                 const Gradient<partials> gradient =
                     component.derivatives() -
                     slope / pass.excess.derivatives()[by_sum<partials>] * pass.excess.derivatives();
@@ -495,10 +554,11 @@ private:
     WheelForces result_;
     std::array<double, WheelForces::inputs> inputs_{};
     double mirror_ = 1, along_ = 1;
-    bool tangents_, has_roll_ = false;
+    bool tangents_, is_rough_ = true, has_roll_ = false;
     Dual<all> shift_;
     ContactTable::Cell cell_{0, {0, 0, 1}, {}};
     std::size_t loads_ = 0;
+    std::array<ContactTable::Sample<1>, ContactTable::most_loads> rolls_;  // of equal loads
     std::array<Zone, ContactZones::most> zones_;
 };
 
