@@ -204,10 +204,15 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
         if (plot.series.size() == 1) series.label = curve.sweep.empty() ? "computed" : "sweep " + curve.sweep;
     }
     plot.y_range = force_range(plot);
-    const auto [least, most] = std::minmax_element(
-        curve.points.begin(), curve.points.end(),
-        [](const CreepPoint& one, const CreepPoint& other) { return one.longitudinal < other.longitudinal; });
-    if (curve.line.carter()) plot.series.push_back(carter_curve(least->longitudinal, most->longitudinal));
+    double least = 0, most = 0;
+    for (const study::Series& series : plot.series) {
+        for (const auto& [ratio, force] : series.points) {
+            if (std::isnan(ratio)) continue;
+            least = std::min(least, ratio);
+            most = std::max(most, ratio);
+        }
+    }
+    if (curve.line.carter()) plot.series.push_back(carter_curve(least, most));
     return plot;
 }
 

@@ -196,7 +196,8 @@ void run_friction(const study::Options& options, const std::vector<Patch>& patch
     };
     table.finish = [&] { tractions.write(); };
     table.plot = [&](const std::vector<study::Row>& rows) {
-        return from_above ? draw_from_above(patches, points.front(), tractions) : draw_friction(table.columns, rows);
+        return from_above ? draw_from_above(patches, points.front(), tractions)
+                          : draw_friction(table.columns, rows, by_force);
     };
     study::write_table(options, table, tractions.files);
 }
