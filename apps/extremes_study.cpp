@@ -65,12 +65,7 @@ extremes::Cases all_cases(bool large) {
     return cases;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    // 1. The command line.
-    study::Options options("extremes_study",
-                           "Extreme cases: right to a stated bound, or with a reason why there is no result.");
+void add_options(study::Options& options) {
     for (const char* group : {"Discretisation", "Contact"}) options.refuse_group(group, "each case has its own");
     options.refuse("plot", "cases have nothing to draw");
     options.not_with({"large", "contacts"}, "patches");
@@ -106,21 +101,36 @@ relative_error the largest of its size over 1 um (3 if something was dropped) an
 doubtful_plane), of the error of the vertical load over 1e-6, and of the load dropped over 2e-3 of all. A status other
 than not_finite and not_converged is told.
 )");
+}
+
+/// Random scenes where they are asked for, or all cases.
+extremes::Cases asked_for(const study::Options& given) {
+    extremes::Cases cases;
+    const auto add_scenes = [&](const char* option, auto scene) {
+        const auto count = static_cast<std::uint64_t>(given.integer(option, 1, 10'000'000));
+        for (std::uint64_t seed = 1; seed <= count; ++seed) cases.push_back(scene(seed));
+    };
+    if (given.given("patches")) {
+        add_scenes("patches", extremes::patch_scene);
+    } else if (given.given("contacts")) {
+        add_scenes("contacts", extremes::contact_scene);
+    } else {
+        cases = all_cases(given.flag("large"));
+    }
+    return cases;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // 1. The command line.
+    study::Options options("extremes_study",
+                           "Extreme cases: right to a stated bound, or with a reason why there is no result.");
+    add_options(options);
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The cases.
-        extremes::Cases cases;
-        const auto add_scenes = [&](const char* option, auto scene) {
-            const auto count = static_cast<std::uint64_t>(given.integer(option, 1, 10'000'000));
-            for (std::uint64_t seed = 1; seed <= count; ++seed) cases.push_back(scene(seed));
-        };
-        if (given.given("patches")) {
-            add_scenes("patches", extremes::patch_scene);
-        } else if (given.given("contacts")) {
-            add_scenes("contacts", extremes::contact_scene);
-        } else {
-            cases = all_cases(given.flag("large"));
-        }
+        const extremes::Cases cases = asked_for(given);
 
         // 3. One row each.
         std::atomic<bool> all_kept{true};
