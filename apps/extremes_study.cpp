@@ -69,12 +69,7 @@ extremes::Cases all_cases(bool large) {
     return cases;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    // 1. The command line.
-    study::Options options("extremes_study",
-                           "Extreme cases: right to a stated bound, or with a reason why there is no result.");
+void add_options(study::Options& options) {
     for (const char* group : {"Discretisation", "Contact"}) options.refuse_group(group, "each case has its own");
     options.refuse("plot", "cases have nothing to draw");
     options.not_with({"large", "contacts"}, "patches");
@@ -105,26 +100,41 @@ equations, set up anew from G, G' and du/dy (with sdirk2, whose stages are not s
 its steps); value is the last -F_y over mu N. Steps that a mesh cannot follow must be refused.
 With --contacts: S1002 on UIC 60, and in every second scene one of ten pairs of profiles with hollows, bumps and waves,
 shifted by up to 12 mm, yaw to 30 mrad, roll to 5 mrad, under 10 kN to 1 MN, on 24 x 16 cells, or on 48 x 32 where the
-error would be above 1; every 99th is searched in slices, as if surfaces changed along the way. value is the least gap [m] of a brute-force search after the displacements of all patches;
-relative_error the largest of its size over 1 um (3 if something was dropped) and 4 % of the deepest approach (10 % with
+error would be above 1; every 99th is searched in slices, as if surfaces changed along the way. value is the least gap
+[m] of a brute-force search after the displacements of all patches; relative_error the largest of its size over 1 um (3 if something was dropped) and 4 % of the deepest approach (10 % with
 doubtful_plane), of the error of the vertical load over 1e-6, and of the load dropped over 2e-3 of all. A status other
 than not_finite and not_converged is told.
 )");
+}
+
+/// Random scenes where they are asked for, or all cases.
+extremes::Cases asked_for(const study::Options& given) {
+    extremes::Cases cases;
+    const auto add_scenes = [&](const char* option, auto scene) {
+        const auto count = static_cast<std::uint64_t>(given.integer(option, 1, 10'000'000));
+        for (std::uint64_t seed = 1; seed <= count; ++seed) cases.push_back(scene(seed));
+    };
+    if (given.given("patches")) {
+        add_scenes("patches", extremes::patch_scene);
+    } else if (given.given("contacts")) {
+        add_scenes("contacts", [](std::uint64_t seed) { return extremes::contact_scene(seed, seed % 99 == 0); });
+    } else {
+        cases = all_cases(given.flag("large"));
+    }
+    return cases;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // 1. The command line.
+    study::Options options("extremes_study",
+                           "Extreme cases: right to a stated bound, or with a reason why there is no result.");
+    add_options(options);
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The cases.
-        extremes::Cases cases;
-        const auto add_scenes = [&](const char* option, auto scene) {
-            const auto count = static_cast<std::uint64_t>(given.integer(option, 1, 10'000'000));
-            for (std::uint64_t seed = 1; seed <= count; ++seed) cases.push_back(scene(seed));
-        };
-        if (given.given("patches")) {
-            add_scenes("patches", extremes::patch_scene);
-        } else if (given.given("contacts")) {
-            add_scenes("contacts", [](std::uint64_t seed) { return extremes::contact_scene(seed, seed % 99 == 0); });
-        } else {
-            cases = all_cases(given.flag("large"));
-        }
+        const extremes::Cases cases = asked_for(given);
 
         // 3. One row each.
         std::atomic<bool> all_kept{true};

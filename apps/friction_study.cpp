@@ -64,6 +64,11 @@ void add_contact_options(study::Options& options) {
                 "creepage as delta = xi G/(2 (1-nu) mu p0), any finite: Carter's contact slides as a whole for "
                 "delta >= 1; with --transient a single value (dimensionless)",
                 "0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9,1,1.1");
+    options.add(
+        "force", "F",
+        "-F_x/(mu N), in time mu N_0, in place of --creepage-ratio, which is found; in time from rest by a shift, "
+        "then rolling (dimensionless)");
+    options.not_with({"creepage-ratio"}, "force");
     options.add_input("pressure",
                       "CSV file with the columns x_over_a,pressure instead of Hertz's pressure: any unit, linear "
                       "between its rows, zero before the first and after the last; two rows at one x_over_a make a "
@@ -103,6 +108,7 @@ void add_steady_options(study::Options& options) {
     }
     options.not_with({"mesh", "edges", "method", "derivative", "alpha-L", "alpha-T", "alpha"}, "fit-border",
                      ", which needs no elements");
+    options.not_with({"sweep", "fit-border"}, "force");
     options.not_with({"lateral-ratio", "spin-ratio", "layer"}, "fit-border",
                      ", which is for one direction and no layer");
 }
@@ -110,10 +116,7 @@ void add_steady_options(study::Options& options) {
 void add_rolling_options(study::Options& options) {
     options.add_flag("transient", "roll in time from rest, one row per step");
     study::add_history_options(options, friction::history_columns, "transient");
-    options
-        .add("force", "F", "-F_x/(mu N_0) in place of a creepage, which is found; from rest by a shift (dimensionless)")
-        .only_with({"transient"});
-    options.not_with({"step", "ramp", "sine", "creepage-ratio"}, "force");
+    options.not_with({"step", "ramp", "sine"}, "force");
     options.add("shift", "W", "rigid shift in mu p0 a/G first, any finite, without rolling (dimensionless)")
         .only_with({"transient"});
     study::add_run_options(options,

@@ -122,120 +122,161 @@ double violation(const State& state, const VectorXd& bound, const MatrixXd& slip
     return worst;
 }
 
-/// Steady rolling from rest, then steps in the time domain; the error is the largest violation of the law, of the
-/// equations by the slip that the library gives, and of the forces' sum.
-Outcome run(const Scene& scene) {
-    const auto contact = rollbem::PatchContact<double>::dimensionless(scene.a_over_b, scene.nu);
-    const auto along = rollbem::cosine_mesh(scene.n);
-    const auto across = scene.cosine ? rollbem::cosine_mesh(scene.strips) : rollbem::uniform_mesh(scene.strips);
-    const auto mesh = rollbem::patch_mesh(contact, along, across);
-    const rollbem::HalfSpace<double> kernel(scene.nu);
-    std::optional<rollbem::PatchShapes<double>> shapes;
-    if (scene.reshapes) {
-        shapes.emplace(along, across, chebyshev, kernel,
-                       rollbem::PatchShapes<double>::Range{scene.a_over_b / 1.5, scene.a_over_b * 2.25, 1.5});
+double size(const VectorXd& vector) { return vector.cwiseAbs().maxCoeff(); }
+
+/// A scene's contact, and the equations of its present ellipse, set up anew.
+class Run {
+public:
+    explicit Run(const Scene& scene)
+        : scene_(scene),
+          contact_(rollbem::PatchContact<double>::dimensionless(scene.a_over_b, scene.nu)),
+          mesh_(rollbem::patch_mesh(contact_, rollbem::cosine_mesh(scene.n), across())),
+          shapes_(make_shapes()),
+          system_(make_system()),
+          pressure_(rollbem::hertz_pressures(contact_, mesh_, 1.0)),
+          model_(contact_, system_, rollbem::unchecked, {1.0, pressure_},
+                 scene.euler ? rollbem::Integrator::implicit_euler : rollbem::Integrator::sdirk2),
+          axes_{scene.half_length, scene.half_length / scene.narrowing * contact_.half_width()},
+          whole_(equations_at(axes_)),
+          workspace_(model_.workspace()),
+          now_(model_.at_rest()),
+          next_(now_) {}
+
+    /// Steady rolling from rest, then steps in the time domain; the error is the largest violation of the law, of the
+    /// equations by the slip that the library gives, and of the forces' sum.
+    Outcome operator()() {
+        const auto first = load_of(1, axes_);
+        const auto steady = model_.steady(now_, {.motion = scene_.creepage, .load = first}, next_, workspace_);
+        const VectorXd w = rigid(scene_.creepage), u_prime = whole_.G_prime() * stacked(next_);
+        check(steady, first.normal_pressure, w - u_prime, size(w) + size(u_prime));
+        for (const Scene::Later& later : scene_.later) {
+            if (!outcome_.told.empty()) break;
+            std::swap(now_, next_);
+            step(later);
+        }
+        return outcome_;
     }
-    const auto system = shapes         ? shapes->system(scene.a_over_b)
-                        : scene.varies ? rollbem::breathing_system(contact, mesh, chebyshev, kernel)
-                                       : rollbem::rolling_system(mesh, chebyshev, kernel);
-    const rollbem::ArrayX<double> pressure = rollbem::hertz_pressures(contact, mesh, 1.0);
-    const rollbem::FrictionModel model(contact, system, rollbem::unchecked, {1.0, pressure},
-                                       scene.euler ? rollbem::Integrator::implicit_euler : rollbem::Integrator::sdirk2);
-    const Eigen::Index count = mesh.size();
-    const auto stacked = [&](const State& state) {
-        return VectorXd(Eigen::Map<const VectorXd>(state.traction.data(), 2 * count));
-    };
-    // all equations of an ellipse
-    const auto at = [&](const Axes& axes) {
+
+private:
+    rollbem::Mesh<double> across() const {
+        return scene_.cosine ? rollbem::cosine_mesh(scene_.strips) : rollbem::uniform_mesh(scene_.strips);
+    }
+    rollbem::HalfSpace<double> kernel() const { return rollbem::HalfSpace<double>(scene_.nu); }
+
+    std::optional<rollbem::PatchShapes<double>> make_shapes() const {
+        if (!scene_.reshapes) return std::nullopt;
+        const double ratio = scene_.a_over_b;
+        return std::optional<rollbem::PatchShapes<double>>(
+            std::in_place, rollbem::cosine_mesh(scene_.n), across(), chebyshev, kernel(),
+            rollbem::PatchShapes<double>::Range{ratio / 1.5, ratio * 2.25, 1.5});
+    }
+
+    rollbem::ElementSystem<double, 2> make_system() const {
+        if (shapes_) return shapes_->system(scene_.a_over_b);
+        if (scene_.varies) return rollbem::breathing_system(contact_, mesh_, chebyshev, kernel());
+        return rollbem::rolling_system(mesh_, chebyshev, kernel());
+    }
+
+    /// All equations of an ellipse.
+    rollbem::RollingSystem<double> equations_at(const Axes& axes) const {
         const double a = axes.half_length;
-        const auto unit = (shapes ? shapes->system(a / axes.half_width) : system).whole();
+        const auto unit = (shapes_ ? shapes_->system(a / axes.half_width) : system_).whole();
         return rollbem::RollingSystem<double>(a * unit.G(), unit.G_prime(),
                                               unit.inputs() * Eigen::Vector3d(1, 1, a).asDiagonal(),
                                               unit.outputs() * Eigen::Vector3d(a * a, a * a, a * a * a).asDiagonal());
-    };
-    const auto load_of = [&](double load, const Axes& axes) {
-        const double area = axes.half_length * axes.half_width / contact.half_width();
-        return rollbem::NormalLoad<double>{load / area * pressure, axes.half_length, {}, axes.half_width};
-    };
-    Axes axes{scene.half_length, scene.half_length / scene.narrowing * contact.half_width()};
-    auto whole = at(axes);
-    const auto rigid = [&](const Creepage& c) {
-        return VectorXd(whole.inputs() * Eigen::Vector3d(c.longitudinal, c.lateral, c.spin));
-    };
-    // y/b du/dy
-    const auto stretched = [&](const VectorXd& p) {
+    }
+
+    rollbem::NormalLoad<double> load_of(double load, const Axes& axes) const {
+        const double area = axes.half_length * axes.half_width / contact_.half_width();
+        return rollbem::NormalLoad<double>{load / area * pressure_, axes.half_length, {}, axes.half_width};
+    }
+
+    VectorXd stacked(const State& state) const {
+        return VectorXd(Eigen::Map<const VectorXd>(state.traction.data(), 2 * mesh_.size()));
+    }
+    VectorXd rigid(const Creepage& c) const {
+        return VectorXd(whole_.inputs() * Eigen::Vector3d(c.longitudinal, c.lateral, c.spin));
+    }
+
+    /// y/b du/dy.
+    VectorXd stretched(const VectorXd& p) const {
+        const Eigen::Index count = mesh_.size();
         VectorXd result = VectorXd::Zero(2 * count);
-        if (!system.shapes()) return result;
-        const auto weights = system.shapes()->weights(axes.half_length / axes.half_width);
+        if (!system_.shapes()) return result;
+        const auto weights = system_.shapes()->weights(axes_.half_length / axes_.half_width);
         for (std::size_t k = 0; k < weights.count; ++k) {
-            const auto& G_y = system.shapes()->nodes[weights.first + k].G_y;
+            const auto& G_y = system_.shapes()->nodes[weights.first + k].G_y;
             result.head(count) += weights.values[k] * (G_y.xx * p.head(count) + G_y.xy * p.tail(count));
             result.tail(count) += weights.values[k] * (G_y.xy * p.head(count) + G_y.yy * p.tail(count));
         }
-        result.array() *= system.elements().y.replicate(2, 1) * scene.a_over_b;
+        result.array() *= system_.elements().y.replicate(2, 1) * scene_.a_over_b;
         return result;
-    };
-    auto workspace = model.workspace();
-    auto now = model.at_rest(), next = now;
-    Outcome outcome{.reference = 0, .error = 0, .residual = 0, .bound = 1e-9};
-    // `slip` by the equations, a column each direction; `terms` is the size of what they sum
-    const auto check = [&](const auto& step, const VectorXd& bound, const VectorXd& slip, double terms) {
-        outcome.told = told_by(step.status);
-        outcome.residual = std::max(outcome.residual, step.complementarity_residual);
-        const VectorXd sum = whole.outputs().transpose() * stacked(next);
+    }
+
+    /// `slip` by the equations, a column each direction; `terms` is the size of what they sum.
+    void check(const rollbem::FrictionStep<2>& step, const VectorXd& bound, const VectorXd& slip, double terms) {
+        outcome_.told = told_by(step.status);
+        outcome_.residual = std::max(outcome_.residual, step.complementarity_residual);
+        const VectorXd sum = whole_.outputs().transpose() * stacked(next_);
         double error = std::max({std::abs(step.force.longitudinal - sum[0]), std::abs(step.force.lateral - sum[1]),
                                  std::abs(step.force.moment - sum[2])});
         if (slip.size() > 0) {
-            const MatrixXd own = Eigen::Map<const MatrixXd>(slip.data(), count, 2);
+            const MatrixXd own = Eigen::Map<const MatrixXd>(slip.data(), mesh_.size(), 2);
             error = std::max(
-                {error, violation(next, bound, own, terms), (own - workspace.slip()).cwiseAbs().maxCoeff() / terms});
+                {error, violation(next_, bound, own, terms), (own - workspace_.slip()).cwiseAbs().maxCoeff() / terms});
         } else {
-            error = std::max(error, (next.traction.rowwise().norm() - bound).maxCoeff() / bound.maxCoeff());
+            error = std::max(error, (next_.traction.rowwise().norm() - bound).maxCoeff() / bound.maxCoeff());
         }
-        outcome.error = std::max(outcome.error, error);
-        outcome.value = -step.force.lateral;
-    };
-    const auto size = [](const VectorXd& vector) { return vector.cwiseAbs().maxCoeff(); };
+        outcome_.error = std::max(outcome_.error, error);
+        outcome_.value = -step.force.lateral;
+    }
 
-    const auto first = load_of(1, axes);
-    const auto steady = model.steady(now, {.motion = scene.creepage, .load = first}, next, workspace);
-    const VectorXd w = rigid(scene.creepage), u_prime = whole.G_prime() * stacked(next);
-    check(steady, first.normal_pressure, w - u_prime, size(w) + size(u_prime));
-    for (const Scene::Later& later : scene.later) {
-        if (!outcome.told.empty()) break;
-        std::swap(now, next);
-        const double a = axes.half_length, da = std::min(later.dq, a / 2) * later.growth;
-        const Axes ended{a + da, axes.half_width * ((a + da) / a) / later.narrowing};
+    void step(const Scene::Later& later) {
+        const double a = axes_.half_length, da = std::min(later.dq, a / 2) * later.growth;
+        const Axes ended{a + da, axes_.half_width * ((a + da) / a) / later.narrowing};
         const auto load = load_of(later.load, ended);
-        const auto step = model.advance(now, {later.dq, later.creepage, load}, next, workspace);
-        const bool covered = !system.shapes() || system.shapes()->covers(ended.half_length / ended.half_width);
+        const auto step = model_.advance(now_, {later.dq, later.creepage, load}, next_, workspace_);
+        const bool covered = !system_.shapes() || system_.shapes()->covers(ended.half_length / ended.half_width);
         if (!covered || std::abs(da) >= later.dq) {  // the mesh cannot follow
-            if (step.status != rollbem::Status::needs_fixed_mesh) outcome.told = "not refused";
-            std::swap(now, next);
-            continue;
+            if (step.status != rollbem::Status::needs_fixed_mesh) outcome_.told = "not refused";
+            return std::swap(now_, next_);
         }
-        const VectorXd before = whole.G() * stacked(now);
-        const double db = ended.half_width - axes.half_width;
-        axes = ended;
-        whole = at(axes);
-        if (later.load == 0 && step.status == rollbem::Status::ok && next.traction.isZero(0)) continue;
-        if (!scene.euler) {
-            check(step, load.normal_pressure, {}, 1);
-            continue;
-        }
-        const VectorXd p = stacked(next), rolled = later.dq * rigid(later.creepage), change = whole.G() * p - before;
+        const VectorXd before = whole_.G() * stacked(now_);
+        const double db = ended.half_width - axes_.half_width;
+        axes_ = ended;
+        whole_ = equations_at(axes_);
+        if (later.load == 0 && step.status == rollbem::Status::ok && next_.traction.isZero(0)) return;
+        if (!scene_.euler) return check(step, load.normal_pressure, {}, 1);
+        const VectorXd p = stacked(next_), rolled = later.dq * rigid(later.creepage), change = whole_.G() * p - before;
         const VectorXd travelled =
-            (later.dq + da * system.elements().x.replicate(2, 1)) * (whole.G_prime() * p).array();
+            (later.dq + da * system_.elements().x.replicate(2, 1)) * (whole_.G_prime() * p).array();
         const VectorXd slope = travelled + db * stretched(p);
         check(step, load.normal_pressure, rolled - slope + change, size(rolled) + size(slope) + size(change));
     }
-    return outcome;
-}
+
+    using Model = rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2>;
+
+    const Scene& scene_;
+    rollbem::PatchContact<double> contact_;
+    rollbem::PatchMesh<double> mesh_;
+    std::optional<rollbem::PatchShapes<double>> shapes_;
+    rollbem::ElementSystem<double, 2> system_;
+    rollbem::ArrayX<double> pressure_;
+    Model model_;
+    Axes axes_;
+    rollbem::RollingSystem<double> whole_;
+    Model::Workspace workspace_;
+    State now_, next_;
+    Outcome outcome_{.reference = 0, .error = 0, .residual = 0, .bound = 1e-9};
+};
 
 }  // namespace
 
 Case patch_scene(std::uint64_t seed) {
-    return {Scene(seed).name(seed), "violation of the law of friction", [=] { return run(Scene(seed)); }};
+    return {Scene(seed).name(seed), "violation of the law of friction", [=] {
+                const Scene scene(seed);
+                return Run(scene)();
+            }};
 }
 
 }  // namespace extremes

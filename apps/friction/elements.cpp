@@ -1,9 +1,11 @@
 // Creep curves by elements, in one direction and in both.
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
 
+#include "rolling.hpp"
 #include "steady.hpp"
 #include "support/timing.hpp"
 
@@ -110,11 +112,22 @@ void solve_by_elements(const Curve& curve, const study::Scene& scene, study::Row
     const auto fresh = contact->workspace();
     auto workspace = fresh;
     for (std::size_t i = range.first; i < range.last; ++i) {
+        CreepPoint point = curve.points[i];
+        const auto at = [&](double longitudinal) {
+            point.longitudinal = longitudinal;
+            return contact->steady(starts[i], {rollbem::Travel<>::at_speed(V), point.times(creepage_unit(scene))},
+                                   state, workspace);
+        };
         const auto solve = [&] {
             workspace = fresh;  // without factors
-            solution.step = contact->steady(
-                starts[i], {rollbem::Travel<>::at_speed(V), curve.points[i].times(creepage_unit(scene))}, state,
-                workspace);
+            if (!curve.force) {
+                solution.step = at(point.longitudinal);
+            } else {
+                const FoundMotion found = find_for_force(*curve.force, solution.full, 0, at);
+                const bool is_found = found.step.status == rollbem::Status::ok;
+                solution.step = found.step;
+                solution.creepage_ratio = is_found ? found.motion : std::nan("");
+            }
             return solution.step.slip_work;
         };
         solution.time_us = study::time_us_if(curve.timed, solve);

@@ -19,7 +19,7 @@ struct CreepRow {
     const Curve& curve;
     const Line& line;
     const study::Scene& scene;
-    const CreepPoint& point;
+    CreepPoint point;
     const Solution& of;
     Eigen::Index i = 0;
 
@@ -36,7 +36,7 @@ struct CreepRow {
     };
     Exact exact() const {
         using rollbem::carter_force_ratio;
-        if (!carter()) return {};
+        if (!carter() || std::isnan(point.longitudinal)) return {};
         const double nu = scene.contact.poisson_ratio(), along = point.longitudinal, across = point.lateral.value_or(0);
         if (!line.both) return {carter_force_ratio(along), std::nullopt};
         if (across == 0) return {carter_force_ratio(along), 0.0};
@@ -62,7 +62,8 @@ const study::Sheet<CreepRow>& creep_sheet() {
              {"n", "elements"},
              {"alpha_L", "of the scheme; empty with --fit-border", [](const R& r) { return r.of.alpha_L; }},
              {"alpha_T", "of the scheme; empty with --fit-border", [](const R& r) { return r.of.alpha_T; }},
-             {"creepage_ratio", "delta = xi G/(2 (1-nu) mu p0)", [](const R& r) { return r.point.longitudinal; }},
+             {"creepage_ratio", "delta = xi G/(2 (1-nu) mu p0), found for --force",
+              [](const R& r) { return r.point.longitudinal; }},
              {"force_ratio", "-F_x/(mu N)", &R::force_ratio},
              {"exact", "Carter's, where it holds", [](const R& r) { return r.exact().longitudinal; }},
              {"relative_error", "force_ratio/exact - 1",
@@ -203,10 +204,15 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
         if (plot.series.size() == 1) series.label = curve.sweep.empty() ? "computed" : "sweep " + curve.sweep;
     }
     plot.y_range = force_range(plot);
-    const auto [least, most] = std::minmax_element(
-        curve.points.begin(), curve.points.end(),
-        [](const CreepPoint& one, const CreepPoint& other) { return one.longitudinal < other.longitudinal; });
-    if (curve.line.carter()) plot.series.push_back(carter_curve(least->longitudinal, most->longitudinal));
+    double least = 0, most = 0;
+    for (const study::Series& series : plot.series) {
+        for (const auto& [ratio, force] : series.points) {
+            if (std::isnan(ratio)) continue;
+            least = std::min(least, ratio);
+            most = std::max(most, ratio);
+        }
+    }
+    if (curve.line.carter()) plot.series.push_back(carter_curve(least, most));
     return plot;
 }
 
@@ -236,13 +242,15 @@ study::Plot combined_creep(const std::vector<std::string>& columns, const std::v
 std::vector<CreepPoint> read_points(const study::Options& options) {
     std::vector<std::optional<double>> across{std::nullopt};
     if (options.given("lateral-ratio")) {
-        const std::vector<double> ratios = options.numbers("lateral-ratio", study::finite());
-        across.assign(ratios.begin(), ratios.end());
+        const std::vector<double> lateral = options.numbers("lateral-ratio", study::finite());
+        across.assign(lateral.begin(), lateral.end());
     }
     std::vector<double> spins{0};
     if (options.given("spin-ratio")) spins = options.numbers("spin-ratio", study::finite());
+    std::vector<double> ratios{0};  // of a force they are found
+    if (!options.given("force")) ratios = options.numbers("creepage-ratio", study::finite());
     std::vector<CreepPoint> points;
-    for (const double along : options.numbers("creepage-ratio", study::finite())) {
+    for (const double along : ratios) {
         for (const std::optional<double>& lateral : across) {
             for (const double spin : spins) points.push_back({along, lateral, spin});
         }
@@ -256,6 +264,7 @@ std::string creep_help() { return creep_sheet().help(); }
 
 void run_steady(const study::Options& options) {
     Curve curve{options, Line(options), read_points(options), "", study::has_times(options)};
+    if (options.given("force")) curve.force = options.number("force", study::finite());
     if (options.given("sweep")) curve.sweep = options.choice("sweep", {"up", "down"});
     const std::vector<study::Scene> scenes = study::make_scenes(options, study::Problem::steady);
     const auto solve = options.flag("fit-border") ? solve_by_border : solve_by_elements;
@@ -266,6 +275,7 @@ void run_steady(const study::Options& options) {
         const study::Scene& scene = scenes[task];
         solve(curve, scene, range, [&](std::size_t k, const Solution& solution) {
             CreepRow row{curve, curve.line, scene, curve.points[k], solution};
+            row.point.longitudinal = solution.creepage_ratio.value_or(row.point.longitudinal);
             emit(creep_sheet().row(scene, row));
             for (; tractions.wanted && row.i < solution.x.size(); ++row.i) {
                 tractions.rows[task].push_back(traction_sheet().row(scene, row));

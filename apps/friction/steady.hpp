@@ -19,16 +19,18 @@ struct Curve {
     std::vector<CreepPoint> points;
     std::string sweep;  ///< up or down: each point starts from its neighbour; empty: from scratch
     bool timed;
+    std::optional<double> force{};  ///< -F_x/(mu N) in place of the longitudinal creepages
 };
 
 /// What was found at a point.
 struct Solution {
     std::string mesh_name;
     std::optional<double> alpha_L, alpha_T;
-    Eigen::ArrayXd x;                 ///< centres of the elements
-    Eigen::ArrayXd bound;             ///< of every element [mu p0]
-    double full = 1;                  ///< force of full sliding, in the unit of the step's
-    rollbem::FrictionStep<2> step{};  ///< without numbers where there is no solution
+    Eigen::ArrayXd x;                        ///< centres of the elements
+    Eigen::ArrayXd bound;                    ///< of every element [mu p0]
+    double full = 1;                         ///< force of full sliding, in the unit of the step's
+    rollbem::FrictionStep<2> step{};         ///< without numbers where there is no solution
+    std::optional<double> creepage_ratio{};  ///< found for a force; not a number where there is none
     std::optional<int> path_points{};
     Eigen::MatrixXd traction{}, slip{};  ///< in both directions [mu p0, V mu p0/G]
     std::vector<bool> sticks{};

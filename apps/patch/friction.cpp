@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numbers>
 
@@ -8,6 +9,7 @@
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/rolling/run.hpp>
 
+#include "friction/rolling.hpp"
 #include "patch.hpp"
 #include "support/timing.hpp"
 
@@ -103,6 +105,11 @@ void add_friction_options(study::Options& options) {
                 "instead: friction at longitudinal creepages xi, times G a b/(mu N) (dimensionless)", "0");
     options.add("lateral", "LIST", "the same with lateral creepages eta, times G a b/(mu N) (dimensionless)", "0");
     options.add("spin", "LIST", "the same with spin phi, times G a b c/(mu N) (dimensionless)", "0");
+    options.add(
+        "force", "F",
+        "-F_x/(mu N), in time mu N_0, in place of --longitudinal, which is found; in time from rest by a shift, "
+        "then rolling (dimensionless)");
+    options.not_with({"longitudinal"}, "force");
     options.add_input("pressure",
                       "with these: CSV file with the columns x,y,pressure instead of Hertz's pressure: any unit, rows "
                       "that make a grid in any order, bilinear between them, zero outside; x and y in a and b, of an "
@@ -151,9 +158,11 @@ std::string friction_help() {
 
 void run_friction(const study::Options& options, const std::vector<Patch>& patches) {
     const std::vector<CreepPoint> points = read_points(options, patches);
+    const bool by_force = options.given("force");
+    const double force = by_force ? options.number("force", study::finite()) : 0;
     const Pressure pressure = read_pressure(options);
     for (const Patch& patch : patches) pressure(patch);  // before anything is written
-    const bool from_above = points.size() == 1 && patches.size() <= 3 && options.given("plot");
+    const bool from_above = points.size() == 1 && !by_force && patches.size() <= 3 && options.given("plot");
     friction::Tractions tractions(options, traction_sheet().names(), patches.size(), from_above);
 
     study::Table table = study::table_of(friction_sheet().names(), patches, points.size());
@@ -167,13 +176,18 @@ void run_friction(const study::Options& options, const std::vector<Patch>& patch
         auto workspace = model.workspace();
         for (std::size_t k = range.first; k < range.last; ++k) {
             rollbem::FrictionStep<2> step;
+            CreepPoint point = points[k];
+            const auto at = [&](double longitudinal) -> rollbem::FrictionStep<2> {
+                point.longitudinal = longitudinal;
+                return model.steady(rest, {.motion = creepage(patch, point)}, state, workspace);
+            };
             const auto time_us = study::time_us_if(study::has_times(options), [&] {
-                step = model.steady(rest, {.motion = creepage(patch, points[k])}, state, workspace);
+                step = by_force ? friction::find_for_force(force, mu_N(patch), 0, at).step : at(points[k].longitudinal);
                 return step.force.longitudinal;
             });
+            if (by_force && step.status != rollbem::Status::ok) point.longitudinal = std::nan("");
             FrictionRow row{
-                patch,  points[k], step, state, workspace.slip(), elements, largest_slip(patch, points[k], elements),
-                time_us};
+                patch, point, step, state, workspace.slip(), elements, largest_slip(patch, point, elements), time_us};
             emit(friction_sheet().row(patch, row));
             for (; tractions.wanted && row.i < elements.size(); ++row.i) {
                 tractions.rows[task].push_back(traction_sheet().row(patch, row));
@@ -182,7 +196,8 @@ void run_friction(const study::Options& options, const std::vector<Patch>& patch
     };
     table.finish = [&] { tractions.write(); };
     table.plot = [&](const std::vector<study::Row>& rows) {
-        return from_above ? draw_from_above(patches, points.front(), tractions) : draw_friction(table.columns, rows);
+        return from_above ? draw_from_above(patches, points.front(), tractions)
+                          : draw_friction(table.columns, rows, by_force);
     };
     study::write_table(options, table, tractions.files);
 }

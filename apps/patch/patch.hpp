@@ -117,8 +117,8 @@ study::Plot draw_coefficients(const std::vector<std::string>& columns, const std
 /// Real and imaginary parts over the frequency.
 study::Plot draw_responses(const std::vector<std::string>& columns, const std::vector<study::Row>& rows);
 
-/// Forces and moment over the creepage, or else a/b or n, that varies most.
-study::Plot draw_friction(const std::vector<std::string>& columns, const std::vector<study::Row>& rows);
+/// Forces, or along x the creepage found `by_force`, and moment over the creepage, or else a/b or n, that varies most.
+study::Plot draw_friction(const std::vector<std::string>& columns, const std::vector<study::Row>& rows, bool by_force);
 
 /// Each patch at one creepage, side by side: outline, stick and slip, tractions as arrows, pole of spin.
 study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint& point,

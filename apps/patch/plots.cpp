@@ -235,13 +235,18 @@ study::Plot draw_responses(const Columns& columns, const Rows& rows) {
     return study::side_by_side(std::move(panels));
 }
 
-study::Plot draw_friction(const Columns& columns, const Rows& rows) {
-    Axis x = most_varied(columns, rows, 0, 3);  // a creepage if any varies
+study::Plot draw_friction(const Columns& columns, const Rows& rows, bool by_force) {
+    Axis x = most_varied(columns, rows, by_force ? 1 : 0, 3);  // a creepage if any varies
     if (values(columns, rows, x.column).size() <= 1) x = most_varied(columns, rows, 3, 7);
     const study::Plot frame{
         .title = "Contact patch with friction", .x_label = x.label, .log_x = x.column == "a_over_b"};
-    std::vector<study::Plot> panels =
-        panels_of(frame, columns, rows, {.by = others(columns, rows, x), .x = x.column}, forces_over("μ N", "c"));
+    study::Selection selection{.by = others(columns, rows, x), .x = x.column};
+    std::vector<Axis> shown = forces_over("μ N", "c");
+    if (by_force) {  // what is found is the creepage
+        std::erase(selection.by, "longitudinal");
+        shown[0] = picture_axes[0];
+    }
+    std::vector<study::Plot> panels = panels_of(frame, columns, rows, selection, shown);
     return study::side_by_side(std::move(panels));
 }
 
@@ -266,7 +271,7 @@ study::Plot draw_in_time(const Columns& columns, const Rows& rows, bool load_var
         if (values(columns, rows, creepage).size() == 1) selection.by.emplace_back(creepage);
     }
     std::vector<Axis> shown = forces_over(force, c);
-    if (by_force) shown[0] = {"longitudinal", "ξ G a b / (μ N)"};
+    if (by_force) shown[0] = picture_axes[0];
     const study::Plot frame{.title = "Patch in time", .x_label = "distance rolled q/a"};
     std::vector<study::Plot> panels = panels_of(frame, columns, rows, selection, shown);
     selection.prefix = "load N/N_0";

@@ -273,10 +273,7 @@ void add_transient_options(study::Options& options) {
                      "with one value of each creepage, or a history: roll in time, one row for each step; lengths over "
                      "a, N, a and b at load_ratio 1");
     study::add_history_options(options, history_columns, "transient");
-    options
-        .add("force", "F", "-F_x/(mu N_0) in place of a creepage, which is found; from rest by a shift (dimensionless)")
-        .only_with({"transient"});
-    options.not_with({"step", "ramp", "sine", "longitudinal"}, "force");
+    options.not_with({"step", "ramp", "sine"}, "force");
     for (const char* way : {"step", "ramp", "sine"}) options.not_with({"longitudinal"}, way);
     study::add_run_options(
         options,
