@@ -101,9 +101,9 @@ its steps); value is the last -F_y over mu N. Steps that a mesh cannot follow mu
 With --contacts: S1002 on UIC 60, and in every second scene one of ten pairs of profiles with hollows, bumps and waves,
 shifted by up to 12 mm, yaw to 30 mrad, roll to 5 mrad, under 10 kN to 1 MN, on 24 x 16 cells, or on 48 x 32 where the
 error would be above 1; every 99th is searched in slices, as if surfaces changed along the way. value is the least gap
-[m] of a brute-force search after the displacements of all patches; relative_error the largest of its size over 1 um (3 if something was dropped) and 4 % of the deepest approach (10 % with
-doubtful_plane), of the error of the vertical load over 1e-6, and of the load dropped over 2e-3 of all. A status other
-than not_finite and not_converged is told.
+[m] of a brute-force search after the displacements of all patches; relative_error the largest of its size over 1 um (3
+if something was dropped) and 4 % of the deepest approach (10 % with doubtful_plane), of the error of the vertical load
+over 1e-6, and of the load dropped over 2e-3 of all. A status other than not_finite and not_converged is told.
 )");
 }
 

@@ -279,8 +279,7 @@ private:
         const Past inputs = at_once(1);
         bool on_table = true;
         const Step steady = look_up(inputs, on_table);
-        require(steady.status == Status::ok, "status of the table at the first inputs", name(steady.status),
-                "be ok");
+        require(steady.status == Status::ok, "status of the table at the first inputs", name(steady.status), "be ok");
         begin(inputs, steady);
         off_table_ = 0;
         tell(inputs, on_table);

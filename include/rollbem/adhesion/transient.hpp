@@ -76,7 +76,8 @@ public:
     using Force = typename Step::Force;          ///< a number, or TangentialForce
     using Value = typename Step::Values::Value;  ///< a creepage: a number, or Creepage
     using Motion = RigidMotion<Value>;
-    /// The load is the half-length [m] at the end of the step, with three inputs the semi-axes [m], or that of the state.
+    /// The load is the half-length [m] at the end of the step, with three inputs the semi-axes [m], or that of the
+    /// state.
     using RollingStep =
         rollbem::RollingStep<Motion, std::optional<std::conditional_t<inputs == 1, Scalar, SemiAxes<Scalar>>>>;
 
@@ -125,9 +126,9 @@ public:
     /// 2b F_bar of a state [N] at its semi-axes. The state must have size() unknowns.
     Force force(const State& state) const { return Values::force(force_of(state.traction, axes(state))); }
 
-    /// Steady rolling with the motion at the end of a step, no shift, G' p = inputs v, Eq. (15), at the semi-axes of the
-    /// step; the tangent is that of steady rolling. Of `from` only the semi-axes are used, where the step has none; for
-    /// the status see advance().
+    /// Steady rolling with the motion at the end of a step, no shift, G' p = inputs v, Eq. (15), at the semi-axes of
+    /// the step; the tangent is that of steady rolling. Of `from` only the semi-axes are used, where the step has none;
+    /// for the status see advance().
     Step steady(const State& from, const RollingStep& step, State& to, Workspace& workspace) const noexcept;
     /// The same at the contact's half-length. Throws std::invalid_argument unless the creepage is finite.
     State steady(const Value& creepage) const;

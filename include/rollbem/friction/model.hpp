@@ -46,7 +46,9 @@ namespace rollbem {
 ///
 ///     const FrictionModel model(contact, steady_system(mesh, scheme, kernel), {0.3, pressure});
 ///     Run run(model);
-///     for (double creepage : curve) const FrictionStep<> point = run.steady({.motion = creepage});  // starts from the one before
+///     for (double creepage : curve) {
+///         const FrictionStep<> point = run.steady({.motion = creepage});  // starts from the one before
+///     }
 ///
 /// If mu falls steeply with slip and has no memory, several solutions may exist at one creepage, which differ in where
 /// slip begins. The solver usually returns the one nearest to `from`, so that a creep curve whose points start from
@@ -184,21 +186,21 @@ public:
     Scalar elastic_energy(const State& state) const { return core_.elastic_energy(state, system_); }
 
     /// Steady rolling with the motion [-] at the end of a step, no shift, and its speed V > 0 [m/s], which a constant
-    /// coefficient does not need, sought from the zones and coefficients of `from`. If the semi-axes of the load are not
-    /// the contact's, the system must be able to breathe. `to` must be another state with the same number of elements;
-    /// it is not written if the status is wrong_state, invalid_load, invalid_step or needs_fixed_mesh or the creepage is
-    /// not finite. The status is no_solution also if coefficients and slip do not come to agree. Tangents are at
-    /// constant speed. Does not allocate.
+    /// coefficient does not need, sought from the zones and coefficients of `from`. If the semi-axes of the load are
+    /// not the contact's, the system must be able to breathe. `to` must be another state with the same number of
+    /// elements; it is not written if the status is wrong_state, invalid_load, invalid_step or needs_fixed_mesh or the
+    /// creepage is not finite. The status is no_solution also if coefficients and slip do not come to agree. Tangents
+    /// are at constant speed. Does not allocate.
     Step steady(const State& from, const RollingStep& step, State& to, Workspace& workspace) const noexcept;
 
     /// Rolls by travel.dq [m], positive and finite, or 0 for a rigid shift [m] of body 1 on body 2 without rolling, in
     /// travel.duration [s], positive and finite if mu depends on slip. `to` must be another state with the same number
     /// of elements. It is not written if the status is invalid_step, wrong_state, invalid_load, needs_fixed_mesh or
     /// needs_places (spin, but the places of the equations are unknown) or the motion is not finite; if the result is
-    /// not finite, it becomes a copy of `from`. The status is wrong_state also if a coefficient of `from` is negative or
-    /// not finite, and no_solution also if coefficients and slip do not come to agree. Tangents are at constant dq and
-    /// duration. The result depends on `from` and the step alone, to the last bit. Does not allocate; a new dq costs a
-    /// factorisation.
+    /// not finite, it becomes a copy of `from`. The status is wrong_state also if a coefficient of `from` is negative
+    /// or not finite, and no_solution also if coefficients and slip do not come to agree. Tangents are at constant dq
+    /// and duration. The result depends on `from` and the step alone, to the last bit. Does not allocate; a new dq
+    /// costs a factorisation.
     ///
     /// If the system can breathe (log_strength), the mesh follows the half-length of the load, |da| < dq; a new
     /// half-length costs a factorisation, new pressures do not. Let steps end at kinks of the load, or sdirk2 loses its

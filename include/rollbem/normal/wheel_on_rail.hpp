@@ -64,8 +64,8 @@ public:
         Status status = Status::not_finite;  ///< that of the worst patch
     };
 
-    /// The contact whose pressures carry the vertical load [N] (RailPatch::vertical_load) at this lateral position, roll
-    /// and yaw; the height of `position` is not used. no_contact if the load is not positive. Throws
+    /// The contact whose pressures carry the vertical load [N] (RailPatch::vertical_load) at this lateral position,
+    /// roll and yaw; the height of `position` is not used. no_contact if the load is not positive. Throws
     /// std::invalid_argument if an option is out of its range, as solve_at_height() does.
     template <std::same_as<double> Scalar = double>  // for rollbem::compiled
     Contact solve_for_load(const WheelsetPosition& position, double load, Workspace& workspace,

@@ -24,8 +24,8 @@ private:
 };
 
 /// One step: how far the contact rolls, the motion of the bodies meanwhile, and the load at its end, towards which that
-/// of the state varies linearly. Without a load that of the state remains. A model's `Load` is a GivenLoad with friction,
-/// the half-length or the semi-axes in full adhesion. Written in braces:
+/// of the state varies linearly. Without a load that of the state remains. A model's `Load` is a GivenLoad with
+/// friction, the half-length or the semi-axes in full adhesion. Written in braces:
 ///
 ///     model.advance(now, {dq, creepage}, next, workspace);
 ///     model.advance(now, {{dq, duration}, Motion::linear(start, end), load}, next, workspace);

@@ -116,8 +116,8 @@ Result failed(Status status) noexcept {
     return result;
 }
 
-/// The first reason, if any, why a step by dq [m] is impossible: a state or workspace of another model, then the motion,
-/// then the load, whose check with that of the state is `belongs`, then grows(), the check of its semi-axes.
+/// The first reason, if any, why a step by dq [m] is impossible: a state or workspace of another model, then the
+/// motion, then the load, whose check with that of the state is `belongs`, then grows(), the check of its semi-axes.
 template <class Motion, class Scalar, class Grows>
 Status check_step(Status belongs, const Motion& motion, Scalar dq, Eigen::Index size, const Grows& grows) noexcept {
     if (belongs == Status::wrong_state) return belongs;

@@ -67,8 +67,8 @@ inline PatchElements elements_for(const RailPatch& patch) {
     return elements;
 }
 
-/// Patches of a wheel, by their index, that lie in one plane: pieces of one contact, of which each displaces the surface
-/// below the others. Those without an outline are left out.
+/// Patches of a wheel, by their index, that lie in one plane: pieces of one contact, of which each displaces the
+/// surface below the others. Those without an outline are left out.
 inline std::vector<std::vector<std::size_t>> pieces_of_planes(const std::vector<RailPatch>& patches) {
     std::vector<std::vector<std::size_t>> planes;
     for (std::size_t k = 0; k < patches.size(); ++k) {

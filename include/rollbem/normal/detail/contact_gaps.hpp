@@ -15,7 +15,8 @@ namespace rollbem::detail {
 /// Gaps before deformation [m], positive where the surfaces are apart.
 struct Gaps {
     NormalContact::Grid h;  ///< nx x ny; large where there is none
-    /// n of the rail's surface in each row and its derivative by s, in the middle column where the rail changes along x.
+    /// n of the rail's surface in each row and its derivative by s, in the middle column where the rail changes along
+    /// x.
     Eigen::ArrayXd rail_n, rail_slope;
     /// ok, or why a cell has no gap: end_of_profile, undefined_section, or doubtful_plane where the rail belongs to
     /// another region.

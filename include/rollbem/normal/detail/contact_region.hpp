@@ -170,8 +170,8 @@ double mean_angle(Iterator first, Iterator last, double power) {
     return sum > 0 ? angle / sum : 0;
 }
 
-/// Where a run of depths, of cuts or samples in the order of the wheel's curve, holds two contacts: at the least deep one
-/// between two maxima whose surroundings have different normals, if it is that much less deep than both; `last` if
+/// Where a run of depths, of cuts or samples in the order of the wheel's curve, holds two contacts: at the least deep
+/// one between two maxima whose surroundings have different normals, if it is that much less deep than both; `last` if
 /// nowhere. Where a wheel yaws, contacts with different normals lie far apart along x, but one run holds them.
 template <class Iterator>
 Iterator parting(Iterator first, Iterator last) {

@@ -48,7 +48,8 @@ struct WheelFriction {
 /// What a wheel carries.
 struct WheelLoad {
     double vertical;  ///< Q [N], of normal forces and friction
-    /// Roll of the wheelset [rad], by ContactTable::on_rails. Empty: that of equal loads, which each wheel takes by its own.
+    /// Roll of the wheelset [rad], by ContactTable::on_rails. Empty: that of equal loads, which each wheel takes by its
+    /// own.
     std::optional<double> roll{};
 
     WheelLoad(double Q, std::optional<double> rolled = {}) : vertical(Q), roll(rolled) {}  // NOLINT: a number is a load

@@ -44,8 +44,8 @@ private:
     static constexpr double least_load = 1e-100, most_load = 1e150;  // [N]; under more an ellipse has no size
     static constexpr double least_share = 1e-3;
 
-    // A number with its derivatives by all of WheelForces::Input, where tangents are asked for, and, last, by the sum of
-    // the vertical normal loads; or with none.
+    // A number with its derivatives by all of WheelForces::Input, where tangents are asked for, and, last, by the sum
+    // of the vertical normal loads; or with none.
     template <int partials>
     using Gradient = Eigen::Matrix<double, partials, 1>;
     template <int partials>
