@@ -28,8 +28,8 @@ bool roll(library::Friction contact, bool steady) {
     for (std::array<double, 7> line{}; read(line); steady = false) {
         const auto& [duration, longitudinal, lateral, spin, speed, load, factor] = line;
         const rollbem::Creepage<double> slip{longitudinal, lateral, spin};
-        const auto step = steady ? contact.steady(slip, {.motion = speed}, load, factor)
-                                 : contact.step(duration, slip, speed, load, factor);
+        const auto step =
+            steady ? contact.steady(slip, speed, load, factor) : contact.step(duration, slip, speed, load, factor);
         if (step.status != Status::ok) return false;
         if (!steady) work += step.slip_work;
         std::printf("%a %a %a %a %a\n", step.force.longitudinal, step.force.lateral, step.force.moment, work,
