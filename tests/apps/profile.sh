@@ -138,7 +138,7 @@ awk -F, 'FNR == 1 { for (i = 1; i <= NF; ++i) column[FILENAME, $i] = i; next }
 # --- patches as files that patch_study reads
 $profile --shift 0.004 --side left --outline patches >out || fail '--outline'
 $programs/patch_study --quiet --no-timing --n 8 --outline patches/1_left_1.outline.csv \
-    --pressure patches/1_left_1.pressure.csv --longitudinal 0.1 | grep -q ',ok,chebyshev$' ||
+    --pressure patches/1_left_1.pressure.csv --longitudinal 0.1 | grep -q ',ok,chebyshev,' ||
     fail 'patch_study of a patch'
 
 finish

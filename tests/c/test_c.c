@@ -397,8 +397,9 @@ static void test_contact_table(const char *path, const char *creep_path) {
     expect(fabs((other[0] - force[0]) / h / tangent[18] - 1) < 0.01, "a tangent by the pitch rate");
     for (int i = 0; i < 11; ++i)
         if (i == 0 || i == 1 || i == 4 || i == 6 || i == 7 || i == 10) motion[i] = -motion[i];
-    expect(rollbem_contact_table_look_up(contacts_of_wheels, creep, ROLLBEM_LEFT, motion, other, NULL, NULL, NULL) ==
-           ROLLBEM_OK, "the mirror image");
+    double reflected[sizeof tangent / sizeof tangent[0]];
+    expect(rollbem_contact_table_look_up(contacts_of_wheels, creep, ROLLBEM_LEFT, motion, other, reflected, NULL,
+                                         NULL) == ROLLBEM_OK, "the mirror image");
     for (int i = 0; i < 6; ++i) expect(other[i] == (i % 2 ? -force[i] : force[i]), "forces of the mirror image");
     motion[10] = NAN;
     expect(rollbem_contact_table_look_up(contacts_of_wheels, creep, ROLLBEM_LEFT, motion, other, tangent, NULL, NULL) ==
