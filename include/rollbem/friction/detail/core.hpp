@@ -122,7 +122,6 @@ private:
     using Bounds =
         std::conditional_t<slip_dependent, SlipDependentBounds<directions, Scalar>, ConstantBounds<directions, Scalar>>;
     using Slip = ImposedSlip<directions, Scalar>;
-    using By = TangentBy<directions>;
 
     using Frame = FrictionFrame<directions, Scalar, Bounds>;
 
