@@ -58,12 +58,12 @@ TEST_CASE("templates: friction sticks, slides and is the same by every law and i
     Run other(by_slip);
     Run two(both);
     CHECK(relative(one.steady({.motion = 1e-2F}).force, sliding) < 1e-5F);
-    CHECK(relative(other.steady({Travel<>::at_speed(1.0F), 1e-2F}).force, sliding) < 1e-5F);
+    CHECK(relative(other.steady({Travel<float>::at_speed(1.0F), 1e-2F}).force, sliding) < 1e-5F);
     CHECK(relative(two.steady({.motion = {1e-2F, 0}}).force.longitudinal, sliding) < 1e-5F);
     const float part = one.steady({.motion = 1e-3F}).force;
     CHECK(part / sliding > 0.3F);
     CHECK(part / sliding < 0.9F);
-    CHECK(relative(other.steady({Travel<>::at_speed(1.0F), 1e-3F}).force, part) < 1e-4F);
+    CHECK(relative(other.steady({Travel<float>::at_speed(1.0F), 1e-3F}).force, part) < 1e-4F);
     CHECK(relative(two.steady({.motion = {1e-3F, 0}}).force.longitudinal, part) < 1e-4F);
     // in time, from rest to the steady state
     Run rolling(model);
