@@ -19,6 +19,7 @@
 #include <rollbem/adhesion/stability.hpp>
 #include <rollbem/assembly/rolling_system.hpp>
 #include <rollbem/friction/model.hpp>
+#include <rollbem/normal/hertz.hpp>
 
 namespace {
 

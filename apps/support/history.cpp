@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "csv.hpp"
+
 namespace study {
 
 namespace {
