@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "../../detail/finite.hpp"
+#include "../../rolling/stage.hpp"
 #include "../../scene/rigid_motion.hpp"
 #include "../../scene/semi_axes.hpp"
 #include "../../system/elements.hpp"
