@@ -256,6 +256,7 @@ TEST_CASE("Invalid input to a step gives a status and leaves the target state un
         refused(model.advance(from, {0.1, Motion::shift(bad)}, to, workspace), Status::not_finite);
         refused(model.advance(from, {bad, 1.0}, to, workspace), Status::invalid_step);
     }
+    refused(model.steady(from, {.motion = Motion::shift(1e-6)}, to, workspace), Status::invalid_step);
     refused(model.advance(from, {0.0, 1.0}, to, workspace), Status::invalid_step);
     refused(model.advance(from, {-1.0, 1.0}, to, workspace), Status::invalid_step);
     refused(model.advance(from, {-1.0, Motion::shift(1.0)}, to, workspace), Status::invalid_step);
