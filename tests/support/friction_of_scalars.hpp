@@ -28,7 +28,7 @@ std::pair<Scalar, Scalar> rolled_and_steady(const Contact<double>& contact_of_do
     FrictionWorkspace<1, Scalar> workspace = model.workspace();
     FrictionStep<1, Scalar> step;
     for (int k = 0; k < 50; ++k) {
-        const Scalar dq(k % 9 == 0 ? 0.5 : 0.25), creepage(sliding * (k % 20 < 10 ? 0.9 : -0.4));
+        const auto dq = Scalar(k % 9 == 0 ? 0.5 : 0.25), creepage = Scalar(sliding * (k % 20 < 10 ? 0.9 : -0.4));
         step = model.advance(now, {dq, creepage}, next, workspace);
         REQUIRE(step.status == Status::ok);
         std::swap(now, next);
