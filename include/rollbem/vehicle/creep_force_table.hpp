@@ -28,6 +28,7 @@
 #include "../status.hpp"
 #include "creep_force_grid.hpp"
 #include "detail/cubic_spline.hpp"
+#include "detail/widened.hpp"
 
 namespace rollbem {
 
@@ -98,9 +99,10 @@ public:
                            const Creepage<double>& creepage) const noexcept;
 
     /// The force of look_up() alone, to the rounding of Digits, in less time; not finite where creepages are not.
+    /// Unchecked: semi-axes and G must be those of a PatchContact, and Poisson's ratio must fit.
     template <std::floating_point Digits = double>
-    TangentialForce<double> force(const PatchContact<double>& contact, double friction_coefficient, double load,
-                                  const Creepage<double>& creepage) const noexcept;
+    TangentialForce<double> force(const PatchContact<double>::Parameters& contact, double friction_coefficient,
+                                  double load, const Creepage<double>& creepage) const noexcept;
 
     /// How far a contact that look_up() takes is from rest: full sliding begins at 1 to 3 mu N. Does not allocate.
     LinearForce linear_force_size(const PatchContact<double>& contact, const Creepage<double>& creepage) const noexcept;
@@ -154,10 +156,12 @@ private:
               by_y(y - static_cast<double>(j)),
               by_spin(spin - static_cast<double>(k)) {}
         static Eigen::Index below(double u, Eigen::Index low, Eigen::Index high) {
-            return std::clamp(static_cast<Eigen::Index>(std::floor(u)), low, high);
+            return (std::min)(low + static_cast<Eigen::Index>(u - static_cast<double>(low)), high);  // u >= low
         }
     };
-    /// The first of four neighbours in phi, each of four numbers, of which the last is not used.
+    /// A node, of whose four numbers the last is not used.
+    using Quad = Eigen::Map<const Eigen::Array4f, Eigen::Aligned16>;
+    /// The first of four neighbours in phi.
     const float* row_of(const Cell& cell, std::size_t p, std::size_t q) const {
         return coefficients_.data() + at(cell.s - 1, cell.i - 1 + static_cast<Eigen::Index>(p),
                                          cell.j - 1 + static_cast<Eigen::Index>(q), cell.k - 1);
@@ -172,7 +176,7 @@ private:
         SplineWeights by_shape;
         Eigen::Array4d linear, linear_by_shape;  ///< the scales of the grid
     };
-    Ellipse ellipse(const PatchContact<double>& contact) const noexcept;
+    Ellipse ellipse(double a_over_b) const noexcept;
     /// What the splines lack of the linear law where creepage vanishes, by the coordinates of the lattice, and its
     /// derivative by the shape.
     struct Lack {
@@ -194,7 +198,7 @@ private:
     /// Derivatives of the splines where creepage vanishes, of F_x by u_x, F_y by u_y and u_phi, M_z by u_y and u_phi,
     /// and c32, c33, by which they are put right; coefficients of splines in log(a/b).
     Eigen::ArrayXXd at_rest_;
-    std::vector<float> coefficients_;
+    std::vector<float, Eigen::aligned_allocator<float>> coefficients_;
 };
 
 /// The forces of one ellipse on the whole cube of the lattice, -n-2 ... n+2 in all directions, as it is made.
@@ -394,50 +398,38 @@ auto BasicCreepForceTable<Real>::sample(double shape, double x, double y, double
     const Cell cell(*this, shape, x, y, spin);
     const SplineWeights &by_shape = cell.by_shape, &by_x = cell.by_x, &by_y = cell.by_y, &by_spin = cell.by_spin;
     using Number = Eigen::Array4d;
+    using Single = Eigen::Array4f;  // its digits suffice for a derivative
     Number value = Number::Zero(), along_x = value, along_y = value, along_spin = value;
+    Single along_shape = Single::Zero();
     const std::array<double, 4>& share = by_shape.value;
+    const auto single = [](double weight) { return static_cast<float>(weight); };
+    const float slope_1 = single(by_shape.slope[1]), slope_2 = single(by_shape.slope[2]),
+                slope_3 = single(by_shape.slope[3]);
     const std::size_t next_shape = static_cast<std::size_t>(per_shape()) * width;
     for (std::size_t p = 0; p < 4; ++p) {
-        Number row = Number::Zero(), row_y = row, row_spin = row;
         for (std::size_t q = 0; q < 4; ++q) {
             const float* from = row_of(cell, p, q);
             Number here = Number::Zero(), here_spin = here;
+            Single here_shape = Single::Zero();
             for (std::size_t t = 0; t < 4; ++t, from += width) {
-                const auto of_shape = [&](std::size_t r) {
-                    return share[r] * Eigen::Map<const Eigen::Array4f>(from + r * next_shape).cast<double>();
-                };
-                const Number node = of_shape(0) + of_shape(1) + of_shape(2) + of_shape(3);
+                const Single first = Quad(from), second = Quad(from + next_shape), third = Quad(from + 2 * next_shape),
+                             fourth = Quad(from + 3 * next_shape);
+                const Number node = share[0] * widened(first) + share[1] * widened(second) + share[2] * widened(third) +
+                                    share[3] * widened(fourth);
                 here += by_spin.value[t] * node;
                 here_spin += by_spin.slope[t] * node;
+                // of differences between ellipses, as the slopes add up to 0
+                here_shape += single(by_spin.value[t]) *
+                              (slope_1 * (second - first) + slope_2 * (third - first) + slope_3 * (fourth - first));
             }
-            row += by_y.value[q] * here;
-            row_y += by_y.slope[q] * here;
-            row_spin += by_y.value[q] * here_spin;
-        }
-        value += by_x.value[p] * row;
-        along_x += by_x.slope[p] * row;
-        along_y += by_x.value[p] * row_y;
-        along_spin += by_x.value[p] * row_spin;
-    }
-    // In a pass of its own, as registers are few, and in float, whose digits suffice for a derivative. Of differences
-    // between ellipses, as the slopes add up to 0; in three sums, so that additions need not wait for one another.
-    using Single = Eigen::Array4f;
-    std::array<Single, 3> differences;
-    differences.fill(Single::Zero());
-    for (std::size_t p = 0; p < 4; ++p) {
-        for (std::size_t q = 0; q < 4; ++q) {
-            const float* from = row_of(cell, p, q);
-            for (std::size_t t = 0; t < 4; ++t, from += width) {
-                const auto weight = static_cast<float>(by_x.value[p] * by_y.value[q] * by_spin.value[t]);
-                const Single first = Eigen::Map<const Single>(from);
-                for (std::size_t r = 0; r < 3; ++r) {
-                    differences[r] += weight * (Eigen::Map<const Single>(from + (r + 1) * next_shape) - first);
-                }
-            }
+            const double both = by_x.value[p] * by_y.value[q];
+            value += both * here;
+            along_x += (by_x.slope[p] * by_y.value[q]) * here;
+            along_y += (by_x.value[p] * by_y.slope[q]) * here;
+            along_spin += both * here_spin;
+            along_shape += single(both) * here_shape;
         }
     }
-    Single along_shape = Single::Zero();
-    for (std::size_t r = 0; r < 3; ++r) along_shape += static_cast<float>(by_shape.slope[r + 1]) * differences[r];
     return {value.head<3>(), along_x.head<3>(), along_y.head<3>(), along_spin.head<3>(),
             along_shape.head<3>().cast<double>()};
 }
@@ -446,33 +438,40 @@ template <std::same_as<double> Real>
 template <class Digits>
 Eigen::Array3d BasicCreepForceTable<Real>::value(double shape, double x, double y, double spin) const noexcept {
     const Cell cell(*this, shape, x, y, spin);
-    using Number = Eigen::Array<Digits, 4, 1>;
-    const auto digits = [](const std::array<double, 4>& of) {
-        return std::array{Digits(of[0]), Digits(of[1]), Digits(of[2]), Digits(of[3])};
-    };
-    const auto share = digits(cell.by_shape.value), by_spin = digits(cell.by_spin.value);
+    const std::array<double, 4>&share = cell.by_shape.value, &by_spin = cell.by_spin.value;
     const std::size_t next_shape = static_cast<std::size_t>(per_shape()) * width;
+    using Number = Eigen::Array<Digits, 4, 1>;
+    const auto wide = [](const Eigen::Array4f& node) -> Number {
+        if constexpr (std::same_as<Digits, float>) {
+            return node;
+        } else {
+            return widened(node);
+        }
+    };
+    const auto digits = [](double weight) { return static_cast<Digits>(weight); };
+    const Digits share_0 = digits(share[0]), share_1 = digits(share[1]), share_2 = digits(share[2]),
+                 share_3 = digits(share[3]);
     Eigen::Array4d sum = Eigen::Array4d::Zero();
     for (std::size_t p = 0; p < 4; ++p) {
+        Number line = Number::Zero();
         for (std::size_t q = 0; q < 4; ++q) {
             const float* from = row_of(cell, p, q);
-            Number here = Number::Zero();
             for (std::size_t t = 0; t < 4; ++t, from += width) {
-                const auto of_shape = [&](std::size_t r) {
-                    return share[r] * Eigen::Map<const Eigen::Array4f>(from + r * next_shape).cast<Digits>();
-                };
-                here += by_spin[t] * (of_shape(0) + of_shape(1) + of_shape(2) + of_shape(3));
+                const Number node = share_0 * wide(Quad(from)) + share_1 * wide(Quad(from + next_shape)) +
+                                    share_2 * wide(Quad(from + 2 * next_shape)) +
+                                    share_3 * wide(Quad(from + 3 * next_shape));
+                line += digits(cell.by_y.value[q] * by_spin[t]) * node;
             }
-            sum += (cell.by_x.value[p] * cell.by_y.value[q]) * here.template cast<double>();
         }
+        sum += cell.by_x.value[p] * line.template cast<double>();
     }
     return sum.head<3>();
 }
 
 template <std::same_as<double> Real>
-auto BasicCreepForceTable<Real>::ellipse(const PatchContact<double>& contact) const noexcept -> Ellipse {
+auto BasicCreepForceTable<Real>::ellipse(double a_over_b) const noexcept -> Ellipse {
     const double first = std::log(grid_.smallest_a_over_b()), last = std::log(grid_.largest_a_over_b());
-    const double position = (std::log(contact.a_over_b()) - first) / (last - first);
+    const double position = (std::log(a_over_b) - first) / (last - first);
     const bool on_table = position >= -1e-12 && position <= 1 + 1e-12;
     const double shape = std::clamp(position, 0.0, 1.0) * static_cast<double>(grid_.shapes() - 1);
     const auto cell = (std::min)(static_cast<Eigen::Index>(shape), grid_.shapes() - 2);
@@ -490,7 +489,7 @@ auto BasicCreepForceTable<Real>::ellipse(const PatchContact<double>& contact) co
 template <std::same_as<double> Real>
 auto BasicCreepForceTable<Real>::linear_force_size(const PatchContact<double>& contact,
                                                    const Creepage<double>& creepage) const noexcept -> LinearForce {
-    const Ellipse on = ellipse(contact);
+    const Ellipse on = ellipse(contact.a_over_b());
     const double c = contact.c(), stiffness = contact.shear_modulus() * c * c;
     const Eigen::Vector3d w = linear_law(on.linear, c, creepage);
     const double size = w.stableNorm();
@@ -534,11 +533,13 @@ auto BasicCreepForceTable<Real>::lack_at_rest(const Ellipse& on) const noexcept 
 
 template <std::same_as<double> Real>
 template <std::floating_point Digits>
-TangentialForce<double> BasicCreepForceTable<Real>::force(const PatchContact<double>& contact,
+TangentialForce<double> BasicCreepForceTable<Real>::force(const PatchContact<double>::Parameters& contact,
                                                           double friction_coefficient, double load,
                                                           const Creepage<double>& creepage) const noexcept {
-    const double bound = friction_coefficient * load, c = contact.c(), stiffness = contact.shear_modulus() * c * c;
-    const Ellipse on = ellipse(contact);
+    const double bound = friction_coefficient * load,
+                 c = std::sqrt(contact.half_length) * std::sqrt(contact.half_width),
+                 stiffness = contact.shear_modulus * c * c;
+    const Ellipse on = ellipse(contact.half_length / contact.half_width);
     const Eigen::Array3d w = linear_law(on.linear, c, creepage);
     const CreepForceGrid::Stretch stretch = CreepForceGrid::stretch(bound / stiffness, w.matrix().stableNorm());
     if (!is_finite(stretch.factor)) return {0, 0, 0};
@@ -569,7 +570,7 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     if (!is_finite(creepage)) return ended(Status::not_finite);
 
     const double bound = friction_coefficient * load, c = contact.c(), stiffness = contact.shear_modulus() * c * c;
-    const Ellipse on = ellipse(contact);
+    const Ellipse on = ellipse(contact.a_over_b());
     const Eigen::Array4d &linear = on.linear, &linear_by_shape = on.linear_by_shape;
     result.a_over_b_on_table = on.on_table;
     const Eigen::Array4d unit = linear * Eigen::Array4d(1, 1, c, c);  // of creepages in coordinates X mu N/(G a b)

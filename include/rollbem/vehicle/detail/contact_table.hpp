@@ -33,6 +33,7 @@
 #include "../creep_force_table.hpp"
 #include "../reduced_friction.hpp"
 #include "table_weights.hpp"
+#include "widened.hpp"
 
 namespace rollbem {
 
@@ -235,12 +236,14 @@ private:
     static constexpr const char* magic = "rollbem contact geometry";
     static constexpr std::uint32_t version = 2;
 
+    /// Whole packets of four numbers.
+    static constexpr int packed_rows = (static_cast<int>(ContactRow::rows) + 3) / 4 * 4;
     /// Numbers as they are looked up: rows of points over their means in single precision, which halves the memory that
     /// a look-up touches, filled where zones carry nothing; slopes by the shift.
     struct Stored {
         Side given;
         ContactRow::Values means;
-        Eigen::ArrayXXf points, slopes;
+        Eigen::Array<float, packed_rows, Eigen::Dynamic> points, slopes;
         Eigen::ArrayXXd on_rails_slopes;
         /// Whether a zone carries a load at any node on either side of an interval between shifts, for each zone all of
         /// them.
@@ -268,9 +271,22 @@ private:
         Eigen::Array<double, Rows, 1, Eigen::DontAlign> value, by_shift, by_yaw;
     };
     /// Rows of a field with slopes, at the nodes of one load from `first` on. Derivatives are 0 unless asked for.
-    template <int Rows, bool derivatives = true, class Field>
+    template <int Rows, class Field>
     Sample<Rows> sample(const Cell& at, const Field& values, const Field& slopes, Eigen::Index row,
                         Eigen::Index first) const noexcept;
+    /// Rows of points in single precision.
+    using Singles = Eigen::Array<float, packed_rows, 1>;
+    /// Over their means, at each load.
+    using RowsByLoad = std::array<Singles, most_loads>;
+    RowsByLoad rows_by_load(const Cell& at, const Stored& side, Eigen::Index zone) const noexcept;
+    /// At one load; derivatives by yaw and the cube root of the load have the digits of single precision.
+    struct LoadedRows {
+        ContactRow::Values value, by_shift;
+        Singles by_yaw, by_root;
+    };
+    template <bool derivatives>
+    LoadedRows loaded_rows(const Cell& at, const Stored& side, Eigen::Index zone,
+                           const detail::RowWeights<most_loads>& weights) const noexcept;
     Eigen::Index first_node(std::size_t load) const { return grid_.node(load, 0, 0); }
 
     /// Height of a wheel and roll at a load, with derivatives by shift, yaw and load.
@@ -401,15 +417,17 @@ inline auto ContactTable::stored(Side side) const -> Stored {
     }
     made.means = side.points.rowwise().mean();
     made.means[ContactRow::share] = 0;
-    made.points = (side.points.colwise() - Eigen::ArrayXd(made.means)).cast<float>();
-    side.points = made.points.cast<double>().colwise() + Eigen::ArrayXd(made.means);
-    made.slopes = detail::slopes_of(grid_, side.points, true).cast<float>();
+    made.points.setZero(packed_rows, side.points.cols());
+    made.slopes = made.points;
+    made.points.topRows<ContactRow::rows>() = (side.points.colwise() - Eigen::ArrayXd(made.means)).cast<float>();
+    side.points = made.points.topRows<ContactRow::rows>().cast<double>().colwise() + Eigen::ArrayXd(made.means);
+    made.slopes.topRows<ContactRow::rows>() = detail::slopes_of(grid_, side.points, true).cast<float>();
     made.on_rails_slopes = detail::slopes_of(grid_, side.on_rails, false);
     const auto shifts = Eigen::Index(grid_.shifts.size()), lines = grid_.nodes() / shifts;
     for (Eigen::Index zone = 0; zone < side.zones.count(); ++zone) {
         const Eigen::Map<const Eigen::ArrayXXf, 0, Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>> shares(
             made.points.col(zone * grid_.nodes()).data() + ContactRow::share, shifts, lines,
-            {shifts * ContactRow::rows, Eigen::Index(ContactRow::rows)});
+            {shifts * packed_rows, Eigen::Index(packed_rows)});
         for (Eigen::Index i = 0; i + 1 < shifts; ++i) {
             made.carrying.push_back((shares.middleRows(i, 2) > 0).any() ? 1 : 0);
         }
@@ -418,7 +436,7 @@ inline auto ContactTable::stored(Side side) const -> Stored {
     return made;
 }
 
-template <int Rows, bool derivatives, class Field>
+template <int Rows, class Field>
 auto ContactTable::sample(const Cell& at, const Field& values, const Field& slopes, Eigen::Index row,
                           Eigen::Index first) const noexcept -> Sample<Rows> {
     using Values = Eigen::Array<double, Rows, 1, Eigen::DontAlign>;
@@ -426,20 +444,89 @@ auto ContactTable::sample(const Cell& at, const Field& values, const Field& slop
     const auto& [w, rate] = at.along;
     for (std::size_t k = 0; k < grid_.yaws.size(); ++k) {
         const Eigen::Index node = first + Eigen::Index(k * grid_.shifts.size() + at.shift);
-        const auto* const low = &values(row, node);
-        const auto *const high = &values(row, node + 1), *const low_slope = &slopes(row, node),
-                          *const high_slope = &slopes(row, node + 1);
         const double across = at.across.value[k], turning = at.across.rate[k];
-        for (int i = 0; i < Rows; ++i) {  // compilers make packets of a plain loop
-            const double one = double(low[i]), rise = double(high[i] - low[i]), three = double(low_slope[i]),
-                         four = double(high_slope[i]);
+        for (Eigen::Index i = 0; i < Rows; ++i) {
+            const double one = double(values(row + i, node)), rise = double(values(row + i, node + 1)) - one,
+                         three = double(slopes(row + i, node)), four = double(slopes(row + i, node + 1));
             const double here = one + w[1] * rise + w[2] * three + w[3] * four;  // the first two weights add up to 1
             found.value[i] += across * here;
-            if constexpr (!derivatives) continue;
             found.by_yaw[i] += turning * here;
             found.by_shift[i] += across * (rate[1] * rise + rate[2] * three + rate[3] * four);
         }
     }
+    return found;
+}
+
+inline auto ContactTable::rows_by_load(const Cell& at, const Stored& side, Eigen::Index zone) const noexcept
+    -> RowsByLoad {
+    RowsByLoad found;
+    const std::array<double, 4>& w = at.along.value;
+    for (std::size_t l = 0; l < grid_.loads.size(); ++l) {
+        Singles sum = Singles::Zero();
+        for (std::size_t k = 0; k < grid_.yaws.size(); ++k) {
+            const Eigen::Index node = zone * grid_.nodes() + grid_.node(l, k, at.shift);
+            const double across = at.across.value[k];
+            sum += float(across * w[0]) * side.points.col(node) + float(across * w[1]) * side.points.col(node + 1) +
+                   float(across * w[2]) * side.slopes.col(node) + float(across * w[3]) * side.slopes.col(node + 1);
+        }
+        found[l] = sum;
+    }
+    return found;
+}
+
+template <bool derivatives>
+auto ContactTable::loaded_rows(const Cell& at, const Stored& side, Eigen::Index zone,
+                               const detail::RowWeights<most_loads>& weights) const noexcept -> LoadedRows {
+    using Four = Eigen::Array4f;
+    const auto single = [](double x) { return static_cast<float>(x); };
+    struct Node {
+        Eigen::Index column;
+        Eigen::Array4d exact;
+        Four by_yaw, by_root;  // the same number four times
+    };
+    std::array<Node, most_loads * most_yaws> nodes;
+    std::size_t count = 0;
+    for (std::size_t l = 0; l < grid_.loads.size(); ++l) {
+        if (weights.value[l] == 0 && weights.rate[l] == 0) continue;
+        for (std::size_t k = 0; k < grid_.yaws.size(); ++k) {
+            Node& node = nodes[count++];
+            const double value = weights.value[l] * at.across.value[k];
+            node.column = zone * grid_.nodes() + grid_.node(l, k, at.shift);
+            node.exact.setConstant(value);
+            node.by_yaw.setConstant(single(weights.value[l] * at.across.rate[k]));
+            node.by_root.setConstant(single(weights.rate[l] * at.across.value[k]));
+        }
+    }
+    const auto& [w, rate] = at.along;
+    const float w_1 = single(w[1]), w_2 = single(w[2]), w_3 = single(w[3]);  // the first two weights add up to 1
+    LoadedRows found;
+    Eigen::Array<double, packed_rows, 1> all, shift;
+    for (Eigen::Index i = 0; i < packed_rows; i += 4) {
+        Eigen::Array4d value = Eigen::Array4d::Zero(), by_shift = value;
+        Four first = Four::Zero(), by_yaw = first, by_root = first;
+        for (std::size_t n = 0; n < count; ++n) {
+            const Node& node = nodes[n];
+            const Eigen::Index j = node.column;
+            const Four low = side.points.col(j).segment<4>(i), rise = side.points.col(j + 1).segment<4>(i) - low,
+                       low_slope = side.slopes.col(j).segment<4>(i), high_slope = side.slopes.col(j + 1).segment<4>(i);
+            const Eigen::Array4d wide_rise = detail::widened(rise), wide_low = detail::widened(low_slope),
+                                 wide_high = detail::widened(high_slope);
+            value += node.exact * (detail::widened(low) + w[1] * wide_rise + w[2] * wide_low + w[3] * wide_high);
+            if constexpr (!derivatives) continue;
+            by_shift += node.exact * (rate[1] * wide_rise + rate[2] * wide_low + rate[3] * wide_high);
+            // weights of these two add up to 0: differences from one node keep their digits
+            if (n == 0) first = low;
+            const Four apart = (low - first) + (w_1 * rise + w_2 * low_slope + w_3 * high_slope);
+            by_yaw += node.by_yaw * apart;
+            by_root += node.by_root * apart;
+        }
+        all.segment<4>(i) = value;
+        shift.segment<4>(i) = by_shift;
+        found.by_yaw.segment<4>(i) = by_yaw;
+        found.by_root.segment<4>(i) = by_root;
+    }
+    found.value = side.means + all.head<ContactRow::rows>();
+    if constexpr (derivatives) found.by_shift = shift.head<ContactRow::rows>();
     return found;
 }
 
@@ -568,7 +655,9 @@ inline void ContactTable::write(std::ostream& stream) const {
             writer.integer(carrying);
             for (Eigen::Index zone = 0; zone < given.zones.count(); ++zone) {
                 if ((carrying >> unsigned(zone) & 1U) == 0) continue;
-                for (const float value : side.points.col(zone * grid_.nodes() + node)) writer.number(value);
+                for (const float value : side.points.col(zone * grid_.nodes() + node).head<ContactRow::rows>()) {
+                    writer.number(value);
+                }
             }
         }
     }

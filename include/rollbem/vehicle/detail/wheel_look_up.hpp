@@ -123,9 +123,14 @@ private:
         for (std::size_t l = 0; l < loads_ && !has_roll_; ++l) {
             rolls_[l] = table_.sample<1>(cell_, side_->given.on_rails, side_->on_rails_slopes, 1, table_.first_node(l));
         }
-        for (Eigen::Index zone = 0; zone < side_->given.zones.count(); ++zone) {
+        const Eigen::Index zones = side_->given.zones.count();
+        for (Eigen::Index zone = 0; zone < zones; ++zone) {
+            zones_[std::size_t(zone)].carries = side_->carries(zone, cell_.shift);
+        }
+        if (carry_count() == 1) return Status::ok;  // all of the load
+        for (Eigen::Index zone = 0; zone < zones; ++zone) {
             Zone& of = zones_[std::size_t(zone)];
-            if (!side_->carries(zone, cell_.shift)) continue;
+            if (!std::exchange(of.carries, false)) continue;
             for (std::size_t l = 0; l < loads_; ++l) {
                 const Eigen::Index first = zone * table_.grid_.nodes() + table_.first_node(l);
                 of.share[l] = table_.sample<1>(cell_, side_->points, side_->slopes, ContactRow::share, first);
@@ -137,54 +142,52 @@ private:
 
     // --- geometry at a load
 
-    using Values = Eigen::Array<double, ContactRow::rows, 1>;
+    using Values = ContactRow::Values;
     struct Zone {
         bool carries = false, is_sampled = false;
         std::array<ContactTable::Sample<1>, ContactTable::most_loads> share;
-        std::array<ContactTable::Sample<static_cast<int>(ContactRow::rows)>, ContactTable::most_loads> rows;
+        ContactTable::RowsByLoad rough;
         Values value, by_shift, by_yaw, by_sum;  // at the present sum of loads
     };
 
-    void sample(Zone& of, Eigen::Index zone) {
-        constexpr int rows = static_cast<int>(ContactRow::rows);
-        if (std::exchange(of.is_sampled, true)) return;
-        for (std::size_t l = 0; l < loads_; ++l) {
-            const Eigen::Index first = zone * table_.grid_.nodes() + table_.first_node(l);
-            of.rows[l] = tangents_ ? table_.sample<rows, true>(cell_, side_->points, side_->slopes, 0, first)
-                                   : table_.sample<rows, false>(cell_, side_->points, side_->slopes, 0, first);
-        }
+    std::ptrdiff_t carry_count() const {
+        return std::count_if(zones_.begin(), zones_.end(), [](const Zone& of) { return of.carries; });
     }
+
     /// The rows of a zone at a sum of loads. Odd parts are over the yaw.
     template <int partials>
-    void interpolate(Zone& of, const RowWeights<ContactTable::most_loads>& weights, double root) const {
+    void interpolate(Zone& of, Eigen::Index zone, const RowWeights<ContactTable::most_loads>& weights, double root) {
         using enum ContactRow::Of;
         const double yaw = inputs_[WheelForces::yaw];
         const auto times_yaw = [&](Values& values) {
             values[arm_x] *= yaw;
             values.segment<9>(correction) += yaw * values.segment<9>(correction_by_yaw);
         };
-        of.value = side_->means;
-        for (std::size_t l = 0; l < loads_; ++l) of.value += weights.value[l] * of.rows[l].value;
+        if (partials == none && is_rough_) {
+            if (!std::exchange(of.is_sampled, true)) of.rough = table_.rows_by_load(cell_, *side_, zone);
+            ContactTable::Singles sum = weights.single(0) * of.rough[0];
+            for (std::size_t l = 1; l < loads_; ++l) sum += weights.single(l) * of.rough[l];
+            of.value = side_->means + sum.head<ContactRow::rows>().cast<double>();
+            return times_yaw(of.value);
+        }
+        const auto now = table_.loaded_rows<(partials > none)>(cell_, *side_, zone, weights);
+        const auto widened = [](const ContactTable::Singles& numbers) -> Values {
+            return numbers.head<ContactRow::rows>().cast<double>();
+        };
+        of.value = now.value;
         if constexpr (partials > none) {
-            of.by_sum.setZero();
-            for (std::size_t l = 0; l < loads_; ++l) {
-                of.by_sum += weights.rate[l] / (3 * root * root) * of.rows[l].value;
-            }
+            of.by_sum = widened(now.by_root) / (3 * root * root);
+            times_yaw(of.by_sum);
         }
         if constexpr (by_inputs<partials>) {
-            of.by_shift.setZero();
-            of.by_yaw.setZero();
-            for (std::size_t l = 0; l < loads_; ++l) {
-                of.by_shift += weights.value[l] * of.rows[l].by_shift;
-                of.by_yaw += weights.value[l] * of.rows[l].by_yaw;
-            }
+            of.by_shift = now.by_shift;
+            times_yaw(of.by_shift);
+            of.by_yaw = widened(now.by_yaw);
             times_yaw(of.by_yaw);
             of.by_yaw[arm_x] += of.value[arm_x];
             of.by_yaw.segment<9>(correction) += of.value.segment<9>(correction_by_yaw);
-            times_yaw(of.by_shift);
         }
         times_yaw(of.value);
-        if constexpr (partials > none) times_yaw(of.by_sum);
     }
     template <int partials>
     Dual<partials> dual(const Zone& of, Eigen::Index row) const {
@@ -251,8 +254,9 @@ private:
 
     template <int partials>
     struct Contact {
+        double share = 0;                     // of the vertical load; 0: no contact
         std::array<Dual<partials>, 3> force;  // in the plane, and moment about its normal
-        Dual<partials> normal, angle, sine, cosine;
+        Dual<partials> normal, angle, sine, cosine, half_length, half_width;
         std::array<Dual<partials>, 3> arm, creepage;
         Dual<partials> rolling;  // V [m/s]
     };
@@ -271,7 +275,6 @@ private:
         using Number = Dual<partials>;
         using enum ContactRow::Of;
         const Zone& of = zones_[zone];
-        WheelForces::Point& point = result_.points[zone];
         Contact<partials>& found = pass.contacts[zone];
         const auto row = [&](Eigen::Index which) { return dual<partials>(of, which); };
         found.angle = row(angle);
@@ -283,11 +286,14 @@ private:
         found.rolling =
             (input<partials>(WheelForces::forward) - input<partials>(WheelForces::pitch_rate) * row(radius)) * 0.5;
         const Number& reference = found.rolling;
-        point.rolling_radius = of.value[radius];
-        point.rail_y = of.value[rail_y];
-        point.wheel_y = of.value[wheel_y];
         const double root = std::cbrt(N.value());
-        point.peak_pressure = of.value[peak] * root;
+        const Number size(root, (root / (3 * N.value())) * N.derivatives());
+        const auto positive = [&](Eigen::Index which) {  // cubics may undershoot where a zone begins to carry
+            constexpr double least = 1e-9;
+            return of.value[which] > least ? row(which) : constant<partials>(least);
+        };
+        found.half_length = positive(length) * size;
+        found.half_width = positive(width) * size;
         found.force.fill(constant<partials>(0));
         found.creepage.fill(constant<partials>(0));
         if (!(reference.value() >= (std::numeric_limits<double>::min)())) {
@@ -296,39 +302,38 @@ private:
         }
         const std::array<Number, 3> slip = pass.velocity->slip(found.arm, found.sine, found.cosine);
         found.creepage = {slip[0] / reference, slip[1] / reference, slip[2] / reference};
-        Number size(root, (root / (3 * N.value())) * N.derivatives());
-        const auto positive = [&](Eigen::Index which) {  // cubics may undershoot where a zone begins to carry
-            constexpr double least = 1e-9;
-            return of.value[which] > least ? row(which) : constant<partials>(least);
-        };
-        const Number a = positive(length) * size, b = positive(width) * size;
+        const Number &a = found.half_length, &b = found.half_width;
         const Number mu = input<partials>(WheelForces::mu) * friction_.factor[zone];
         const std::array<Number, 3> own =
             ellipse_creepages<Number>(found.creepage, a, b, table_.shear_modulus(), mu * N, row);
-        point.ellipse = PatchContact<double>({a.value(), b.value(), table_.shear_modulus(), table_.poisson_ratio()});
-        return creep_forces<partials>(point.ellipse, own, {N, mu, a, b, reference}, found.force);
+        return creep_forces<partials>(own, {N, mu, a, b, reference}, found.force);
     }
 
+    PatchContact<double>::Parameters ellipse(double a, double b) const {
+        return {a, b, table_.shear_modulus(), table_.poisson_ratio()};
+    }
     template <int partials>
     struct Terms {
         const Dual<partials>&N, &mu, &a, &b, &speed;
     };
     template <int partials>
-    Status creep_forces(const PatchContact<double>& ellipse, const std::array<Dual<partials>, 3>& own,
-                        const Terms<partials>& terms, std::array<Dual<partials>, 3>& force) const {
+    Status creep_forces(const std::array<Dual<partials>, 3>& own, const Terms<partials>& terms,
+                        std::array<Dual<partials>, 3>& force) const {
         const Creepage<double> creepage{own[0].value(), own[1].value(), own[2].value()};
+        const PatchContact<double>::Parameters axes = ellipse(terms.a.value(), terms.b.value());
         TabulatedForce now;
         TangentialForce<double> by_speed{0, 0, 0};
         if constexpr (partials == none) {
             if (friction_.reduced == nullptr) {
                 const double mu = terms.mu.value(), N = terms.N.value();
-                const TangentialForce<double> alone = is_rough_ ? creep_.force<float>(ellipse, mu, N, creepage)
-                                                                : creep_.force<double>(ellipse, mu, N, creepage);
+                const TangentialForce<double> alone = is_rough_ ? creep_.force<float>(axes, mu, N, creepage)
+                                                                : creep_.force<double>(axes, mu, N, creepage);
                 force = {constant<none>(alone.longitudinal), constant<none>(alone.lateral),
                          constant<none>(alone.moment)};
                 return Status::ok;
             }
         }
+        const PatchContact<double> ellipse(axes);
         if (friction_.reduced != nullptr) {
             const ReducedFriction::Force reduced = friction_.reduced->look_up(
                 creep_, ellipse, terms.mu.value(), terms.N.value(), terms.speed.value(), creepage);
@@ -413,18 +418,20 @@ private:
     /// The sum of vertical normal loads by secants on values alone, in single precision and, where no tangents follow,
     /// then in double; nothing where that is not found at once.
     std::optional<double> secants(Pass<none>& pass) {
-        constexpr double settled = 1e-6, settled_values = 1e-8, known = 1e-5;
-        const double load = inputs_[WheelForces::load];
+        constexpr double settled = 1e-8, known = 1e-5;
+        const double load = inputs_[WheelForces::load], missed = tangents_ ? 3e-8 : settled / 2;
         double sum = load, last = 0, before = -load, rate = 0;  // nothing carries nothing
         is_rough_ = true;
         for (int round = 0; round < 10; ++round) {
             if (at_sum(pass, sum) != Status::ok) break;
-            const double excess = pass.excess.value();
-            if (std::abs(sum - last) > known * sum) rate = (excess - before) / (sum - last);
+            const double excess = pass.excess.value(), step = std::abs(sum - last);
+            if (step > known * sum) rate = (excess - before) / (sum - last);
             const double change = excess / rate;
             if (!(std::abs(change) < sum / 2)) break;
-            if (std::abs(change) <= (is_rough_ ? settled : settled_values) * sum) {
-                if (tangents_ || !is_rough_) return sum - change;
+            if (!is_rough_ && std::abs(change) <= settled * sum) return sum - change;
+            // friction is nearly a power of the load, so that a secant misses as its curvature over both steps
+            if (is_rough_ && std::abs(change * (1 - rate)) * step <= missed * sum * sum) {
+                if (tangents_) return sum - change;
                 is_rough_ = false;
             }
             before = excess;
@@ -443,8 +450,10 @@ private:
         const auto count = std::size_t(side_->given.zones.count());
         std::array<Number, ContactZones::most> shares;
         Number total = constant<partials>(0);
+        const bool one_carries = carry_count() == 1;
         for (std::size_t k = 0; k < count; ++k) {
-            shares[k] = zones_[k].carries ? share<partials>(zones_[k], root) : constant<partials>(0);
+            shares[k] = constant<partials>(one_carries && zones_[k].carries ? 1 : 0);
+            if (!one_carries && zones_[k].carries) shares[k] = share<partials>(zones_[k], root);
             total += shares[k];
         }
         Number whole = constant<partials>(sum);
@@ -452,13 +461,12 @@ private:
         pass.excess = whole - input<partials>(WheelForces::load);
         pass.stands = false;
         for (std::size_t k = 0; k < count; ++k) {
-            result_.points[k] = {};
+            pass.contacts[k].share = 0;
             if (!(shares[k].value() > 0)) continue;
             const Number part = shares[k] / total, load = part * whole;
             if (load.value() < least_load) continue;
-            sample(zones_[k], Eigen::Index(k));
-            interpolate<partials>(zones_[k], weights, root);
-            result_.points[k].load_share = part.value();
+            interpolate<partials>(zones_[k], Eigen::Index(k), weights, root);
+            pass.contacts[k].share = part.value();
             const Status status = press(pass, k, load);
             if (status != Status::ok) return status;
             pass.excess -= pass.contacts[k].force[1] * pass.contacts[k].sine;
@@ -478,8 +486,16 @@ private:
 
     /// A point after the last step, so that its numbers agree with the wrench.
     template <int partials>
-    void settle(WheelForces::Point& point, const Contact<partials>& of, double change) const {
+    void settle(std::size_t zone, const Contact<partials>& of, double change) {
         const auto settled = [&](const Dual<partials>& number) { return after(number, change); };
+        WheelForces::Point& point = result_.points[zone];
+        const ContactRow::Values& row = zones_[zone].value;
+        point.load_share = of.share;
+        point.rolling_radius = row[ContactRow::radius];
+        point.rail_y = row[ContactRow::rail_y];
+        point.wheel_y = row[ContactRow::wheel_y];
+        point.peak_pressure = row[ContactRow::peak] * std::cbrt(of.normal.value());
+        point.ellipse = PatchContact<double>(ellipse(of.half_length.value(), of.half_width.value()));
         point.normal_load = settled(of.normal);
         point.angle = settled(of.angle);
         point.arm = {along_ * settled(of.arm[0]), settled(of.arm[1]), settled(of.arm[2])};
@@ -498,8 +514,8 @@ private:
         std::array<Number, 6> wrench;
         wrench.fill(constant<partials>(0));
         for (std::size_t k = 0; k < std::size_t(side_->given.zones.count()); ++k) {
-            if (!(result_.points[k].load_share > 0)) continue;
             const Contact<partials>& of = pass.contacts[k];
+            if (!(of.share > 0)) continue;
             const auto& [r_x, r_y, r_z] = of.arm;
             const Number f_x = of.force[0], f_y = of.force[1] * of.cosine + of.normal * of.sine,
                          f_z = of.force[1] * of.sine - of.normal * of.cosine;
@@ -509,7 +525,7 @@ private:
             wrench[3] += r_y * f_z - r_z * f_y;
             wrench[4] += r_z * f_x - r_x * f_z - of.force[2] * of.sine;
             wrench[5] += r_x * f_y - r_y * f_x + of.force[2] * of.cosine;
-            settle(result_.points[k], of, change);
+            settle(k, of, change);
             result_.heat += result_.points[k].heat;
         }
         const std::array<double, 6> signs{along_, mirror_, 1, mirror_, along_, along_ * mirror_};

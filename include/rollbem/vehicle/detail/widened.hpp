@@ -1,0 +1,15 @@
+// Four numbers of single precision as doubles, in packets.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace rollbem::detail {
+
+/// Eigen's cast would part the packets of the expression around it.
+inline Eigen::Array4d widened(const Eigen::Array4f& single) {
+    Eigen::Array4d wide;
+    for (Eigen::Index i = 0; i < 4; ++i) wide[i] = static_cast<double>(single[i]);
+    return wide;
+}
+
+}  // namespace rollbem::detail
