@@ -27,6 +27,7 @@
 #include <rollbem/detail/parallel_for.hpp>
 #include <rollbem/vehicle/make_contact_table.hpp>
 
+#include "contact/node_rows.hpp"
 #include "profile/profile.hpp"
 #include "support/csv.hpp"
 #include "support/input.hpp"
@@ -213,51 +214,83 @@ double position_seconds(const Scene& scene, const rollbem::ContactTableMaking& m
     return double(std::clock() - start) / CLOCKS_PER_SEC / (scene.wheelset.is_mirrored() ? 6 : 10);
 }
 
-void make(const study::Options& options) {
-    const ContactTable::Grid grid = read_grid(options);
-    const std::string output = options.text("output");
-    options.require(options.given("output") && output != "-", "output", "be a file: a contact table is not text");
-    const Scene scene = read_scene(options);
-    rollbem::ContactTableMaking making{.grid = grid, .jobs = scene.jobs};
+/// What a table is made with.
+rollbem::ContactTableMaking read_making(const study::Options& options) {
+    rollbem::ContactTableMaking making{.grid = read_grid(options), .jobs = study::job_count(options)};
     making.zones = {read_zones(options, "left-zones"), read_zones(options, "zones")};
-    study::OutputFiles files;
-    study::OutputFile& file = files.open(output, "--output");
-    const std::size_t positions =
-        making.lines() * (scene.wheelset.is_mirrored() ? grid.shifts.size() / 2 + 1 : grid.shifts.size());
-    if (!options.flag("quiet")) {
-        const double seconds = position_seconds(scene, making) * double(positions) * 1.3;  // and zones
-        std::fprintf(stderr, "%s: %zu positions, about %.0f s of processor time\n", options.program().c_str(),
-                     positions, std::max(seconds, 1.0));
-    }
-    study::Progress progress(options.program(), making.lines(), study::shows_progress(options), "lines");
-    std::size_t done = 0;
-    making.done = [&] { progress.update(++done); };
-    std::optional<rollbem::MadeContactTable> made;
-    try {
-        made = make_contact_table(scene.wheelset, scene.creep, making);
-    } catch (const std::invalid_argument& error) {
-        throw study::BadInput(error.what());
-    }
-    progress.clear();
-    std::ostringstream bytes;
-    made->table.write(bytes);
-    file.write(bytes.str());
-    files.commit();
+    return making;
+}
+
+void say_duration(const study::Options& options, const Scene& scene, const rollbem::ContactTableMaking& making) {
     if (options.flag("quiet")) return;
-    const double reached = made->table.largest_shift(), asked = grid.shifts.back();
-    if (reached < asked) {
+    const std::size_t shifts = making.grid.shifts.size();
+    const std::size_t positions = making.lines() * (scene.wheelset.is_mirrored() ? shifts / 2 + 1 : shifts);
+    const double seconds = position_seconds(scene, making) * double(positions) * 1.3;  // and zones
+    std::fprintf(stderr, "%s: %zu positions, about %.0f s of processor time%s\n", options.program().c_str(), positions,
+                 std::max(seconds, 1.0), options.given("shard") ? " for all parts" : "");
+}
+
+void say_what_was_made(const study::Options& options, const Scene& scene, const ContactTable& table, double asked) {
+    if (options.flag("quiet")) return;
+    if (table.largest_shift() < asked) {
         std::fprintf(stderr, "%s: shifts end at %.4g mm, as beyond it wheels do not carry their loads\n",
-                     options.program().c_str(), 1e3 * reached);
+                     options.program().c_str(), 1e3 * table.largest_shift());
     }
     for (const auto& [side, name] : {std::pair(WheelsetSide::left, "left"), {WheelsetSide::right, "right"}}) {
         if (scene.wheelset.is_mirrored() && side == WheelsetSide::left) continue;
         std::string text;
-        for (const auto& cut : made->table.side(side).zones.cuts()) {
+        for (const auto& cut : table.side(side).zones.cuts()) {
             text += (text.empty() ? "" : ",") + study::Cell(cut.y).text(6) + "," + study::Cell(cut.half_width).text(6);
         }
-        std::fprintf(stderr, "%s: zones of the %s wheel: %s\n", options.program().c_str(),
-                     scene.wheelset.is_mirrored() ? "right" : name, text.empty() ? "one" : text.c_str());
+        std::fprintf(stderr, "%s: zones of the %s wheel: %s\n", options.program().c_str(), name,
+                     text.empty() ? "one" : text.c_str());
     }
+}
+
+/// What `make` returns; what it refuses is bad input.
+template <class Make>
+auto refused_as_input(const Make& make) {
+    try {
+        return make();
+    } catch (const std::invalid_argument& error) {
+        throw study::BadInput(error.what());
+    }
+}
+
+/// One part of the rows of a table.
+void make_part(const study::Options& options) {
+    rollbem::ContactTableMaking making = read_making(options);
+    const ContactTable::Grid grid = making.grid;
+    const Scene scene = read_scene(options);
+    rollbem::ContactTableMaker maker =
+        refused_as_input([&] { return rollbem::ContactTableMaker(scene.wheelset, scene.creep, making); });
+    say_duration(options, scene, making);
+    study::write_table(options, contact::node_table(maker, grid));
+}
+
+void make(const study::Options& options) {
+    rollbem::ContactTableMaking making = read_making(options);
+    const std::string output = options.text("output");
+    options.require(options.given("output") && output != "-", "output", "be a file: a contact table is not text");
+    const Scene scene = read_scene(options);
+    study::OutputFiles files;
+    study::OutputFile& file = files.open(output, "--output");
+    const bool reads = options.given("rows");
+    if (!reads) say_duration(options, scene, making);
+    study::Progress progress(options.program(), making.lines(), study::shows_progress(options) && !reads, "lines");
+    std::size_t done = 0;
+    making.done = [&] { progress.update(++done); };
+    const rollbem::MadeContactTable made = refused_as_input([&] {
+        if (!reads) return make_contact_table(scene.wheelset, scene.creep, making);
+        const rollbem::ContactTableMaker maker(scene.wheelset, scene.creep, making);
+        return maker.table(contact::read_sides(options, making.grid, maker.side_count()));
+    });
+    progress.clear();
+    std::ostringstream bytes;
+    made.table.write(bytes);
+    file.write(bytes.str());
+    files.commit();
+    say_what_was_made(options, scene, made.table, making.grid.shifts.back());
 }
 
 // --- beside patches --------------------------------------------------------------------------------------------------
@@ -466,8 +499,11 @@ void scan(const study::Options& options) {
                  sum[2] / double(count), largest[2]);
 }
 
-constexpr const char* help = R"(Example: a table of S1002 on 60E1, by two threads; then beside patches
+constexpr const char* help =
+    R"(Example: a table of S1002 on 60E1, by two threads; the same by 4 machines; then beside patches
   contact_table --output s1002_60e1.contact --jobs 2
+  contact_table --shard 1/4 --output part1.csv    # and 2/4, 3/4, 4/4
+  cat part?.csv > rows.csv && contact_table --rows rows.csv --output s1002_60e1.contact
   contact_table --check 200 s1002_60e1.contact --jobs 2
   contact_table --scan 0.006,0.0002 s1002_60e1.contact --output scan.csv
 
@@ -475,6 +511,8 @@ The file is for ContactTable::read, rollbem_contact_table_open and the wheelset 
 load with normal forces. Along shift and load values are local cubics, over the yaw polynomials in yaw^2, as contacts at
 -yaw are the mirror images of those at yaw. Shifts end where wheels no longer carry their loads.
 The rail is parted into at most four zones by smooth weights; where is found by the program, or said by --zones.
+--shard writes rows of numbers in place of the file, one for each node, side and possible zone. Each part finds the zones
+anew, from a quarter of all positions, unless --zones says them; parts of whole lines of shifts take least time.
 --check: |shift| <= 6.1 mm, |yaw| <= 10 mrad, equal loads within those of the table, creepages of linear forces from
 0.05 to 5 mu N in a random direction, mu = 0.3; 20 m/s. Prints differences of F_x, F_y and M_z (about the middle of the
 axle, over 0.75 m) from rolling_forces over mu Q, and by how much the power of the table's forces on the rigid motion,
@@ -509,7 +547,13 @@ void add_options(study::Options& options) {
     options.not_with({"load", "shift", "yaw", "zones", "left-zones"}, "scan");
     options.only_with({"left-zones"}, {"left-wheel", "left-rail", "left-radius"});
     options.refuse("plot", "draw contacts with profile_study");
-    options.only_with({"shard"}, {"scan"}, ": zones are found from all positions of a table");
+    options.add_input("rows",
+                      "make the table of these rows instead of computing them: the parts of --shard, one after the "
+                      "other; with the same options and version");
+    options.not_with({"shard"}, "rows");
+    options.not_with({"shard", "rows"}, "check");
+    options.not_with({"rows"}, "scan");
+    options.not_with({"zones", "left-zones"}, "rows", ": rows have zones of their own");
     options.not_with({"output"}, "check");
     options.footer(help);
 }
@@ -523,6 +567,8 @@ int main(int argc, char** argv) {
         if (given.given("check")) return check(given);
         if (given.given("scan")) {
             scan(given);
+        } else if (given.given("shard")) {
+            make_part(given);
         } else {
             make(given);
         }

@@ -24,6 +24,7 @@
 
 #include "support/csv.hpp"
 #include "support/input.hpp"
+#include "support/joined_rows.hpp"
 #include "support/options.hpp"
 #include "support/output.hpp"
 #include "support/progress.hpp"
@@ -125,55 +126,25 @@ void write_rows(const study::Options& options, const Job& job, study::OutputFile
     study::write_table(options, table, files);
 }
 
-/// The rows of --rows.
-struct ReadRows {
-    std::vector<std::string> lines, places;  ///< places for messages
-
-    explicit ReadRows(const study::Options& options) {
-        const std::string header = study::join(columns, ",");
-        study::Lines read(options, "rows");
-        while (read.next()) {
-            if (read.is_first() && read.text() != header) throw study::BadInput(read.where() + " must be " + header);
-            if (read.is_first()) continue;
-            lines.push_back(read.text());
-            places.push_back(read.where());
-        }
-    }
-};
-
 /// The forces of rows, which must be all those of the grid.
-Eigen::Array3Xd read_forces(const Job& job, const ReadRows& rows, const std::string& said) {
-    const auto& [lines, places] = rows;
+Eigen::Array3Xd read_forces(const Job& job, const study::JoinedRows& rows) {
     const CreepForceGrid& grid = job.grid;
     Eigen::Array3Xd forces(3, grid.nodes() * grid.shapes());
-    if (static_cast<Eigen::Index>(lines.size()) != forces.cols()) {
-        throw study::BadInput(said + ": number of rows = " + std::to_string(lines.size()) + " must be " +
-                              std::to_string(forces.cols()));
-    }
     std::optional<CreepForceSource> source;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t i = 0; i < rows.lines().size(); ++i) {
         const auto column = static_cast<Eigen::Index>(i);
         const Eigen::Index shape = column / grid.nodes(), node = column % grid.nodes();
-        std::vector<std::string> cells = study::cells_of(study::detail::trim(lines[i]), ',');
-        if (cells.size() != columns.size()) cells.assign(columns.size(), "");
-        const auto require = [&](bool holds, const std::string& what) {
-            if (!holds) throw study::BadInput(places[i] + ": " + what);
-        };
         if (node == 0) source.emplace(grid.a_over_b(shape), grid.poisson_ratio(), job.n);
         const study::Row expected = node_cells(*source, grid.creepage(shape, node));
-        for (std::size_t k = 0; k < expected.size(); ++k) {
-            const auto found = study::number_of(cells[k], ',');
-            const double value = *expected[k].number();
-            require(found && std::abs(*found - value) <= 1e-9 * std::abs(value),
-                    columns[k] + " = " + cells[k] + " must be " + expected[k].text(12) +
-                        ", as the options of the grid want it");
-        }
-        for (const std::size_t k : {7, 8, 9}) {
+        const std::vector<std::string> cells = rows.cells(i, expected);
+        const std::string& status = cells[14 - expected.size()];
+        for (std::size_t k = 0; k < 3; ++k) {
             const auto force = study::number_of(cells[k], ',');
-            require(force && std::isfinite(*force), columns[k] + " must be a number; status = " + cells[14]);
-            forces(static_cast<Eigen::Index>(k) - 7, column) = *force;
+            rows.require(force && std::isfinite(*force), i,
+                         columns[expected.size() + k] + " must be a number; status = " + status);
+            forces(static_cast<Eigen::Index>(k), column) = *force;
         }
-        require(cells[14] == "ok", "status = " + cells[14] + " must be ok");
+        rows.require(status == "ok", i, "status = " + status + " must be ok");
     }
     return forces;
 }
@@ -328,11 +299,12 @@ int main(int argc, char** argv) {
         };
         if (given.given("rows")) {
             if (!to_file) throw study::BadInput("--rows = " + given.text("rows") + " must go with --output FILE");
-            const ReadRows rows(given);
-            finish(read_forces(job, rows, given.said("rows")));
+            const study::JoinedRows rows(given, columns,
+                                         static_cast<std::size_t>(job.grid.nodes() * job.grid.shapes()));
+            finish(read_forces(job, rows));
             study::OutputFile& file =
                 files.open_table(given, "output", study::csv_line({columns.begin(), columns.end()}));
-            for (const std::string& line : rows.lines) file.write(line + "\n");
+            for (const std::string& line : rows.lines()) file.write(line + "\n");
             files.commit();
         } else {
             write_rows(given, job, files, [&](const Eigen::Array3Xd& forces) {

@@ -1,5 +1,5 @@
 #!/bin/sh
-# creep_table seen from outside: its rows, shards, and how far the table is from the patches.
+# creep_table and contact_table seen from outside: rows, shards, and how far the table is from the patches.
 # Usage: creep_table.sh FOLDER-OF-PROGRAMS
 . "$(dirname "$0")/functions.sh"
 creep="$programs/creep_table"
@@ -49,4 +49,24 @@ good 1 "$creep" --n 6 --levels 7 --shapes 5 --a-over-b 0.5,2 --output small.csv 
 awk '{ if ($5 + 0 > 7e-3 || $7 + 0 > 0.045 || $5 + 0 <= 0) exit 1 }' out || fail "$(cat out)"
 cp small.csv out
 check 'the force of no longitudinal creepage on two meshes' "\$$(column longitudinal) != 0 || \$$x * \$$x < 1e-16"
+
+# --- a contact table by parts is the one made at once; parts that are missing, doubled or misplaced are named
+table="$programs/contact_table"
+small='--shift -0.002,0.002,7 --yaw 0,0.01,2 --load 8e4,1e5 --quiet'
+good 0 "$table" $small --output whole.contact
+for k in 1 2 3 4; do "$table" $small --shard $k/4 --output node$k.csv & done
+wait
+cat node?.csv >nodes.csv
+good 0 "$table" $small --rows nodes.csv --output again.contact
+cmp whole.contact again.contact || fail 'the contact table of the same rows differs'
+cat node1.csv node2.csv node4.csv >broken.csv
+bad 'number of rows = 84 must be 112: all parts of --shard' \
+    "$table" $small --rows "$scratch/broken.csv" --output x.contact
+cat node1.csv node2.csv node2.csv node4.csv >broken.csv
+bad 'line 58: load = 80000 must be 100000' "$table" $small --rows "$scratch/broken.csv" --output x.contact
+cat node1.csv node3.csv node2.csv node4.csv >broken.csv
+bad 'line 30: load = 1e+05 must be 80000' "$table" $small --rows "$scratch/broken.csv" --output x.contact
+sed '10s/,1,,,/,1,0.73,0.002,/' nodes.csv >broken.csv
+bad 'line 10: cut_y and cut_half_width must be those of the first rows' \
+    "$table" $small --rows "$scratch/broken.csv" --output x.contact
 exit $failures

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -42,8 +43,22 @@ struct ContactTableMaking {
     /// Of the left and of the right wheel; empty: found.
     std::array<std::optional<ContactZones>, 2> zones{};
     std::size_t jobs = 1;
-    std::function<void()> done = [] {};  ///< called after each of lines() lines of positions; must not throw
+    std::function<void()> done = [] {};  ///< called after each line of positions; must not throw
+    /// Lines of shifts, for each load in turn those of all yaws.
     std::size_t lines() const { return grid.yaws.size() * grid.loads.size(); }
+};
+
+/// One wheel at a node of the grid, in a table's terms.
+struct ContactNode {
+    bool known = false;                       ///< whether both wheels carry their loads there
+    double support = 0, roll = 0;             ///< as ContactTable::Side::on_rails [m], [rad]
+    std::vector<ContactRow::Values> zones{};  ///< a row for each
+};
+
+/// Zones, and all nodes in the order of ContactTable::Grid::node.
+struct ContactSide {
+    ContactZones zones;
+    std::vector<ContactNode> nodes;
 };
 
 /// A table, and what is to be known of its making.
@@ -64,9 +79,9 @@ class ContactLine {
 public:
     ContactLine(const WheelsetOnTrack& track, const ContactTableMaking& making) : track_(track), making_(making) {}
 
-    void solve(std::size_t load, std::size_t yaw, std::array<WheelNodes, 2>& nodes) const {
+    void solve(std::size_t line, std::array<WheelNodes, 2>& nodes) const {
         const ContactTable::Grid& grid = making_.grid;
-        const std::size_t count = grid.shifts.size();
+        const std::size_t count = grid.shifts.size(), load = line / grid.yaws.size(), yaw = line % grid.yaws.size();
         const bool mirrored = track_.is_mirrored();
         WheelsetOnTrack::Workspace workspace;
         WheelsetPosition start;
@@ -89,7 +104,7 @@ public:
                 const std::size_t place = right ? i : count - 1 - i;
                 if (!right && mirrored && place == i) continue;
                 auto& of = nodes[mirrored ? 0 : std::size_t(side)];
-                of[std::size_t(grid.node(load, yaw, place))] = node_of(contacts, side);
+                of[line * count + place] = node_of(contacts, side);
             }
         }
     }
@@ -241,12 +256,12 @@ inline void fill_odd_rows(const ContactTable::Grid& grid, Eigen::Ref<Eigen::Arra
 }
 
 /// How many shifts from either end are left out, as at them, or at two in a row, some node is not known.
-inline std::size_t left_out(const ContactTable::Grid& grid, const std::vector<WheelNodes>& sides) {
+inline std::size_t left_out(const ContactTable::Grid& grid, const std::vector<ContactSide>& sides) {
     const std::size_t count = grid.shifts.size(), middle = count / 2;
     const auto known = [&](std::size_t i) {
-        for (const WheelNodes& nodes : sides) {
-            for (std::size_t line = 0; line < nodes.size(); line += count) {
-                if (nodes[line + i].patches.empty() || nodes[line + count - 1 - i].patches.empty()) return false;
+        for (const ContactSide& side : sides) {
+            for (std::size_t line = 0; line < side.nodes.size(); line += count) {
+                if (!side.nodes[line + i].known || !side.nodes[line + count - 1 - i].known) return false;
             }
         }
         return true;
@@ -259,35 +274,31 @@ inline std::size_t left_out(const ContactTable::Grid& grid, const std::vector<Wh
     return count - 1 - last;
 }
 
-/// The rows of one side, and heights and rolls; `out` shifts at either end are left out.
-inline ContactTable::Side side_of(const ContactTable::Grid& grid, const WheelNodes& nodes, std::size_t out,
-                                  const ContactZones& zones, const TrackDimensions& dimensions,
-                                  const CreepForceTable& creep, std::size_t jobs) {
-    const std::size_t all = grid.shifts.size() + 2 * out, lines = nodes.size() / all;
-    const Eigen::Index count = grid.nodes();
-    ContactTable::Side side{.radius = dimensions.radius,
-                            .zones = zones,
+/// The numbers of one side on a grid that leaves `out` shifts at either end out.
+inline ContactTable::Side side_of(const ContactTable::Grid& grid, const ContactSide& from, std::size_t out,
+                                  double radius) {
+    const std::size_t all = grid.shifts.size() + 2 * out;
+    const Eigen::Index count = grid.nodes(), zones = from.zones.count();
+    ContactTable::Side side{.radius = radius,
+                            .zones = from.zones,
                             .on_rails = Eigen::ArrayXXd::Zero(2, count),
-                            .points = Eigen::ArrayXXd::Zero(ContactRow::rows, count * zones.count())};
-    const auto take = [&](std::size_t line, std::size_t i) {
-        const WheelNode& node = nodes[line * all + out + i];
-        const auto at = Eigen::Index(line * grid.shifts.size() + i);
-        if (node.patches.empty()) return;
-        side.on_rails.col(at) << node.support, node.at.roll;
-        const auto rows = zone_rows(node, zones, dimensions, creep);
-        for (Eigen::Index zone = 0; zone < zones.count(); ++zone) {
-            side.points.col(zone * count + at) = rows[std::size_t(zone)];
-        }
+                            .points = Eigen::ArrayXXd::Zero(ContactRow::rows, count * zones)};
+    const auto node_at = [&](Eigen::Index at) -> const ContactNode& {
+        const auto shifts = Eigen::Index(grid.shifts.size());
+        return from.nodes[std::size_t(at / shifts) * all + out + std::size_t(at % shifts)];
     };
-    parallel_for(lines, jobs, [&](std::size_t line) {
-        for (std::size_t i = 0; i < grid.shifts.size(); ++i) take(line, i);
-    });
-    for (std::size_t node = 0; node < std::size_t(count); ++node) {  // single ones between known ones
-        const std::size_t line = node / grid.shifts.size(), i = node % grid.shifts.size();
-        if (!nodes[line * all + out + i].patches.empty()) continue;
-        const auto at = Eigen::Index(node);
+    for (Eigen::Index at = 0; at < count; ++at) {
+        const ContactNode& node = node_at(at);
+        if (!node.known) continue;
+        side.on_rails.col(at) << node.support, node.roll;
+        for (Eigen::Index zone = 0; zone < zones; ++zone) {
+            side.points.col(zone * count + at) = node.zones[std::size_t(zone)];
+        }
+    }
+    for (Eigen::Index at = 0; at < count; ++at) {  // single ones between known ones
+        if (node_at(at).known) continue;
         side.on_rails.col(at) = (side.on_rails.col(at - 1) + side.on_rails.col(at + 1)) / 2;
-        for (Eigen::Index zone = 0; zone < zones.count(); ++zone) {
+        for (Eigen::Index zone = 0; zone < zones; ++zone) {
             const Eigen::Index own = zone * count + at;
             const ContactRow::Values before = side.points.col(own - 1), after = side.points.col(own + 1);
             const bool both = before[ContactRow::share] > 0 && after[ContactRow::share] > 0;
@@ -295,7 +306,7 @@ inline ContactTable::Side side_of(const ContactTable::Grid& grid, const WheelNod
             side.points(ContactRow::share, own) = (before[ContactRow::share] + after[ContactRow::share]) / 2;
         }
     }
-    for (Eigen::Index zone = 0; zone < zones.count(); ++zone) {
+    for (Eigen::Index zone = 0; zone < zones; ++zone) {
         fill_odd_rows(grid, side.points.middleCols(zone * count, count));
     }
     return side;
@@ -303,72 +314,129 @@ inline ContactTable::Side side_of(const ContactTable::Grid& grid, const WheelNod
 
 }  // namespace detail
 
-/// The table of a wheelset whose wheels carry equal loads; `creep` is the table that it will be used with. One side
-/// stands for both where they are mirror images. Throws std::invalid_argument if the grid breaks its invariant, the
-/// wheels do not carry the loads at five shifts about 0, or a wheel is not round or a rail changes along the way.
+/// Makes the table of a wheelset whose wheels carry equal loads, line by line of its grid, so that lines may be divided
+/// between machines. One side, the right one, stands for both where they are mirror images.
+class ContactTableMaker {
+public:
+    /// `creep` is the table that it will be used with; it and `track` must outlive this. Throws std::invalid_argument
+    /// if the grid breaks its invariant, or a wheel is not round or a rail changes along the way.
+    ContactTableMaker(const WheelsetOnTrack& track, const CreepForceTable& creep, ContactTableMaking making)
+        : track_(track), creep_(creep), making_(std::move(making)), is_solved_(making_.lines(), false) {
+        for (const WheelsetSide side : WheelsetOnTrack::sides) {
+            detail::require(track.wheel(side).geometry().is_plain(), name, "surface", "changes along the way",
+                            "be a round wheel or a straight rail of one profile");
+        }
+        ContactTable::Side none{.radius = dimensions(side_count() - 1).radius};  // checks the grid
+        none.on_rails.setZero(2, making_.grid.nodes());
+        none.points.setZero(ContactRow::rows, making_.grid.nodes());
+        ContactTable(making_.grid, material(), {std::move(none)});
+        for (auto& nodes : nodes_) nodes.resize(std::size_t(making_.grid.nodes()));
+    }
+
+    std::size_t side_count() const { return track_.is_mirrored() ? 1 : 2; }  ///< left and right, or both in one
+
+    /// The lines by whose positions zones are found, every second one along all coordinates; none if all are given.
+    std::vector<std::size_t> judged_lines() const {
+        std::vector<std::size_t> lines;
+        const std::size_t yaws = making_.grid.yaws.size();
+        bool given = true;
+        for (std::size_t side = 0; side < side_count(); ++side) given = given && given_zones(side).has_value();
+        for (std::size_t line = 0; line < making_.lines() && !given; ++line) {
+            if (line / yaws % 2 == 0 && line % yaws % 2 == 0) lines.push_back(line);
+        }
+        return lines;
+    }
+
+    /// Finds the contacts along these lines and, where they are not given, zones.
+    void solve(std::vector<std::size_t> lines) {
+        for (const std::size_t line : judged_lines()) lines.push_back(line);
+        std::sort(lines.begin(), lines.end());
+        lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+        std::erase_if(lines, [&](std::size_t line) { return is_solved_[line]; });
+        const detail::ContactLine line(track_, making_);
+        detail::parallel_for(
+            lines.size(), making_.jobs, [&](std::size_t k) { line.solve(lines[k], nodes_); }, making_.done);
+        for (const std::size_t solved : lines) is_solved_[solved] = true;
+        for (std::size_t side = 0; side < side_count(); ++side) zones_[side] = zones_of(side);
+    }
+
+    const ContactZones& zones(std::size_t side) const { return zones_[side]; }  ///< after solve()
+
+    /// A node of a solved line.
+    ContactNode node(std::size_t side, std::size_t line, std::size_t shift) const {
+        const detail::WheelNode& own = nodes_[side][line * making_.grid.shifts.size() + shift];
+        if (own.patches.empty()) return {};
+        return {true, own.support, own.at.roll, detail::zone_rows(own, zones_[side], dimensions(side), creep_)};
+    }
+
+    /// The table of all nodes. Throws std::invalid_argument if the wheels do not carry the loads at five shifts about 0.
+    MadeContactTable table(const std::vector<ContactSide>& sides) const {
+        ContactTable::Grid grid = making_.grid;
+        std::size_t missing = 0;
+        for (const ContactSide& side : sides) {
+            missing += std::size_t(std::count_if(side.nodes.begin(), side.nodes.end(),
+                                                 [](const ContactNode& node) { return !node.known; }));
+        }
+        const double share = double(missing) / double(grid.nodes() * Eigen::Index(sides.size()));
+        const std::size_t out = detail::left_out(grid, sides), all = grid.shifts.size();
+        detail::require(all >= 2 * out + 5, name, "number of shifts about 0 at which wheels carry their loads",
+                        all - (std::min)(2 * out, all), "be at least 5: does the wheelset fit the track?");
+        grid.shifts = {grid.shifts.begin() + std::ptrdiff_t(out), grid.shifts.end() - std::ptrdiff_t(out)};
+        std::vector<ContactTable::Side> made;
+        for (std::size_t k = 0; k < sides.size(); ++k) {
+            made.push_back(detail::side_of(grid, sides[k], out, dimensions(k).radius));
+        }
+        return {ContactTable(std::move(grid), material(), std::move(made)), share};
+    }
+
+private:
+    static constexpr const char* name = "make_contact_table";
+
+    const TrackDimensions& dimensions(std::size_t side) const {
+        return track_.wheel(side + 1 == side_count() ? WheelsetSide::right : WheelsetSide::left).dimensions();
+    }
+    ContactTable::Material material() const {
+        const TrackDimensions& right = dimensions(side_count() - 1);
+        return {right.shear_modulus, right.poisson_ratio};
+    }
+    const std::optional<ContactZones>& given_zones(std::size_t side) const {
+        return making_.zones[side + 1 == side_count() ? 1 : 0];
+    }
+    ContactZones zones_of(std::size_t side) const {
+        if (given_zones(side)) return *given_zones(side);
+        std::vector<const detail::WheelNode*> judged;
+        const std::size_t shifts = making_.grid.shifts.size();
+        for (const std::size_t line : judged_lines()) {
+            for (std::size_t i = 0; i < shifts; i += 2) judged.push_back(&nodes_[side][line * shifts + i]);
+        }
+        return detail::ZoneFinder(judged, dimensions(side), creep_, making_.jobs).find();
+    }
+
+    const WheelsetOnTrack& track_;
+    const CreepForceTable& creep_;
+    ContactTableMaking making_;
+    std::array<detail::WheelNodes, 2> nodes_;
+    std::vector<bool> is_solved_;
+    std::array<ContactZones, 2> zones_;
+};
+
+/// The whole of a table by ContactTableMaker, whose exceptions it throws.
 inline MadeContactTable make_contact_table(const WheelsetOnTrack& track, const CreepForceTable& creep,
                                            const ContactTableMaking& making = {}) {
-    constexpr const char* name = "make_contact_table";
-    const bool mirrored = track.is_mirrored();
-    for (const WheelsetSide side : WheelsetOnTrack::sides) {
-        detail::require(track.wheel(side).geometry().is_plain(), name, "surface", "changes along the way",
-                        "be a round wheel or a straight rail of one profile");
+    ContactTableMaker maker(track, creep, making);
+    std::vector<std::size_t> lines(making.lines());
+    std::iota(lines.begin(), lines.end(), std::size_t(0));
+    maker.solve(lines);
+    std::vector<ContactSide> sides;
+    const std::size_t shifts = making.grid.shifts.size();
+    for (std::size_t k = 0; k < maker.side_count(); ++k) {
+        ContactSide& side = sides.emplace_back(ContactSide{maker.zones(k), {}});
+        side.nodes.resize(lines.size() * shifts);
+        detail::parallel_for(lines.size(), making.jobs, [&](std::size_t line) {
+            for (std::size_t i = 0; i < shifts; ++i) side.nodes[line * shifts + i] = maker.node(k, line, i);
+        });
     }
-    ContactTable::Grid grid = making.grid;
-    const std::size_t sides = mirrored ? 1 : 2;
-    const auto dimensions_of = [&](std::size_t k) -> const TrackDimensions& {
-        return track.wheel(mirrored || k == 1 ? WheelsetSide::right : WheelsetSide::left).dimensions();
-    };
-    const TrackDimensions& dimensions = dimensions_of(1);
-    const ContactTable::Material material{dimensions.shear_modulus, dimensions.poisson_ratio};
-    {  // checks the grid
-        ContactTable::Side none{.radius = dimensions.radius};
-        none.on_rails.setZero(2, grid.nodes());
-        none.points.setZero(ContactRow::rows, grid.nodes());
-        ContactTable(grid, material, {std::move(none)});
-    }
-    // 1. Contacts at all nodes
-    std::array<detail::WheelNodes, 2> found;
-    for (auto& nodes : found) nodes.resize(std::size_t(grid.nodes()));
-    const detail::ContactLine line(track, making);
-    const std::size_t loads = grid.loads.size();
-    detail::parallel_for(
-        making.lines(), making.jobs, [&](std::size_t k) { line.solve(k % loads, k / loads, found); }, making.done);
-    // 2. The shifts that are on the table
-    std::vector<detail::WheelNodes> nodes;
-    for (std::size_t k = 0; k < sides; ++k) nodes.push_back(std::move(found[k]));
-    std::size_t missing = 0;
-    for (const auto& of : nodes) {
-        missing +=
-            std::size_t(std::count_if(of.begin(), of.end(), [](const auto& node) { return node.patches.empty(); }));
-    }
-    const double share = double(missing) / double(grid.nodes() * Eigen::Index(sides));
-    const std::size_t out = detail::left_out(grid, nodes), all = grid.shifts.size();
-    detail::require(all >= 2 * out + 5, name, "number of shifts about 0 at which wheels carry their loads",
-                    all - (std::min)(2 * out, all), "be at least 5: does the wheelset fit the track?");
-    grid.shifts = {grid.shifts.begin() + std::ptrdiff_t(out), grid.shifts.end() - std::ptrdiff_t(out)};
-    // 3. Zones and their rows
-    std::vector<ContactTable::Side> made;
-    for (std::size_t k = 0; k < sides; ++k) {
-        const TrackDimensions& own = dimensions_of(k);
-        const auto& given = making.zones[mirrored ? 1 : k];
-        ContactZones zones;
-        if (given) {
-            zones = *given;
-        } else {
-            std::vector<const detail::WheelNode*> judged;  // every second one along all coordinates
-            for (std::size_t load = 0; load < loads; load += 2) {
-                for (std::size_t yaw = 0; yaw < grid.yaws.size(); yaw += 2) {
-                    for (std::size_t i = out; i + out < all; i += 2) {
-                        judged.push_back(&nodes[k][std::size_t(making.grid.node(load, yaw, i))]);
-                    }
-                }
-            }
-            zones = detail::ZoneFinder(judged, own, creep, making.jobs).find();
-        }
-        made.push_back(detail::side_of(grid, nodes[k], out, zones, own, creep, making.jobs));
-    }
-    return {ContactTable(std::move(grid), material, std::move(made)), share};
+    return maker.table(sides);
 }
 
 }  // namespace rollbem

@@ -1,0 +1,39 @@
+#include "joined_rows.hpp"
+
+#include <cmath>
+
+namespace study {
+
+JoinedRows::JoinedRows(const Options& options, const std::vector<std::string>& columns, std::size_t count)
+    : columns_(columns) {
+    const std::string header = join(columns, ",");
+    Lines read(options, "rows");
+    while (read.next()) {
+        if (read.is_first()) {
+            if (read.text() != header) throw BadInput(read.where() + " must be " + header);
+            continue;
+        }
+        lines_.push_back(read.text());
+        places_.push_back(read.where());
+    }
+    if (lines_.size() == count) return;
+    throw BadInput(options.said("rows") + ": number of rows = " + std::to_string(lines_.size()) + " must be " +
+                   std::to_string(count) + ": all parts of --shard, one after the other");
+}
+
+std::vector<std::string> JoinedRows::cells(std::size_t row, const Row& expected) const {
+    std::vector<std::string> cells = cells_of(detail::trim(lines_[row]), ',');
+    if (cells.size() != columns_.size()) cells.assign(columns_.size(), "");
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+        const std::optional<double> number = expected[k].number(), found = number_of(cells[k], ',');
+        const bool same =
+            number ? found && std::abs(*found - *number) <= 1e-9 * std::abs(*number) : cells[k] == expected[k].text();
+        require(same, row,
+                columns_[k] + " = " + cells[k] + " must be " + expected[k].text(12) +
+                    ", as the options of the grid want it");
+    }
+    cells.erase(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(expected.size()));
+    return cells;
+}
+
+}  // namespace study
