@@ -74,14 +74,8 @@ std::vector<Numbers> read_columns(
     const std::function<void(const std::vector<Numbers>& columns, const std::string& where)>& check = {},
     const std::vector<std::string>& only = {});
 
-/// Two columns of finite numbers, the first ascending (equal neighbours are allowed), and further ones.
-struct Pairs {
-    Numbers places, values;
-    std::vector<Numbers> further{};
-};
-
-/// The same for two columns with at least one row; `place` is the rule for the first one. Throws BadInput.
-Pairs read_pairs(const Options& options, const std::string& name, const std::string& names, const Rule& place,
-                 const std::string& further = "");
+/// Throws BadInput, which names the line `where`, unless the last of the places, which `name` calls, lies behind that
+/// before it or is the second one there.
+void require_order(const Numbers& places, const std::string& name, const std::string& where);
 
 }  // namespace study
