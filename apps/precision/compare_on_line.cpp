@@ -88,7 +88,7 @@ double model_error(const Scene& scene, const Quantity& quantity) {
 
 std::string status_of(const Scene& scene, const Scheme& scheme, long n) {
     rollbem::Status status = rollbem::Status::not_finite;
-    if (scheme.discrete()) {
+    if (scheme.is_discrete()) {
         for (const Discrete& discrete : discretise(scene, scheme, n)) {
             const rollbem::Status own = discrete.steady().status;
             if (own != rollbem::Status::ok) status = own;
@@ -100,7 +100,7 @@ std::string status_of(const Scene& scene, const Scheme& scheme, long n) {
 std::optional<bool> stable(const Scene& scene, const Scheme& scheme, long n) {
     if (!std::isfinite(scene.contact.aspect())) return std::nullopt;
     const bool plane_decays = study::plane_model_decays(scene.contact);
-    if (!scheme.discrete()) return plane_decays;  // of the model itself
+    if (!scheme.is_discrete()) return plane_decays;  // of the model itself
     if (scene.plane() && !plane_decays) return std::nullopt;
     for (const Discrete& discrete : discretise(scene, scheme, n)) {
         const auto count = rollbem::count_unstable<double>(discrete.system());
@@ -167,7 +167,7 @@ std::vector<std::string> setting(const Scene& scene, const Scheme& scheme) {
     const auto grading = [&](std::string_view kind) {
         return scheme.graded_by(kind) ? study::Cell(*scheme.grading).text() : "";
     };
-    return {scene.plane() || !scheme.discrete() ? "plane" : "strip", study::aspect_cell(scene.contact).text(),
+    return {scene.plane() || !scheme.is_discrete() ? "plane" : "strip", study::aspect_cell(scene.contact).text(),
             study::Cell(scene.nu()).text(), grading("size_ratio"), grading("epsilon")};
 }
 

@@ -205,7 +205,7 @@ Found evaluate(const Scene& scene, const Scheme& scheme, long n, const Quantity&
     const auto polynomial_c11 = [&](Eigen::Index order) {
         return rollbem::polynomial_c11(Complex(0, quantity.frequency), nu, aspect, order).c11;
     };
-    if (scheme.discrete()) {
+    if (scheme.is_discrete()) {
         const std::vector<Discrete> meshes = discretise(scene, scheme, n);
         if (traction) return tractions(meshes, scheme.order());
         Values found = values(meshes.back(), quantity);

@@ -42,7 +42,6 @@ struct Scene {
 
 /// A scheme, which may be extrapolated from n/2 and n.
 struct Scheme : study::NamedScheme {
-    bool discrete() const { return has_elements() || method == "chebyshev"; }
     bool exists(long n) const {
         if (method == "closed-form") return n == 0;
         if (method == "polynomial") return n >= 1;
