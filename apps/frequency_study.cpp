@@ -50,10 +50,7 @@ Complex exact_c11(const rollbem::Contact<double>& contact, double omega) {
 
 /// The frequencies, in units of V/a.
 std::vector<double> make_omegas(const study::Options& options) {
-    if (options.given("omega")) {
-        return options.numbers("omega",
-                               {[](double z) { return z >= 0 && std::isfinite(z); }, "be at least 0 and finite"});
-    }
+    if (options.given("omega")) return options.numbers("omega", study::not_negative());
     const study::Rule rule{
         study::positive().holds,
         "be positive and finite, as points are spaced evenly in its logarithm (--omega takes 0 too)"};

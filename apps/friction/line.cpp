@@ -15,8 +15,7 @@ namespace friction {
 namespace {
 
 double read_layer(const study::Options& options) {
-    const double layer = options.number(
-        "layer", {[](double value) { return std::isfinite(value) && value >= 0; }, "be finite and not negative"});
+    const double layer = options.number("layer", study::not_negative());
     const bool analytic = options.given("derivative") && options.text("derivative") == "analytic";
     const bool closed = options.text("method") == "galerkin" && options.text("quadrature") == "exact";
     options.require(
