@@ -41,14 +41,6 @@ std::vector<std::pair<double, double>> make_alphas(const Options& options) {
     return alphas;
 }
 
-/// Of --kernel, but what has neither elements nor states knows the plane alone.
-rollbem::AnyKernel<double> make_kernel(const Options& options, const NamedScheme& scheme,
-                                       const rollbem::Contact<double>& contact) {
-    const bool plane = options.choice("kernel", {"strip", "plane"}) == "plane" || !scheme.is_discrete();
-    return rollbem::AnyKernel<double>::longitudinal(plane ? rollbem::LineModel::plane : rollbem::LineModel::strip,
-                                                    contact);
-}
-
 }  // namespace
 
 std::vector<std::string> columns_of(const std::string& text) {
@@ -167,9 +159,27 @@ std::vector<NamedScheme> make_schemes(const Options& options, Problem problem, M
 
 }  // namespace
 
+Scene make_scene(const NamedScheme& scheme, Eigen::Index n, const rollbem::Contact<double>& contact,
+                 rollbem::LineModel model) {
+    if (!scheme.is_discrete()) model = rollbem::LineModel::plane;
+    Scene scene{scheme, contact, rollbem::AnyKernel<double>::longitudinal(model, contact)};
+    if (scheme.has_elements()) {
+        scene.mesh = make_mesh(scheme, n);
+        scene.scheme = scheme.equations();
+    } else if (scheme.method == "chebyshev") {
+        scene.chebyshev = rollbem::Chebyshev{n};
+    } else if (scheme.method == "polynomial") {
+        scene.degree = n;
+    }
+    if (scheme.richardson) scene.coarse = make_mesh(scheme, n / 2);
+    return scene;
+}
+
 std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods methods) {
     const std::vector<NamedScheme> schemes = make_schemes(options, problem, methods);
     const std::vector<rollbem::Contact<double>> contacts = make_contacts(options, problem);
+    const bool plane = options.choice("kernel", {"strip", "plane"}) == "plane";
+    const rollbem::LineModel model = plane ? rollbem::LineModel::plane : rollbem::LineModel::strip;
     std::shared_ptr<const rollbem::Mesh<double>> given;
     if (options.given("edges")) {
         const Eigen::ArrayXd edges = array(read_edges(options, "edges"));
@@ -185,27 +195,19 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods 
     for (const std::ptrdiff_t n : numbers) {
         for (const NamedScheme& scheme : schemes) {
             if (scheme.method == "closed-form" && n != numbers.front()) continue;  // it has no n
-            Scene scene{scheme, contacts[0], make_kernel(options, scheme, contacts[0])};
-            if (scheme.has_elements()) {
-                scene.mesh = given ? given : make_mesh(scheme, n);
-                scene.scheme = scheme.equations();
-            } else if (scheme.method == "chebyshev") {
-                scene.chebyshev = rollbem::Chebyshev{n};
-            } else if (scheme.method == "polynomial") {
-                scene.degree = n;
-            }
-            if (scheme.richardson) {
-                if (n % 2 != 0) throw BadInput(few + std::to_string(n) + " must be even to extrapolate from its half");
-                scene.coarse = make_mesh(scheme, n / 2);
-            }
-            const std::string too_few = few + std::to_string(n) + " must be at least 2 ";
-            if (n < 2 && scheme.method == "knothe-bc") throw BadInput(too_few + "with --method knothe-bc");
-            if (n < 2 && scheme.alpha_L != scheme.alpha_T) {
-                throw BadInput(too_few + "where alpha-L and alpha-T differ");
-            }
+            const auto require = [&](bool holds, const std::string& rule) {
+                if (!holds) throw BadInput(few + std::to_string(n) + " must be " + rule);
+            };
+            require(!scheme.richardson || n % 2 == 0, "even to extrapolate from its half");
+            Scene scene{scheme, contacts[0], rollbem::AnyKernel<double>::longitudinal(model, contacts[0])};
+            scene.mesh = given;
+            scene.scheme = given ? scheme.equations() : rollbem::AnyScheme{};
+            if (!given) scene = make_scene(scheme, n, contacts[0], model);
+            require(n >= 2 || scheme.method != "knothe-bc", "at least 2 with --method knothe-bc");
+            require(n >= 2 || scheme.alpha_L == scheme.alpha_T, "at least 2 where alpha-L and alpha-T differ");
             for (const rollbem::Contact<double>& contact : contacts) {
                 scene.contact = contact;
-                scene.kernel = make_kernel(options, scheme, contact);
+                scene.kernel = rollbem::AnyKernel<double>::longitudinal(scene.kernel.model(), contact);
                 options.require(!scene.chebyshev || scene.is_plane() || contact.aspect() >= narrowest_for_states,
                                 "aspect",
                                 "be at least 0.001 with --method chebyshev: so narrow a strip needs elements");
