@@ -5,7 +5,6 @@
 //     ./precision_study --scheme cosine:collocation:0.5/0.5,richardson:cosine:nodes --quantity c11 --n 7,14,28
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <map>
 #include <optional>
 #include <string>
@@ -112,55 +111,18 @@ void add_options(study::Options& options) {
 
 // --- times
 
-/// One computation, repeated. Its time is that of the processor, which other programs disturb less than that of the
-/// clock on the wall.
-struct Timer {
-    const Task* task;
-    Quantity quantity;
-    std::size_t calls = 1;  ///< in a run, which then lasts some hundred times the overhead of the clock
-    std::vector<double> runs{};
-    double total = 0;
-
-    double run(std::size_t count) const {
-        [[maybe_unused]] volatile double kept = 0;  // keeps the optimiser from dropping the computation
-        const std::clock_t start = std::clock();
-        for (std::size_t i = 0; i < count; ++i) kept = task->run(quantity);
-        return 1e6 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    }
-    void calibrate() {
-        const double first = run(1);
-        if (first > study::enough) runs = {first};
-        if (first > 10000) return;  // a first call is slow
-        while (calls < 4096 && run(calls) < 100) calls *= 2;
-    }
-    bool done() const {
-        if (!runs.empty() && runs.front() > study::enough) return true;
-        return runs.size() >= 5 && (total > 8000 || runs.size() >= 51);
-    }
-    void run_again() {
-        if (calls > 1) run(1);  // refills the caches after the previous computation
-        runs.push_back(run(calls));
-        total += runs.back();
-    }
-    double median() {
-        const auto middle = runs.begin() + std::ptrdiff_t(runs.size() / 2);
-        std::nth_element(runs.begin(), middle, runs.end());
-        return *middle / static_cast<double>(calls);
-    }
-};
-
 /// Median times [us] of the `wanted` tasks for each of their problems. All take turns, one run each, so that changes in
 /// the machine's speed affect all of them. Reports the progress, 0 ... 1, by done(part).
 std::vector<std::map<Problem, double>> measure(const std::vector<Task>& tasks, const std::vector<std::size_t>& wanted,
                                                const std::function<void(double part)>& done) {
-    std::vector<std::pair<std::pair<std::size_t, Problem>, Timer>> timers;
+    std::vector<std::pair<std::pair<std::size_t, Problem>, study::Timer>> timers;
     for (const std::size_t i : wanted) {
         for (const Quantity& quantity : tasks[i].quantities) {
             const std::pair key(i, quantity.problem);
-            if (timers.empty() || timers.back().first != key) timers.push_back({key, Timer{&tasks[i], quantity}});
+            if (!timers.empty() && timers.back().first == key) continue;
+            timers.emplace_back(key, study::Timer([&run = tasks[i].run, quantity] { return run(quantity); }));
         }
     }
-    for (auto& [key, timer] : timers) timer.calibrate();
     bool again = true;
     for (int round = 0; again; ++round) {
         again = false;
