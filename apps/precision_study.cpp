@@ -38,7 +38,8 @@ model. traction: the norm of the differences from Carter's mean traction of each
 mean tractions, both with the weight sqrt(1 - x^2/a^2). Without the weight, Carter's traction, singular at the
 trailing edge, has no such norm; with it, the norm bounds the error of the force.
 response: c11 at --omega. transient: the largest relative error at q = dq, 2 dq, ... 10 dq after a step of creepage,
-exact in time. friction: steady, at --creepage-ratio. closed-form: the difference of two closed forms where there are two.
+exact in time. friction: steady, at --creepage-ratio. closed-form: the difference of two closed forms where there
+are two.
 combined_force: the creepage ratio at 45 degrees to the rolling direction; the error of the force as a vector,
 |F - reference| over |reference|. load_force: from steady rolling over a period of a load
 N = N_0 (1 + 0.5 sin(2 pi q/(8 a_0))), in 160 steps of sdirk2; the largest error of F/(mu N_0). Collocation
@@ -54,15 +55,15 @@ missing: concatenate the shards and use --front. model_error is the error that t
 status: ok, or why relative_error is empty, by the library's names; in the file of --cheapest none where no
 scheme reaches the tolerance. size_ratio and epsilon are those of the scheme's mesh.
 patch_c11 ... patch_c33: Kalker's creep coefficients of an ellipse between half-spaces, by n elements in each of as
-many strips (--strips: others) along the rolling direction, extrapolated from n/2 and strips/2 as well; two more columns, a_over_b and strips. They have no closed form: the reference is extrapolated
-from 24 x 24 and 48 x 48 elements; from 32 x 32 and 64 x 64 it differs by 2e-4 (a/b = 0.5, 1) and 6e-4 (a/b = 5, 20).
+many strips (--strips: others) along the rolling direction, with richardson: extrapolated from n/2 and strips/2; two
+more columns, a_over_b and strips. They have no closed form: the reference is extrapolated from 24 x 24 and 48 x 48 elements; from 32 x 32 and 64 x 64 it differs by 2e-4 (a/b = 0.5, 1) and 6e-4 (a/b = 5, 20).
 uniform-strips: strips of equal width, without --strips as many as recommended_patch gives (a/b from 0.1 to 25).
 patch_force: -F_x and -F_y under Hertz's pressure for three creepages, xi with eta, spin alone, all three. Alone, each
 would make 0.7, 2.5 and 0.6 mu N without slip (by Kalker's c11, c22, c23). relative_error is the largest
 difference over mu N from strips of equal width, at most 500 elements, extrapolated from a third of them in each
 direction; that reference is good to about 1e-3 (below a/b = 0.1 5e-3, above 25 1e-2). time_us is that of all three from
 the mesh to the forces. stable is empty above 256 elements. Without --n, n is 4 to 24, with patch_force to 16.
-Without --n, c11_z* and response stop at n = 320, transient and the forces with friction at 160: two to three minutes in all.
+Without --n, c11_z* and response stop at n = 320, transient and the forces with friction at 160: a minute in all.
 )";
 
 const std::string elements_by_default = "4,6,8,10,14,20,28,40,56,80,112,160,224,320,448,640";

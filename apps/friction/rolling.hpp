@@ -58,8 +58,8 @@ struct Moment {
     std::string status{};
 };
 
-/// The longitudinal creepage, or shift, under which trial() has the force -F_x/full = `force`, near `guess`. Its step is
-/// the last trial; no_solution where there is none.
+/// The longitudinal creepage, or shift, under which trial() has the force -F_x/full = `force`, near `guess`. Its step
+/// is the last trial; no_solution where there is none.
 struct FoundMotion {
     double motion;
     rollbem::FrictionStep<2> step;
@@ -81,8 +81,8 @@ auto if_computed(const Value& value) {
     return study::where([](const auto& r) { return r.moment.computed; }, value);
 }
 
-/// Writes the table of a run of each case, of as many `steps` and a row for a shift before: prepare(case) makes its Rolling, row(case, moment) its
-/// rows for the sheet, plot(rows) the picture. Throws what these and write_runs throw.
+/// Writes the table of a run of each case, of as many `steps` and a row for a shift before: prepare(case) makes its
+/// Rolling, row(case, moment) its rows for the sheet, plot(rows) the picture. Throws what these and write_runs throw.
 template <class Sheet, class Case, class Prepare, class Row, class Draw>
 void write_rolling(const study::Options& options, const Sheet& sheet, const std::vector<Case>& cases, std::size_t steps,
                    const Prepare& prepare, const Row& row, const Draw& plot) {

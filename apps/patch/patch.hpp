@@ -39,8 +39,8 @@ struct Patch {
     }
 };
 
-/// Declares --a-over-b, --outline, --layer, --strips, --strip-edges and --strip-grading, and says what the common options mean
-/// here.
+/// Declares --a-over-b, --outline, --layer, --strips, --strip-edges and --strip-grading, and says what the common
+/// options mean here.
 void add_options(study::Options& options);
 
 /// All patches: n is the outermost loop, then the number of strips, a/b and Poisson's ratio. Throws BadInput.

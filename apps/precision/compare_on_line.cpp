@@ -127,9 +127,10 @@ void refuse_unread(const study::Options& options, const std::vector<Quantity>& q
     if (!asked(has_friction)) options.ignored("creepage-ratio", "without a quantity with friction");
 }
 
-/// Times and the front are those of one contact.
-Contact<double> make_contact(const study::Options& options, const std::vector<study::NamedScheme>& schemes,
-                             const std::vector<Quantity>& quantities, LineModel& model) {
+/// Times and the front are those of one contact and one model of it.
+std::pair<Contact<double>, LineModel> make_contact(const study::Options& options,
+                                                   const std::vector<study::NamedScheme>& schemes,
+                                                   const std::vector<Quantity>& quantities) {
     for (const char* name : {"kernel", "aspect", "poisson"}) {
         options.require(options.said(name).find(',') == std::string::npos, name,
                         "be a single value: schemes are compared for one contact; run the study once for each value");
@@ -148,8 +149,7 @@ Contact<double> make_contact(const study::Options& options, const std::vector<st
     const bool plane = options.choice("kernel", {"strip", "plane"}) == "plane" || !std::isfinite(contact.aspect());
     options.require(plane || !has_states || contact.aspect() >= 0.001, "aspect",
                     "be at least 0.001 for the scheme chebyshev");
-    model = plane ? LineModel::plane : LineModel::strip;
-    return contact;
+    return {contact, plane ? LineModel::plane : LineModel::strip};
 }
 
 /// Without --n, costly problems stop at smaller n.
@@ -194,8 +194,9 @@ Comparison compare_on_line(const study::Options& options) {
     const std::vector<study::NamedScheme> schemes =
         study::named_schemes(options.given("scheme") ? options.texts("scheme") : line_schemes);
     const std::vector<Quantity> quantities = chosen(options, line_quantities(options));
-    LineModel model{};
-    const Contact<double> contact = make_contact(options, schemes, quantities, model);
+    const auto given = make_contact(options, schemes, quantities);
+    const Contact<double> contact = given.first;
+    const LineModel model = given.second;
     const Settings settings{options.number("dq", study::positive()),
                             options.number("creepage-ratio", study::positive())};
     const auto references = std::make_shared<std::map<std::string, Values>>();
@@ -227,10 +228,10 @@ Comparison compare_on_line(const study::Options& options) {
     }
     options.require(!result.tasks.empty(), "n", "fit at least one of the schemes and quantities");
     // by n, as given or increasing, and within it in the order of the schemes; what has no n comes last
-    const std::vector<std::ptrdiff_t> given = options.integers("n", 1, largest_n);
+    const std::vector<std::ptrdiff_t> numbers = options.integers("n", 1, largest_n);
     const auto place = [&](const Task& task) {
         if (!task.n) return std::numeric_limits<std::ptrdiff_t>::max();
-        return options.given("n") ? std::find(given.begin(), given.end(), *task.n) - given.begin() : *task.n;
+        return options.given("n") ? std::find(numbers.begin(), numbers.end(), *task.n) - numbers.begin() : *task.n;
     };
     std::stable_sort(result.tasks.begin(), result.tasks.end(),
                      [&](const Task& one, const Task& other) { return place(one) < place(other); });

@@ -46,8 +46,8 @@ rollbem::Friction<> friction(const study::Scene& scene) {
     return {1, peak * rollbem::mean_hertz_pressure(*scene.mesh)};
 }
 
-/// With the half-length if the load varies: a uniform mesh gains nothing from edges that move with those of the contact,
-/// and only equations that hold at points, with the plane kernel, can change the half-length.
+/// With the half-length if the load varies: a uniform mesh gains nothing from edges that move with those of the
+/// contact, and only equations that hold at points, with the plane kernel, can change the half-length.
 bool breathes(const study::Scene& scene, const Settings& settings) {
     return settings.may_breathe && scene.topology() != Topology::uniform && scene.is_plane() &&
            scene.method != "galerkin" && scene.lambda.value_or(1) == 1;

@@ -79,8 +79,8 @@ inline constexpr const char* no_lambda = "a steady problem builds no G, the only
 /// Says in --help that --method takes chebyshev, too, and further methods of the study's own.
 void offer_chebyshev(Options& options, const std::string& further = "");
 
-/// A case of n elements or states, or of the order n of a polynomial; the plane alone knows those without either. Throws
-/// BadInput if they are too few for the mesh.
+/// A case of n elements or states, or of the order n of a polynomial; the plane alone knows those without either.
+/// Throws BadInput if they are too few for the mesh.
 Scene make_scene(const NamedScheme& scheme, Eigen::Index n, const rollbem::Contact<double>& contact,
                  rollbem::LineModel model);
 
