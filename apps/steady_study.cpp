@@ -64,7 +64,7 @@ Steady solve_without_elements(const study::Scene& scene, bool timed) {
     Steady result{.c11 = 0, .exact = rollbem::steady_c11(scene.contact.poisson_ratio()), .status = study::ok};
     result.c11 = result.exact;
     if (scene.degree == 0) return result;
-    const double aspect = std::isfinite(scene.contact.aspect()) ? scene.contact.aspect() : 1000;  // of no influence
+    constexpr double aspect = 1000;  // of no influence, but some the polynomials need
     rollbem::EstimatedC11<double> found;
     result.solve_us = study::time_us_if(timed, [&] {
         found = rollbem::polynomial_c11(std::complex<double>(0), scene.contact.poisson_ratio(), aspect, scene.degree);
