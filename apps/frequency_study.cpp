@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include <rollbem/accuracy/richardson.hpp>
 #include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/studies.hpp>
 #include <rollbem/elasticity/any_kernel.hpp>
@@ -49,10 +50,7 @@ Complex exact_c11(const rollbem::Contact<double>& contact, double omega) {
 
 /// The frequencies, in units of V/a.
 std::vector<double> make_omegas(const study::Options& options) {
-    if (options.given("omega")) {
-        return options.numbers("omega",
-                               {[](double z) { return z >= 0 && std::isfinite(z); }, "be at least 0 and finite"});
-    }
+    if (options.given("omega")) return options.numbers("omega", study::not_negative());
     const study::Rule rule{
         study::positive().holds,
         "be positive and finite, as points are spaced evenly in its logarithm (--omega takes 0 too)"};
@@ -99,24 +97,44 @@ const study::Sheet<Response> sheet{
      {"basis", "of polynomials", &Response::basis}},
     ""};
 
-/// Assembles and reduces to Hessenberg form, once for all frequencies. A c11 that cannot be trusted is left out if that
-/// is `checked`.
+/// The responses of a scene of elements or states, assembled and reduced to Hessenberg form once for all frequencies.
+class Sweep {
+public:
+    explicit Sweep(const study::Scene& scene) {
+        const std::optional<rollbem::RollingSystem<double>> system = study::system_if_finite(scene);
+        if (!system) return;
+        steady_ = study::status_of(rollbem::Status::ok, scene, *system);
+        sweep_.emplace(*system);
+    }
+
+    Response operator()(double omega) const {
+        if (!sweep_) return {omega, unknown, {}, name(rollbem::Status::not_finite), std::nan("")};
+        const rollbem::Response<Complex> point = (*sweep_)(omega);
+        return {
+            omega, point.c11(), {}, point.status == rollbem::Status::ok ? steady_ : name(point.status), point.rcond};
+    }
+
+private:
+    std::string steady_;
+    std::optional<rollbem::FrequencySweep<double>> sweep_;
+};
+
+/// A c11 that cannot be trusted is left out if that is `checked`.
 void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, bool checked, study::RowRange range,
                 const study::Results<Response>& emit) {
-    const std::optional<rollbem::RollingSystem<double>> system = study::system_if_finite(scene);
-    std::string steady;
-    std::optional<rollbem::FrequencySweep<double>> sweep;
-    if (system) {
-        steady = study::status_of(rollbem::Status::ok, scene, *system);
-        sweep.emplace(*system);
-    }
+    const Sweep fine(scene.on_one_mesh(false));
+    std::optional<Sweep> coarse;
+    if (scene.coarse) coarse.emplace(scene.on_one_mesh(true));
     for (std::size_t i = range.first; i < range.last; ++i) {
-        rollbem::Response<Complex> point{.rcond = std::nan("")};  // its status is not_finite
-        point.coefficients.setConstant(1, 1, unknown);
-        if (sweep) point = (*sweep)(omegas[i]);
-        const std::string status = point.status == rollbem::Status::ok ? steady : name(point.status);
-        const Complex c11 = status == study::ok || !checked ? point.c11() : unknown;
-        emit({omegas[i], c11, exact_c11(scene.contact, omegas[i]), status, point.rcond});
+        Response point = fine(omegas[i]);
+        if (coarse) {
+            const Response other = (*coarse)(omegas[i]);
+            point.c11 = rollbem::richardson(other.c11, point.c11, scene.order());
+            if (point.status == study::ok) point.status = other.status;
+        }
+        if (point.status != study::ok && checked) point.c11 = unknown;
+        point.exact = exact_c11(scene.contact, omegas[i]);
+        emit(point);
     }
 }
 
@@ -196,6 +214,16 @@ Polynomials solve_polynomials(const study::Options& options, const std::vector<d
     return all;
 }
 
+/// By a polynomial of the scene's degree, or the closed form.
+void emit_without_elements(const study::Scene& scene, const std::vector<double>& omegas, bool checked,
+                           study::RowRange range, const study::Results<Response>& emit) {
+    for (std::size_t i = range.first; i < range.last; ++i) {
+        const Complex exact = exact_c11(scene.contact, omegas[i]);
+        emit(scene.degree > 0 ? solve(scene.contact, omegas[i], scene.degree, "chebyshev", checked)
+                              : Response{omegas[i], exact, exact, study::ok});
+    }
+}
+
 // --- differential equations and pictures
 
 /// Throws BadInput unless there is one scene, whose G is regular and whose tractions converge to full adhesion.
@@ -203,6 +231,7 @@ void write_state_space(const study::Options& options, study::OutputFiles& files,
                        const std::vector<study::Scene>& scenes) {
     const auto make = [&] {
         const study::Scene& scene = scenes.front();
+        options.require(scene.is_discrete() && !scene.coarse, "state-space", "go with elements or states on one mesh");
         const auto space_of = [&](const auto& system) {
             const std::string flaw = study::flaw_in_steady_rolling(scene, system);
             options.require(flaw.empty(), "state-space",
@@ -302,12 +331,12 @@ int main(int argc, char** argv) {
         const bool by_polynomials = given.text("method") == "polynomial", checked = !given.flag("unchecked");
         const Polynomials polynomials = by_polynomials ? solve_polynomials(given, omegas) : Polynomials{};
         const std::vector<study::Scene> scenes =
-            by_polynomials ? polynomials.scenes
-                           : study::make_non_steady_scenes(given, study::Methods::elements_and_states);
+            by_polynomials ? polynomials.scenes : study::make_non_steady_scenes(given, study::Methods::all_with_c11);
         study::Table table = sheet.table(
             scenes, [&](const study::Scene&) { return omegas.size(); },
             [&](const study::Scene& scene, study::RowRange range, const study::Results<Response>& emit) {
-                if (!by_polynomials) return emit_sweep(scene, omegas, checked, range, emit);
+                if (scene.is_discrete()) return emit_sweep(scene, omegas, checked, range, emit);
+                if (!by_polynomials) return emit_without_elements(scene, omegas, checked, range, emit);
                 const auto& known = polynomials.responses[std::size_t(&scene - scenes.data())];
                 for (std::size_t i = range.first; i < range.last; ++i) emit(known[i]);
             });

@@ -40,7 +40,8 @@ force is exact to round-off, or to 1e-6 mu N under a --pressure without jumps, w
 --falling, --memory: mu_0 takes the place of mu in all units; the law is K + (1 - K) 2^(-v/VH), with --memory
 d mu/dt = -(max(v, V0)/D) (mu - law(v)), mu_0 where a particle enters. exact is empty; where no solution is found to
 round-off, status is no_solution, and complementarity_residual is the error of mu. Without memory, a steep law has
-several steady solutions on a mesh: --sweep up and --sweep down then differ. --shift takes the time of one step.
+several steady solutions on a mesh: --sweep up and --sweep down then differ. --shift takes the time of one step. With
+--falling a --history may have the column speed, the velocity of rolling over the V of these units.
 
 --transient, one row for each step:
 )" + friction::transient_help() +

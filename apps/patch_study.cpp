@@ -259,10 +259,7 @@ int main(int argc, char** argv) {
         // 2. One row for each patch, or for each patch and frequency.
         const bool harmonic = given.given("omega");
         std::vector<double> omegas;
-        if (harmonic) {
-            omegas = given.numbers("omega",
-                                   {[](double z) { return z >= 0 && std::isfinite(z); }, "be at least 0 and finite"});
-        }
+        if (harmonic) omegas = given.numbers("omega", study::not_negative());
         const bool rubs = patch::asks_for_friction(given);
         const std::vector<Patch> patches = patch::make_patches(given);
         if (rubs) {

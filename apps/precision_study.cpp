@@ -5,7 +5,6 @@
 //     ./precision_study --scheme cosine:collocation:0.5/0.5,richardson:cosine:nodes --quantity c11 --n 7,14,28
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <map>
 #include <optional>
 #include <string>
@@ -39,7 +38,8 @@ model. traction: the norm of the differences from Carter's mean traction of each
 mean tractions, both with the weight sqrt(1 - x^2/a^2). Without the weight, Carter's traction, singular at the
 trailing edge, has no such norm; with it, the norm bounds the error of the force.
 response: c11 at --omega. transient: the largest relative error at q = dq, 2 dq, ... 10 dq after a step of creepage,
-exact in time. friction: steady, at --creepage-ratio. closed-form: the difference of two closed forms where there are two.
+exact in time. friction: steady, at --creepage-ratio. closed-form: the difference of two closed forms where there
+are two.
 combined_force: the creepage ratio at 45 degrees to the rolling direction; the error of the force as a vector,
 |F - reference| over |reference|. load_force: from steady rolling over a period of a load
 N = N_0 (1 + 0.5 sin(2 pi q/(8 a_0))), in 160 steps of sdirk2; the largest error of F/(mu N_0). Collocation
@@ -55,15 +55,15 @@ missing: concatenate the shards and use --front. model_error is the error that t
 status: ok, or why relative_error is empty, by the library's names; in the file of --cheapest none where no
 scheme reaches the tolerance. size_ratio and epsilon are those of the scheme's mesh.
 patch_c11 ... patch_c33: Kalker's creep coefficients of an ellipse between half-spaces, by n elements in each of as
-many strips (--strips: others) along the rolling direction, extrapolated from n/2 and strips/2 as well; two more columns, a_over_b and strips. They have no closed form: the reference is extrapolated
-from 24 x 24 and 48 x 48 elements; from 32 x 32 and 64 x 64 it differs by 2e-4 (a/b = 0.5, 1) and 6e-4 (a/b = 5, 20).
+many strips (--strips: others) along the rolling direction, with richardson: extrapolated from n/2 and strips/2; two
+more columns, a_over_b and strips. They have no closed form: the reference is extrapolated from 24 x 24 and 48 x 48 elements; from 32 x 32 and 64 x 64 it differs by 2e-4 (a/b = 0.5, 1) and 6e-4 (a/b = 5, 20).
 uniform-strips: strips of equal width, without --strips as many as recommended_patch gives (a/b from 0.1 to 25).
 patch_force: -F_x and -F_y under Hertz's pressure for three creepages, xi with eta, spin alone, all three. Alone, each
 would make 0.7, 2.5 and 0.6 mu N without slip (by Kalker's c11, c22, c23). relative_error is the largest
 difference over mu N from strips of equal width, at most 500 elements, extrapolated from a third of them in each
 direction; that reference is good to about 1e-3 (below a/b = 0.1 5e-3, above 25 1e-2). time_us is that of all three from
 the mesh to the forces. stable is empty above 256 elements. Without --n, n is 4 to 24, with patch_force to 16.
-Without --n, c11_z* and response stop at n = 320, transient and the forces with friction at 160: two to three minutes in all.
+Without --n, c11_z* and response stop at n = 320, transient and the forces with friction at 160: a minute in all.
 )";
 
 const std::string elements_by_default = "4,6,8,10,14,20,28,40,56,80,112,160,224,320,448,640";
@@ -112,55 +112,18 @@ void add_options(study::Options& options) {
 
 // --- times
 
-/// One computation, repeated. Its time is that of the processor, which other programs disturb less than that of the
-/// clock on the wall.
-struct Timer {
-    const Task* task;
-    Quantity quantity;
-    std::size_t calls = 1;  ///< in a run, which then lasts some hundred times the overhead of the clock
-    std::vector<double> runs{};
-    double total = 0;
-
-    double run(std::size_t count) const {
-        [[maybe_unused]] volatile double kept = 0;  // keeps the optimiser from dropping the computation
-        const std::clock_t start = std::clock();
-        for (std::size_t i = 0; i < count; ++i) kept = task->run(quantity);
-        return 1e6 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    }
-    void calibrate() {
-        const double first = run(1);
-        if (first > study::enough) runs = {first};
-        if (first > 10000) return;  // a first call is slow
-        while (calls < 4096 && run(calls) < 100) calls *= 2;
-    }
-    bool done() const {
-        if (!runs.empty() && runs.front() > study::enough) return true;
-        return runs.size() >= 5 && (total > 8000 || runs.size() >= 51);
-    }
-    void run_again() {
-        if (calls > 1) run(1);  // refills the caches after the previous computation
-        runs.push_back(run(calls));
-        total += runs.back();
-    }
-    double median() {
-        const auto middle = runs.begin() + std::ptrdiff_t(runs.size() / 2);
-        std::nth_element(runs.begin(), middle, runs.end());
-        return *middle / static_cast<double>(calls);
-    }
-};
-
 /// Median times [us] of the `wanted` tasks for each of their problems. All take turns, one run each, so that changes in
 /// the machine's speed affect all of them. Reports the progress, 0 ... 1, by done(part).
 std::vector<std::map<Problem, double>> measure(const std::vector<Task>& tasks, const std::vector<std::size_t>& wanted,
                                                const std::function<void(double part)>& done) {
-    std::vector<std::pair<std::pair<std::size_t, Problem>, Timer>> timers;
+    std::vector<std::pair<std::pair<std::size_t, Problem>, study::Timer>> timers;
     for (const std::size_t i : wanted) {
         for (const Quantity& quantity : tasks[i].quantities) {
             const std::pair key(i, quantity.problem);
-            if (timers.empty() || timers.back().first != key) timers.push_back({key, Timer{&tasks[i], quantity}});
+            if (!timers.empty() && timers.back().first == key) continue;
+            timers.emplace_back(key, study::Timer([&run = tasks[i].run, quantity] { return run(quantity); }));
         }
     }
-    for (auto& [key, timer] : timers) timer.calibrate();
     bool again = true;
     for (int round = 0; again; ++round) {
         again = false;

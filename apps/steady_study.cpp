@@ -4,13 +4,17 @@
 //     ./steady_study --n 20,40,80 --alpha-T 0.63
 //     ./steady_study --mesh cosine --alpha 0.5 --aspect inf --output cosine.csv --plot cosine.svg
 //     ./steady_study --method chebyshev --n 4,8,16 --aspect 1
+#include <cmath>
+#include <complex>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <rollbem/accuracy/richardson.hpp>
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/compiled/steady.hpp>
 #include <rollbem/spectral/chebyshev.hpp>
+#include <rollbem/spectral/polynomial.hpp>
 
 #include "support/sheet.hpp"
 #include "support/timing.hpp"
@@ -44,7 +48,8 @@ const study::Sheet<Steady> sheet{
      {"assembly_us", std::string("[microseconds] ") + study::median_of_runs + "; empty with chebyshev",
       &Steady::assembly_us},
      {"solve_us", "the same; with chebyshev it includes assembly", &Steady::solve_us},
-     {"error_estimate", "chebyshev: what more states would change, relative to c11", &Steady::error_estimate},
+     {"error_estimate", "of states and polynomials: what more of them would change, relative to c11",
+      &Steady::error_estimate},
      {"status",
       "if it is not ok, c11 and all that follows from it are empty: ill_conditioned or not_finite if G' is singular to "
       "working precision; assists_creepage if tractions assist the creepage, so that the scheme does not converge to "
@@ -54,9 +59,26 @@ const study::Sheet<Steady> sheet{
       &Steady::status}},
     study::settings};
 
+/// A polynomial's result, or the exact one.
+Steady solve_without_elements(const study::Scene& scene, bool timed) {
+    Steady result{.c11 = 0, .exact = rollbem::steady_c11(scene.contact.poisson_ratio()), .status = study::ok};
+    result.c11 = result.exact;
+    if (scene.degree == 0) return result;
+    constexpr double aspect = 1000;  // of no influence, but some the polynomials need
+    rollbem::EstimatedC11<double> found;
+    result.solve_us = study::time_us_if(timed, [&] {
+        found = rollbem::polynomial_c11(std::complex<double>(0), scene.contact.poisson_ratio(), aspect, scene.degree);
+        return found.c11.real();
+    });
+    result.c11 = found.status == rollbem::Status::ok ? found.c11.real() : std::nan("");
+    result.error_estimate = found.error_estimate;
+    result.status = name(found.status);
+    return result;
+}
+
 /// Assembles G' and solves G' p = xi for unit creepage, by Chebyshev states in one call; times both, unless other jobs
 /// would spoil it.
-Steady solve(const study::Scene& scene, bool timed) {
+Steady solve_once(const study::Scene& scene, bool timed) {
     const bool has_elements = !scene.chebyshev;
     std::optional<double> assembly_us;
     Eigen::MatrixXd G_prime;
@@ -82,6 +104,20 @@ Steady solve(const study::Scene& scene, bool timed) {
     if (has_elements) result.residual = solution.residual;
     if (!has_elements) result.error_estimate = solution.error_estimate();
     return result;
+}
+
+/// The same where it takes two meshes, too; times are sums.
+Steady solve(const study::Scene& scene, bool timed) {
+    if (!scene.is_discrete()) return solve_without_elements(scene, timed);
+    if (!scene.coarse) return solve_once(scene, timed);
+    const Steady coarse = solve_once(scene.on_one_mesh(true), timed);
+    Steady fine = solve_once(scene.on_one_mesh(false), timed);
+    fine.c11 = rollbem::richardson(coarse.c11, fine.c11, scene.order());
+    if (fine.status == study::ok) fine.status = coarse.status;
+    for (study::Cell Steady::*time : {&Steady::assembly_us, &Steady::solve_us}) {
+        if (timed) fine.*time = *(fine.*time).number() + *(coarse.*time).number();
+    }
+    return fine;
 }
 
 /// The error over n, one line for each scheme; over alpha if there are more alphas than n.
@@ -113,7 +149,7 @@ One row per scheme and n. The columns kernel to nodes identify rows; they are em
 )" + sheet.help());
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        const auto scenes = study::make_scenes(given, study::Problem::steady, study::Methods::elements_and_states);
+        const auto scenes = study::make_scenes(given, study::Problem::steady, study::Methods::all_with_c11);
         const bool timed = study::has_times(given);
         study::Table table = sheet.table(scenes, [&](const study::Scene& scene) { return solve(scene, timed); });
         table.plot = [&](const std::vector<study::Row>& rows) { return draw_errors(scenes, rows); };

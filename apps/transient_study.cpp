@@ -25,7 +25,7 @@ namespace {
 
 using Model = rollbem::AdhesionModel<>;
 
-const study::HistoryColumns columns{"creepage"};
+const study::HistoryColumns columns{{"creepage"}};
 
 /// Creepage over q/a from rest, and the exact force -F_bar/(a G) if there is one.
 struct Creepage {
@@ -33,29 +33,29 @@ struct Creepage {
     study::History history;
     std::function<double(const rollbem::reference::StepResponse& response, double q)> exact;
 
-    double at(double q, bool behind) const { return history.at(columns.main, q, behind); }
+    double at(double q, bool behind) const { return history.at(columns.main(), q, behind); }
 };
 
 Creepage make_creepage(const study::Options& options) {
     using Response = rollbem::reference::StepResponse;
-    const std::optional<study::History> given = study::read_history(options, columns);
-    if (!given) throw study::BadInput("one of --step, --ramp, --sine and --history must be given");
-    const double at_1 = given->at(columns.main, 1, false);
+    const study::History given = study::read_history(options, columns);
+    if (!given.has(columns.main())) throw study::BadInput("one of --step, --ramp, --sine and --history must be given");
+    const double at_1 = given.at(columns.main(), 1, false);
     if (options.given("step")) {
-        return {"a step of creepage", *given,
+        return {"a step of creepage", given,
                 [=](const Response& response, double q) { return at_1 * response.step(q); }};
     }
     if (options.given("ramp")) {
-        return {"a ramp of creepage", *given,
+        return {"a ramp of creepage", given,
                 [=](const Response& response, double q) { return at_1 * response.ramp(q); }};
     }
     if (options.given("sine")) {
         const study::Sine sine = study::read_sine(options);
-        return {"a sine of creepage, ω a/V = " + study::Cell(sine.omega).text(6), *given,
+        return {"a sine of creepage, ω a/V = " + study::Cell(sine.omega).text(6), given,
                 [=](const Response& response, double q) { return sine.amplitude * response.sine(sine.omega, q); }};
     }
-    return {"creepage of a table", *given, [table = *given](const Response& response, double q) {
-                return response.history(table.places(), table.values(columns.main), q);
+    return {"creepage of a table", given, [table = given](const Response& response, double q) {
+                return response.history(table.places(), table.values(columns.main()), q);
             }};
 }
 
@@ -69,7 +69,7 @@ double largest_creepage(const Creepage& creepage, const study::Steps& steps) {
     const double end = static_cast<double>(steps.count) * steps.dq;
     const study::Numbers& places = creepage.history.places();
     for (std::size_t j = 0; j < places.size(); ++j) {
-        if (places[j] <= end) largest = std::max(largest, std::abs(creepage.history.values(columns.main)[j]));
+        if (places[j] <= end) largest = std::max(largest, std::abs(creepage.history.values(columns.main())[j]));
     }
     if (largest == 0) throw study::BadInput("the creepage must not be 0 all the way up to --until");
     return largest;

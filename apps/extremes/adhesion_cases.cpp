@@ -202,6 +202,24 @@ void add_frequencies(Cases& cases) {
                      "assists_creepage"});
 }
 
+// --- eigenvalues
+
+/// How many modes grow, by two methods; the scheme has some where alpha_T is large.
+void add_eigenvalues(Cases& cases) {
+    for (const double aspect : {0.05, 1.0, 1e3, 1e12}) {
+        for (const double alpha_T : {0.63, 1.0}) {
+            cases.push_back({"alpha_T = " + shown(alpha_T) + ", n = 60, b/a = " + shown(aspect),
+                             "1 + unstable modes, counted, against QZ", [=] {
+                                 const auto system = Problem{{Topology::uniform, 60}, {0, alpha_T}, aspect}.system();
+                                 const auto all = rollbem::solve_stability<double>(system);
+                                 const auto count = rollbem::count_unstable<double>(system);
+                                 return compare(1.0 + double(count.unstable_count), 1.0 + double(all.unstable_count),
+                                                rounding, told_by(std::max(all.status, count.status)));
+                             }});
+        }
+    }
+}
+
 // --- the time domain
 
 /// cosine 0.5/0.5, strip kernel: stable by its eigenvalues.
@@ -263,6 +281,7 @@ void add_steps(Cases& cases) {
 void adhesion_cases(Cases& cases, bool large) {
     add_steady(cases, large);
     add_frequencies(cases);
+    add_eigenvalues(cases);
     add_steps(cases);
 }
 

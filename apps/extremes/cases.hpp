@@ -57,10 +57,9 @@ struct Case {
 };
 using Cases = std::vector<Case>;
 
-/// The text of a Status or Status, empty for ok.
-template <class AnyStatus>
-std::string told_by(AnyStatus status) {
-    return status == AnyStatus::ok ? std::string() : std::string("status ") + name(status);
+/// Empty for ok.
+inline std::string told_by(rollbem::Status status) {
+    return status == rollbem::Status::ok ? std::string() : std::string("status ") + name(status);
 }
 
 /// 1e-06, 1000, inf: for the names of cases.

@@ -53,6 +53,15 @@ struct Line {
         step.force /= -full_force;
         return step;
     }
+    /// The same where friction falls with slip to a share of mu, by half at a velocity over that of rolling.
+    auto falling(double delta, double share, double half_velocity) const {
+        const rollbem::ExponentialFall<> fall{1, share, half_velocity};
+        const rollbem::FrictionModel model(contact(), rollbem::ElementSystem<double>({}, slopes(false), mesh.widths()),
+                                           rollbem::unchecked, rollbem::Friction{fall, law().normal_pressure});
+        auto step = rollbem::Run(model).steady({rollbem::Travel<>::at_speed(1.0), creepage(delta, nu)});
+        step.force /= -full_force;
+        return step;
+    }
 
 private:
     rollbem::Friction<> law() const { return {1, peak * rollbem::mean_hertz_pressure(mesh)}; }
@@ -166,12 +175,36 @@ void add_nodes(Cases& cases) {
     }
 }
 
+void add_falling(Cases& cases) {
+    const Line line{rollbem::cosine_mesh(40)};
+    for (const double delta : {1e-6, 0.5, 1e3}) {
+        const std::string name = "creepage " + shown(delta) + ", friction ";
+        const auto add = [&](const std::string& falls, double share, double velocity, double reference) {
+            cases.push_back({name + falls, "force against constant friction", [=] {
+                                 const auto step = line.falling(delta, share, velocity);
+                                 return compare(step, step.force, reference, 1e-10);
+                             }});
+        };
+        const double constant = line.alone(false, delta).force;
+        add("that falls to itself", 1, 1e-3, constant);
+        add("that falls at 1e12 of the speed", 0.5, 1e12, constant);
+    }
+    for (const double velocity : {1e-12, 1e-3}) {
+        cases.push_back({"creepage 1e6, friction that falls at " + shown(velocity) + " of the speed",
+                         "force against what is left of mu N", [=] {
+                             const auto step = line.falling(1e6, 0.3, velocity);
+                             return compare(step, step.force, 0.3, 1e-12);
+                         }});
+    }
+}
+
 }  // namespace
 
 void friction_cases(Cases& cases) {
     add_directions(cases);
     add_layers(cases);
     add_nodes(cases);
+    add_falling(cases);
 }
 
 }  // namespace extremes

@@ -25,6 +25,7 @@ struct Entry {
 constexpr Entry c11{"c11", 0, 0, &rollbem::CreepCoefficients<double>::c11},
     c22{"c22", 1, 1, &rollbem::CreepCoefficients<double>::c22},
     c23{"c23", 1, 2, &rollbem::CreepCoefficients<double>::c23},
+    c32{"c32", 2, 1, &rollbem::CreepCoefficients<double>::c32},
     c33{"c33", 2, 2, &rollbem::CreepCoefficients<double>::c33};
 
 /// It can be used if other meshes confirm it, whatever becomes of the others.
@@ -84,6 +85,14 @@ void add_ellipses(Cases& cases) {
         cases.push_back({"patch a/b = 1, nu = 0.25, " + std::to_string(n) + " x " + std::to_string(m),
                          "c11 against its limit", [n = n, m = m] {
                              return coefficient(PatchContact<double>::dimensionless(1, 0.25), n, m, c11, 4.111, 8e-3);
+                         }});
+    }
+    // the same in the limit of small elements
+    for (const double a_over_b : {0.02, 1.0, 20.0}) {
+        cases.push_back({"patch a/b = " + shown(a_over_b) + ", nu = 0.28", "c32 against -c23", [=] {
+                             const auto contact = PatchContact<double>::dimensionless(a_over_b, steel);
+                             const double other = coefficient(contact, 24, 12, c23, 1, 0).value;
+                             return coefficient(contact, 24, 12, c32, -other, 3e-2);
                          }});
     }
     cases.push_back({"patch a/b = 9.99989e-321", "c11",

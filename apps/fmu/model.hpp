@@ -160,7 +160,8 @@ public:
     /// Advances by `duration` > 0 [s] and sets the outputs, or changes nothing but the status.
     virtual Outcome step(double duration) = 0;
 
-    /// d unknown / d known, of an output at the end of the last step by an input during it. Throws NoDerivative if there is none.
+    /// d unknown / d known, of an output at the end of the last step by an input during it. Throws NoDerivative if
+    /// there is none.
     virtual double partial(const Variable& unknown, const Variable& known) = 0;
 
     /// Names what an instance keeps in addition to the variables.

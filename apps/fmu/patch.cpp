@@ -1,8 +1,8 @@
 // rollbem_patch: an elliptic contact patch of wheel and rail with Coulomb friction and spin, under a load that varies.
 //
 // The patch itself in the time domain, or quasi-steady forces from a table that was made of such patches. A step of
-// duration h rolls by V h and shifts the wheel by s h, both at a constant rate, so that V = 0 is a rigid shift; the load
-// varies linearly over the step.
+// duration h rolls by V h and shifts the wheel by s h, both at a constant rate, so that V = 0 is a rigid shift; the
+// load varies linearly over the step.
 #include <algorithm>
 #include <cmath>
 #include <limits>

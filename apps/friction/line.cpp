@@ -15,8 +15,7 @@ namespace friction {
 namespace {
 
 double read_layer(const study::Options& options) {
-    const double layer = options.number(
-        "layer", {[](double value) { return std::isfinite(value) && value >= 0; }, "be finite and not negative"});
+    const double layer = options.number("layer", study::not_negative());
     const bool analytic = options.given("derivative") && options.text("derivative") == "analytic";
     const bool closed = options.text("method") == "galerkin" && options.text("quadrature") == "exact";
     options.require(
@@ -40,9 +39,15 @@ Pressure make_pressure(const study::Options& options) {
         const rollbem::HertzPressure<double> hertz;
         return {hertz, hertz, true};
     }
-    const study::Pairs points = study::read_pairs(options, "pressure", "x_over_a,pressure", study::between(-1, 1));
+    const study::Rule within = study::between(-1, 1);
+    const std::vector<study::Numbers> points = study::read_columns(
+        options, "pressure", "x_over_a,pressure", "", [&](const auto& read, const std::string& where) {
+            if (!within.holds(read[0].back())) throw study::BadInput(where + ": x_over_a must " + within.text);
+            study::require_order(read[0], "x_over_a", where);
+        });
+    options.require(!points[0].empty(), "pressure", "have at least one row below its header");
     try {
-        const rollbem::PressureTable<double> table(study::array(points.places), study::array(points.values));
+        const rollbem::PressureTable<double> table(study::array(points[0]), study::array(points[1]));
         const double scale = mu_N / table.integral();
         return {[=](double x_over_a) { return scale * table(x_over_a); },
                 [=](const rollbem::Mesh<double>& mesh) { return Eigen::ArrayXd(scale * table(mesh)); }, false};
@@ -51,22 +56,13 @@ Pressure make_pressure(const study::Options& options) {
     }
 }
 
-std::optional<study::LoadHistory> read_load(const study::Options& options, double until,
-                                            const study::History& imposed) {
-    std::optional<study::LoadHistory> history = study::read_load_history(options, until, imposed);
-    if (history && history->breathing && options.text("kernel") != "plane") {
-        throw study::BadInput("--kernel = " + options.text("kernel") +
-                              " must be plane with --breathing: only that kernel knows other half-lengths");
-    }
-    return history;
-}
+double largest_half_length(const study::History& imposed) { return std::sqrt(imposed.largest("load_ratio")); }
 
-double largest_half_length(const study::LoadHistory& history) { return std::sqrt(history.largest()); }
-
-rollbem::HertzLoad<double> hertz_load(const study::LoadHistory& history, const rollbem::Mesh<double>& mesh) {
+rollbem::HertzLoad<double> hertz_load(const study::History& imposed, bool breathing,
+                                      const rollbem::Mesh<double>& mesh) {
     const auto line = rollbem::HertzLine<double>::dimensionless();
-    return history.breathing ? rollbem::HertzLoad<double>::breathing(line, mesh)
-                             : rollbem::HertzLoad<double>::fixed(line, mesh, largest_half_length(history));
+    return breathing ? rollbem::HertzLoad<double>::breathing(line, mesh)
+                     : rollbem::HertzLoad<double>::fixed(line, mesh, largest_half_length(imposed));
 }
 
 Line::Line(const study::Options& options)

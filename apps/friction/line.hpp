@@ -39,14 +39,11 @@ struct Pressure {
 /// Hertz's pressure, or that of --pressure. Throws BadInput.
 Pressure make_pressure(const study::Options& options);
 
-/// The load of a run `until` long [a_0]; nothing if it is constant. Throws BadInput.
-std::optional<study::LoadHistory> read_load(const study::Options& options, double until, const study::History& history);
-
-/// Half-length of a mesh that covers the contact during the whole run [a_0].
-double largest_half_length(const study::LoadHistory& history);
+/// Half-length of a mesh that covers the contact under load_ratio during the whole run [a_0].
+double largest_half_length(const study::History& imposed);
 
 /// Hertz's contact with a_0 = 1 and p_0 = 1 under N_0, on the mesh that the history needs.
-rollbem::HertzLoad<double> hertz_load(const study::LoadHistory& history, const rollbem::Mesh<double>& mesh);
+rollbem::HertzLoad<double> hertz_load(const study::History& imposed, bool breathing, const rollbem::Mesh<double>& mesh);
 
 /// Creepage ratios delta = xi G/(2 (1-nu) mu p0).
 struct CreepPoint {

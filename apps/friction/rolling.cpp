@@ -46,7 +46,9 @@ public:
         const auto emit_row = [&] {
             if (row++ < range.first) return;
             now_.elastic_energy = rolling_.contact.elastic_energy(run_.now());
-            now_.valid = now_.step.status == Status::ok && (!rolling_.resolved || rolling_.resolved(now_.q));
+            const bool resolved =
+                rolling_.imposed.resolved(rolling_.run.steps.dq) && (!rolling_.fits || rolling_.fits(now_.q));
+            now_.valid = now_.step.status == Status::ok && resolved;
             now_.status = word(rolling_, now_);
             emit(now_);
         };
@@ -73,10 +75,11 @@ private:
         now_.rounds = 0;
         now_.shift = {0, 0, 0};
         if (!now_.computed) return;
-        const auto failed_at = study::roll(double(k) * dq, now_.q, rolling_.knots, [this](double from, double to) {
-            const Status status = jump(from);
-            return status == Status::ok ? step(from, to) : status;
-        });
+        const auto failed_at =
+            study::roll(double(k) * dq, now_.q, rolling_.imposed.places(), [this](double from, double to) {
+                const Status status = jump(from);
+                return status == Status::ok ? step(from, to) : status;
+            });
         if (failed_at) end(*failed_at, failed_);
     }
 
@@ -84,9 +87,9 @@ private:
         Creepage creepage = rolling_.creepage(0, true);
         const auto at = [&](double longitudinal) {
             creepage.longitudinal = longitudinal;
-            return run_.try_steady({rollbem::Travel<>::at_speed(1.0), creepage});
+            return run_.try_steady({rollbem::Travel<>::at_speed(rolling_.speed(0, true)), creepage});
         };
-        now_.step = rolling_.force ? found(rolling_.force(0, true), 0, at).step : at(creepage.longitudinal);
+        now_.step = rolling_.by_force() ? found(0, true, 0, at) : at(creepage.longitudinal);
         now_.creepage = creepage;
         jumped_at_ = 0;
         if (now_.step.status != Status::ok) return end(0, now_.step);
@@ -103,8 +106,7 @@ private:
             shift.longitudinal = longitudinal;
             return run_.try_advance({{0, rolling_.run.steps.dq}, Motion::shift(shift)});
         };
-        const Step next =
-            rolling_.force ? found(rolling_.force(q, true), given->longitudinal, by).step : by(shift.longitudinal);
+        const Step next = rolling_.by_force() ? found(q, true, given->longitudinal, by) : by(shift.longitudinal);
         if (next.status != Status::ok) return refuse(next);
         keep(next, (work(now_.step, shift) + work(next, shift)) / 2);
         now_.shift = sum(now_.shift, shift);
@@ -114,16 +116,13 @@ private:
 
     Status step(double from, double to) {
         const double distance = rolling_.a_0 * (to - from);
-        Creepage start = rolling_.creepage(from, true), end = rolling_.creepage(to, false), shift{0, 0, 0};
-        if (rolling_.shift) {
-            shift = sum(rolling_.shift(to, false), rolling_.shift(from, true), -1);
-            start = sum(start, shift, 1 / distance);
-            end = sum(end, shift, 1 / distance);
-        }
+        const Creepage shift = sum(rolling_.shift(to, false), rolling_.shift(from, true), -1);
+        Creepage start = sum(rolling_.creepage(from, true), shift, 1 / distance);
+        Creepage end = sum(rolling_.creepage(to, false), shift, 1 / distance);
         rollbem::NormalLoad<double> load;
         if (rolling_.load_at) load = rolling_.load_at(to);
         const auto advance = [&] {
-            const rollbem::Travel<double> travel{distance, distance};
+            const rollbem::Travel<double> travel{distance, rolling_.duration(from, to)};
             const Motion motion = Motion::linear(start, end);
             return rolling_.load_at ? run_.try_advance({travel, motion, load}) : run_.try_advance({travel, motion});
         };
@@ -131,8 +130,7 @@ private:
             start.longitudinal = end.longitudinal = longitudinal;
             return advance();
         };
-        const Step next =
-            rolling_.force ? found(rolling_.force(to, false), now_.creepage.longitudinal, at).step : advance();
+        const Step next = rolling_.by_force() ? found(to, false, now_.creepage.longitudinal, at) : advance();
         if (next.status != Status::ok) return refuse(next);
         const double before = work(now_.step, start), after = work(next, end);  // implicit Euler knows no other
         keep(next, distance * (study::named(rolling_.run.integrator).order > 1 ? (before + after) / 2 : after));
@@ -141,8 +139,9 @@ private:
         return next.status;
     }
 
-    FoundMotion found(double force, double guess, const std::function<Step(double)>& trial) const {
-        return find_for_force(force, rolling_.full, guess, trial);
+    /// The last trial of a motion for the force at q.
+    Step found(double q, bool behind, double guess, const std::function<Step(double)>& trial) const {
+        return find_for_force(rolling_.imposed.at("force", q, behind), rolling_.full, guess, trial).step;
     }
 
     /// The trial of the run becomes its present state.
@@ -177,10 +176,28 @@ private:
 
 }  // namespace
 
+Creepage Rolling::creepage(double q, bool behind) const {
+    const auto value = [&](std::size_t k) { return imposed.at(of.creepage[k], q, behind); };
+    return {creepage_unit * value(0), creepage_unit * value(1), spin_unit * value(2)};
+}
+
+Creepage Rolling::shift(double q, bool behind) const {
+    return {a_0 * imposed.at(of.shift[0], q, behind), a_0 * imposed.at(of.shift[1], q, behind), 0};
+}
+
+double Rolling::speed(double q, bool behind) const { return imposed.has("speed") ? imposed.at("speed", q, behind) : 1; }
+
+double Rolling::duration(double from, double to) const {
+    const double distance = a_0 * (to - from), first = speed(from, true), last = speed(to, false);
+    const double change = last / first - 1;
+    return distance / first * (change == 0 ? 1 : std::log1p(change) / change);
+}
+
 std::optional<Creepage> Rolling::jump(double q) const {
-    const Creepage by = shift ? sum(shift(q, true), shift(q, false), -1) : Creepage{0, 0, 0};
-    const bool moves = by.longitudinal != 0 || by.lateral != 0 || by.spin != 0;
-    return moves || (force && force(q, true) != force(q, false)) ? std::optional(by) : std::nullopt;
+    const Creepage by = sum(shift(q, true), shift(q, false), -1);
+    const bool moves = by.longitudinal != 0 || by.lateral != 0;
+    const bool pulls = imposed.at("force", q, true) != imposed.at("force", q, false);
+    return moves || pulls ? std::optional(by) : std::nullopt;
 }
 
 FoundMotion find_for_force(double force, double full, double guess, const std::function<Step(double)>& trial) {

@@ -15,23 +15,28 @@
 
 namespace friction {
 
-/// A contact and what happens to it over the distance rolled q [a_0], at the rolling velocity 1. Motions are those just
-/// before (or at) q, or `behind` it.
+/// A contact and what happens to it over the distance rolled q [a_0], at the rolling velocity 1, or as the column speed
+/// has it. Motions are those just before (or at) q, or `behind` it.
 struct Rolling {
-    using Motion = std::function<rollbem::Creepage<double>(double q, bool behind)>;
-
     rollbem::FrictionContact contact;
-    study::RunSettings run;  ///< steps in a_0
-    Motion creepage;         ///< linear over a step
-    Motion shift{};  ///< rigid displacement besides, in the unit of a_0: where it jumps, without rolling, in dq's time
-    std::function<double(double q, bool behind)> force{};  ///< -F_x/full, in place of the longitudinal creepage
-    double full = 1;                                       ///< force of full sliding
+    const study::RunSettings& run;    ///< steps in a_0
+    const study::History& imposed;    ///< outlives this; a force -F_x/full takes the place of the creepage along x
+    const study::HistoryColumns& of;  ///< its columns
+    double creepage_unit = 1, spin_unit = 1;  ///< of the columns
+    double full = 1;                          ///< force of full sliding
     double a_0 = 1;
-    study::Numbers knots{};                                        ///< of the load and of what is imposed
     std::function<rollbem::NormalLoad<double>(double)> load_at{};  ///< at q; where it is not constant
-    std::function<bool(double q)> resolved{};  ///< whether steps and elements are small enough there
-    bool checked = true;                       ///< whether the scheme is known to be stable
+    std::function<bool(double q)> fits{};                          ///< whether elements are small enough there
+    bool checked = true;                                           ///< whether the scheme is known to be stable
 
+    bool by_force() const { return imposed.has("force"); }
+    /// Linear over a step.
+    rollbem::Creepage<double> creepage(double q, bool behind) const;
+    /// Rigid displacement besides: where it jumps, without rolling, in dq's time.
+    rollbem::Creepage<double> shift(double q, bool behind) const;
+    double speed(double q, bool behind) const;
+    /// Of a step over which the speed is linear.
+    double duration(double from, double to) const;
     /// What a jump at q displaces; nothing where there is none. Where a force jumps, its displacement is to be found.
     std::optional<rollbem::Creepage<double>> jump(double q) const;
     /// Whether the first row is that of a jump before rolling.
@@ -53,8 +58,8 @@ struct Moment {
     std::string status{};
 };
 
-/// The longitudinal creepage, or shift, under which trial() has the force -F_x/full = `force`, near `guess`. Its step is
-/// the last trial; no_solution where there is none.
+/// The longitudinal creepage, or shift, under which trial() has the force -F_x/full = `force`, near `guess`. Its step
+/// is the last trial; no_solution where there is none.
 struct FoundMotion {
     double motion;
     rollbem::FrictionStep<2> step;
@@ -76,8 +81,8 @@ auto if_computed(const Value& value) {
     return study::where([](const auto& r) { return r.moment.computed; }, value);
 }
 
-/// Writes the table of a run of each case, of as many `steps` and a row for a shift before: prepare(case) makes its Rolling, row(case, moment) its
-/// rows for the sheet, plot(rows) the picture. Throws what these and write_runs throw.
+/// Writes the table of a run of each case, of as many `steps` and a row for a shift before: prepare(case) makes its
+/// Rolling, row(case, moment) its rows for the sheet, plot(rows) the picture. Throws what these and write_runs throw.
 template <class Sheet, class Case, class Prepare, class Row, class Draw>
 void write_rolling(const study::Options& options, const Sheet& sheet, const std::vector<Case>& cases, std::size_t steps,
                    const Prepare& prepare, const Row& row, const Draw& plot) {

@@ -50,8 +50,8 @@ void solve_by_border(const Curve& curve, const study::Scene& scene, study::RowRa
 void leave_out(const study::Scene& scene, study::RowRange range, const Line& line, const See& see);
 
 /// What may be imposed in the time domain.
-inline const study::HistoryColumns history_columns{"creepage_ratio",
-                                                   {"lateral_ratio", "spin_ratio", "shift", "force", "load_ratio"}};
+inline const study::HistoryColumns history_columns{
+    {"creepage_ratio", "lateral_ratio", "spin_ratio"}, {"shift"}, {"force", "load_ratio", "speed"}};
 
 // --- the modes: their columns and meanings, and what writes their tables and throws what write_table throws
 

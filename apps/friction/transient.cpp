@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <rollbem/closed_form/friction.hpp>
@@ -15,66 +17,58 @@ namespace friction {
 namespace {
 
 /// What all runs share.
-struct History {
+struct Scenario {
     Line line;
     study::RunSettings run;
-    study::History imposed;  ///< creepage ratios, shift [mu p0 a/G] and force over q/a
-    std::optional<study::LoadHistory> load;
+    study::History imposed;
     bool checked;
 
+    bool load_varies() const { return imposed.has("load_ratio"); }
+    bool breathes() const { return load_varies() && run.breathing; }
     CreepPoint at(double q, bool behind) const {
         const auto value = [&](const char* column) { return imposed.at(column, q, behind); };
         const std::optional<double> lateral = line.both ? std::optional(value("lateral_ratio")) : std::nullopt;
         return {value("creepage_ratio"), lateral, value("spin_ratio")};
     }
-    bool resolved() const { return imposed.resolved(run.steps.dq) && (!load || load->resolved(run.steps.dq)); }
 };
 
-/// What is imposed: one of the ways of a creepage or force along x, and constants besides.
-study::History read_imposed(const study::Options& options) {
-    study::History imposed = study::read_history(options, history_columns).value_or(study::History());
-    const bool along = imposed.has("creepage_ratio") || options.given("creepage-ratio");
-    const bool by_force = imposed.has("force") || options.given("force");
-    for (const auto& [option, column] : {std::pair("creepage-ratio", "creepage_ratio"),
-                                         {"lateral-ratio", "lateral_ratio"},
-                                         {"spin-ratio", "spin_ratio"},
-                                         {"shift", "shift"},
-                                         {"force", "force"}}) {
-        if (!options.given(option)) continue;
-        if (imposed.has(column)) options.ignored(option, std::string("with the column ") + column + " of --history");
-        imposed.set(column, options.number(option, study::finite()));
-    }
-    if (along && by_force) throw study::BadInput("a force and a creepage along x must not be given together");
-    if (!imposed.has("creepage_ratio") && !by_force && !imposed.has("shift")) {
+Scenario read_scenario(const study::Options& options) {
+    const study::RunSettings run(options);
+    study::History imposed = study::read_history(options, history_columns,
+                                                 {"creepage_ratio", "lateral_ratio", "spin_ratio", "shift", "force"});
+    if (!imposed.has("creepage_ratio") && !imposed.has("force") && !imposed.has("shift")) {
         throw study::BadInput(
             "one of --creepage-ratio, --step, --ramp, --sine, --history, --force and --shift must be given with "
             "--transient");
     }
-    return imposed;
-}
-
-History read_history(const study::Options& options) {
-    const study::RunSettings run(options);
-    study::History imposed = read_imposed(options);
-    History history{.line = Line(options),
-                    .run = run,
-                    .imposed = imposed,
-                    .load = read_load(options, run.until(), imposed),
-                    .checked = !options.flag("unchecked")};
-    history.line.both = imposed.has("lateral_ratio");
-    if (imposed.has("spin_ratio") && !history.line.both) {
+    study::read_load(options, run, imposed);
+    Scenario scenario{Line(options), run, std::move(imposed), !options.flag("unchecked")};
+    scenario.line.both = scenario.imposed.has("lateral_ratio");
+    if (scenario.imposed.has("spin_ratio") && !scenario.line.both) {
         throw study::BadInput("the column spin_ratio must go with lateral_ratio");
     }
-    return history;
+    if (scenario.imposed.has("speed")) {
+        if (!scenario.line.law)
+            throw study::BadInput("the column speed must go with --falling: nothing else depends on it");
+        const study::Numbers& speeds = scenario.imposed.values("speed");
+        const double least = *std::min_element(speeds.begin(), speeds.end());
+        options.require(least > 0 && scenario.imposed.places().front() == 0, "history",
+                        "have positive speeds from q_over_a = 0 on");
+    }
+    if (scenario.breathes() && options.text("kernel") != "plane") {
+        throw study::BadInput("--kernel = " + options.text("kernel") +
+                              " must be plane with --breathing: only that kernel knows other half-lengths");
+    }
+    return scenario;
 }
 
 // --- contacts ------------------------------------------------------------------------------------------------------
 
 // On a mesh that breathes b/a falls as the load grows, for the system of one direction or that of both.
 template <class System>
-void require_plane_model(const study::Scene& scene, const study::LoadHistory& load, const System& system,
+void require_plane_model(const study::Scene& scene, const study::History& imposed, const System& system,
                          const char* term) {
-    const double longest = largest_half_length(load);
+    const double longest = largest_half_length(imposed);
     if (longest < system.half_length_limit()) return;
     const double least = scene.contact.aspect() * longest / system.half_length_limit();
     throw study::BadInput("--aspect = " + study::Cell(scene.contact.aspect()).text(6) + " must be larger than " +
@@ -83,12 +77,12 @@ void require_plane_model(const study::Scene& scene, const study::LoadHistory& lo
                           " must be positive, or the plane model itself is unstable in time");
 }
 
-rollbem::FrictionContact make_contact(const study::Options& options, const History& history,
+rollbem::FrictionContact make_contact(const study::Options& options, const Scenario& scenario,
                                       const study::Scene& scene) {
-    const Line& line = history.line;
-    const auto& load = history.load;
-    const bool breathes = load && load->breathing;
-    const double half_length = load && !breathes ? largest_half_length(*load) : 1;
+    const Line& line = scenario.line;
+    const study::History& imposed = scenario.imposed;
+    const bool breathes = scenario.breathes(), varies = scenario.load_varies();
+    const double half_length = varies && !breathes ? largest_half_length(imposed) : 1;
     System along = line.system(scene, Line::Direction::longitudinal, true, half_length);
     std::optional<System> across = line.lateral_system(scene, true, half_length);
     study::require_steppable(options, scene, along);
@@ -98,47 +92,38 @@ rollbem::FrictionContact make_contact(const study::Options& options, const Histo
             "or knothe-bc, lambda = 1, no --layer");
     }
     if (across) study::require_steppable(options, scene, *across);
-    if (breathes && across) require_plane_model(scene, *load, rollbem::ElementSystem(along, *across), "- nu");
-    if (breathes && !across) require_plane_model(scene, *load, along, "+ nu/(1-nu)");
+    if (breathes && across) require_plane_model(scene, imposed, rollbem::ElementSystem(along, *across), "- nu");
+    if (breathes && !across) require_plane_model(scene, imposed, along, "+ nu/(1-nu)");
     // the law is that of the largest load; what a run starts under is in its state
     const Eigen::ArrayXd means =
-        load ? hertz_load(*load, *scene.mesh).at(half_length * half_length * mu_N).normal_pressure
-             : line.pressure(*scene.mesh);
-    return line.contact(scene, along, across, means, rollbem::unchecked, history.run.integrator, half_length);
+        varies ? hertz_load(imposed, breathes, *scene.mesh).at(half_length * half_length * mu_N).normal_pressure
+               : line.pressure(*scene.mesh);
+    return line.contact(scene, along, across, means, rollbem::unchecked, scenario.run.integrator, half_length);
 }
 
-Rolling make_rolling(const study::Options& options, const History& history, const study::Scene& scene) {
-    const double unit = creepage_unit(scene);
-    Rolling rolling{.contact = make_contact(options, history, scene),
-                    .run = history.run,
-                    .creepage = [&history, unit](double q, bool behind) { return history.at(q, behind).times(unit); },
+Rolling make_rolling(const study::Options& options, const Scenario& scenario, const study::Scene& scene) {
+    Rolling rolling{.contact = make_contact(options, scenario, scene),
+                    .run = scenario.run,
+                    .imposed = scenario.imposed,
+                    .of = history_columns,
+                    .creepage_unit = creepage_unit(scene),
+                    .spin_unit = creepage_unit(scene),
                     .full = mu_N * scene.contact.width(),
-                    .knots = history.imposed.places(),
-                    .resolved = [&history](double) { return history.resolved(); },
-                    .checked = history.checked};
-    if (history.imposed.has("shift")) {
-        rolling.shift = [&history](double q, bool behind) {
-            return rollbem::Creepage<double>{history.imposed.at("shift", q, behind)};
-        };
-    }
-    if (history.imposed.has("force")) {
-        rolling.force = [&history](double q, bool behind) { return history.imposed.at("force", q, behind); };
-    }
-    if (history.load) {
-        rolling.knots = study::merged(rolling.knots, history.load->knots);
-        rolling.load_at = [hertz = hertz_load(*history.load, *scene.mesh), &load = *history.load](double q) {
-            rollbem::NormalLoad<double> normal = hertz.at(mu_N);
-            hertz.set(load.at(q) * mu_N, normal);  // a step refuses what is no load
-            return normal;
-        };
-    }
+                    .checked = scenario.checked};
+    if (!scenario.load_varies()) return rolling;
+    const auto hertz = hertz_load(scenario.imposed, scenario.breathes(), *scene.mesh);
+    rolling.load_at = [hertz, &imposed = scenario.imposed](double q) {
+        rollbem::NormalLoad<double> normal = hertz.at(mu_N);
+        hertz.set(imposed.at("load_ratio", q) * mu_N, normal);  // a step refuses what is no load
+        return normal;
+    };
     return rolling;
 }
 
 // --- rows ----------------------------------------------------------------------------------------------------------
 
 struct TimeRow {
-    const History& history;
+    const Scenario& scenario;
     const Line& line;
     const study::Scene& scene;
     const Moment& moment;
@@ -146,14 +131,15 @@ struct TimeRow {
 
     CreepPoint ratios() const {
         if (moment.shifted) return {0, line.both ? std::optional(0.0) : std::nullopt};
-        CreepPoint point = history.at(moment.q, false);
-        if (history.imposed.has("force")) point.longitudinal = moment.creepage.longitudinal / creepage_unit(scene);
+        CreepPoint point = scenario.at(moment.q, false);
+        if (scenario.imposed.has("force")) point.longitudinal = moment.creepage.longitudinal / creepage_unit(scene);
         return point;
     }
-    double load_ratio() const { return history.load ? history.load->at(moment.q) : 1; }
+    double load_ratio() const { return scenario.load_varies() ? scenario.imposed.at("load_ratio", moment.q) : 1; }
     double force_ratio() const { return 0 - moment.step.force.longitudinal / full; }  // 0 without load, not -0
     std::optional<double> exact() const {
-        const bool holds = moment.shifted && line.carter() && !history.load && study::plane_model_decays(scene.contact);
+        const bool holds =
+            moment.shifted && line.carter() && !scenario.load_varies() && study::plane_model_decays(scene.contact);
         if (!holds) return std::nullopt;
         return rollbem::cattaneo_force_ratio(moment.shift.longitudinal, scene.contact.poisson_ratio(),
                                              scene.contact.aspect());
@@ -192,7 +178,7 @@ const study::Sheet<TimeRow>& time_sheet() {
               "after_failure behind it",
               [](const R& r) { return r.moment.status; }},
              {"method, derivative, mesh, n, alpha_L, alpha_T, lambda", "the scheme"},
-             {"integrator", "as given", [](const R& r) { return study::word(r.history.run.integrator); }},
+             {"integrator", "as given", [](const R& r) { return study::word(r.scenario.run.integrator); }},
              {"lateral_ratio", "as creepage_ratio", [](const R& r) { return r.ratios().lateral; }},
              {"load_ratio", "N/N_0", &R::load_ratio},
              {"half_length_ratio", "a/a_0, Hertz's", [](const R& r) { return std::sqrt(r.load_ratio()); }},
@@ -215,20 +201,21 @@ const study::Sheet<TimeRow>& time_sheet() {
 // --- pictures ------------------------------------------------------------------------------------------------------
 
 /// The forces over the distance, with the load if it changes; in a second panel over the creepage if that changes.
-study::Plot force_in_time(const std::vector<study::Row>& rows, const History& history, const study::Options& options) {
-    const bool lateral = history.line.both, load_changes = history.load.has_value();
-    const bool carter = history.line.carter() && !lateral && !load_changes;
-    const double end = history.run.until();
+study::Plot force_in_time(const std::vector<study::Row>& rows, const Scenario& scenario,
+                          const study::Options& options) {
+    const bool lateral = scenario.line.both, load_changes = scenario.load_varies();
+    const bool carter = scenario.line.carter() && !lateral && !load_changes;
+    const double end = scenario.run.until();
     const auto add = [&](study::Plot& plot, const char* x, const char* y, const std::string& prefix,
                          bool reference = false) {
         time_sheet().draw(plot, rows, {.x = x, .y = y, .prefix = prefix, .markers = false, .reference = reference});
     };
     study::Plot plot{.title = "Rolling with friction" + scene_in_title(options),
                      .x_label = "distance rolled q/a",
-                     .y_label = force_label(history.line.law.has_value(), "-F", load_changes ? "N_0" : "N"),
+                     .y_label = force_label(scenario.line.law.has_value(), "-F", load_changes ? "N_0" : "N"),
                      .x_range = study::PlotRange{0, end}};
-    if (rows.empty()) return plot;       // of a shard
-    if (history.imposed.has("force")) {  // what is found is the creepage
+    if (rows.empty()) return plot;        // of a shard
+    if (scenario.imposed.has("force")) {  // what is found is the creepage
         plot.y_label = "creepage ratio δ";
         add(plot, "q_over_a", "creepage_ratio", "computed");
         return plot;
@@ -238,7 +225,7 @@ study::Plot force_in_time(const std::vector<study::Row>& rows, const History& hi
     if (load_changes) add(plot, "q_over_a", "load_ratio", "load N/N_0", true);
     const bool constant = options.given("creepage-ratio") || options.given("step");
     const bool swept =
-        options.given("sine") || options.given("ramp") || history.imposed.values("creepage_ratio").size() > 1;
+        options.given("sine") || options.given("ramp") || scenario.imposed.values("creepage_ratio").size() > 1;
     if (swept) {
         study::Plot loop{.x_label = "creepage ratio δ", .y_label = plot.y_label};
         add(loop, "creepage_ratio", "force_ratio", "computed");
@@ -251,7 +238,7 @@ study::Plot force_in_time(const std::vector<study::Row>& rows, const History& hi
         if (!load_changes) loop.y_range = force_range(loop);
         plot.beside.push_back(std::move(loop));
     } else if (carter && constant) {
-        const double force = rollbem::carter_force_ratio(history.at(end, false).longitudinal);
+        const double force = rollbem::carter_force_ratio(scenario.at(end, false).longitudinal);
         plot.series.push_back(
             {.label = "Carter, steady", .points = {{0, force}, {end, force}}, .markers = false, .reference = true});
     }
@@ -263,23 +250,23 @@ study::Plot force_in_time(const std::vector<study::Row>& rows, const History& hi
 std::string transient_help() { return time_sheet().help(); }
 
 void run_transient(const study::Options& options) {
-    const History history = read_history(options);
+    const Scenario scenario = read_scenario(options);
     const std::vector<study::Scene> scenes = study::make_non_steady_scenes(options);
     const auto prepare = [&](const study::Scene& scene) {
         try {
-            return make_rolling(options, history, scene);
+            return make_rolling(options, scenario, scene);
         } catch (const study::BadInput&) {
             throw;
         } catch (const std::invalid_argument&) {  // all else has been checked with the options
             throw study::BadInput("--aspect = " + study::aspect_cell(scene.contact).text() + " and --layer = " +
-                                  study::Cell(history.line.layer).text() + " must be such that G and G' are finite");
+                                  study::Cell(scenario.line.layer).text() + " must be such that G and G' are finite");
         }
     };
     const auto row = [&](const study::Scene& scene, const Moment& moment) {
-        return TimeRow{history, history.line, scene, moment, mu_N * scene.contact.width()};
+        return TimeRow{scenario, scenario.line, scene, moment, mu_N * scene.contact.width()};
     };
-    const auto draw = [&](const std::vector<study::Row>& rows) { return force_in_time(rows, history, options); };
-    write_rolling(options, time_sheet(), scenes, history.run.steps.count, prepare, row, draw);
+    const auto draw = [&](const std::vector<study::Row>& rows) { return force_in_time(rows, scenario, options); };
+    write_rolling(options, time_sheet(), scenes, scenario.run.steps.count, prepare, row, draw);
 }
 
 }  // namespace friction

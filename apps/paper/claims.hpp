@@ -38,15 +38,16 @@ struct Claim {
 using Claims = std::vector<Claim>;
 
 // Claims that are judged together, by the curves of the figures and by what else they compute.
-Claims equations(const Results& r);                 ///< Eqs. (8) to (16) and (29)
-Claims kernel_and_alpha(const Results& r);          ///< Eq. (31), Figs. 3 and 5
-Claims convergence(const Results& r);               ///< Fig. 6
-Claims analytic_derivative(const Results& r);       ///< Figs. 7 and 8
-Claims tractions_of_collocation(const Results& r);  ///< Figs. 9 and 10
-Claims galerkin_claims(const Results& r);           ///< Figs. 11 to 13, and conclusions
-Claims costs_of_galerkin(const Results& r);         ///< conclusions, timed
-Claims gradings(const Results& r);                  ///< Figs. 14 to 16
-Claims tractions_on_meshes(const Results& r);       ///< Fig. 17
+Claims equations(const Results& r);                       ///< Eqs. (8) to (16) and (29)
+Claims kernel_and_alpha(const Results& r);                ///< Eq. (31), Figs. 3 and 5
+Claims convergence(const Results& r);                     ///< Fig. 6
+Claims analytic_derivative_over_alpha(const Results& r);  ///< Fig. 7
+Claims analytic_derivative_over_n(const Results& r);      ///< Fig. 8
+Claims tractions_of_collocation(const Results& r);        ///< Figs. 9 and 10
+Claims galerkin_claims(const Results& r);                 ///< Figs. 11 to 13, and conclusions
+Claims costs_of_galerkin(const Results& r);               ///< conclusions, timed
+Claims gradings(const Results& r);                        ///< Figs. 14 to 16
+Claims tractions_on_meshes(const Results& r);             ///< Fig. 17
 Claims conclusions_on_steady_rolling(const Results& r);
 Claims stability_of_collocation(const Results& r);  ///< Figs. 18 and 19
 Claims stability_of_galerkin(const Results& r);     ///< Fig. 20

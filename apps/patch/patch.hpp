@@ -31,13 +31,16 @@ struct Patch {
     rollbem::Mesh<double> across;  ///< that cuts it into strips
     rollbem::NodeDifference scheme;
     study::NamedScheme named;  ///< scheme and strips by their names
+    double layer;              ///< compliance between the bodies [c/G]
 
     std::string label() const;  ///< for the progress line
-    rollbem::HalfSpace<double> kernel() const { return rollbem::HalfSpace<double>(contact.poisson_ratio()); }
+    rollbem::HalfSpace<double> kernel() const {
+        return rollbem::HalfSpace<double>(contact.poisson_ratio(), layer * contact.c());
+    }
 };
 
-/// Declares --a-over-b, --outline, --strips, --strip-edges and --strip-grading, and says what the common options mean
-/// here.
+/// Declares --a-over-b, --outline, --layer, --strips, --strip-edges and --strip-grading, and says what the common
+/// options mean here.
 void add_options(study::Options& options);
 
 /// All patches: n is the outermost loop, then the number of strips, a/b and Poisson's ratio. Throws BadInput.
@@ -45,7 +48,7 @@ std::vector<Patch> make_patches(const study::Options& options);
 
 /// The first columns of every table, and the last.
 inline constexpr const char* identity = "a_over_b, poisson, n, strips";
-inline constexpr const char* distinctions = "nodes, scheme";
+inline constexpr const char* distinctions = "nodes, scheme, layer";
 
 /// The cell of one of these.
 study::Cell scene_cell(const Patch& patch, const std::string& column);

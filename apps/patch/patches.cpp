@@ -79,6 +79,10 @@ void add_options(study::Options& options) {
                       "instead: any patch, as CSV y,x_trailing,x_leading in any unit of length, y increasing, straight "
                       "between the lines; a, b and c below are then sqrt(area/pi)");
     options.not_with({"a-over-b"}, "outline");
+    options.add("layer", "L",
+                "compliance of an elastic layer between the bodies, in c/G, 0 or more: h_3/G_3 of its thickness and "
+                "shear modulus (dimensionless)",
+                "0");
     options.add("strips", "LIST", "strips along the rolling direction, 1 to 10000 (dimensionless); default: --n");
     options.add("strip-grading", "NAME", "edges of strips at -cos(pi j/m) of the half height: cosine; or uniform",
                 "cosine");
@@ -105,6 +109,7 @@ void add_options(study::Options& options) {
 std::vector<Patch> make_patches(const study::Options& options) {
     const std::vector<study::NamedScheme> schemes = make_schemes(options);
     const Numbers poisson = options.numbers("poisson", study::between(0, 0.5));
+    const double layer = options.number("layer", study::not_negative());
     std::optional<Outline> outline;
     std::vector<Contact> contacts;
     if (options.given("outline")) {
@@ -127,7 +132,7 @@ std::vector<Patch> make_patches(const study::Options& options) {
         }
         for (const Contact& contact : contacts) {
             patches.push_back({contact, rollbem::patch_mesh(contact, rollbem::cosine_mesh(n), across), across,
-                               *scheme.equations().get_if<rollbem::NodeDifference>(), scheme});
+                               *scheme.equations().get_if<rollbem::NodeDifference>(), scheme, layer});
         }
     };
     for (const std::ptrdiff_t n : numbers) {
@@ -147,6 +152,7 @@ study::Cell scene_cell(const Patch& patch, const std::string& column) {
     if (column == "strips") return patch.mesh.strip_count();
     if (column == "nodes") return patch.named.nodes;
     if (column == "scheme") return patch.named.word();
+    if (column == "layer") return patch.layer;
     return patch.contact.outline() ? study::Cell() : study::Cell(patch.contact.a_over_b());
 }
 

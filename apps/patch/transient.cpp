@@ -20,73 +20,75 @@ namespace {
 using PatchContact = rollbem::PatchContact<double>;
 using friction::Rolling;
 
-// --- the load ------------------------------------------------------------------------------------------------------
+const study::HistoryColumns history_columns{
+    {"longitudinal", "lateral", "spin"}, {"shift_x", "shift_y"}, {"force", "load_ratio", "a_ratio", "b_ratio"}};
 
-/// Semi-axes over those under N_0, by Hertz the cube root of the load or columns of a table.
+/// Semi-axes over those under N_0.
 struct AxisRatios {
     double a, b;
 };
 
-struct Load : study::LoadHistory {
-    bool has_axes() const { return !further.empty() && !further[0].empty(); }
+/// What all runs share.
+struct Scene {
+    study::History imposed;
+    study::RunSettings run;
 
+    bool load_varies() const { return imposed.has("load_ratio"); }
+    double load_ratio(double q) const { return load_varies() ? imposed.at("load_ratio", q) : 1; }
+    bool breathes() const { return load_varies() && run.breathing; }
+    CreepPoint at(double q, bool behind) const {
+        return {imposed.at("longitudinal", q, behind), imposed.at("lateral", q, behind), imposed.at("spin", q, behind)};
+    }
+    /// By Hertz the cube root of the load, or columns of a table.
+    bool has_axes() const { return imposed.has("a_ratio"); }
     AxisRatios axes(double q) const {
-        if (has_axes()) return {at(q, further[0]), at(q, further[1])};
-        return {std::cbrt(at(q)), std::cbrt(at(q))};
+        if (has_axes()) return {imposed.at("a_ratio", q), imposed.at("b_ratio", q)};
+        return {std::cbrt(load_ratio(q)), std::cbrt(load_ratio(q))};
     }
     /// Of a mesh that covers the contact during the whole run.
     AxisRatios largest_axes() const {
-        if (!has_axes()) return {std::cbrt(largest()), std::cbrt(largest())};
-        return {*std::max_element(further[0].begin(), further[0].end()),
-                *std::max_element(further[1].begin(), further[1].end())};
+        if (has_axes()) return {imposed.largest("a_ratio"), imposed.largest("b_ratio")};
+        const double ratio = std::cbrt(imposed.largest("load_ratio"));
+        return {ratio, ratio};
     }
     /// Least and largest a/b over that under N_0, which lies between them.
     std::pair<double, double> shapes() const {
         std::pair<double, double> range{1, 1};
-        for (std::size_t i = 0; has_axes() && i < knots.size(); ++i) {  // between knots a/b is monotonic
-            const double ratio = further[0][i] / further[1][i];
+        if (!has_axes()) return range;
+        for (const double q : imposed.places()) {  // between these a/b is monotonic
+            const double ratio = axes(q).a / axes(q).b;
             range = {std::min(range.first, ratio), std::max(range.second, ratio)};
         }
         return range;
     }
 };
 
-std::optional<Load> read_load(const study::Options& options, double until, const study::History& imposed) {
-    std::optional<study::LoadHistory> history = study::read_load_history(options, until, imposed, "a_ratio,b_ratio");
-    if (!history && (imposed.has("a_ratio") || imposed.has("b_ratio"))) {
-        throw study::BadInput(options.said("history") + " must have load_ratio with a_ratio and b_ratio");
-    }
-    if (!history) return std::nullopt;
-    Load load{std::move(*history)};
-    // of a shape of its own, which need not shrink with the load
-    if (load.has_axes() && !options.given("breathing")) {
-        load.breathing = *std::min_element(load.ratios.begin(), load.ratios.end()) > 0;
+Scene read_scene(const study::Options& options) {
+    Scene scene{study::read_history(options, history_columns, {"longitudinal", "lateral", "spin", "force"},
+                                    study::between(-1e6, 1e6)),
+                study::RunSettings(options)};
+    study::read_load(options, scene.run, scene.imposed, "a_ratio,b_ratio");
+    const study::History& imposed = scene.imposed;
+    if (!imposed.has("a_ratio") && !imposed.has("b_ratio")) return scene;
+    const std::string said = options.said(options.given("load") ? "load" : "history");
+    if (!scene.load_varies() || !imposed.has("a_ratio") || !imposed.has("b_ratio")) {
+        throw study::BadInput(said + " must have load_ratio with a_ratio and b_ratio");
     }
     const study::Rule rule = study::between(1e-3, 1e3);
-    for (const study::Numbers& column : load.further) {
-        for (const double ratio : column) {
+    for (const char* column : {"a_ratio", "b_ratio"}) {
+        for (const double ratio : imposed.values(column)) {
             if (rule.holds(ratio)) continue;
-            throw study::BadInput(options.said(options.given("load") ? "load" : "history") +
-                                  ": a_ratio and b_ratio must " + rule.text + ", not " + study::Cell(ratio).text(6));
+            throw study::BadInput(said + ": a_ratio and b_ratio must " + rule.text + ", not " +
+                                  study::Cell(ratio).text(6));
         }
     }
-    return load;
+    const study::Numbers& loads = imposed.values("load_ratio");
+    // of a shape of its own, which need not shrink with the load
+    if (!options.given("breathing")) scene.run.breathing = *std::min_element(loads.begin(), loads.end()) > 0;
+    return scene;
 }
 
 // --- contacts ------------------------------------------------------------------------------------------------------
-
-/// What all runs share.
-struct Scene {
-    study::History imposed;
-    std::optional<Load> load;
-    study::RunSettings run;
-
-    CreepPoint at(double q, bool behind) const {
-        return {imposed.at("longitudinal", q, behind), imposed.at("lateral", q, behind), imposed.at("spin", q, behind)};
-    }
-    bool resolved() const { return imposed.resolved(run.steps.dq) && (!load || load->resolved(run.steps.dq)); }
-    bool breathes() const { return load && load->breathing; }
-};
 
 PatchContact stretched(const PatchContact& contact, const AxisRatios& axes) {
     return PatchContact({.half_length = axes.a * contact.half_length(),
@@ -98,8 +100,8 @@ PatchContact stretched(const PatchContact& contact, const AxisRatios& axes) {
 /// The contact that the mesh of a whole run covers, and that mesh.
 struct Covered {
     Covered(const Scene& scene, const Patch& patch)
-        : contact(scene.load && !scene.breathes() ? stretched(patch.contact, scene.load->largest_axes())
-                                                  : patch.contact),
+        : contact(scene.load_varies() && !scene.breathes() ? stretched(patch.contact, scene.largest_axes())
+                                                           : patch.contact),
           mesh(rollbem::patch_mesh(contact, patch.mesh.along(), patch.across)) {}
 
     PatchContact contact;
@@ -119,7 +121,7 @@ rollbem::FrictionContact make_contact(const Scene& scene, const Patch& patch, co
                                       scene.run.integrator);
     };
     try {
-        const auto [least, largest] = scene.load ? scene.load->shapes() : std::pair(1.0, 1.0);
+        const auto [least, largest] = scene.shapes();
         if (scene.breathes() && largest > least * (1 + 1e-9)) {
             const double a_over_b = patch.contact.a_over_b(), margin = 1 + 1e-6;
             const rollbem::PatchShapes<double> shapes(
@@ -137,31 +139,20 @@ rollbem::FrictionContact make_contact(const Scene& scene, const Patch& patch, co
 
 Rolling make_rolling(const Scene& scene, const Patch& patch, const Pressure& pressure) {
     const Covered covered(scene, patch);
-    const auto& load = scene.load;
     const Eigen::ArrayXd pressures =
-        load ? rollbem::hertz_pressures(covered.contact, covered.mesh, mu_N(patch)) : pressure(patch);
+        scene.load_varies() ? rollbem::hertz_pressures(covered.contact, covered.mesh, mu_N(patch)) : pressure(patch);
     Rolling rolling{.contact = make_contact(scene, patch, covered, pressures),
                     .run = scene.run,
-                    .creepage = [&](double q, bool behind) { return creepage(patch, scene.at(q, behind)); },
+                    .imposed = scene.imposed,
+                    .of = history_columns,
+                    .spin_unit = 1 / patch.contact.c(),
                     .full = mu_N(patch),
-                    .a_0 = patch.contact.half_length(),
-                    .knots = scene.imposed.places(),
-                    .resolved = [&scene](double) { return scene.resolved(); }};
-    if (scene.imposed.has("shift_x") || scene.imposed.has("shift_y")) {
-        rolling.shift = [&scene, a_0 = rolling.a_0](double q, bool behind) {
-            const auto value = [&](const char* column) { return a_0 * scene.imposed.at(column, q, behind); };
-            return rollbem::Creepage<double>{value("shift_x"), value("shift_y"), 0};
-        };
-    }
-    if (scene.imposed.has("force")) {
-        rolling.force = [&scene](double q, bool behind) { return scene.imposed.at("force", q, behind); };
-    }
-    if (!load) return rolling;
-    rolling.knots = study::merged(rolling.knots, load->knots);
+                    .a_0 = patch.contact.half_length()};
+    if (!scene.load_varies()) return rolling;
     if (scene.breathes()) {
-        rolling.load_at = [&patch, &load, pressures](double q) {
-            const AxisRatios axes = load->axes(q);
-            return rollbem::NormalLoad<double>{load->at(q) / (axes.a * axes.b) * pressures,
+        rolling.load_at = [&patch, &scene, pressures](double q) {
+            const AxisRatios axes = scene.axes(q);
+            return rollbem::NormalLoad<double>{scene.load_ratio(q) / (axes.a * axes.b) * pressures,
                                                axes.a * patch.contact.half_length(),
                                                {},
                                                axes.b * patch.contact.half_width()};
@@ -169,20 +160,19 @@ Rolling make_rolling(const Scene& scene, const Patch& patch, const Pressure& pre
         return rolling;
     }
     const rollbem::SemiAxes<double> least = rollbem::least_resolved(covered.contact, covered.mesh);
-    rolling.resolved = [&scene, &patch, &load, least](double q) {
-        const bool follows = scene.resolved();
-        if (!follows || load->at(q) == 0) return follows;
-        const PatchContact now = stretched(patch.contact, load->axes(q));
+    rolling.fits = [&scene, &patch, least](double q) {
+        if (scene.load_ratio(q) == 0) return true;
+        const PatchContact now = stretched(patch.contact, scene.axes(q));
         return now.half_length() >= least.half_length && now.half_width() >= least.half_width;
     };
-    rolling.load_at = [&patch, &load, contact = covered.contact,
+    rolling.load_at = [&patch, &scene, contact = covered.contact,
                        elements = covered.mesh.rectangles(covered.contact.half_length())](double q) {
         rollbem::NormalLoad<double> normal{
             Eigen::ArrayXd::Zero(Eigen::Index(elements.size())), contact.half_length(), {}, contact.half_width()};
-        const double ratio = load->at(q);
+        const double ratio = scene.load_ratio(q);
         if (ratio == 0) return normal;
         normal.normal_pressure =
-            rollbem::hertz_pressures(stretched(patch.contact, load->axes(q)), elements, ratio * mu_N(patch));
+            rollbem::hertz_pressures(stretched(patch.contact, scene.axes(q)), elements, ratio * mu_N(patch));
         return normal;
     };
     return rolling;
@@ -196,8 +186,8 @@ struct TimeRow {
     const Patch& patch;
     const friction::Moment& moment;
 
-    double load_ratio() const { return scene.load ? scene.load->at(moment.q) : 1; }
-    AxisRatios axes() const { return scene.load ? scene.load->axes(moment.q) : AxisRatios{1, 1}; }
+    double load_ratio() const { return scene.load_ratio(moment.q); }
+    AxisRatios axes() const { return scene.axes(moment.q); }
     double force(double value) const { return 0 - value / mu_N(patch); }
     double work(double value) const { return value * patch.contact.c() / (mu_N(patch) * mu_N(patch)); }
 };
@@ -249,23 +239,6 @@ const study::Sheet<TimeRow, Patch>& time_sheet() {
     return columns;
 }
 
-const study::HistoryColumns history_columns{
-    "longitudinal", {"lateral", "spin", "shift_x", "shift_y", "force", "load_ratio", "a_ratio", "b_ratio"}};
-
-/// What is imposed: tables, and constants besides.
-study::History read_imposed(const study::Options& options) {
-    study::History imposed = study::read_history(options, history_columns).value_or(study::History());
-    const bool by_force = imposed.has("force") || options.given("force");
-    const bool along = imposed.has("longitudinal") || options.given("longitudinal");
-    if (along && by_force) throw study::BadInput("a force and a creepage along x must not be given together");
-    for (const char* name : {"longitudinal", "lateral", "spin", "force"}) {
-        if (!options.given(name)) continue;
-        if (imposed.has(name)) options.ignored(name, std::string("with the column ") + name + " of --history");
-        imposed.set(name, options.number(name, study::between(-1e6, 1e6)));
-    }
-    return imposed;
-}
-
 }  // namespace
 
 void add_transient_options(study::Options& options) {
@@ -287,24 +260,23 @@ std::string transient_help() { return time_sheet().help(); }
 
 void run_transient(const study::Options& options, const std::vector<Patch>& patches) {
     const Pressure pressure = read_pressure(options);
-    const study::RunSettings run(options);
     for (const char* name : {"longitudinal", "lateral", "spin"}) {
         if (options.numbers(name, study::between(-1e6, 1e6)).size() == 1) continue;
         throw study::BadInput("--longitudinal, --lateral and --spin must have one value each with --transient");
     }
-    const study::History imposed = read_imposed(options);
-    if (imposed.has("spin")) require_no_gain(options, patches);
-    const Scene scene{imposed, read_load(options, run.until(), imposed), run};
+    const Scene scene = read_scene(options);
+    const bool by_force = scene.imposed.has("force");
+    if (scene.imposed.has("spin")) require_no_gain(options, patches);
     const auto row = [&](const Patch& patch, const friction::Moment& moment) {
         CreepPoint point = moment.shifted ? CreepPoint{0, 0, 0} : scene.at(moment.q, false);
-        if (imposed.has("force") && !moment.shifted) point.longitudinal = moment.creepage.longitudinal;
+        if (by_force && !moment.shifted) point.longitudinal = moment.creepage.longitudinal;
         return TimeRow{scene, point, patch, moment};
     };
     friction::write_rolling(
-        options, time_sheet(), patches, run.steps.count,
+        options, time_sheet(), patches, scene.run.steps.count,
         [&](const Patch& patch) { return make_rolling(scene, patch, pressure); }, row,
         [&](const std::vector<study::Row>& rows) {
-            return draw_in_time(time_sheet().names(), rows, scene.load.has_value(), imposed.has("force"));
+            return draw_in_time(time_sheet().names(), rows, scene.load_varies(), by_force);
         });
 }
 

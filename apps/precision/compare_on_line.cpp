@@ -51,59 +51,63 @@ double error_of(const Quantity& quantity, const Values& found, const Values& exa
 /// and 1280 it differs by 7e-6 of itself. Those under a load that varies are extrapolated from cosine meshes of 160 and
 /// 320 elements that breathe, in steps of a quarter of those of the schemes; from 320 and 640 in steps half as long
 /// they differ by at most 4e-6.
-Values reference(const Scene& scene, const Quantity& quantity) {
-    const Contact<double>& contact = scene.contact;
+Values reference(const Contact<double>& contact, const Settings& settings, const Quantity& quantity) {
     const double nu = contact.poisson_ratio();
     switch (quantity.problem) {
         case Problem::harmonic: return {rollbem::reference::plane_c11({0, quantity.frequency}, nu, contact.aspect())};
         case Problem::transient: {
             const rollbem::reference::StepResponse response(nu, contact.aspect());
             Values forces;
-            for (int k = 1; k <= steps; ++k) forces.emplace_back(response.step(k * scene.dq));
+            for (int k = 1; k <= steps; ++k) forces.emplace_back(response.step(k * settings.dq));
             return forces;
         }
-        case Problem::friction: return {rollbem::carter_force_ratio(scene.creepage_ratio)};
+        case Problem::friction: return {rollbem::carter_force_ratio(settings.creepage_ratio)};
         case Problem::combined_friction:
         case Problem::varying_load: {
             const long n = quantity.problem == Problem::varying_load ? 320 : 640;
-            const Scene plane{.contact = contact, .creepage_ratio = scene.creepage_ratio, .load_parts = 4};
-            return evaluate(plane, scheme_of("richardson:cosine:collocation:0.5/0.5"), n, quantity, {}).values;
+            const study::Scene fine =
+                study::make_scene(scheme_of("richardson:cosine:collocation:0.5/0.5"), n, contact, LineModel::plane);
+            return evaluate(fine, {.creepage_ratio = settings.creepage_ratio, .load_parts = 4}, quantity, {}).values;
         }
         default: break;
     }
     return {rollbem::steady_c11(nu)};
 }
 
-/// The relative difference that the kernel of the scene makes to the plane limit: the model's error, on one mesh.
-double model_error(const Scene& scene, const Quantity& quantity) {
+/// The relative difference that the strip makes to the plane limit: the model's error, on one mesh.
+double model_error(const Contact<double>& contact, Settings settings, const Quantity& quantity) {
+    settings.may_breathe = false;
     const auto on = [&](LineModel model) {
-        Scene own = scene;
-        own.model = model;
-        Discrete discrete = discretise(own, scheme_of("cosine:collocation:0.5/0.5"), 60)[0];
-        discrete.breathes = false;
-        return quantity.name == "traction" ? tractions({discrete}).values : values(discrete, quantity);
+        const auto scene = study::make_scene(scheme_of("cosine:collocation:0.5/0.5"), 60, contact, model);
+        return evaluate(scene, settings, quantity, {}).values;
     };
-    return error_of(quantity, on(scene.model), on(LineModel::plane));
+    return error_of(quantity, on(LineModel::strip), on(LineModel::plane));
 }
 
-std::string status_of(const Scene& scene, const Scheme& scheme, long n) {
+/// The meshes of a scene, each alone.
+std::vector<study::Scene> meshes_of(const study::Scene& scene) {
+    std::vector<study::Scene> all{scene.on_one_mesh(false)};
+    if (scene.coarse) all.insert(all.begin(), scene.on_one_mesh(true));
+    return all;
+}
+
+std::string status_of(const study::Scene& scene) {
     rollbem::Status status = rollbem::Status::not_finite;
-    if (scheme.discrete()) {
-        for (const Discrete& discrete : discretise(scene, scheme, n)) {
-            const rollbem::Status own = discrete.steady().status;
-            if (own != rollbem::Status::ok) status = own;
-        }
+    if (!scene.is_discrete()) return name(status);
+    for (const study::Scene& one : meshes_of(scene)) {
+        const rollbem::Status own = steady(one).status;
+        if (own != rollbem::Status::ok) status = own;
     }
     return name(status);
 }
 
-std::optional<bool> stable(const Scene& scene, const Scheme& scheme, long n) {
+std::optional<bool> stable(const study::Scene& scene) {
     if (!std::isfinite(scene.contact.aspect())) return std::nullopt;
     const bool plane_decays = study::plane_model_decays(scene.contact);
-    if (!scheme.discrete()) return plane_decays;  // of the model itself
-    if (scene.plane() && !plane_decays) return std::nullopt;
-    for (const Discrete& discrete : discretise(scene, scheme, n)) {
-        const auto count = rollbem::count_unstable<double>(discrete.system());
+    if (!scene.is_discrete()) return plane_decays;  // of the model itself
+    if (scene.is_plane() && !plane_decays) return std::nullopt;
+    for (const study::Scene& one : meshes_of(scene)) {
+        const auto count = rollbem::count_unstable<double>(study::system_of(one));
         if (count.status != rollbem::Status::ok) return std::nullopt;
         if (count.unstable_count > 0) return false;
     }
@@ -123,16 +127,17 @@ void refuse_unread(const study::Options& options, const std::vector<Quantity>& q
     if (!asked(has_friction)) options.ignored("creepage-ratio", "without a quantity with friction");
 }
 
-/// Times and the front are those of one contact.
-Scene make_scene(const study::Options& options, const std::vector<Scheme>& schemes,
-                 const std::vector<Quantity>& quantities) {
+/// Times and the front are those of one contact and one model of it.
+std::pair<Contact<double>, LineModel> make_contact(const study::Options& options,
+                                                   const std::vector<study::NamedScheme>& schemes,
+                                                   const std::vector<Quantity>& quantities) {
     for (const char* name : {"kernel", "aspect", "poisson"}) {
         options.require(options.said(name).find(',') == std::string::npos, name,
                         "be a single value: schemes are compared for one contact; run the study once for each value");
     }
     refuse_unread(options, quantities);
-    const bool has_states =
-        std::any_of(schemes.begin(), schemes.end(), [](const Scheme& s) { return s.method == "chebyshev"; });
+    const bool has_states = std::any_of(schemes.begin(), schemes.end(),
+                                        [](const study::NamedScheme& s) { return s.method == "chebyshev"; });
     const bool steady = std::none_of(quantities.begin(), quantities.end(), [](const Quantity& quantity) {
         return quantity.problem == Problem::harmonic || quantity.problem == Problem::transient ||
                quantity.problem == Problem::varying_load;
@@ -144,8 +149,7 @@ Scene make_scene(const study::Options& options, const std::vector<Scheme>& schem
     const bool plane = options.choice("kernel", {"strip", "plane"}) == "plane" || !std::isfinite(contact.aspect());
     options.require(plane || !has_states || contact.aspect() >= 0.001, "aspect",
                     "be at least 0.001 for the scheme chebyshev");
-    return {contact, plane ? LineModel::plane : LineModel::strip, options.number("dq", study::positive()),
-            options.number("creepage-ratio", study::positive())};
+    return {contact, plane ? LineModel::plane : LineModel::strip};
 }
 
 /// Without --n, costly problems stop at smaller n.
@@ -154,7 +158,7 @@ bool affordable(Problem problem, long n) {
 }
 
 /// Numbers of elements, states, or the order of the polynomial; 0 for the closed form, which has none.
-std::vector<std::ptrdiff_t> sizes_of(const study::Options& options, const Scheme& scheme) {
+std::vector<std::ptrdiff_t> sizes_of(const study::Options& options, const study::NamedScheme& scheme) {
     if (scheme.method == "closed-form") return {0};
     if (scheme.method == "chebyshev" && !options.given("n")) {
         return {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 20, 24, 32, 48};
@@ -163,12 +167,12 @@ std::vector<std::ptrdiff_t> sizes_of(const study::Options& options, const Scheme
 }
 
 /// kernel, aspect, poisson, and size_ratio and epsilon if the scheme's mesh has them.
-std::vector<std::string> setting(const Scene& scene, const Scheme& scheme) {
-    const auto grading = [&](std::string_view kind) {
-        return scheme.graded_by(kind) ? study::Cell(*scheme.grading).text() : "";
-    };
-    return {scene.plane() || !scheme.discrete() ? "plane" : "strip", study::aspect_cell(scene.contact).text(),
-            study::Cell(scene.nu()).text(), grading("size_ratio"), grading("epsilon")};
+std::vector<std::string> setting(const study::Scene& scene) {
+    std::vector<std::string> cells;
+    for (const char* column : {"kernel", "aspect", "poisson", "size_ratio", "epsilon"}) {
+        cells.push_back(scene_cell(scene, column).text());
+    }
+    return cells;
 }
 
 }  // namespace
@@ -187,51 +191,56 @@ std::vector<Quantity> line_quantities(const study::Options& options) {
 }
 
 Comparison compare_on_line(const study::Options& options) {
-    std::vector<Scheme> schemes;
-    for (study::NamedScheme& scheme :
-         study::named_schemes(options.given("scheme") ? options.texts("scheme") : line_schemes)) {
-        schemes.push_back({std::move(scheme)});
-    }
+    const std::vector<study::NamedScheme> schemes =
+        study::named_schemes(options.given("scheme") ? options.texts("scheme") : line_schemes);
     const std::vector<Quantity> quantities = chosen(options, line_quantities(options));
-    const auto scene = std::make_shared<Scene>(make_scene(options, schemes, quantities));
+    const auto given = make_contact(options, schemes, quantities);
+    const Contact<double> contact = given.first;
+    const LineModel model = given.second;
+    const Settings settings{options.number("dq", study::positive()),
+                            options.number("creepage-ratio", study::positive())};
     const auto references = std::make_shared<std::map<std::string, Values>>();
     Comparison result{columns(), quantities, {}, {}, {}};
-    for (const Scheme& scheme : schemes) {
+    for (const study::NamedScheme& scheme : schemes) {
         for (const long n : sizes_of(options, scheme)) {
-            if (!scheme.exists(n)) continue;
-            Task task{scheme.word(), n > 0 ? std::optional(n) : std::nullopt, {}, setting(*scene, scheme)};
+            if (!exists(scheme, n)) continue;
+            Task task{scheme.word(), n > 0 ? std::optional(n) : std::nullopt, {}, {}};
             for (const Quantity& quantity : quantities) {
                 const bool wanted = options.given("n") || affordable(quantity.problem, n);
-                if (wanted && scheme.has(quantity.problem)) task.quantities.push_back(quantity);
+                if (wanted && solves(scheme, quantity.problem)) task.quantities.push_back(quantity);
             }
             if (task.quantities.empty()) continue;
+            const study::Scene scene = study::make_scene(scheme, n, contact, model);
+            task.setting = setting(scene);
             task.error = [=](const Quantity& quantity) {
                 const Values& exact = references->at(quantity.name);
-                const Found found = evaluate(*scene, scheme, n, quantity, exact);
+                const Found found = evaluate(scene, settings, quantity, exact);
                 return error_of(quantity, found.values, found.exact.empty() ? exact : found.exact);
             };
-            task.status = [=](const Quantity&) { return status_of(*scene, scheme, n); };
-            task.run = [=](const Quantity& quantity) {
-                return evaluate(*scene, scheme, n, quantity, references->at(quantity.name)).values[0].real();
+            task.status = [=](const Quantity&) { return status_of(scene); };
+            task.run = [=](const Quantity& quantity) {  // from the mesh on
+                const study::Scene again = study::make_scene(scheme, n, contact, model);
+                return evaluate(again, settings, quantity, references->at(quantity.name)).values[0].real();
             };
-            task.stable = [=] { return stable(*scene, scheme, n); };
+            task.stable = [=] { return stable(scene); };
             result.tasks.push_back(std::move(task));
         }
     }
     options.require(!result.tasks.empty(), "n", "fit at least one of the schemes and quantities");
     // by n, as given or increasing, and within it in the order of the schemes; what has no n comes last
-    const std::vector<std::ptrdiff_t> given = options.integers("n", 1, largest_n);
+    const std::vector<std::ptrdiff_t> numbers = options.integers("n", 1, largest_n);
     const auto place = [&](const Task& task) {
         if (!task.n) return std::numeric_limits<std::ptrdiff_t>::max();
-        return options.given("n") ? std::find(given.begin(), given.end(), *task.n) - given.begin() : *task.n;
+        return options.given("n") ? std::find(numbers.begin(), numbers.end(), *task.n) - numbers.begin() : *task.n;
     };
     std::stable_sort(result.tasks.begin(), result.tasks.end(),
                      [&](const Task& one, const Task& other) { return place(one) < place(other); });
     result.prepare = [=] {
-        for (const Quantity& quantity : quantities) (*references)[quantity.name] = reference(*scene, quantity);
+        for (const Quantity& quantity : quantities)
+            (*references)[quantity.name] = reference(contact, settings, quantity);
     };
     result.model_error = [=](const Quantity& quantity) {
-        return scene->plane() ? std::nullopt : std::optional(model_error(*scene, quantity));
+        return model == LineModel::plane ? std::nullopt : std::optional(model_error(contact, settings, quantity));
     };
     return result;
 }

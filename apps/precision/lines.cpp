@@ -8,16 +8,18 @@
 #include <rollbem/closed_form/carter.hpp>
 #include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/friction.hpp>
+#include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/hertz_load.hpp>
 #include <rollbem/reference/step_response.hpp>
 #include <rollbem/rolling/run.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 
+#include "support/non_steady.hpp"
+
 namespace precision {
 
 namespace {
 
-using rollbem::Chebyshev;
 using rollbem::Mesh;
 using rollbem::Status;
 using rollbem::Topology;
@@ -29,114 +31,109 @@ constexpr double load_amplitude = 0.5;  // N = N_0 (1 + A sin(2 pi q/L))
 constexpr double load_length = 8;       // L/a_0
 constexpr int load_steps = 160;         // in a period
 
-}  // namespace
-
-std::vector<Discrete> discretise(const Scene& scene, const Scheme& scheme, long n) {
-    if (!scheme.has_elements()) return {{scene, {}, std::nullopt, Chebyshev{n}}};
-    // A uniform mesh gains nothing from edges that move with those of the contact, and only equations that hold at
-    // points, with the plane kernel, can change the half-length.
-    const bool breathes = scheme.topology() != Topology::uniform && scene.plane() && scheme.method != "galerkin" &&
-                          scheme.lambda.value_or(1) == 1;
-    std::vector<Discrete> meshes;
-    for (const long own : scheme.richardson ? std::vector{n / 2, n} : std::vector{n}) {
-        meshes.push_back({scene,
-                          scheme.equations(),
-                          rollbem::make_mesh(scheme.topology(), own, scheme.grading.value_or(nan)),
-                          {},
-                          breathes});
-    }
-    return meshes;
+double creepage(const study::Scene& scene, const Settings& settings) {
+    return 2 * (1 - scene.contact.poisson_ratio()) * peak * settings.creepage_ratio;
 }
 
-namespace {
+/// mu N of Hertz's pressure.
+double full(const study::Scene& scene) { return peak * std::numbers::pi / 2 * scene.contact.width(); }
+
+rollbem::ElementSystem<double> slopes(const study::Scene& scene, const Kernel& kernel) {
+    return steady_system(*scene.mesh, scene.scheme, kernel);
+}
+
+rollbem::Friction<> friction(const study::Scene& scene) {
+    return {1, peak * rollbem::mean_hertz_pressure(*scene.mesh)};
+}
+
+/// With the half-length if the load varies: a uniform mesh gains nothing from edges that move with those of the
+/// contact, and only equations that hold at points, with the plane kernel, can change the half-length.
+bool breathes(const study::Scene& scene, const Settings& settings) {
+    return settings.may_breathe && scene.topology() != Topology::uniform && scene.is_plane() &&
+           scene.method != "galerkin" && scene.lambda.value_or(1) == 1;
+}
 
 // --- what a quantity consists of; not a number if the status is not ok
 
 /// -F/(a G xi) at q = dq, 2 dq, ... after a step of creepage, exact in the time domain.
-Values step_forces(const Discrete& discrete) {
-    const rollbem::AdhesionModel<> model(discrete.scene.contact, discrete.system(), rollbem::unchecked,
+Values step_forces(const study::Scene& scene, const Settings& settings) {
+    const rollbem::AdhesionModel<> model(scene.contact, study::system_of(scene), rollbem::unchecked,
                                          rollbem::Integrator::matrix_exponential);
     rollbem::Run contact(model);
     Values forces(steps);
-    for (Complex& force : forces) force = -contact.advance({discrete.scene.dq, 1.0}).force_per_width;
+    for (Complex& force : forces) force = -contact.advance({settings.dq, 1.0}).force_per_width;
     return forces;
 }
 
 /// -F/(mu N) at the creepage ratio.
-Values friction_force(const Discrete& discrete) {
-    const Scene& scene = discrete.scene;
-    const rollbem::FrictionModel<> model(
-        scene.contact, steady_system(*discrete.mesh, discrete.equations, scene.kernel()), discrete.friction());
-    const auto step = rollbem::Run(model).steady({.motion = scene.creepage()});
-    return {step.status == Status::ok ? -step.force / scene.full() : nan};
+Values friction_force(const study::Scene& scene, const Settings& settings) {
+    const rollbem::FrictionModel<> model(scene.contact, slopes(scene, scene.kernel), friction(scene));
+    const auto step = rollbem::Run(model).steady({.motion = creepage(scene, settings)});
+    return {step.status == Status::ok ? -step.force / full(scene) : nan};
 }
 
 /// The same along and across at 45 degrees.
-Values combined_forces(const Discrete& discrete) {
-    const Scene& scene = discrete.scene;
+Values combined_forces(const study::Scene& scene, const Settings& settings) {
     // from kernels, as only then the model knows where the equations hold and turns the slip
-    const auto system = [&](const Kernel& kernel) { return steady_system(*discrete.mesh, discrete.equations, kernel); };
     const rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2> model(
-        scene.contact, {system(scene.kernel()), system(Kernel::lateral(scene.model, scene.contact))},
-        discrete.friction());
-    const double part = scene.creepage() / std::numbers::sqrt2;
+        scene.contact,
+        {slopes(scene, scene.kernel), slopes(scene, Kernel::lateral(scene.kernel.model(), scene.contact))},
+        friction(scene));
+    const double part = creepage(scene, settings) / std::numbers::sqrt2;
     const auto step = rollbem::Run(model).steady({.motion = {part, part}});
     if (step.status != Status::ok) return {nan, nan};
-    return {-step.force.longitudinal / scene.full(), -step.force.lateral / scene.full()};
+    return {-step.force.longitudinal / full(scene), -step.force.lateral / full(scene)};
 }
 
 /// -F/(mu N_0) after each of 160 steps in a period of the load.
-Values load_forces(const Discrete& discrete) {
+Values load_forces(const study::Scene& scene, const Settings& settings) {
     const auto line = rollbem::HertzLine<double>::dimensionless(peak);  // a_0 = 1 and p_0 = mu p_0 = peak under N_0
-    Scene scene = discrete.scene;
-    const double half_length = discrete.breathes ? 1 : std::sqrt(1 + load_amplitude);
-    const auto hertz = discrete.breathes ? rollbem::HertzLoad<double>::breathing(line, *discrete.mesh)
-                                         : rollbem::HertzLoad<double>::fixed(line, *discrete.mesh, half_length);
-    scene.contact = rollbem::Contact<double>({.half_length = half_length,
-                                              .half_width = scene.contact.half_width(),
-                                              .shear_modulus = 1,
-                                              .poisson_ratio = scene.nu()});
+    const bool follows = breathes(scene, settings);
+    const double half_length = follows ? 1 : std::sqrt(1 + load_amplitude);
+    const auto hertz = follows ? rollbem::HertzLoad<double>::breathing(line, *scene.mesh)
+                               : rollbem::HertzLoad<double>::fixed(line, *scene.mesh, half_length);
+    const rollbem::Contact<double> covered({.half_length = half_length,
+                                            .half_width = scene.contact.half_width(),
+                                            .shear_modulus = 1,
+                                            .poisson_ratio = scene.contact.poisson_ratio()});
     const auto load_at = [&](double q) {
         return line.load_per_width() * (1 + load_amplitude * std::sin(2 * std::numbers::pi * q / load_length));
     };
     rollbem::NormalLoad<double> load = hertz.at(load_at(load_length / 4));
-    const rollbem::FrictionModel<> model(scene.contact,
-                                         rollbem::rolling_system(*discrete.mesh, discrete.equations, scene.kernel()),
-                                         rollbem::unchecked, {1, load.normal_pressure});
+    const auto system = rolling_system(*scene.mesh, scene.scheme, Kernel::longitudinal(scene.kernel.model(), covered));
+    const rollbem::FrictionModel<> model(covered, system, rollbem::unchecked, {1, load.normal_pressure});
+    const double xi = creepage(scene, settings);
     rollbem::Run contact(model);
     hertz.set(load_at(0), load);
-    Status status = contact.steady({.motion = scene.creepage(), .load = load}).status;
+    Status status = contact.steady({.motion = xi, .load = load}).status;
     Values forces;
-    const int count = load_steps * scene.load_parts;
-    const double dq = load_length / count, full = line.load_per_width() * scene.contact.width();
+    const int count = load_steps * settings.load_parts;
+    const double dq = load_length / count, all = line.load_per_width() * covered.width();
     for (int k = 1; k <= count; ++k) {
         hertz.set(load_at(k * dq), load);
-        const auto step = contact.advance({dq, scene.creepage(), load});
+        const auto step = contact.advance({dq, xi, load});
         if (status == Status::ok) status = step.status;
-        if (k % scene.load_parts == 0) forces.push_back(status == Status::ok ? -step.force / full : nan);
+        if (k % settings.load_parts == 0) forces.push_back(status == Status::ok ? -step.force / all : nan);
     }
     return forces;
 }
 
-}  // namespace
-
-Values values(const Discrete& discrete, const Quantity& quantity) {
+/// What a quantity other than the traction consists of on one mesh, or by states.
+Values values(const study::Scene& scene, const Settings& settings, const Quantity& quantity) {
     switch (quantity.problem) {
         case Problem::harmonic: {
-            const auto response = rollbem::solve_response<double>(discrete.system(), {0, quantity.frequency});
-            return {response.status == rollbem::Status::ok ? response.c11() : Complex(nan, nan)};
+            const auto response = rollbem::solve_response<double>(study::system_of(scene), {0, quantity.frequency});
+            return {response.status == Status::ok ? response.c11() : Complex(nan, nan)};
         }
-        case Problem::transient: return step_forces(discrete);
-        case Problem::friction: return friction_force(discrete);
-        case Problem::combined_friction: return combined_forces(discrete);
-        case Problem::varying_load: return load_forces(discrete);
+        case Problem::transient: return step_forces(scene, settings);
+        case Problem::friction: return friction_force(scene, settings);
+        case Problem::combined_friction: return combined_forces(scene, settings);
+        case Problem::varying_load: return load_forces(scene, settings);
         default: break;
     }
-    const rollbem::Response<double> response = discrete.steady();
-    return {response.status == rollbem::Status::ok ? response.c11() : nan};
+    const rollbem::Response<double> response = steady(scene);
+    return {response.status == Status::ok ? response.c11() : nan};
 }
-
-namespace {
 
 /// Tractions times the root of their weight in the norm that the study's help defines, with Carter's.
 Found weighted(const Array& tractions, const Array& carter, const Array& weights) {
@@ -167,63 +164,83 @@ Found at_points(double nu, const Traction& traction) {
     return weighted(own, carter, weights);
 }
 
-}  // namespace
-
-Found tractions(const std::vector<Discrete>& meshes, double order) {
-    const Discrete& first = meshes.front();
-    const double nu = first.scene.nu();
-    if (!first.mesh) {
-        const auto steady = first.steady();
-        if (steady.status != rollbem::Status::ok) return {{nan}, {1}};
-        return at_points(nu, rollbem::ChebyshevTraction<double>{steady.unknowns.col(0)});
+/// Tractions, on one mesh, or extrapolated from two to pairs of elements, which form the coarser mesh.
+Found tractions(const study::Scene& scene) {
+    const double nu = scene.contact.poisson_ratio();
+    if (scene.chebyshev) {
+        const auto states = steady(scene);
+        if (states.status != Status::ok) return {{nan}, {1}};
+        return at_points(nu, rollbem::ChebyshevTraction<double>{states.unknowns.col(0)});
     }
-    const auto steady = [](const Discrete& discrete) {  // Knothe and Gross-Thebing's leading element carries none
-        const Array found = discrete.steady().unknowns.col(0);
-        Array all = Array::Zero(discrete.mesh->size());
+    const auto of = [](const study::Scene& one) {  // Knothe and Gross-Thebing's leading element carries none
+        const Array found = steady(one).unknowns.col(0);
+        Array all = Array::Zero(one.mesh->size());
         all.head(found.size()) = found;
         return all;
     };
-    Array tractions = steady(first);
-    if (meshes.size() > 1) {
-        const Array fine = steady(meshes[1]), forces = fine * meshes[1].mesh->widths();
-        for (Eigen::Index i = 0; i < tractions.size(); ++i) {
-            const double mean = forces.segment(2 * i, 2).sum() / first.mesh->widths()[i];
-            tractions[i] = rollbem::richardson(tractions[i], mean, order);
-        }
+    const Array fine = of(scene.on_one_mesh(false));
+    if (!scene.coarse) return on_elements(*scene.mesh, fine, nu);
+    Array tractions = of(scene.on_one_mesh(true));
+    const Array forces = fine * scene.mesh->widths();
+    for (Eigen::Index i = 0; i < tractions.size(); ++i) {
+        const double mean = forces.segment(2 * i, 2).sum() / scene.coarse->widths()[i];
+        tractions[i] = rollbem::richardson(tractions[i], mean, scene.order());
     }
-    return on_elements(*first.mesh, tractions, nu);
+    return on_elements(*scene.coarse, tractions, nu);
 }
 
-Found evaluate(const Scene& scene, const Scheme& scheme, long n, const Quantity& quantity, const Values& reference) {
-    const double nu = scene.nu(), aspect = scene.finite_aspect();
+}  // namespace
+
+bool exists(const study::NamedScheme& scheme, long n) {
+    if (scheme.method == "closed-form") return n == 0;
+    if (scheme.method == "polynomial") return n >= 1;
+    if (!scheme.has_elements()) return n >= 1 && n <= 10000;
+    const long least = std::max(2l, long(rollbem::topology_info(scheme.topology()).least_n));
+    return scheme.richardson ? n % 2 == 0 && n / 2 >= least : n >= least;
+}
+
+bool solves(const study::NamedScheme& scheme, Problem problem) {
+    return scheme.has_elements() || problem < Problem::friction ||
+           (scheme.method == "closed-form" && problem == Problem::friction);
+}
+
+rollbem::Response<double> steady(const study::Scene& scene) {
+    if (scene.chebyshev) return solve_steady(*scene.chebyshev, scene.kernel);
+    return rollbem::solve_steady<double>(rollbem::assemble_G_prime(*scene.mesh, scene.scheme, scene.kernel),
+                                         rollbem::unknown_widths(*scene.mesh, scene.scheme));
+}
+
+Found evaluate(const study::Scene& scene, const Settings& settings, const Quantity& quantity, const Values& reference) {
+    const double nu = scene.contact.poisson_ratio();
+    // steady results of the plane do not depend on it
+    const double aspect = std::isfinite(scene.contact.aspect()) ? scene.contact.aspect() : 1000;
     const bool traction = quantity.name == "traction", step = quantity.problem == Problem::transient;
     const auto after_step = [&](const auto& force) {
         Values forces(steps);
-        for (int k = 0; k < steps; ++k) forces[std::size_t(k)] = force((k + 1) * scene.dq);
+        for (int k = 0; k < steps; ++k) forces[std::size_t(k)] = force((k + 1) * settings.dq);
         return forces;
     };
     const auto polynomial_c11 = [&](Eigen::Index order) {
         return rollbem::polynomial_c11(Complex(0, quantity.frequency), nu, aspect, order).c11;
     };
-    if (scheme.discrete()) {
-        const std::vector<Discrete> meshes = discretise(scene, scheme, n);
-        if (traction) return tractions(meshes, scheme.order());
-        Values found = values(meshes.back(), quantity);
-        if (meshes.size() == 1) return {found};
-        const Values coarse = values(meshes.front(), quantity);
+    if (scene.is_discrete()) {
+        if (traction) return tractions(scene);
+        Values found = values(scene.on_one_mesh(false), settings, quantity);
+        if (!scene.coarse) return {found};
+        const Values coarse = values(scene.on_one_mesh(true), settings, quantity);
         for (std::size_t k = 0; k < found.size(); ++k) {
-            found[k] = rollbem::richardson(coarse[k], found[k], scheme.order());
+            found[k] = rollbem::richardson(coarse[k], found[k], scene.order());
         }
         return {found};
     }
-    if (scheme.method == "polynomial") {
+    if (scene.degree > 0) {
         if (traction) {
-            const auto solution = rollbem::solve_polynomial(Complex(0), nu, aspect, n);
+            const auto solution = rollbem::solve_polynomial(Complex(0), nu, aspect, scene.degree);
             return at_points(nu, [&](double x) { return solution.traction(x); });
         }
-        if (!step) return {{polynomial_c11(n)}};
+        if (!step) return {{polynomial_c11(scene.degree)}};
         const auto transform = [&](std::complex<long double> s) {
-            return rollbem::polynomial_c11<long double>(s, nu, aspect, n).c11 / s;
+            return rollbem::polynomial_c11<long double>(s, nu, aspect, scene.degree).c11 / s;
         };
         return {after_step([&](double q) { return rollbem::reference::invert_laplace(transform, q); })};
     }

@@ -174,23 +174,12 @@ std::vector<Numbers> read_columns(
     return columns;
 }
 
-Pairs read_pairs(const Options& options, const std::string& name, const std::string& names, const Rule& place,
-                 const std::string& further) {
-    const std::string first = names.substr(0, names.find(','));
-    std::vector<Numbers> columns =
-        read_columns(options, name, names, further, [&](const auto& read, const auto& where) {
-            const Numbers& places = read[0];
-            const std::size_t last = places.size() - 1;
-            if (!place.holds(places[last])) throw BadInput(where + ": " + first + " must " + place.text);
-            if (last > 0 && places[last] < places[last - 1]) {
-                throw BadInput(where + " must not lie before the line above it");
-            }
-            if (last > 1 && places[last] == places[last - 2]) {
-                throw BadInput(where + " must not be the third row at one " + first + ": two make a jump");
-            }
-        });
-    options.require(!columns[0].empty(), name, "have at least one row below its header");
-    return {std::move(columns[0]), std::move(columns[1]), {columns.begin() + 2, columns.end()}};
+void require_order(const Numbers& places, const std::string& name, const std::string& where) {
+    const std::size_t last = places.size() - 1;
+    if (last > 0 && places[last] < places[last - 1]) throw BadInput(where + " must not lie before the line above it");
+    if (last > 1 && places[last] == places[last - 2]) {
+        throw BadInput(where + " must not be the third row at one " + name + ": two make a jump");
+    }
 }
 
 }  // namespace study

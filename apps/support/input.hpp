@@ -66,22 +66,17 @@ Numbers read_edges(const Options& options, const std::string& name, double low =
 
 /// The columns `names` of the file that --name gives, separated by commas in `names`: finite numbers. They are found by
 /// their names in the first line; further columns are ignored unless a letter or two make them one of these, and a
-/// semicolon or tab may take the place of the comma.
-/// Those of `further`, groups with a semicolon between them, follow; the columns of a group are empty if the file has
-/// none of them. A named column other than these is refused if `only` lists those that apply. `check` is called after each line with all columns and the line for messages. Throws BadInput.
+/// semicolon or tab may take the place of the comma. Those of `further`, groups with a semicolon between them, follow;
+/// the columns of a group are empty if the file has none of them. A named column other than these is refused if `only`
+/// lists those that apply. `check` is called after each line with all columns and the line for messages. Throws
+/// BadInput.
 std::vector<Numbers> read_columns(
     const Options& options, const std::string& name, const std::string& names, const std::string& further = "",
     const std::function<void(const std::vector<Numbers>& columns, const std::string& where)>& check = {},
     const std::vector<std::string>& only = {});
 
-/// Two columns of finite numbers, the first ascending (equal neighbours are allowed), and further ones.
-struct Pairs {
-    Numbers places, values;
-    std::vector<Numbers> further{};
-};
-
-/// The same for two columns with at least one row; `place` is the rule for the first one. Throws BadInput.
-Pairs read_pairs(const Options& options, const std::string& name, const std::string& names, const Rule& place,
-                 const std::string& further = "");
+/// Throws BadInput, which names the line `where`, unless the last of the places, which `name` calls, lies behind that
+/// before it or is the second one there.
+void require_order(const Numbers& places, const std::string& name, const std::string& where);
 
 }  // namespace study

@@ -23,6 +23,7 @@ struct NamedScheme {
     bool richardson = false;                               ///< extrapolated from n/2 and n elements
 
     bool has_elements() const { return !mesh_name.empty(); }
+    bool is_discrete() const { return has_elements() || method == "chebyshev"; }
     /// Of named meshes.
     rollbem::Topology topology() const { return *rollbem::topology_named(mesh_name); }
     bool graded_by(std::string_view name) const {

@@ -75,6 +75,10 @@ Rule positive() {
     return {[](double value) { return value > 0 && std::isfinite(value); }, "be positive and finite"};
 }
 
+Rule not_negative() {
+    return {[](double value) { return value >= 0 && std::isfinite(value); }, "be finite and not negative"};
+}
+
 Rule positive_or_infinite() {
     return {[](double value) { return value > 0; }, "be positive (inf is allowed)"};
 }

@@ -60,6 +60,7 @@ struct Rule {
 Rule between(double low, double high);
 Rule finite();
 Rule positive();
+Rule not_negative();
 Rule positive_or_infinite();
 
 namespace detail {

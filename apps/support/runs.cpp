@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include "csv.hpp"
+#include "scenes.hpp"
 
 namespace study {
 
@@ -69,25 +71,9 @@ rollbem::Integrator read_integrator(const Options& options, bool friction) {
     return known[index_of(words, options.choice("integrator", words))].integrator;
 }
 
-double LoadHistory::at(double q) const {
-    return knots.empty() ? 1 + amplitude * std::sin(2 * std::numbers::pi * q / length) : at(q, ratios);
-}
-
-double LoadHistory::largest() const {
-    return knots.empty() ? 1 + std::abs(amplitude) : *std::max_element(ratios.begin(), ratios.end());
-}
-
-bool LoadHistory::resolved(double dq) const { return !knots.empty() || resolves(2 * std::numbers::pi / length, dq); }
-
 double next_stop(const Numbers& knots, double from, double to) {
     const auto next = std::upper_bound(knots.begin(), knots.end(), from);
     return next == knots.end() ? to : std::min(*next, to);
-}
-
-Numbers merged(const Numbers& places, const Numbers& others) {
-    Numbers all;
-    std::merge(places.begin(), places.end(), others.begin(), others.end(), std::back_inserter(all));
-    return all;
 }
 
 void add_run_options(Options& options, const std::string& load, const std::string& breathing) {
@@ -108,58 +94,73 @@ void add_run_options(Options& options, const std::string& load, const std::strin
 RunSettings::RunSettings(const Options& options)
     : steps(read_steps(options)),
       from_steady(options.choice("from", {"rest", "steady"}) == "steady"),
-      integrator(read_integrator(options, true)) {}
+      integrator(read_integrator(options, true)),
+      breathing(options.flag("breathing")) {}
 
-std::optional<LoadHistory> read_load_history(const Options& options, double until, const History& imposed,
-                                             const std::string& further) {
-    const bool breathing = options.flag("breathing"), by_sine = options.given("load-sine");
-    const bool by_history = imposed.has("load_ratio");
+namespace {
+
+/// A table of --load, whose first column is that of places.
+std::vector<Numbers> read_load_table(const Options& options, const std::string& further) {
+    std::vector<Numbers> columns =
+        read_columns(options, "load", "q_over_a,load_ratio", further,
+                     [](const auto& read, const auto& where) { require_order(read[0], "q_over_a", where); });
+    options.require(!columns[0].empty(), "load", "have at least one row below its header");
+    return columns;
+}
+
+/// Throws BadInput if ratios at these places are no load of the run. Those of a `history` may stand twice at a place.
+void require_load(const std::string& said, const Numbers& places, const Numbers& ratios, const RunSettings& run,
+                  bool by_history) {
+    const auto require = [&](bool holds, const std::string& what, double value, const std::string& rest) {
+        if (!holds) throw BadInput(said + what + Cell(value).text(6) + rest);
+    };
+    require(places.front() <= 0 && places.back() >= run.until(),
+            " must cover the run: its rows go from q_over_a = " + Cell(places.front()).text(6) + " to ", places.back(),
+            ", the run from 0 to " + Cell(run.until()).text(6));
+    for (std::size_t k = 1; k < places.size(); ++k) {
+        const bool jumps = ratios[k] != ratios[k - 1] || !by_history;
+        require(places[k] > places[k - 1] || !jumps, " must have one row only at q_over_a = ", places[k],
+                by_history ? ": the load cannot jump" : "");
+    }
+    for (const double ratio : ratios) {
+        require(ratio <= 1e12, ": load_ratio = ", ratio, " must be at most 1e12");
+        require(run.breathing ? ratio > 0 : ratio >= 0, ": load_ratio = ", ratio,
+                run.breathing ? " must be positive where the mesh breathes" : " must be at least 0");
+    }
+    const double largest = *std::max_element(ratios.begin(), ratios.end());
+    require(largest > 0, ": the largest load_ratio must be positive, not ", largest, "");
+}
+
+}  // namespace
+
+void read_load(const Options& options, const RunSettings& run, History& imposed, const std::string& further) {
+    const bool by_sine = options.given("load-sine"), by_history = imposed.has("load_ratio");
     for (const char* option : {"load-sine", "load"}) {
         if (by_history) options.ignored(option, "with the column load_ratio of --history");
     }
     if (!by_sine && !by_history && !options.given("load")) {
-        options.ignored("breathing", "without --load-sine, --load or the column load_ratio of --history");
-        return std::nullopt;
+        return options.ignored("breathing", "without --load-sine, --load or the column load_ratio of --history");
     }
     options.ignored("pressure", "under a load that varies: how the contact of a table grows is not known");
     if (by_sine) {
         const auto sine = options.pair("load-sine");
-        const bool small = sine && (breathing ? std::abs(sine->first) < 1 : std::abs(sine->first) <= 1);
+        const bool small = sine && (run.breathing ? std::abs(sine->first) < 1 : std::abs(sine->first) <= 1);
         options.require(small && sine->second > 0, "load-sine",
                         std::string("be A,LENGTH with ") +
-                            (breathing ? "|A| < 1 where the mesh breathes" : "|A| <= 1") + " and LENGTH > 0");
-        return LoadHistory{.amplitude = sine->first, .length = sine->second, .breathing = breathing};
+                            (run.breathing ? "|A| < 1 where the mesh breathes" : "|A| <= 1") + " and LENGTH > 0");
+        return imposed.set("load_ratio", {sine->first, 2 * std::numbers::pi / sine->second}, 1);
     }
-    const std::string said = options.said(by_history ? "history" : "load");
-    LoadHistory history{.breathing = breathing};
     if (by_history) {
-        history.knots = imposed.places();
-        history.ratios = imposed.values("load_ratio");
-        for (const std::string& column : cells_of(further)) history.further.push_back(imposed.values(column));
-    } else {
-        Pairs pairs = read_pairs(options, "load", "q_over_a,load_ratio", finite(), further);
-        history.knots = std::move(pairs.places);
-        history.ratios = std::move(pairs.values);
-        history.further = std::move(pairs.further);
+        return require_load(options.said("history"), imposed.places(), imposed.values("load_ratio"), run, true);
     }
-    const auto require = [&](bool holds, const std::string& what, double value, const std::string& rest) {
-        if (!holds) throw BadInput(said + what + Cell(value).text(6) + rest);
-    };
-    require(history.knots.front() <= 0 && history.knots.back() >= until,
-            " must cover the run: its rows go from q_over_a = " + Cell(history.knots.front()).text(6) + " to ",
-            history.knots.back(), ", the run from 0 to " + Cell(until).text(6));
-    for (std::size_t k = 1; k < history.knots.size(); ++k) {  // a table of motions may have two rows there
-        const bool jumps = history.ratios[k] != history.ratios[k - 1] || !by_history;
-        require(history.knots[k] > history.knots[k - 1] || !jumps,
-                " must have one row only at q_over_a = ", history.knots[k], by_history ? ": the load cannot jump" : "");
+    std::vector<Numbers> table = read_load_table(options, further);
+    require_load(options.said("load"), table[0], table[1], run, false);
+    std::map<std::string, Numbers> columns{{"load_ratio", std::move(table[1])}};
+    const std::vector<std::string> names = columns_of(further);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        if (!table[k + 2].empty()) columns[names[k]] = std::move(table[k + 2]);
     }
-    for (const double ratio : history.ratios) {
-        require(ratio <= 1e12, ": load_ratio = ", ratio, " must be at most 1e12");
-        require(breathing ? ratio > 0 : ratio >= 0, ": load_ratio = ", ratio,
-                breathing ? " must be positive where the mesh breathes" : " must be at least 0");
-    }
-    require(history.largest() > 0, ": the largest load_ratio must be positive, not ", history.largest(), "");
-    return history;
+    imposed.set(table[0], std::move(columns));
 }
 
 namespace {

@@ -50,28 +50,6 @@ inline constexpr const char* unchecked = "unchecked";  ///< ok, except for the c
 /// Where a step has to end: at the first knot between two places, otherwise at the second place.
 double next_stop(const Numbers& knots, double from, double to);
 
-/// All of these places, ascending.
-Numbers merged(const Numbers& places, const Numbers& others);
-
-/// N/N_0 = 1 + amplitude sin(2 pi q/length), or linear between the knots of a table.
-struct LoadHistory {
-    double amplitude = 0, length = 1;
-    Numbers knots{}, ratios{};       ///< of a table: ascending places [a_0] and N/N_0 there
-    std::vector<Numbers> further{};  ///< other columns of it
-    bool breathing = false;          ///< the mesh follows the contact; otherwise it covers the largest one
-
-    double at(double q) const;
-
-    /// Another column at a place.
-    double at(double q, const Numbers& column) const { return interpolate(knots, column, q); }
-
-    /// Largest N/N_0.
-    double largest() const;
-
-    /// Whether steps of `dq` [a_0] follow a sine.
-    bool resolved(double dq) const;
-};
-
 /// Declares what runs with friction share: --load-sine, --load, --breathing, --from, --dq, --until and --integrator,
 /// all for --transient. `load` and `breathing` are what --help says of these besides.
 void add_run_options(Options& options, const std::string& load, const std::string& breathing);
@@ -81,15 +59,16 @@ struct RunSettings {
     Steps steps;
     bool from_steady;
     rollbem::Integrator integrator;
+    bool breathing;  ///< the mesh follows a contact whose load varies; otherwise it covers the largest one
 
     explicit RunSettings(const Options& options);
     double until() const { return double(steps.count) * steps.dq; }
 };
 
-/// --load-sine, --load or load_ratio of a table of `history`, and --breathing; nothing if the load is constant. The run
-/// is `until` long [a_0]. A table may have the columns `further` besides. Throws BadInput.
-std::optional<LoadHistory> read_load_history(const Options& options, double until, const History& history,
-                                             const std::string& further = "");
+/// Adds N/N_0, the column load_ratio, of --load-sine or --load to what is imposed on a run that is `until` long [a_0]:
+/// 1 + A sin(2 pi q/LENGTH), or a table, which may have the columns `further` besides. Throws BadInput, also if what is
+/// there is no load, or jumps.
+void read_load(const Options& options, const RunSettings& run, History& imposed, const std::string& further = "");
 
 /// What make(case) returns for each of the cases, which have a label(), with a progress line: checks may take long.
 template <class Run, class Case, class Make>

@@ -41,12 +41,6 @@ std::vector<std::pair<double, double>> make_alphas(const Options& options) {
     return alphas;
 }
 
-rollbem::AnyKernel<double> make_kernel(const Options& options, const rollbem::Contact<double>& contact) {
-    const bool plane = options.choice("kernel", {"strip", "plane"}) == "plane";
-    return rollbem::AnyKernel<double>::longitudinal(plane ? rollbem::LineModel::plane : rollbem::LineModel::strip,
-                                                    contact);
-}
-
 }  // namespace
 
 std::vector<std::string> columns_of(const std::string& text) {
@@ -143,7 +137,7 @@ std::vector<NamedScheme> listed_schemes(const Options& options, const std::vecto
 /// The schemes that a study of elements takes.
 std::vector<NamedScheme> make_schemes(const Options& options, Problem problem, Methods methods) {
     std::vector<std::string> names{"collocation", "galerkin", "knothe-bc", "nodes"};
-    if (methods == Methods::elements_and_states) names.emplace_back("chebyshev");
+    if (methods != Methods::elements) names.emplace_back("chebyshev");
     const std::string no_states = "friction bounds the traction of elements, which chebyshev does not have";
     options.require(methods != Methods::elements || options.text("method") != "chebyshev", "method",
                     "be one of " + join(names, ", ") + ": " + no_states);
@@ -151,11 +145,11 @@ std::vector<NamedScheme> make_schemes(const Options& options, Problem problem, M
     std::vector<NamedScheme> schemes = named_schemes(options.texts("scheme"));
     for (const NamedScheme& scheme : schemes) {
         const std::string said = "--scheme = " + scheme.word();
-        if (scheme.richardson || scheme.method == "polynomial" || scheme.method == "closed-form") {
-            throw BadInput(said +
-                           " must not be extrapolated, a polynomial or a closed form, which precision_study has");
+        if (methods != Methods::all_with_c11 && (scheme.richardson || !scheme.is_discrete())) {
+            throw BadInput(said + " must not be extrapolated, a polynomial or a closed form, which have a c11 alone");
         }
-        if (!contains(names, scheme.method)) throw BadInput(said + " must be one of elements: " + no_states);
+        if (scheme.is_discrete() && !contains(names, scheme.method))
+            throw BadInput(said + " must be one of elements: " + no_states);
         if (problem == Problem::steady && scheme.lambda.value_or(1) != 1) {
             throw BadInput(said + " must have no lambda: " + no_lambda);
         }
@@ -165,9 +159,27 @@ std::vector<NamedScheme> make_schemes(const Options& options, Problem problem, M
 
 }  // namespace
 
+Scene make_scene(const NamedScheme& scheme, Eigen::Index n, const rollbem::Contact<double>& contact,
+                 rollbem::LineModel model) {
+    if (!scheme.is_discrete()) model = rollbem::LineModel::plane;
+    Scene scene{scheme, contact, rollbem::AnyKernel<double>::longitudinal(model, contact)};
+    if (scheme.has_elements()) {
+        scene.mesh = make_mesh(scheme, n);
+        scene.scheme = scheme.equations();
+    } else if (scheme.method == "chebyshev") {
+        scene.chebyshev = rollbem::Chebyshev{n};
+    } else if (scheme.method == "polynomial") {
+        scene.degree = n;
+    }
+    if (scheme.richardson) scene.coarse = make_mesh(scheme, n / 2);
+    return scene;
+}
+
 std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods methods) {
     const std::vector<NamedScheme> schemes = make_schemes(options, problem, methods);
     const std::vector<rollbem::Contact<double>> contacts = make_contacts(options, problem);
+    const bool plane = options.choice("kernel", {"strip", "plane"}) == "plane";
+    const rollbem::LineModel model = plane ? rollbem::LineModel::plane : rollbem::LineModel::strip;
     std::shared_ptr<const rollbem::Mesh<double>> given;
     if (options.given("edges")) {
         const Eigen::ArrayXd edges = array(read_edges(options, "edges"));
@@ -182,21 +194,20 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods 
     std::vector<Scene> scenes;
     for (const std::ptrdiff_t n : numbers) {
         for (const NamedScheme& scheme : schemes) {
-            Scene scene{scheme, contacts[0], make_kernel(options, contacts[0])};
-            if (scheme.has_elements()) {
-                scene.mesh = given ? given : make_mesh(scheme, n);
-                scene.scheme = scheme.equations();
-            } else {
-                scene.chebyshev = rollbem::Chebyshev{n};
-            }
-            const std::string too_few = few + std::to_string(n) + " must be at least 2 ";
-            if (n < 2 && scheme.method == "knothe-bc") throw BadInput(too_few + "with --method knothe-bc");
-            if (n < 2 && scheme.alpha_L != scheme.alpha_T) {
-                throw BadInput(too_few + "where alpha-L and alpha-T differ");
-            }
+            if (scheme.method == "closed-form" && n != numbers.front()) continue;  // it has no n
+            const auto require = [&](bool holds, const std::string& rule) {
+                if (!holds) throw BadInput(few + std::to_string(n) + " must be " + rule);
+            };
+            require(!scheme.richardson || n % 2 == 0, "even to extrapolate from its half");
+            Scene scene{scheme, contacts[0], rollbem::AnyKernel<double>::longitudinal(model, contacts[0])};
+            scene.mesh = given;
+            scene.scheme = given ? scheme.equations() : rollbem::AnyScheme{};
+            if (!given) scene = make_scene(scheme, n, contacts[0], model);
+            require(n >= 2 || scheme.method != "knothe-bc", "at least 2 with --method knothe-bc");
+            require(n >= 2 || scheme.alpha_L == scheme.alpha_T, "at least 2 where alpha-L and alpha-T differ");
             for (const rollbem::Contact<double>& contact : contacts) {
                 scene.contact = contact;
-                scene.kernel = make_kernel(options, contact);
+                scene.kernel = rollbem::AnyKernel<double>::longitudinal(scene.kernel.model(), contact);
                 options.require(!scene.chebyshev || scene.is_plane() || contact.aspect() >= narrowest_for_states,
                                 "aspect",
                                 "be at least 0.001 with --method chebyshev: so narrow a strip needs elements");

@@ -22,8 +22,9 @@ namespace study {
 /// Whether b/a may be infinite: a problem in the time domain needs G, which has no such limit.
 enum class Problem { steady, non_steady };
 
-/// What a study can compute with. Chebyshev states are for full adhesion.
-enum class Methods { elements, elements_and_states };
+/// What a study can compute with. Chebyshev states are for full adhesion. What is extrapolated, polynomials and the
+/// closed form have a c11 alone.
+enum class Methods { elements, elements_and_states, all_with_c11 };
 
 /// One case to compute, and its names in the columns.
 struct Scene : NamedScheme {
@@ -31,9 +32,18 @@ struct Scene : NamedScheme {
     rollbem::AnyKernel<double> kernel;
     std::optional<rollbem::Chebyshev> chebyshev{};  ///< in place of mesh and equations
     std::shared_ptr<const rollbem::Mesh<double>> mesh{};
+    std::shared_ptr<const rollbem::Mesh<double>> coarse{};  ///< of half as many elements, to extrapolate from
     rollbem::AnyScheme scheme{};
+    Eigen::Index degree = 0;  ///< of a polynomial
 
-    Eigen::Index n() const { return chebyshev ? chebyshev->states : mesh ? mesh->size() : 0; }
+    Eigen::Index n() const { return chebyshev ? chebyshev->states : mesh ? mesh->size() : degree; }
+    /// On the coarse mesh, or on the fine one, alone.
+    Scene on_one_mesh(bool on_coarse) const {
+        Scene one = *this;
+        if (on_coarse) one.mesh = coarse;
+        one.coarse.reset();
+        return one;
+    }
 
     /// For the progress line.
     std::string label() const { return "n = " + std::to_string(n()); }
@@ -68,6 +78,11 @@ inline constexpr const char* no_lambda = "a steady problem builds no G, the only
 
 /// Says in --help that --method takes chebyshev, too, and further methods of the study's own.
 void offer_chebyshev(Options& options, const std::string& further = "");
+
+/// A case of n elements or states, or of the order n of a polynomial; the plane alone knows those without either.
+/// Throws BadInput if they are too few for the mesh.
+Scene make_scene(const NamedScheme& scheme, Eigen::Index n, const rollbem::Contact<double>& contact,
+                 rollbem::LineModel model);
 
 /// All cases that the common options ask for. Throws BadInput if a value is out of range or an option would be ignored.
 std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods methods = Methods::elements);

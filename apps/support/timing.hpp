@@ -3,9 +3,11 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
+#include <ctime>
+#include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace study {
@@ -13,35 +15,58 @@ namespace study {
 /// What --help says of times.
 inline constexpr const char* median_of_runs = "median of at least 5 runs, one if it takes a second";
 
-/// A computation that takes so long [us] is timed once.
-inline constexpr double enough = 1e6;
-
-/// Median over at least 5 runs of the time of one call [us], or that of the first if it takes `longest`. Runs are
-/// repeated for 2 ms, at most 51 times, which steadies the median of short computations. `call` must return a double
-/// that depends on what it computed.
-template <class Call>
-double median_time_us(const Call& call, double longest = enough) {
-    using Clock = std::chrono::steady_clock;
-    using Microseconds = std::chrono::duration<double, std::micro>;
-    [[maybe_unused]] volatile double kept = 0;  // keeps the optimiser from dropping the computation
-    const auto run = [&](std::size_t calls) {
-        const Clock::time_point start = Clock::now();
-        for (std::size_t i = 0; i < calls; ++i) kept = call();
-        return Microseconds(Clock::now() - start).count();
-    };
-    std::size_t calls = 1;
-    double time = run(calls);
-    if (time >= longest) return time;
-    while (calls < 4096 && time < 20) time = run(calls *= 2);  // a run lasts some hundred times the clock's overhead
-    std::vector<double> runs;
-    double total = 0;
-    while (runs.size() < 5 || (total < 2000 && runs.size() < 51)) {
-        runs.push_back(run(calls));
-        total += runs.back();
+/// One computation, whose time is the median over at least 5 runs, or that of the first if it takes a second. It is
+/// that of the processor, which other programs disturb less than that of the clock on the wall. A run lasts some
+/// hundred times the overhead of the clock, and runs are repeated for 8 ms, at most 51 times, which steadies the median
+/// of short computations.
+class Timer {
+public:
+    /// `call` must return a double that depends on what it computed. The first call is made here.
+    explicit Timer(std::function<double()> call) : call_(std::move(call)) {
+        const double first = run(1);
+        if (first >= enough) runs_ = {first};
+        if (first > 10000) return;  // a first call is slow
+        while (calls_ < 4096 && run(calls_) < 100) calls_ *= 2;
     }
-    const auto middle = runs.begin() + std::ptrdiff_t(runs.size() / 2);
-    std::nth_element(runs.begin(), middle, runs.end());
-    return *middle / static_cast<double>(calls);
+
+    bool done() const {
+        if (!runs_.empty() && runs_.front() >= enough) return true;
+        return runs_.size() >= 5 && (total_ > 8000 || runs_.size() >= 51);
+    }
+    void run_again() {
+        if (calls_ > 1) run(1);  // refills the caches after other computations
+        runs_.push_back(run(calls_));
+        total_ += runs_.back();
+    }
+    /// Of one call [us].
+    double median() {
+        const auto middle = runs_.begin() + std::ptrdiff_t(runs_.size() / 2);
+        std::nth_element(runs_.begin(), middle, runs_.end());
+        return *middle / static_cast<double>(calls_);
+    }
+
+private:
+    static constexpr double enough = 1e6;  // [us]
+
+    double run(std::size_t count) const {
+        [[maybe_unused]] volatile double kept = 0;  // keeps the optimiser from dropping the computation
+        const std::clock_t start = std::clock();
+        for (std::size_t i = 0; i < count; ++i) kept = call_();
+        return 1e6 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    }
+
+    std::function<double()> call_;
+    std::size_t calls_ = 1;  // in a run
+    std::vector<double> runs_;
+    double total_ = 0;
+};
+
+/// The time of call() by a Timer.
+template <class Call>
+double median_time_us(const Call& call) {
+    Timer timer(call);
+    while (!timer.done()) timer.run_again();
+    return timer.median();
 }
 
 /// The median time [us] of call(), or nothing after one call unless it is `timed`. call() may keep what it computes.

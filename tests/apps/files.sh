@@ -1,6 +1,7 @@
 #!/bin/sh
 # apps/support, seen from outside: configuration files, standard streams as files, and conflicts between files of a run.
 # Usage: files.sh FOLDER-OF-PROGRAMS
+results=$(cd "$(dirname "$0")/../../bench/results" && pwd)
 . "$(dirname "$0")/functions.sh"
 steady=$programs/steady_study
 printf '%s\n' -1 -0.2 0.5 1 >"$scratch/edges"
@@ -40,6 +41,12 @@ friction="$programs/friction_study --n 8 --creepage-ratio 0.5 --no-timing"
 $friction --tractions t.csv --output run.csv && $friction --config t.csv.toml --tractions t.csv --output again.csv &&
     cmp -s run.csv again.csv || fail "the file beside --tractions"
 rm -rf run.* t.csv* again.* parts own
+
+# the runs of bench/results are taken as they stand there, here without a row
+for run in "$results"/*.csv.toml; do
+    (cd "$results" && "$programs/$(sed -n '1s/^# program = //p' "$run")" --config "$run" --shard 1000000/1000000) \
+        >out 2>err || fail "$run cannot be repeated: $(cat err)"
+done
 
 # - is a standard stream, not a file
 mkdir streams

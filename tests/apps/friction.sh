@@ -83,6 +83,14 @@ awk -F, 'NR == FNR { slow = $4; next }
     END { exit !($8 == "" && $12 == "ok" && $4 > 0.5 && $4 < 0.52 && slow > 0.7 && slow < 0.8) }' slow out ||
     fail "a shift that takes its time"
 
+# twice as fast, friction falls as with half the velocities of its law
+printf 'q_over_a,creepage_ratio,speed\n0,0.8,2\n1,0.8,2\n' >"$scratch/fast"
+good 21 $rolling --falling 0.6,2 --memory 0.3,0.02 --history "$scratch/fast" --until 2 --dq 0.1
+mv out fast
+good 21 $rolling --falling 0.6,1 --memory 0.3,0.01 --creepage-ratio 0.8 --until 2 --dq 0.1
+paste -d, fast out | awk -F, 'NR > 1 { n += ($4 / $(4 + NF / 2) - 1) ^ 2 < 1e-20 && $4 > 0 } END { exit n != 20 }' ||
+    fail "speed: $(paste -d, fast out)"
+
 # --- a load that varies
 printf 'q_over_a,load_ratio\n0,1\n2,0\n3,0\n4,1.2\n' >"$scratch/bounce"
 # a step across a kink is divided there

@@ -7,6 +7,8 @@
 #include <rollbem/assembly/patch_system.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/detail/gauss_legendre.hpp>
+#include <rollbem/elasticity/layered_kernel.hpp>
+#include <rollbem/elasticity/plane_kernel.hpp>
 
 #include "support/catch.hpp"
 #include "support/moved_mesh.hpp"
@@ -44,6 +46,28 @@ RectangleInfluence<double> point_force(double nu, double x, double y) {
 }
 
 }  // namespace
+
+TEST_CASE("patch_system: a layer adds to each strip what it adds to a line") {
+    const NodeDifference scheme{GENERATE(Nodes::centres, Nodes::chebyshev)};
+    const double L = 0.7;
+    const auto contact = PatchContact<double>::dimensionless(2, 0.3);
+    const PatchMesh<double> mesh = patch_mesh(contact, 6, 4);
+    const auto layered = rolling_system(mesh, scheme, HalfSpace<double>(0.3, L)).whole(),
+               bare = rolling_system(mesh, scheme, HalfSpace<double>(0.3)).whole();
+    const auto line = PlaneKernel<double>::longitudinal(Contact<double>::dimensionless(100, 0.3));
+    const auto with = rolling_system(mesh.along(), scheme, LayeredKernel(line, L)),
+               without = rolling_system(mesh.along(), scheme, line);
+    Matrix G = bare.G(), G_prime = bare.G_prime();
+    for (Eigen::Index j = 0; j < 2 * 4; ++j) {
+        G.block(6 * j, 6 * j, 6, 6) += with.G() - without.G();
+        G_prime.block(6 * j, 6 * j, 6, 6) += (with.G_prime() - without.G_prime()) / mesh.half_lengths()[j % 4];
+    }
+    CHECK(largest(layered.G() - G) < 1e-13);
+    CHECK(largest(layered.G_prime() - G_prime) < 1e-12);
+    CHECK(largest(layered.G() - bare.G()) > 0.9 * L);
+    CHECK_THROWS_WITH(breathing_system(contact, mesh, scheme, HalfSpace<double>(0.3, L)),
+                      ContainsSubstring("layer_compliance"));
+}
 
 TEST_CASE("rectangle_kernel: corners give the integral of point forces") {
     const double nu = 0.3, x0 = -0.2, x1 = 0.3, y0 = 0.1, y1 = 0.4;

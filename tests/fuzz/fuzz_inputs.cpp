@@ -55,7 +55,8 @@ void require(bool holds, const char* what) {
 /// Reads the words as a study would. Only std::invalid_argument escapes.
 void take(const std::vector<std::string>& words) {
     study::Options options("fuzz", "purpose");
-    study::add_history_options(options, {"creepage"});
+    const study::HistoryColumns columns{{"creepage"}};
+    study::add_history_options(options, columns);
     options.add("omega", "LIST", "numbers");
     options.refuse("plot", "there is nothing to draw");
     std::vector<const char*> argv{"fuzz"};
@@ -63,9 +64,9 @@ void take(const std::vector<std::string>& words) {
     if (options.parse(static_cast<int>(argv.size()), argv.data())) return;
     if (options.given("omega")) options.numbers("omega", study::positive());
     if (options.given("history")) {
-        const auto history = study::read_history(options, {"creepage"});
-        const study::Numbers& places = history->places();
-        require(!places.empty() && places.size() == history->values("creepage").size(), "as many places as values");
+        const auto history = study::read_history(options, columns);
+        const study::Numbers& places = history.places();
+        require(!places.empty() && places.size() == history.values("creepage").size(), "as many places as values");
         require(std::is_sorted(places.begin(), places.end()), "places ascend");
     }
     for (const study::Scene& scene : study::make_scenes(options, study::Problem::steady)) {
@@ -84,7 +85,9 @@ void take_friction(const std::vector<std::string>& words) {
     options.add("load-sine", "A,LENGTH", "two numbers");
     options.add_input("load", "a file");
     options.add_flag("breathing", "a flag");
+    options.add("from", "NAME", "a state", "rest");
     study::add_steps(options);
+    study::add_integrator(options, true);
     std::vector<const char*> argv{"fuzz"};
     for (const std::string& word : words) argv.push_back(word.c_str());
     if (options.parse(static_cast<int>(argv.size()), argv.data())) return;
@@ -93,21 +96,21 @@ void take_friction(const std::vector<std::string>& words) {
     const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(5);
     const friction::Pressure pressure = friction::make_pressure(options);
     require((pressure(mesh) >= 0).all() && pressure(mesh).allFinite(), "pressures press");
-    const study::Steps steps = study::read_steps(options);
-    const double until = steps.dq * static_cast<double>(steps.count);
-    const auto history = friction::read_load(options, until, {});
-    if (!history) return;
-    const rollbem::HertzLoad<double> hertz = friction::hertz_load(*history, mesh);
+    const study::RunSettings run(options);
+    study::History imposed;
+    study::read_load(options, run, imposed);
+    if (!imposed.has("load_ratio")) return;
+    const rollbem::HertzLoad<double> hertz = friction::hertz_load(imposed, run.breathing, mesh);
     rollbem::NormalLoad<double> load = hertz.at(friction::mu_N);
     double q = 0;
-    for (int k = 0; k <= 50 && q < until; ++k) {
-        const double ratio = history->at(q);
+    for (int k = 0; k <= 50 && q < run.until(); ++k) {
+        const double ratio = imposed.at("load_ratio", q);
         require(std::isfinite(ratio) && ratio >= 0, "a load presses");
         const bool possible = hertz.set(ratio * friction::mu_N, load) == rollbem::Status::ok;
         // an underflowing load has no contact length
-        require(possible || (history->breathing && ratio < 1e-290), "the mesh covers every load");
-        const double end = std::min(until, q + std::max(steps.dq, until / 50)),
-                     next = study::next_stop(history->knots, q, end);
+        require(possible || (run.breathing && ratio < 1e-290), "the mesh covers every load");
+        const double end = std::min(run.until(), q + std::max(run.steps.dq, run.until() / 50)),
+                     next = study::next_stop(imposed.places(), q, end);
         require(next > q && next <= end, "steps go on");
         q = next;
     }

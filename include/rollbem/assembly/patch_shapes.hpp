@@ -34,6 +34,8 @@ ShapeNode<Scalar> shape_node(const PatchMesh<Scalar>& mesh, const Scheme& scheme
     static_assert(
         requires { kernel.corner_lateral_slope(c, c); },
         "patches whose half-width varies require a kernel with corner_lateral_slope");
+    require(layer_compliance(kernel) == 0, "patch", "layer_compliance of the kernel", layer_compliance(kernel),
+            "be 0 where the size of the patch varies: the layer does not grow with it");
     const Eigen::Index n = mesh.elements_per_strip(), m = mesh.strip_count();
     const auto whole = [&](InfluenceRows<Scalar> rows, Scalar factor, Scalar sign) {
         for (MatrixX<Scalar>* block : {&rows.xx, &rows.xy, &rows.yy}) {

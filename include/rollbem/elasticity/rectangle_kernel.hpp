@@ -6,6 +6,7 @@
 #include <cmath>
 #include <concepts>
 #include <numbers>
+#include <type_traits>
 
 #include "../detail/require.hpp"
 
@@ -40,7 +41,8 @@ struct RectangleInfluence {
 ///   y, xy is even in x and odd in y. Patches whose half-width varies require it.
 /// - coupling_integral(x, y), an antiderivative over y of the xy of corner(x, y), up to functions of y alone, which
 ///   cancel, and with line_slope line_coupling_integral(x, y), one of its xy, f(y1) - f(y0), over y of f. With them
-///   patches with strips much wider than long have accurate couplings of both directions.
+///   patches with strips much wider than long have accurate couplings of both directions;
+/// - layer_compliance(), L of a displacement L p besides, which is local.
 template <class Kernel>
 concept RectangleKernel = requires(const Kernel& kernel, typename Kernel::Scalar x) {
     { kernel.corner(x, x) } -> std::same_as<RectangleInfluence<typename Kernel::Scalar>>;
@@ -48,16 +50,23 @@ concept RectangleKernel = requires(const Kernel& kernel, typename Kernel::Scalar
 };
 
 /// Two equal half-spaces (Boussinesq, Cerruti): with r = sqrt(x^2 + y^2), pi G F is
-/// xx: (1-nu) x asinh(y/|x|) + y asinh(x/|y|), yy: x asinh(y/|x|) + (1-nu) y asinh(x/|y|), xy: -nu r.
+/// xx: (1-nu) x asinh(y/|x|) + y asinh(x/|y|), yy: x asinh(y/|x|) + (1-nu) y asinh(x/|y|), xy: -nu r. A thin elastic
+/// layer between them adds L p to the displacement, as LayeredKernel does on a line.
 template <class Scalar_>
 class HalfSpace {
 public:
     using Scalar = Scalar_;
 
-    /// Throws std::invalid_argument unless 0 <= nu <= 0.5.
-    explicit HalfSpace(Scalar poisson_ratio) : nu_(poisson_ratio) { detail::require_poisson_ratio("HalfSpace", nu_); }
+    /// L = h_3/G_3 of the layer, times G, in the unit of length of the patch. Throws std::invalid_argument unless 0 <=
+    /// nu <= 0.5 and 0 <= L < inf.
+    explicit HalfSpace(Scalar poisson_ratio, std::type_identity_t<Scalar> layer_compliance = 0)
+        : nu_(poisson_ratio), layer_(layer_compliance) {
+        detail::require_poisson_ratio("HalfSpace", nu_);
+        detail::require_not_negative("HalfSpace", "layer_compliance", layer_);
+    }
 
     bool couples() const { return nu_ != 0; }
+    Scalar layer_compliance() const { return layer_; }
 
     RectangleInfluence<Scalar> corner(Scalar x, Scalar y) const {
         const Scalar r = std::sqrt(x * x + y * y);
@@ -113,7 +122,7 @@ private:
     // far below any distance, and the ratio of a distance to it does not overflow
     static constexpr Scalar least = detail::negligible<Scalar>;
 
-    Scalar nu_;
+    Scalar nu_, layer_;
 };
 
 }  // namespace rollbem

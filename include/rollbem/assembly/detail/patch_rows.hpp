@@ -221,6 +221,38 @@ Eigen::Index computed_strips(const PatchMesh<Scalar>& mesh) {
     return mesh.is_mirrored() ? (mesh.strip_count() + 1) / 2 : mesh.strip_count();
 }
 
+/// L of a kernel with a layer, or 0.
+template <RectangleKernel Kernel>
+typename Kernel::Scalar layer_compliance(const Kernel& kernel) {
+    if constexpr (requires { kernel.layer_compliance(); }) return kernel.layer_compliance();
+    return 0;
+}
+
+/// What a layer of unit compliance adds to the rows of a strip at its own elements: p of the element in which a place
+/// lies, half of it on an edge, nothing on the leading edge of the contact, ahead of which there is no load.
+template <class Scalar>
+MatrixX<Scalar> layer_rows(const Mesh<Scalar>& along, const StripRows<Scalar>& rows, Quantity quantity,
+                           Scalar row_scale) {
+    const auto share = [&](const typename StripRows<Scalar>::Place& at, Eigen::Index c) -> Scalar {
+        const Scalar h = along.widths()[c] / 2, to_edge = (std::min)(along.from_trailing()[c], along.from_leading()[c]);
+        const Scalar d = at.from_trailing < at.from_leading ? at.from_trailing - along.from_trailing()[c]
+                                                            : along.from_leading()[c] - at.from_leading;
+        const Scalar rounding = (std::min)(64 * std::numeric_limits<Scalar>::epsilon() * (to_edge + h), h / 8);
+        if (std::abs(std::abs(d) - h) > rounding) return std::abs(d) < h ? Scalar(1) : Scalar(0);
+        return at.from_leading <= rounding ? Scalar(0) : Scalar(0.5);
+    };
+    MatrixX<Scalar> result(along.size(), along.size());
+    for (Eigen::Index r = 0; r < along.size(); ++r) {
+        const std::size_t place = rows.behind[static_cast<std::size_t>(r)];
+        for (Eigen::Index c = 0; c < along.size(); ++c) {
+            result(r, c) = share(rows.places[place], c);
+            if (quantity == Quantity::displacement) continue;
+            result(r, c) = (share(rows.places[place + 1], c) - result(r, c)) / (row_scale * rows.lengths[r]);
+        }
+    }
+    return result;
+}
+
 /// Rows of G (displacement) or G' (slope) of the strips that are computed, for all elements; xy at the middles of
 /// strips or over their widths.
 template <class Scalar, RectangleKernel Kernel>
@@ -252,6 +284,11 @@ InfluenceRows<Scalar> patch_rows(const PatchMesh<Scalar>& mesh, const StripRows<
                     result.set(j * n + r, k * n + c, influence);
                 }
             }
+        }
+        if (const Scalar layer = layer_compliance(kernel); layer > 0) {
+            const MatrixX<Scalar> local = layer * layer_rows(mesh.along(), rows, quantity, mesh.half_lengths()[j]);
+            result.xx.block(j * n, j * n, n, n) += local;
+            result.yy.block(j * n, j * n, n, n) += local;
         }
     }
     return result;
