@@ -61,12 +61,12 @@ struct FrictionState {
 namespace detail {
 
 /// Where a solution is sought: at tractions in G and the zones that go with them, in one direction at these alone.
-/// `plain_traction`: for slip that is not turned, if its equations are others (StickSlip::plain_constant).
+/// `turned_traction`: of a second solution for turned slip, unless its equations are those of the first.
 template <int directions, class Scalar>
 struct SolutionStart {
     const ElementVectors<Scalar, directions>& traction;
     const std::vector<Zone>& zones;
-    const ElementVectors<Scalar, directions>* plain_traction = nullptr;
+    const ElementVectors<Scalar, directions>* turned_traction = nullptr;
 };
 
 /// The first type with one direction, the second with two.

@@ -3,9 +3,9 @@
 
 #include "../../rolling/step_frame.hpp"
 #include "../../scene/rigid_motion.hpp"
+#include "../../system/element_blocks.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
-#include "directions.hpp"
 #include "imposed_slip.hpp"
 #include "scratch.hpp"
 
@@ -24,14 +24,14 @@ template <int directions, class Scalar>
 struct FrictionRequest {
     const FrictionState<directions, Scalar>& from;
     rollbem::Travel<Scalar> travel;
-    const RigidMotion<typename Directions<directions, Scalar>::Value>& motion;
+    const RigidMotion<CreepageAlong<directions, Scalar>>& motion;
     StepLoad<Scalar> load;
 };
 
-/// `system` is null in steady rolling of one shape.
 template <int directions_, class Scalar, class Bounds>
-struct FrictionFrame : StepFrame<typename Directions<directions_, Scalar>::Value, Scalar> {
+struct FrictionFrame : StepFrame<CreepageAlong<directions_, Scalar>, Scalar> {
     static constexpr int directions = directions_;
+    using Change = typename StickSlip<directions, Scalar>::Change;
     /// With one direction and given bounds tangents depend on M and the sticking elements alone, and are kept.
     static constexpr bool keeps_tangents = directions == 1 && Bounds::are_given;
 
@@ -46,11 +46,11 @@ struct FrictionFrame : StepFrame<typename Directions<directions_, Scalar>::Value
         bool tangent_exists = true, solved = true, finite = true;
     };
 
-    const typename Directions<directions, Scalar>::System* system;
     const FrictionRequest<directions, Scalar>& request;
+    const ElementSystem<Scalar, directions>& system;
     const ImposedSlip<directions, Scalar>& slip;
-    Bounds bounds;
     FrictionScratch<directions, Scalar>& scratch;
+    Bounds bounds;
     Asked asked{};
     Summary summary{};
 };

@@ -31,7 +31,13 @@ template <int directions, class Scalar>
 struct SlipDependentScratch {
     using Vector = VectorX<Scalar>;
 
-    explicit SlipDependentScratch(Eigen::Index n);
+    explicit SlipDependentScratch(Eigen::Index n) : set(n) {
+        for (Vector* vector : {&friction, &duration, &before, &rise, &first_friction, &change, &bound, &path_change,
+                               &before_change}) {
+            vector->setZero(n);
+        }
+        carried_change.fill(change);
+    }
 
     SlipDependentSet<directions, Scalar> set;
     Vector friction;  // mu in the present stage
@@ -52,25 +58,33 @@ template <int directions, class Scalar>
 struct FrictionScratch {
     using Vector = VectorX<Scalar>;
     using Vectors = ElementVectors<Scalar, directions>;
+    /// One of each solution that has constants of its own (StickSlip).
+    using OfEach = std::array<Vectors, directions>;
 
-    FrictionScratch(Eigen::Index n, bool slip_dependent, bool coupled);
+    FrictionScratch(Eigen::Index n, bool slip_dependent, bool coupled)
+        : solver(n, coupled), falling(slip_dependent ? n : 0), jump_work(n) {
+        slip.setZero(n, directions);
+        change = slip;
+        for (OfEach* each : {&start, &displacement, &right}) each->fill(slip);
+        for (auto& each : carried) each.fill(slip);
+        for (Vector* vector : {&work, &bound, &bound_rate, &stage_bound_rate}) vector->setZero(n);
+    }
 
     StickSlip<directions, Scalar> solver;
     SlipDependentScratch<directions, Scalar> falling;
     std::uint64_t system = 0;  // the solver's matrices are those of this system and stage
     std::optional<RollingStage<Scalar>> stage;
-    Vectors slip, stage_slip;                 // of all stages so far; of the present one
-    Vectors start;                            // tractions from which the search for the present stage starts
-    Vectors displacement;                     // from which the present stage starts
-    Vectors plain_start, plain_displacement;  // the same for slip that is not turned, where it is
-    Vectors change, right, response;
-    Vector work;        // of all stages so far
-    Vector bound;       // mu p_n/G of the present stage; p_n/G if mu depends on slip
-    Vector bound_rate;  // its derivative with respect to the load
-    Vector rate;
+    Vectors slip;         // of all stages so far
+    OfEach start;         // tractions from which the search for the present stage starts
+    OfEach displacement;  // from which the present stage starts
+    OfEach right;
+    Vectors change;
+    Vector work;                          // of all stages so far
+    Vector bound;                         // mu p_n/G of the present stage; p_n/G if mu depends on slip
+    Vector bound_rate, stage_bound_rate;  // its derivative with respect to the load; in the present stage
     JumpWork<directions, Scalar> jump_work;
     // dc of the second stage, from the first
-    std::array<Vectors, TangentBy<directions>::count> carried, plain_carried;
+    std::array<std::array<Vectors, TangentBy<directions>::count>, directions> carried;
 
     // One direction with a constant coefficient: what follows depends on M and the sticking elements alone. `carried`
     // then belongs to a unit dc of the first stage.
@@ -78,42 +92,5 @@ struct FrictionScratch {
     std::uint64_t tangent_revision = never, carried_revision = never;
     Scalar unit_tangent = 0, carried_tangent = 0;  // sum of areas times dp, by dc of the last stage and of the first
 };
-
-template <int directions, class Scalar>
-SlipDependentScratch<directions, Scalar>::SlipDependentScratch(Eigen::Index n)
-    : set(n),
-      friction(Vector::Zero(n)),
-      duration(friction),
-      before(friction),
-      rise(friction),
-      first_friction(friction),
-      change(friction),
-      bound(friction),
-      path_change(friction),
-      before_change(friction) {
-    carried_change.fill(friction);
-}
-
-template <int directions, class Scalar>
-FrictionScratch<directions, Scalar>::FrictionScratch(Eigen::Index n, bool slip_dependent, bool coupled)
-    : solver(n, coupled),
-      falling(slip_dependent ? n : 0),
-      slip(Vectors::Zero(n, directions)),
-      stage_slip(slip),
-      start(slip),
-      displacement(slip),
-      plain_start(slip),
-      plain_displacement(slip),
-      change(slip),
-      right(slip),
-      response(slip),
-      work(Vector::Zero(n)),
-      bound(work),
-      bound_rate(work),
-      rate(work),
-      jump_work(n) {
-    carried.fill(right);
-    plain_carried.fill(right);
-}
 
 }  // namespace rollbem::detail

@@ -8,7 +8,6 @@
 
 #include <Eigen/Core>
 
-#include "../../detail/finite.hpp"
 #include "../../detail/in_place_lu.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
@@ -47,14 +46,14 @@ public:
         count_ = lists.sliding();
         for (Index l = 0; l < count_; ++l) {
             const Index i = lists.other(l);
-            const Row along = direction.row(i), across(-along[1], along[0]), against = turn.turned_back(i, along);
+            const Row along = direction.row(i), against = turn.turned_back(i, along);
             along_.row(l) = along;
-            across_.row(l) = across;
+            across_.row(l) << -along[1], along[0];
             against_.row(l) = against;
-            aside_.row(l) = Row(-against[1], against[0]);
-            const Scalar k = -(against[0] * slip(i, 0) + against[1] * slip(i, 1)) / bound[i];
+            aside_.row(l) << -against[1], against[0];
             // finite, however small the bound
-            stiffness_[l] = std::clamp(k, Scalar(0), (std::numeric_limits<Scalar>::max)() / 1000);
+            stiffness_[l] = std::clamp(-against.dot(slip.row(i)) / bound[i], Scalar(0),
+                                       (std::numeric_limits<Scalar>::max)() / 1000);
         }
     }
     /// False if the equations are singular to working precision.
@@ -63,10 +62,7 @@ public:
         condensed.form(matrix, aside_, across_, factors);
         factors.diagonal() += stiffness_.head(count_);
         factorise_in_place<Scalar>(factors, swaps_.data());
-        for (Index k = 0; k < count_; ++k) {
-            if (!is_finite(factors_(k, k)) || factors_(k, k) == 0) return false;
-        }
-        return true;
+        return has_pivots(factors_, count_);
     }
 
     Index count() const { return count_; }

@@ -36,9 +36,8 @@ struct FrictionPassage {
 /// Derivatives with respect to the parameter of a tangent.
 template <int directions, class Scalar>
 struct SlipDependentChange {
-    const ElementVectors<Scalar, directions>& constant;  ///< dc
-    const VectorX<Scalar>* before = nullptr;             ///< d mu_before of each particle; null for zero
-    const VectorX<Scalar>* bound = nullptr;              ///< d bound at constant mu; null for zero
+    typename StickSlip<directions, Scalar>::Change direct;  ///< at constant mu
+    const VectorX<Scalar>* before = nullptr;                ///< d mu_before of each particle; null for zero
 };
 
 /// Solves mu = kept(v) mu_before + (1 - kept(v)) mu_s(v), where v is the slip velocity for the bounds mu p_n.
@@ -51,7 +50,6 @@ template <int directions, class Scalar>
 class SlipDependentSet {
 public:
     using Solver = StickSlip<directions, Scalar>;
-    using Vectors = ElementVectors<Scalar, directions>;
     using Change = SlipDependentChange<directions, Scalar>;
     using Index = Eigen::Index;
     using Vector = VectorX<Scalar>;
@@ -79,10 +77,7 @@ public:
           newton_slope_(n),
           newton_gain_(n),
           newton_kept_(n),
-          swaps_(static_cast<std::size_t>(n)),
-          asked_(Vectors::Zero(n, directions)),
-          answer_(asked_),
-          friction_answer_(n) {}
+          swaps_(static_cast<std::size_t>(n)) {}
 
     Index size() const { return start_.size(); }
 
@@ -124,18 +119,12 @@ public:
         return outcome;
     }
 
-    /// dp and d mu in the last solution caused by a change, while no element changes its zone. `friction_change` and
-    /// `traction_change` must not be vectors in `change`.
+    /// Finds dp in the solver, and d mu, of the last solution due to a change while no element changes its zone.
+    /// `friction_change` must not be a vector in `change`.
     void respond(const FrictionPassage<Scalar>& passage, Solver& solver, const Vector& friction, const Change& change,
-                 Vectors& traction_change, Vector& friction_change) {
+                 Vector& friction_change) {
         factorise(passage, solver, friction, true);
-        const bool constant_only = directions == 1 && change.before == nullptr && change.bound == nullptr;
-        if (constant_only && answered_ && same_bits(change.constant, asked_)) {
-            traction_change = answer_;
-            friction_change = friction_answer_;
-            return;
-        }
-        solver.respond(change.constant, traction_change, change.bound, 1, &response_);
+        solver.respond(change.direct, &response_);
         Scalar ahead = 0;
         for (Index i = size() - 1; i >= 0; --i) {
             ahead = slope_[i] * passage.velocity_per_slip * response_[i] + kept_[i] * ahead;
@@ -146,12 +135,8 @@ public:
         }
         spread(solver, friction_change);
         tried_ = friction_change.cwiseProduct(passage.pressure);
-        solver.add_response(tried_, traction_change);
-        if (!constant_only) return;
-        answered_ = true;
-        asked_ = change.constant;
-        answer_ = traction_change;
-        friction_answer_ = friction_change;
+        if (change.direct.bound != nullptr) tried_ += *change.direct.bound;
+        solver.respond({change.direct.constant, &tried_});
     }
 
 private:
@@ -285,7 +270,6 @@ private:
             same_bits(newton_gain_, right_) && (!steady || same_bits(newton_kept_, kept_))) {
             return;
         }
-        answered_ = false;
         is_steady_ = steady;
         newton_revision_ = coupling_revision_;
         newton_slope_ = step_;
@@ -345,9 +329,6 @@ private:
     Index count_ = 0;  // of the elements that slide
     bool is_regular_ = false, is_steady_ = false;
     std::vector<Index> swaps_;
-    Vectors asked_, answer_;  // last argument and result of respond()
-    Vector friction_answer_;
-    bool answered_ = false;  // with the present newton_
 };
 
 }  // namespace rollbem::detail

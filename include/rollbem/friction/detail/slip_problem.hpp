@@ -1,9 +1,9 @@
 // What a search for stick and slip is given: the conditions, and the equations with the sticking elements eliminated.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -12,14 +12,14 @@
 #include "condensed_slip.hpp"
 #include "nested_stick.hpp"
 #include "roles.hpp"
-#include "sliding.hpp"
 #include "slip_matrix.hpp"
-#include "turned_slip.hpp"
+#include "slip_turn.hpp"
+#include "sliding.hpp"
 
 namespace rollbem::detail {
 
-/// M and what is kept for its two solutions, first with slip as it is, then with slip turned; with one direction there
-/// is one. Usually both have the same roles, and then share the condensed equations. All memory is allocated by the
+/// M and what is kept for its solutions, first with slip as it is, then with slip turned; with one direction there is
+/// one. Usually both have the same roles, and then share the condensed equations. All memory is allocated by the
 /// constructor.
 template <int directions, class Scalar>
 struct SlipEquations {
@@ -27,59 +27,25 @@ struct SlipEquations {
     using Base = typename Condensed::Base;
 
     SlipEquations(Eigen::Index n, bool coupled)
-        : matrix(n, coupled), condensed(make<Condensed>(matrix)), base(make<Base>(n)), sliding(make_sliding(n)) {}
+        : matrix(n, coupled),
+          condensed(directions, Condensed(matrix)),
+          base(directions, Base(n)),
+          sliding(directions, Sliding<Scalar>(directions == 1 ? 0 : n)) {}
 
     /// Null if the equations of the sticking elements cannot be solved.
     Condensed* condense(std::size_t which, const Roles<directions, Scalar>& roles) {
-        Condensed* at = &condensed[which];
-        if constexpr (directions == 2) {
-            Condensed& other = condensed[1 - which];
-            if (!at->holds(matrix, roles.of) && other.holds(matrix, roles.of)) {
-                if (which == 0) {  // the other one would be overwritten
-                    std::swap(*at, other);
-                } else {
-                    at = &other;
-                }
-            }
+        Condensed *at = &condensed[which], *const other = &condensed[directions - 1 - which];
+        if (!at->are_of(matrix, roles.of) && other->are_of(matrix, roles.of)) {
+            if (which == 0) std::swap(*at, *other);  // the other one would be overwritten
+            if (which == 1) at = other;
         }
         return at->condense(matrix, roles.of) ? at : nullptr;
     }
 
     SlipMatrix<directions, Scalar> matrix;
-    std::array<Condensed, directions> condensed;
-    std::array<Base, directions> base;
-    std::array<Sliding<Scalar>, directions == 2 ? 2 : 0> sliding;
-
-private:
-    static auto make_sliding(Eigen::Index n) {
-        if constexpr (directions == 1) {
-            return std::array<Sliding<Scalar>, 0>{};
-        } else {
-            return make<Sliding<Scalar>>(n);
-        }
-    }
-    template <class Part, class Argument>
-    static std::array<Part, directions> make(const Argument& argument) {
-        if constexpr (directions == 1) {
-            return {Part(argument)};
-        } else {
-            return {Part(argument), Part(argument)};
-        }
-    }
-};
-
-/// Tractions p within the bounds b that oppose the slip R (M p + c): |p_i| <= b_i, s_i = 0 where |p_i| < b_i, and
-/// R_i s_i = -v_i p_i, v_i >= 0, where |p_i| = b_i.
-template <int directions, class Scalar>
-struct SlipProblem {
-    SlipEquations<directions, Scalar>& equations;
-    std::size_t which;                                       ///< of the two solutions
-    typename SlipEquations<directions, Scalar>::Base& base;  ///< of c
-    const ElementVectors<Scalar, directions>& constant;      ///< c
-    const VectorX<Scalar>& bound;
-    const SlipTurn<directions, Scalar>& turn;  ///< R
-    const VectorX<Scalar>& reach;              ///< rho
-    Scalar imposed;                            ///< max |c|
+    std::vector<Condensed> condensed;
+    std::vector<Base> base;
+    std::vector<Sliding<Scalar>> sliding;  // with two directions
 };
 
 /// A solution, or a point on the way to one.
@@ -90,6 +56,29 @@ struct SlipPoint {
 
     Roles<directions, Scalar> roles;
     ElementVectors<Scalar, directions> traction, slip;
+};
+
+/// Tractions p within the bounds b that oppose the slip R (M p + c): |p_i| <= b_i, s_i = 0 where |p_i| < b_i, and
+/// R_i s_i = -v_i p_i, v_i >= 0, where |p_i| = b_i.
+template <int directions, class Scalar>
+struct SlipProblem {
+    using Turn = SlipTurn<directions, Scalar>;
+
+    SlipEquations<directions, Scalar>& equations;
+    std::size_t which;                                       ///< of the solutions
+    typename SlipEquations<directions, Scalar>::Base& base;  ///< of c
+    const ElementVectors<Scalar, directions>& constant;      ///< c
+    const VectorX<Scalar>& bound;
+    const Turn& turn;              ///< R
+    const VectorX<Scalar>& reach;  ///< rho
+    Scalar imposed;                ///< max |c|
+    Turn* next = nullptr;          ///< of another problem, with the angles of the solution of this one
+    bool has_next = false;         ///< that is solved even if nothing turns
+
+    /// Whether there is another problem after this one. A point near a solution is enough to find its angles.
+    bool leads_on(const SlipPoint<directions, Scalar>& point) const {
+        return next != nullptr && (next->find(point.slip, point.roles) || has_next);
+    }
 };
 
 }  // namespace rollbem::detail

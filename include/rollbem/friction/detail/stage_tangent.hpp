@@ -22,43 +22,36 @@ constexpr bool is_axis(std::size_t parameter) {
 }
 
 /// dp of the stage of a friction frame that was solved last, by one of TangentBy while no element changes its zone, in
-/// scratch.response.
+/// the solver.
 template <class Frame>
 void respond(Frame& frame, std::size_t parameter) {
     constexpr int directions = Frame::directions;
     using By = TangentBy<directions>;
     auto& scratch = frame.scratch;
     auto& solver = scratch.solver;
-    const auto add = [&](const auto& traction, auto& right) {
-        if (parameter < By::creepages) frame.slip.add_rate(frame, parameter, right);
-        if (!is_axis<directions>(parameter)) return;
-        const Axis axis = axis_of<directions>(parameter);
-        frame.slip.add_rate(frame, axis, !changes_shape(*frame.system), right);
-        with_equations(*frame.system, frame.stage, [&](const auto& equations) {
-            equations.add_rates(axis, frame.place, traction, scratch.change, right);
-        });
-    };
-    const auto begin = [&](const auto& carried, auto& right) {
+    typename Frame::Change change;
+    for (std::size_t which = 0; which < solver.constant_count(); ++which) {
+        auto& right = scratch.right[which];
         if (frame.place.is_second) {
-            right = carried;
+            right = scratch.carried[which][parameter];
         } else {
             right.setZero();
         }
-    };
-    begin(scratch.carried[parameter], scratch.right);
-    add(solver.traction(), scratch.right);
-    if constexpr (directions == 2) {  // for slip that is not turned, if angles follow it
-        begin(scratch.plain_carried[parameter], solver.plain_change());
-        if (solver.keeps_plain()) add(solver.plain_traction(), solver.plain_change());
+        if (parameter < By::creepages) frame.slip.add_rate(frame, parameter, right);
+        if (is_axis<directions>(parameter)) {
+            const Axis axis = axis_of<directions>(parameter);
+            frame.slip.add_rate(frame, axis, !changes_shape(frame.system), right);
+            with_equations(frame.system, frame.stage, [&](const auto& equations) {
+                equations.add_rates(axis, frame.place, solver.traction(which), scratch.change, right);
+            });
+        }
+        change.constant[which] = &right;
     }
     if (parameter == By::load) {
-        frame.bounds.respond(solver, scratch.right, scratch.response, parameter, &scratch.bound_rate,
-                             frame.place.progress);
-    } else if (parameter == By::half_length) {
-        frame.bounds.respond_to_half_length(solver, scratch.right, scratch.response, parameter);
-    } else {
-        frame.bounds.respond(solver, scratch.right, scratch.response, parameter);
+        scratch.stage_bound_rate = frame.place.progress * scratch.bound_rate;
+        change.bound = &scratch.stage_bound_rate;
     }
+    frame.bounds.respond(solver, change, parameter);
 }
 
 /// For the next stage, which starts from U + ratio (U_1 - U): what dp of this one, after respond(), adds to its
@@ -67,21 +60,16 @@ template <class Frame>
 void carry_response(Frame& frame, std::size_t parameter) {
     constexpr int directions = Frame::directions;
     auto& scratch = frame.scratch;
-    auto& solver = scratch.solver;
-    const auto carry = [&](const auto& traction, const auto& response, auto& carried) {
-        with_equations(*frame.system, frame.stage, [&](const auto& equations) {
-            equations.find_displacements(response, carried);
+    const auto& solver = scratch.solver;
+    for (std::size_t which = 0; which < solver.constant_count(); ++which) {
+        auto& carried = scratch.carried[which][parameter];
+        with_equations(frame.system, frame.stage, [&](const auto& equations) {
+            equations.find_displacements(solver.response(which), carried);
             if (!is_axis<directions>(parameter)) return;
-            equations.add_displacement_rates(axis_of<directions>(parameter), frame.place.progress, traction,
-                                             scratch.change, carried);
+            equations.add_displacement_rates(axis_of<directions>(parameter), frame.place.progress,
+                                             solver.traction(which), scratch.change, carried);
         });
         carried *= -frame.place.ratio();
-    };
-    carry(solver.traction(), scratch.response, scratch.carried[parameter]);
-    if constexpr (directions == 2) {
-        if (solver.keeps_plain()) {
-            carry(solver.plain_traction(), solver.plain_response(), scratch.plain_carried[parameter]);
-        }
     }
     frame.bounds.carry_response(parameter);
 }
@@ -108,7 +96,7 @@ void carry_responses(Frame& frame) {
     if constexpr (Frame::keeps_tangents) {
         auto& scratch = frame.scratch;
         if (scratch.carried_revision != scratch.solver.roles_revision()) {
-            scratch.solver.respond(frame.slip.unit(), scratch.response);
+            scratch.solver.respond({{&frame.slip.unit()}});
             carry_response(frame, 0);
             scratch.carried_revision = scratch.solver.roles_revision();
             scratch.tangent_revision = scratch.never;
@@ -122,46 +110,50 @@ void carry_responses(Frame& frame) {
 template <class Frame, class Areas>
 auto kept_tangent(const Frame& frame, const Areas& areas) {
     auto& scratch = frame.scratch;
-    if (scratch.tangent_revision != scratch.solver.roles_revision()) {
-        scratch.solver.respond(frame.slip.unit(), scratch.response);
-        scratch.unit_tangent = areas.dot(scratch.response);
-        scratch.solver.respond(scratch.carried[0], scratch.response);
-        scratch.carried_tangent = areas.dot(scratch.response);
-        scratch.tangent_revision = scratch.solver.roles_revision();
+    auto& solver = scratch.solver;
+    if (scratch.tangent_revision != solver.roles_revision()) {
+        solver.respond({{&frame.slip.unit()}});
+        scratch.unit_tangent = areas.dot(solver.response());
+        solver.respond({{&scratch.carried[0][0]}});
+        scratch.carried_tangent = areas.dot(solver.response());
+        scratch.tangent_revision = solver.roles_revision();
     }
     // without a first stage, carried_tangent is that of an earlier step
     const auto last = frame.per_end() * scratch.unit_tangent, carried = frame.carried_per_end();
     return carried == 0 ? last : last + carried * scratch.carried_tangent;
 }
 
+/// The tangent by one of TangentBy.
+template <int directions, class Step>
+auto& tangent_by(Step& step, std::size_t parameter) {
+    using By = TangentBy<directions>;
+    if (parameter == By::load) return step.tangent_by_load;
+    if (parameter == By::half_length) return step.tangent_by_half_length;
+    if (parameter == By::half_width) return step.tangent_by_half_width;
+    if constexpr (directions == 1) {
+        return step.tangent;
+    } else {
+        auto& by = step.tangent;
+        return parameter == 0 ? by.by_longitudinal : parameter == 1 ? by.by_lateral : by.by_spin;
+    }
+}
+
 /// Adds the tangents at the end of the last or only stage to the result.
 template <class Frame, class Forces, class Step>
 void add_tangents(Frame& frame, const Forces& forces, Step& step) {
     constexpr int directions = Frame::directions;
-    using By = TangentBy<directions>;
-    const auto& scratch = frame.scratch;
+    const auto& solver = frame.scratch.solver;
+    const bool follows = keeps_shape(frame.system);  // the half-width the half-length
     if constexpr (Frame::keeps_tangents) step.tangent = forces.unit(frame.end) * kept_tangent(frame, forces.areas());
     for_responses(frame, [&](std::size_t parameter) {
-        if (is_axis<directions>(parameter)) {
-            const Axis axis = axis_of<directions>(parameter);
-            const bool follows = keeps_shape(*frame.system);  // the half-width follows
-            (axis == Axis::half_length ? step.tangent_by_half_length : step.tangent_by_half_width) =
-                forces.rate(scratch.start, scratch.response, frame.end, axis, follows);
-            if constexpr (directions == 2) {
-                if (follows) step.tangent_by_half_width = {0, 0, 0};
-            }
-            return;
-        }
-        const auto caused = forces.of(scratch.response, frame.end);
-        if (parameter == By::load) {
-            step.tangent_by_load = caused;
-        } else if constexpr (directions == 1) {
-            step.tangent = caused;
-        } else {
-            auto& by = step.tangent;
-            (parameter == 0 ? by.by_longitudinal : parameter == 1 ? by.by_lateral : by.by_spin) = caused;
-        }
+        tangent_by<directions>(step, parameter) =
+            is_axis<directions>(parameter)
+                ? forces.rate(solver, frame.end, axis_of<directions>(parameter), follows)
+                : forces.of(solver.response(), frame.end);
     });
+    if constexpr (directions == 2) {
+        if (follows && frame.asked.by_half_length) step.tangent_by_half_width = {0, 0, 0};
+    }
 }
 
 }  // namespace rollbem::detail
