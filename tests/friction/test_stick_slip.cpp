@@ -1,5 +1,5 @@
 // rollbem/friction/detail/stick_slip.hpp, slip_search.hpp, slip_path.hpp, condensed_slip.hpp, nested_stick.hpp,
-// sliding.hpp, slip_turn.hpp
+// slip_problem.hpp, slip_turn.hpp
 #include <algorithm>
 #include <cmath>
 #include <complex>

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 
 #include <Eigen/Core>
 
@@ -57,7 +59,6 @@ template <int directions, class Scalar>
 class ConstantBounds {
 public:
     using Solver = StickSlip<directions, Scalar>;
-    static constexpr bool are_given = true;
 
     /// Of what SlipDependentBounds read.
     template <class... Read>
@@ -69,6 +70,8 @@ public:
     auto solve(Solver& solver, const VectorX<Scalar>& bound, const typename Solver::Start& start) noexcept {
         return solver.solve(bound, start);
     }
+    /// To be called before respond(). Changes whenever what that finds for a change of c may; nothing if it does always.
+    std::optional<std::uint64_t> linearise(Solver& solver) noexcept { return solver.roles_revision(); }
     /// dp in the stage solved last caused by a change, in the solver; `parameter` is that of the tangent.
     void respond(Solver& solver, const typename Solver::Change& change, std::size_t) noexcept {
         solver.respond(change);
@@ -90,7 +93,6 @@ public:
     using Scratch = SlipDependentScratch<directions, Scalar>;
     using State = FrictionState<directions, Scalar>;
     using Frame = StepFrame<CreepageAlong<directions, Scalar>, Scalar>;
-    static constexpr bool are_given = false;
 
     /// The points of the elements are used if there is a memory. Keeps references to all arguments but the travel.
     SlipDependentBounds(const Friction<Law, Scalar>& friction, const Elements<Scalar>& elements, const State& from,
@@ -100,6 +102,7 @@ public:
           elements_(elements),
           start_(from.friction_coefficient),
           travel_(travel),
+          at_rest_(law_(0)),
           scratch_(scratch) {
         if (from.solver.stage_coefficient.size() == start_.size()) first_start_ = &from.solver.stage_coefficient;
         scratch_.friction = start_.matrix();
@@ -153,6 +156,11 @@ public:
         return outcome.solution;
     }
 
+    /// To be called before respond(), as in ConstantBounds.
+    std::optional<std::uint64_t> linearise(Solver& solver) noexcept {
+        const std::uint64_t revision = scratch_.set.linearise(passage(), solver);
+        return remembers() && is_second() ? std::nullopt : std::optional(revision);
+    }
     /// dp in the stage solved last caused by a change, with that of the pressures in place of the bounds, by the paths
     /// of the particles if the parameter is the half-length, and in the second stage by the response of the first, kept
     /// by carry_response().
@@ -169,7 +177,7 @@ public:
             scratch_.bound = scratch_.friction.cwiseProduct(*change.bound);
             changes.direct.bound = &scratch_.bound;
         }
-        scratch_.set.respond(passage(), solver, scratch_.friction, changes, scratch_.change);
+        scratch_.set.respond(passage(), solver, changes, scratch_.change);
     }
 
     /// Keeps the response of the first of two stages for that of the second.
@@ -185,7 +193,7 @@ private:
     bool remembers() const { return memory_.distance > 0 && !frame_->stage.steady; }
     bool is_second() const { return frame_->place.is_second; }
 
-    AlongContact<Scalar> at_start() const { return {elements_.x, start_.data(), law_(0)}; }
+    AlongContact<Scalar> at_start() const { return {elements_.x, start_.data(), at_rest_}; }
     AlongContact<Scalar> in_first_stage(const Vector& change) const { return {elements_.x, change.data(), Scalar(0)}; }
     // Position x/a of the particle that arrives at point i, at the start of the step.
     Scalar origin(Index i) const {
@@ -194,7 +202,8 @@ private:
     }
     // Position x/a of the same particle at the end of the first stage.
     Scalar between(Index i) const {
-        return (frame_->stage.half_length * elements_.x[i] + (1 - frame_->place.part) * frame_->dq) / first_half_length();
+        return (frame_->stage.half_length * elements_.x[i] + (1 - frame_->place.part) * frame_->dq) /
+               first_half_length();
     }
     Scalar first_half_length() const {
         return rollbem::detail::between(frame_->start.half_length, frame_->end.half_length, frame_->place.part);
@@ -231,7 +240,8 @@ private:
                 *pressure_,
                 scratch_.duration,
                 frame_->stage.steady ? nullptr : &scratch_.before,
-                velocity_per_slip_};
+                velocity_per_slip_,
+                at_rest_};
     }
 
     const Law& law_;
@@ -246,6 +256,7 @@ private:
     bool is_easy_ = false;
     bool moves_paths_ = false;      // the last tangent was that by the half-length
     Scalar velocity_per_slip_ = 0;  // slip velocity [m/s] over the solver's slip
+    Scalar at_rest_;                // mu_s(0)
     const Vector* pressure_ = nullptr;
     Scratch& scratch_;
 };

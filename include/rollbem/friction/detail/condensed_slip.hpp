@@ -154,7 +154,8 @@ private:
     void eliminate(M& matrix, std::size_t g) {
         const auto factorise = [&](bool shifts) {
             Matrix& table = table_[g];
-            for (Index k = 0; k < table.cols(); ++k) pack(matrix.group(g).col(unknown(k)).data(), 0, table.col(k).data());
+            for (Index k = 0; k < table.cols(); ++k)
+                pack(matrix.group(g).col(unknown(k)).data(), 0, table.col(k).data());
             for (Index k = 0; shifts && k < stuck(); ++k) table(k, k) += matrix.shift(unknown(k) % size());
             eliminate_in_place<Scalar>(table, swaps(g), stuck());
             return has_pivots(table, stuck());

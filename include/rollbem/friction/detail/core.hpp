@@ -49,6 +49,7 @@ public:
     using Motion = RigidMotion<Value>;
     using Axes = SemiAxes<Scalar>;
     using Load = StepLoad<Scalar>;
+    using Vectors = ElementVectors<Scalar, directions>;
     static constexpr bool slip_dependent = !is_constant<Law>;
 
     using Request = FrictionRequest<directions, Scalar>;
@@ -89,7 +90,15 @@ public:
     Force force(const State& state) const { return 1 / units_.shear_modulus * forces_.of(state.traction, axes(state)); }
 
     /// NaN if the system cannot represent the half-length.
-    Scalar elastic_energy(const State& state) const;
+    Scalar elastic_energy(const State& state) const {
+        const Axes present = axes(state);
+        if (!system_.has_G() || check_growth(system_, Scalar(0), present, present) != Status::ok)
+            return unknown<Scalar>;
+        const Vectors traction = state.traction / units_.shear_modulus;
+        Vectors displacement = traction;
+        find_displacements(system_, present, traction, displacement);
+        return units_.length * forces_.unit(present) * slip_work_.product(traction, displacement) / 2;
+    }
 
     /// Whether states and workspace belong to the model, and whether the load in a state is valid.
     Status check(const State& from, const State& to, const Workspace& workspace) const noexcept;
@@ -113,13 +122,12 @@ public:
 
 private:
     using Scratch = FrictionScratch<directions, Scalar>;
-    using Vectors = ElementVectors<Scalar, directions>;
     using Bounds =
         std::conditional_t<slip_dependent, SlipDependentBounds<directions, Scalar>, ConstantBounds<directions, Scalar>>;
     using Frame = FrictionFrame<directions, Scalar, Bounds>;
 
     static bool is_positive(Scalar value) { return is_finite(value) && value > 0; }
-    bool wants_tangents(const Frame& frame) const { return frame.summary.tangent_exists && friction_.with_tangents; }
+    bool wants_tangents(const Frame& frame) const { return frame.tangent_exists && friction_.with_tangents; }
     static bool are_coefficients(const ArrayX<Scalar>& values) {
         return values.size() == 0 || (all_finite(values) && !(values.minCoeff() < 0));
     }
@@ -152,13 +160,14 @@ private:
     Step solve(Frame& frame, State& to) const {
         begin(frame);
         Frame::solve_stages(frame, *this);
-        Step step = finish(frame, to);
-        if (frame.summary.finite) add_jump_work(frame, step);
-        if (wants_tangents(frame)) add_tangents(frame, forces_, step);
-        return step;
+        finish(frame, to);
+        if (wants_tangents(frame)) add_tangents(frame, forces_);
+        return frame.result;
     }
     // No slip yet; the first solution is sought from the tractions at the start.
-    void begin(const Frame& frame) const {
+    void begin(Frame& frame) const {
+        frame.result.complementarity_residual = 0;
+        frame.result.status = Status::ok;
         const State& from = frame.request.from;
         Scratch& scratch = frame.scratch;
         scratch.slip.setZero();
@@ -182,14 +191,53 @@ private:
     friend class StepFrame<Value, Scalar>;
 
     void solve_stage(Frame& frame) const;
-    // M of the stage, unless the solver has it already. In steady rolling of one shape that is -G' at any semi-axes.
-    void set_matrix(const Frame& frame) const;
     // What the next stage takes from this one.
-    void carry(Frame& frame) const;
-    // Fills `to`, the slip, the slip work, and the result except for its tangents. Clears summary.tangent_exists if the
-    // result is not finite.
-    Step finish(Frame& frame, State& to) const;
-    void add_jump_work(const Frame& frame, Step& step) const;
+    void carry(Frame& frame) const {
+        Scratch& scratch = frame.scratch;
+        if constexpr (slip_dependent) scratch.jump_work.keep_first(scratch.solver.traction());
+        if (wants_tangents(frame)) carry_responses(frame);
+        for (std::size_t which = 0; which < constant_count(frame); ++which) {
+            Vectors& displacement = scratch.displacement[which];
+            find_displacements(system_, frame.stage.axes(), scratch.start[which], scratch.change);
+            displacement += frame.place.ratio() * (scratch.change - displacement);
+        }
+    }
+    // M of the stage, unless the solver has it already. In steady rolling of one shape that is -G' at any semi-axes.
+    void set_matrix(const Frame& frame) const {
+        Scratch& scratch = frame.scratch;
+        using Stage = RollingStage<Scalar>;
+        const bool is_kept = frame.stage.steady && !changes_shape(system_);
+        const Stage stage = is_kept ? Stage::steadily(contact_axes<Scalar>) : frame.stage;
+        if (scratch.system == of_matrices_ && scratch.stage == stage) return;
+        scratch.system = of_matrices_;
+        scratch.stage = stage;
+        scratch.solver.use_once(stage.growth != 0 || stage.widening != 0);
+        with_equations(system_, stage, [&](const auto& equations) {
+            for (std::size_t d = 0; d < directions; ++d) {
+                for (std::size_t e = 0; e < directions; ++e) {
+                    if (d == e || scratch.solver.coupled()) equations.fill(d, e, scratch.solver.new_matrix(d, e));
+                }
+            }
+        });
+    }
+    // Completes the result except for its tangents, and fills `to`, the slip and the slip work.
+    void finish(Frame& frame, State& to) const;
+    // With constant friction only a shift has jumps.
+    Scalar jump_work(const Frame& frame) const {
+        Scratch& scratch = frame.scratch;
+        const auto start = 1 / units_.shear_modulus * frame.request.from.traction;
+        const Vectors& end = scratch.solver.traction();
+        Scalar work = 0;
+        if (frame.stage.steady) return work;
+        if (!frame.rolls()) {
+            scratch.change = 1 / units_.length * scratch.slip;
+            work = scratch.jump_work.shifted(slip_work_, frame.end, start, end, scratch.change);
+        } else if constexpr (slip_dependent) {
+            const Scalar ratio = frame.table.place(1).ratio();
+            work = scratch.jump_work.rolled(system_, slip_work_, frame.end, ratio, start, end);
+        }
+        return units_.width * units_.shear_modulus * units_.length * units_.length * work;
+    }
 
     System system_;
     ContactUnits<Scalar> units_;
@@ -245,16 +293,6 @@ auto FrictionCore<Law, directions, Scalar>::at_rest() const -> State {
 }
 
 template <class Law, int directions, class Scalar>
-auto FrictionCore<Law, directions, Scalar>::elastic_energy(const State& state) const -> Scalar {
-    const Axes present = axes(state);
-    if (!system_.has_G() || check_growth(system_, Scalar(0), present, present) != Status::ok) return unknown<Scalar>;
-    const Vectors traction = state.traction / units_.shear_modulus;
-    Vectors displacement = traction;
-    find_displacements(system_, present, traction, displacement);
-    return units_.length * forces_.unit(present) * slip_work_.product(traction, displacement) / 2;
-}
-
-template <class Law, int directions, class Scalar>
 auto FrictionCore<Law, directions, Scalar>::check(const State& from, const State& to,
                                                   const Workspace& workspace) const noexcept -> Status {
     const Eigen::Index n = size();
@@ -303,11 +341,7 @@ auto FrictionCore<Law, directions, Scalar>::roll(const StageTable<Scalar>& table
         return failed<Step>(Status::needs_places);
     }
     Scratch& scratch = workspace.scratch();
-    Frame frame{{motion, travel.dq, units_.length, table, axes(from), axes(load)},
-                request,
-                system_,
-                slip_,
-                scratch,
+    Frame frame{{motion, travel.dq, units_.length, table, axes(from), axes(load)},   request, system_, slip_, scratch,
                 Bounds(friction_, system_.elements(), from, travel, scratch.falling)};
     const auto* const rate = load.pressure_rate;
     frame.asked = {.by_load = rate != nullptr && rate->size() > 0,
@@ -318,27 +352,8 @@ auto FrictionCore<Law, directions, Scalar>::roll(const StageTable<Scalar>& table
 }
 
 template <class Law, int directions, class Scalar>
-void FrictionCore<Law, directions, Scalar>::set_matrix(const Frame& frame) const {
-    Scratch& scratch = frame.scratch;
-    using Stage = RollingStage<Scalar>;
-    const bool is_kept = frame.stage.steady && !changes_shape(system_);
-    const Stage stage = is_kept ? Stage::steadily(contact_axes<Scalar>) : frame.stage;
-    if (scratch.system == of_matrices_ && scratch.stage == stage) return;
-    scratch.system = of_matrices_;
-    scratch.stage = stage;
-    scratch.solver.use_once(stage.growth != 0 || stage.widening != 0);
-    with_equations(system_, stage, [&](const auto& equations) {
-        for (std::size_t d = 0; d < directions; ++d) {
-            for (std::size_t e = 0; e < directions; ++e) {
-                if (d == e || scratch.solver.coupled()) equations.fill(d, e, scratch.solver.new_matrix(d, e));
-            }
-        }
-    });
-}
-
-template <class Law, int directions, class Scalar>
 void FrictionCore<Law, directions, Scalar>::solve_stage(Frame& frame) const {
-    auto& [residual, rounds, path_points, tangent_exists, solved, finite] = frame.summary;
+    Step& result = frame.result;
     Scratch& scratch = frame.scratch;
     auto& solver = scratch.solver;
     set_matrix(frame);
@@ -351,13 +366,15 @@ void FrictionCore<Law, directions, Scalar>::solve_stage(Frame& frame) const {
     const std::vector<Zone>& zones = frame.place.is_second ? solver.zones() : frame.request.from.zones;
     const auto outcome =
         frame.bounds.solve(solver, scratch.bound, {scratch.start[0], zones, count == 2 ? &scratch.start[1] : nullptr});
-    residual = (std::max)(residual, outcome.residual);
-    rounds += outcome.rounds;
-    path_points += outcome.path_points;
-    tangent_exists = tangent_exists && outcome.tangent_exists;
-    solved = solved && outcome.status == Status::ok;
-    finite = finite && outcome.status != Status::not_finite && is_finite(outcome.residual) &&
-             all_finite(solver.slip());  // std::max may drop a NaN
+    result.complementarity_residual = (std::max)(result.complementarity_residual, outcome.residual);
+    result.rounds += outcome.rounds;
+    result.path_points += outcome.path_points;
+    frame.tangent_exists = frame.tangent_exists && outcome.tangent_exists;
+    if (!is_finite(outcome.residual) || !all_finite(solver.slip())) {  // std::max may drop a NaN
+        result.status = Status::not_finite;
+    } else if (outcome.status != Status::ok && result.status != Status::not_finite) {
+        result.status = outcome.status;
+    }
     scratch.change = frame.weight() * solver.slip();
     scratch.slip += scratch.change;
     for (std::size_t which = 0; which < count; ++which) scratch.start[which] = solver.traction(which);
@@ -369,71 +386,33 @@ void FrictionCore<Law, directions, Scalar>::solve_stage(Frame& frame) const {
 }
 
 template <class Law, int directions, class Scalar>
-void FrictionCore<Law, directions, Scalar>::carry(Frame& frame) const {
+void FrictionCore<Law, directions, Scalar>::finish(Frame& frame, State& to) const {
     Scratch& scratch = frame.scratch;
-    if constexpr (slip_dependent) scratch.jump_work.keep_first(scratch.solver.traction());
-    if (wants_tangents(frame)) carry_responses(frame);
-    for (std::size_t which = 0; which < constant_count(frame); ++which) {
-        Vectors& displacement = scratch.displacement[which];
-        find_displacements(system_, frame.stage.axes(), scratch.start[which], scratch.change);
-        displacement += frame.place.ratio() * (scratch.change - displacement);
-    }
-}
-
-template <class Law, int directions, class Scalar>
-auto FrictionCore<Law, directions, Scalar>::finish(Frame& frame, State& to) const -> Step {
-    Scratch& scratch = frame.scratch;
-    auto& summary = frame.summary;
+    Step& result = frame.result;
+    const Vectors& traction = scratch.solver.traction();
     const Scalar slip_unit = frame.stage.steady ? Scalar(1) : units_.length;
     slip_work_.end(scratch.work, units_.width * units_.length * units_.shear_modulus * slip_unit);
     scratch.slip *= slip_unit;
-    to.system = fingerprint_;
-    const Vectors& traction = scratch.solver.traction();
-    const Force force = forces_.of(traction, frame.end);
-    const Scalar work = scratch.work.sum();
-    summary.finite = summary.finite && is_finite(force) && is_finite(work);
-    if (!summary.finite) {
-        summary.tangent_exists = false;
+    result.force = forces_.of(traction, frame.end);
+    result.slip_work = scratch.work.sum();
+    if (result.status == Status::not_finite || !is_finite(result.force) || !is_finite(result.slip_work)) {
+        frame.tangent_exists = false;
         scratch.slip.setZero();
         scratch.work.setZero();
         to = frame.request.from;  // of equal sizes
-        return failed<Step>(Status::not_finite);
+        result = failed<Step>(Status::not_finite);
+        return;
     }
+    result.jump_work = jump_work(frame);
+    result.stick_count = scratch.solver.stick_count();
     to.traction = units_.shear_modulus * traction;
     if (turns_) to.plain_traction = units_.shear_modulus * scratch.solver.plain_traction();
     to.zones = scratch.solver.zones();
     to.normal_pressure = frame.request.load.pressure.head(size());
     to.half_length = frame.request.load.half_length;
     to.half_width = frame.request.load.half_width;
+    to.system = fingerprint_;
     frame.bounds.finish(to);
-    Step step;
-    step.force = force;
-    step.slip_work = work;
-    step.jump_work = 0;
-    step.complementarity_residual = summary.residual;
-    step.stick_count = scratch.solver.stick_count();
-    step.rounds = summary.rounds;
-    step.path_points = summary.path_points;
-    step.status = summary.solved ? Status::ok : Status::no_solution;
-    return step;
-}
-
-// With constant friction only a shift has jumps.
-template <class Law, int directions, class Scalar>
-void FrictionCore<Law, directions, Scalar>::add_jump_work(const Frame& frame, Step& step) const {
-    if (frame.stage.steady) return;
-    Scratch& scratch = frame.scratch;
-    const auto start = 1 / units_.shear_modulus * frame.request.from.traction;
-    const Vectors& end = scratch.solver.traction();
-    Scalar work = 0;
-    if (!frame.rolls()) {
-        scratch.change = 1 / units_.length * scratch.slip;
-        work = scratch.jump_work.shifted(slip_work_, frame.end, start, end, scratch.change);
-    } else if constexpr (slip_dependent) {
-        const Scalar ratio = frame.table.place(1).ratio();
-        work = scratch.jump_work.rolled(system_, slip_work_, frame.end, ratio, start, end);
-    }
-    step.jump_work = units_.width * units_.shear_modulus * units_.length * units_.length * work;
 }
 
 }  // namespace rollbem::detail

@@ -32,27 +32,19 @@ template <int directions_, class Scalar, class Bounds>
 struct FrictionFrame : StepFrame<CreepageAlong<directions_, Scalar>, Scalar> {
     static constexpr int directions = directions_;
     using Change = typename StickSlip<directions, Scalar>::Change;
-    /// With one direction and given bounds tangents depend on M and the sticking elements alone, and are kept.
-    static constexpr bool keeps_tangents = directions == 1 && Bounds::are_given;
 
     /// Derivatives in addition to those by the creepages.
     struct Asked {
         bool by_load = false, by_half_length = false, by_half_width = false;
     };
-    /// Of all stages so far.
-    struct Summary {
-        Scalar residual = 0;
-        int rounds = 0, path_points = 0;
-        bool tangent_exists = true, solved = true, finite = true;
-    };
-
     const FrictionRequest<directions, Scalar>& request;
     const ElementSystem<Scalar, directions>& system;
     const ImposedSlip<directions, Scalar>& slip;
     FrictionScratch<directions, Scalar>& scratch;
     Bounds bounds;
     Asked asked{};
-    Summary summary{};
+    FrictionStep<directions, Scalar> result{};  ///< of all stages so far
+    bool tangent_exists = true;
 };
 
 }  // namespace rollbem::detail

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 
 #include <Eigen/Core>
@@ -24,6 +23,12 @@ struct TangentBy {
     static constexpr std::size_t creepages = directions == 1 ? 1 : 3;
     static constexpr std::size_t load = creepages, half_length = creepages + 1, half_width = creepages + 2;
     static constexpr std::size_t count = directions == 1 ? half_width : half_width + 1;
+
+    static constexpr bool is_axis(std::size_t parameter) { return parameter >= half_length; }
+    /// The semi-axis of a parameter that is one.
+    static constexpr Axis axis(std::size_t parameter) {
+        return parameter == half_length ? Axis::half_length : Axis::half_width;
+    }
 };
 
 /// For a coefficient that depends on slip. All memory is allocated by the constructor.
@@ -32,8 +37,8 @@ struct SlipDependentScratch {
     using Vector = VectorX<Scalar>;
 
     explicit SlipDependentScratch(Eigen::Index n) : set(n) {
-        for (Vector* vector : {&friction, &duration, &before, &rise, &first_friction, &change, &bound, &path_change,
-                               &before_change}) {
+        for (Vector* vector :
+             {&friction, &duration, &before, &rise, &first_friction, &change, &bound, &path_change, &before_change}) {
             vector->setZero(n);
         }
         carried_change.fill(change);
@@ -51,6 +56,15 @@ struct SlipDependentScratch {
     std::array<Vector, TangentBy<directions>::count> carried_change;  // d rise of each tangent
 };
 
+/// The last response by the creepage, with one direction: in rolling it is often the next one, too. What the second stage
+/// takes of it, or the tangent, is then known.
+template <int directions, class Scalar>
+struct KeptResponse {
+    std::optional<std::uint64_t> revision;     // of the linear equations
+    ElementVectors<Scalar, directions> right;  // the change of the constants
+    Scalar tangent = 0;                        // sum of areas times dp, if the stage was the last
+};
+
 /// Dimensionless: tractions in G, lengths in a_0, the contact's half-length. All memory is allocated by the
 /// constructor; that for a coefficient that depends on slip only if `slip_dependent`, that for directions that
 /// couple only if `coupled`.
@@ -64,7 +78,7 @@ struct FrictionScratch {
     FrictionScratch(Eigen::Index n, bool slip_dependent, bool coupled)
         : solver(n, coupled), falling(slip_dependent ? n : 0), jump_work(n) {
         slip.setZero(n, directions);
-        change = slip;
+        change = kept[0].right = kept[1].right = slip;
         for (OfEach* each : {&start, &displacement, &right}) each->fill(slip);
         for (auto& each : carried) each.fill(slip);
         for (Vector* vector : {&work, &bound, &bound_rate, &stage_bound_rate}) vector->setZero(n);
@@ -86,11 +100,7 @@ struct FrictionScratch {
     // dc of the second stage, from the first
     std::array<std::array<Vectors, TangentBy<directions>::count>, directions> carried;
 
-    // One direction with a constant coefficient: what follows depends on M and the sticking elements alone. `carried`
-    // then belongs to a unit dc of the first stage.
-    static constexpr std::uint64_t never = (std::numeric_limits<std::uint64_t>::max)();
-    std::uint64_t tangent_revision = never, carried_revision = never;
-    Scalar unit_tangent = 0, carried_tangent = 0;  // sum of areas times dp, by dc of the last stage and of the first
+    std::array<KeptResponse<directions, Scalar>, 2> kept;  // of the first of two stages, and of the last
 };
 
 }  // namespace rollbem::detail

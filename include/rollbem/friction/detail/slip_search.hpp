@@ -42,7 +42,6 @@ public:
           slip_change_(trial_),
           best_(trial_),
           refined_(trial_),
-          right_(n),
           path_(n) {}
 
     /// From the roles of `point` and the directions of its tractions. A point near a solution is enough if the problem
@@ -127,7 +126,7 @@ private:
             const Row slip = point.slip.row(i);
             const Row x = point.traction.row(i) - problem.reach[i] * problem.turn.turned(i, slip);
             const Scalar size = length(x);
-            size > factor * bound ? point.roles.slide(i, x, size) : point.roles.stick(i);
+            size > factor* bound ? point.roles.slide(i, x, size) : point.roles.stick(i);
         }
     }
 
@@ -178,14 +177,10 @@ private:
         at.find_slip(matrix, problem.base, trial_, trial_slip_);
         sliding.aim(at, point.roles.direction, trial_slip_, problem.bound, problem.turn);
         if (!sliding.factorise(matrix, at)) return false;
-        for (Index l = 0; l < sliding.count(); ++l) {
-            right_[l] = -sliding.aside(l).dot(trial_slip_.row(at.other(l)));
-        }
-        sliding.solve(right_);
-        for (Index l = 0; l < sliding.count(); ++l) {
+        sliding.turn(at, trial_slip_, trial_);
+        for (Index l = 0; l < at.sliding(); ++l) {
             const Index i = at.other(l);
-            const Row turned = trial_.row(i) + right_[l] * sliding.across(l);
-            trial_.row(i) = problem.bound[i] / length(turned) * turned;
+            trial_.row(i) *= problem.bound[i] / length(Row(trial_.row(i)));
         }
         return true;
     }
@@ -288,7 +283,6 @@ private:
 
     Vectors trial_, trial_slip_, change_, slip_change_, best_;
     Vectors refined_;  // c'
-    Vector right_;
     SlipPath<directions, Scalar> path_;
     Scalar slip_scale_ = 0;  // rounding of the slip
     Scalar error_ = 0;

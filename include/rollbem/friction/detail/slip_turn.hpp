@@ -72,7 +72,8 @@ public:
         for (Index i = 0; i < rate_.size(); ++i) {
             if (rate_[i] == 0) continue;
             const Row centre = at_centre(i, slip_change), own = slip_change.row(i);
-            angle_change[i] = rate_[i] * (cross<directions, Scalar>(along_centre_.row(i), centre) - cross<directions, Scalar>(along_slip_.row(i), own));
+            angle_change[i] = rate_[i] * (cross<directions, Scalar>(along_centre_.row(i), centre) -
+                                          cross<directions, Scalar>(along_slip_.row(i), own));
         }
     }
 

@@ -33,8 +33,8 @@ public:
     SlipWork(const Elements<Scalar>& elements, bool turned)
         : SlipWork(elements.areas,
                    turned ? CentreValues<Scalar>::in_strips(elements.behind)
-                          : CentreValues<Scalar>::in_one_strip(
-                                elements.areas, elements.is_one_strip() ? elements.x : ArrayX<Scalar>()),
+                          : CentreValues<Scalar>::in_one_strip(elements.areas,
+                                                               elements.is_one_strip() ? elements.x : ArrayX<Scalar>()),
                    turned) {}
 
     const CentreValues<Scalar>& centres() const { return centres_; }

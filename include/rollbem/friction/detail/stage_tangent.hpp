@@ -11,20 +11,10 @@
 
 namespace rollbem::detail {
 
-/// The semi-axis of a parameter of TangentBy that is one.
-template <int directions>
-constexpr Axis axis_of(std::size_t parameter) {
-    return parameter == TangentBy<directions>::half_length ? Axis::half_length : Axis::half_width;
-}
-template <int directions>
-constexpr bool is_axis(std::size_t parameter) {
-    return parameter >= TangentBy<directions>::half_length;
-}
-
 /// dp of the stage of a friction frame that was solved last, by one of TangentBy while no element changes its zone, in
-/// the solver.
+/// the solver. False, and nothing found, if it is the KeptResponse.
 template <class Frame>
-void respond(Frame& frame, std::size_t parameter) {
+bool respond(Frame& frame, std::size_t parameter) {
     constexpr int directions = Frame::directions;
     using By = TangentBy<directions>;
     auto& scratch = frame.scratch;
@@ -38,8 +28,8 @@ void respond(Frame& frame, std::size_t parameter) {
             right.setZero();
         }
         if (parameter < By::creepages) frame.slip.add_rate(frame, parameter, right);
-        if (is_axis<directions>(parameter)) {
-            const Axis axis = axis_of<directions>(parameter);
+        if (By::is_axis(parameter)) {
+            const Axis axis = By::axis(parameter);
             frame.slip.add_rate(frame, axis, !changes_shape(frame.system), right);
             with_equations(frame.system, frame.stage, [&](const auto& equations) {
                 equations.add_rates(axis, frame.place, solver.traction(which), scratch.change, right);
@@ -51,38 +41,43 @@ void respond(Frame& frame, std::size_t parameter) {
         scratch.stage_bound_rate = frame.place.progress * scratch.bound_rate;
         change.bound = &scratch.stage_bound_rate;
     }
+    const auto revision = frame.bounds.linearise(solver);
+    if (directions == 1 && parameter < By::creepages) {
+        auto& kept = scratch.kept[frame.place.is_last() ? 1 : 0];
+        if (revision && revision == kept.revision && same_bits(scratch.right[0], kept.right)) return false;
+        kept.revision = revision;
+        kept.right = scratch.right[0];
+    }
     frame.bounds.respond(solver, change, parameter);
+    return true;
 }
 
 /// For the next stage, which starts from U + ratio (U_1 - U): what dp of this one, after respond(), adds to its
 /// constants, with the direct effect of a semi-axis if that is the parameter.
 template <class Frame>
 void carry_response(Frame& frame, std::size_t parameter) {
-    constexpr int directions = Frame::directions;
+    using By = TangentBy<Frame::directions>;
     auto& scratch = frame.scratch;
     const auto& solver = scratch.solver;
     for (std::size_t which = 0; which < solver.constant_count(); ++which) {
         auto& carried = scratch.carried[which][parameter];
         with_equations(frame.system, frame.stage, [&](const auto& equations) {
             equations.find_displacements(solver.response(which), carried);
-            if (!is_axis<directions>(parameter)) return;
-            equations.add_displacement_rates(axis_of<directions>(parameter), frame.place.progress,
-                                             solver.traction(which), scratch.change, carried);
+            if (!By::is_axis(parameter)) return;
+            equations.add_displacement_rates(By::axis(parameter), frame.place.progress, solver.traction(which),
+                                             scratch.change, carried);
         });
         carried *= -frame.place.ratio();
     }
     frame.bounds.carry_response(parameter);
 }
 
-/// Calls use(parameter) after respond() by the creepages, unless their tangents are kept, and by what is asked for.
+/// Calls use(parameter, is_new) after respond() by the creepages, and by what is asked for.
 template <class Frame, class Use>
 void for_responses(Frame& frame, const Use& use) {
     using By = TangentBy<Frame::directions>;
-    const auto find = [&](std::size_t parameter) {
-        respond(frame, parameter);
-        use(parameter);
-    };
-    for (std::size_t j = 0; !Frame::keeps_tangents && j < frame.slip.creepage_count(); ++j) find(j);
+    const auto find = [&](std::size_t parameter) { use(parameter, respond(frame, parameter)); };
+    for (std::size_t j = 0; j < frame.slip.creepage_count(); ++j) find(j);
     if (frame.asked.by_load) find(By::load);
     if (frame.asked.by_half_length) find(By::half_length);
     if constexpr (Frame::directions == 2) {
@@ -90,37 +85,12 @@ void for_responses(Frame& frame, const Use& use) {
     }
 }
 
-/// What the second of two stages needs of the responses of the first; of kept ones that to a unit of the constants.
+/// What the second of two stages needs of the responses of the first.
 template <class Frame>
 void carry_responses(Frame& frame) {
-    if constexpr (Frame::keeps_tangents) {
-        auto& scratch = frame.scratch;
-        if (scratch.carried_revision != scratch.solver.roles_revision()) {
-            scratch.solver.respond({{&frame.slip.unit()}});
-            carry_response(frame, 0);
-            scratch.carried_revision = scratch.solver.roles_revision();
-            scratch.tangent_revision = scratch.never;
-        }
-    }
-    for_responses(frame, [&](std::size_t parameter) { carry_response(frame, parameter); });
-}
-
-/// The sum of areas times the response to the creepage at the end of a step, by those to units of the constants, which
-/// are kept as long as the sticking elements.
-template <class Frame, class Areas>
-auto kept_tangent(const Frame& frame, const Areas& areas) {
-    auto& scratch = frame.scratch;
-    auto& solver = scratch.solver;
-    if (scratch.tangent_revision != solver.roles_revision()) {
-        solver.respond({{&frame.slip.unit()}});
-        scratch.unit_tangent = areas.dot(solver.response());
-        solver.respond({{&scratch.carried[0][0]}});
-        scratch.carried_tangent = areas.dot(solver.response());
-        scratch.tangent_revision = solver.roles_revision();
-    }
-    // without a first stage, carried_tangent is that of an earlier step
-    const auto last = frame.per_end() * scratch.unit_tangent, carried = frame.carried_per_end();
-    return carried == 0 ? last : last + carried * scratch.carried_tangent;
+    for_responses(frame, [&](std::size_t parameter, bool is_new) {
+        if (is_new) carry_response(frame, parameter);
+    });
 }
 
 /// The tangent by one of TangentBy.
@@ -139,17 +109,26 @@ auto& tangent_by(Step& step, std::size_t parameter) {
 }
 
 /// Adds the tangents at the end of the last or only stage to the result.
-template <class Frame, class Forces, class Step>
-void add_tangents(Frame& frame, const Forces& forces, Step& step) {
+template <class Frame, class Forces>
+void add_tangents(Frame& frame, const Forces& forces) {
     constexpr int directions = Frame::directions;
+    using By = TangentBy<directions>;
     const auto& solver = frame.scratch.solver;
     const bool follows = keeps_shape(frame.system);  // the half-width the half-length
-    if constexpr (Frame::keeps_tangents) step.tangent = forces.unit(frame.end) * kept_tangent(frame, forces.areas());
-    for_responses(frame, [&](std::size_t parameter) {
-        tangent_by<directions>(step, parameter) =
-            is_axis<directions>(parameter)
-                ? forces.rate(solver, frame.end, axis_of<directions>(parameter), follows)
-                : forces.of(solver.response(), frame.end);
+    auto& kept = frame.scratch.kept[frame.place.is_last() ? 1 : 0];
+    auto& step = frame.result;
+    for_responses(frame, [&](std::size_t parameter, bool is_new) {
+        auto& tangent = tangent_by<directions>(step, parameter);
+        if (By::is_axis(parameter)) {
+            tangent = forces.rate(solver, frame.end, By::axis(parameter), follows);
+        } else if (is_new) {
+            tangent = forces.of(solver.response(), frame.end);
+            if constexpr (directions == 1) {
+                if (parameter == 0) kept.tangent = tangent / forces.unit(frame.end);
+            }
+        } else if constexpr (directions == 1) {
+            tangent = kept.tangent * forces.unit(frame.end);
+        }
     });
     if constexpr (directions == 2) {
         if (follows && frame.asked.by_half_length) step.tangent_by_half_width = {0, 0, 0};

@@ -101,9 +101,7 @@ public:
     /// Of the solution whose slip is not turned, of which the angles of turned slip are those.
     const Vectors& plain_traction() const { return points_[0].traction; }
     /// Of each solution that has constants of its own.
-    const Vectors& traction(std::size_t which) const {
-        return has_two_ && which == 0 ? plain_traction() : traction();
-    }
+    const Vectors& traction(std::size_t which) const { return has_two_ && which == 0 ? plain_traction() : traction(); }
     /// s, exactly zero where elements stick. Where they slip it is against the traction, or, if slip is turned, R s is;
     /// then s_i stays the slip at the point of row i.
     const Vectors& slip() const { return points_[last()].slip; }
@@ -117,9 +115,38 @@ public:
     Scalar slip_size(Index i) const { return length(Row(slip().row(i))); }
 
     /// Takes c, and tractions and zones that hold for other c and bounds.
-    void begin(const Start& start) noexcept;
+    void begin(const Start& start) noexcept {
+        has_two_ = directions == 2 && start.turned_traction != nullptr;
+        has_turned_ = false;
+        for (std::size_t k = 0; k < directions; ++k) {
+            equations_.base[k].forget();
+            imposed_[k] = largest(constant_[own(k)]);
+        }
+        if (has_two_) difference_ = *start.turned_traction - start.traction;
+        Point& point = points_[0];
+        for (Index i = 0; i < size(); ++i) {
+            const int zone = static_cast<signed char>(start.zones[static_cast<std::size_t>(i)]);
+            Row along = directions == 1 ? Row(Row::Constant(static_cast<Scalar>(-zone))) : Row(start.traction.row(i));
+            if (!(length(along) > 0)) along = -constant_[0].row(i);
+            zone == 0 ? point.roles.stick(i) : point.roles.slide(i, along);
+        }
+    }
     /// Solves for bounds >= 0, all finite, from the start or the last solution for other bounds since begin().
-    Outcome solve(const Vector& bound) noexcept;
+    Outcome solve(const Vector& bound) noexcept {
+        search_.steps = search_.path_points = 0;
+        is_apart_ = false;
+        turn_.stop();
+        adapt(bound, points_[0]);
+        const Problem first = problem(0, bound);
+        bool settled = search_.find(first, points_[0]);
+        if (settled && first.leads_on(points_[0])) settled = solve_turned(bound);
+        Outcome outcome{search_.steps, search_.path_points};
+        outcome.residual = publish(bound);
+        outcome.tangent_exists = settled && wants_tangents_ && factorise(bound);
+        const bool solved = is_finite(outcome.residual) && outcome.residual <= 10000 * Search::rounding(size());
+        outcome.status = solved ? Status::ok : Status::no_solution;
+        return outcome;
+    }
     Outcome solve(const Vector& bound, const Start& start) noexcept {
         begin(start);
         return solve(bound);
@@ -128,7 +155,19 @@ public:
     /// Finds dp due to a change while no element changes between stick and slip, and the change of |s| unless null.
     /// Slipping elements follow their bounds along their traction. If angles follow, those of turned slip change with
     /// the solution that they belong to. Only if a tangent exists according to the last outcome.
-    void respond(const Change& change, Vector* size_change = nullptr);
+    void respond(const Change& change, Vector* size_change = nullptr) {
+        const Vectors *plain = change.constant[0], *turned = change.constant[own(directions - 1)];
+        response_base_.forget();
+        if (keeps_plain()) {
+            answer(0, {plain, change.bound}, response_[0]);
+            turn_.follow(slip_response_, angle_change_);
+            if (plain != turned && (plain == nullptr || turned == nullptr || !same_bits(*plain, *turned))) {
+                response_base_.forget();
+            }
+        }
+        answer(last(), {turned, change.bound, turn_.follows() ? &angle_change_ : nullptr}, response_.back());
+        if (size_change != nullptr) *size_change = -slip_response_.cwiseProduct(against_slip_).rowwise().sum();
+    }
     /// dp of the last solution; of each that has constants of its own.
     const Vectors& response() const { return response_.back(); }
     const Vectors& response(std::size_t which) const { return has_two_ ? response_[which] : response(); }
@@ -220,7 +259,23 @@ private:
 
     Scalar publish(const Vector& bound);
     // What tangents need of each solution. False if it is singular to working precision.
-    bool factorise(const Vector& bound);
+    bool factorise(const Vector& bound) {
+        bool is_regular = true;
+        for (std::size_t which = keeps_plain() ? 0 : last(); which <= last(); ++which) {
+            const Point& point = points_[which];
+            Condensed* at = equations_.condense(which, point.roles);
+            if (at == nullptr || !at->is_regular()) return false;
+            at_ = static_cast<std::size_t>(at - equations_.condensed.data());
+            if constexpr (directions == 2) {
+                Sliding<Scalar>& sliding = equations_.sliding[which];
+                sliding.aim(*at, point.roles.direction, point.slip, bound, turn_of(which));
+                is_regular = is_regular && sliding.factorise(equations_.matrix, *at);
+            }
+        }
+        if (roles_revision_ != roles_revision()) ++revision_;
+        roles_revision_ = roles_revision();
+        return is_regular;
+    }
 
     // Of one solution; dc and `angle` may be null. `of_slip_alone`: not of the tractions that stick.
     struct Cause {
@@ -267,41 +322,6 @@ private:
     bool wants_tangents_ = true;
 };
 
-template <int directions, class Scalar>
-void StickSlip<directions, Scalar>::begin(const Start& start) noexcept {
-    has_two_ = directions == 2 && start.turned_traction != nullptr;
-    has_turned_ = false;
-    for (std::size_t k = 0; k < directions; ++k) {
-        equations_.base[k].forget();
-        imposed_[k] = largest(constant_[own(k)]);
-    }
-    if (has_two_) difference_ = *start.turned_traction - start.traction;
-    Point& point = points_[0];
-    for (Index i = 0; i < size(); ++i) {
-        const int zone = static_cast<signed char>(start.zones[static_cast<std::size_t>(i)]);
-        Row along = directions == 1 ? Row(Row::Constant(static_cast<Scalar>(-zone))) : Row(start.traction.row(i));
-        if (!(length(along) > 0)) along = -constant_[0].row(i);
-        zone == 0 ? point.roles.stick(i) : point.roles.slide(i, along);
-    }
-}
-
-template <int directions, class Scalar>
-auto StickSlip<directions, Scalar>::solve(const Vector& bound) noexcept -> Outcome {
-    search_.steps = search_.path_points = 0;
-    is_apart_ = false;
-    turn_.stop();
-    adapt(bound, points_[0]);
-    const Problem first = problem(0, bound);
-    bool settled = search_.find(first, points_[0]);
-    if (settled && first.leads_on(points_[0])) settled = solve_turned(bound);
-    Outcome outcome{search_.steps, search_.path_points};
-    outcome.residual = publish(bound);
-    outcome.tangent_exists = settled && wants_tangents_ && factorise(bound);
-    const bool solved = is_finite(outcome.residual) && outcome.residual <= 10000 * Search::rounding(size());
-    outcome.status = solved ? Status::ok : Status::no_solution;
-    return outcome;
-}
-
 // Zones, and slip cleared of round-off; returns the largest violation.
 template <int directions, class Scalar>
 auto StickSlip<directions, Scalar>::publish(const Vector& bound) -> Scalar {
@@ -344,25 +364,6 @@ auto StickSlip<directions, Scalar>::publish(const Vector& bound) -> Scalar {
     return (std::max)(imposed > 0 ? slip / imposed : slip, most > 0 ? excess / most : excess);
 }
 
-template <int directions, class Scalar>
-bool StickSlip<directions, Scalar>::factorise(const Vector& bound) {
-    bool is_regular = true;
-    for (std::size_t which = keeps_plain() ? 0 : last(); which <= last(); ++which) {
-        const Point& point = points_[which];
-        Condensed* at = equations_.condense(which, point.roles);
-        if (at == nullptr || !at->is_regular()) return false;
-        at_ = static_cast<std::size_t>(at - equations_.condensed.data());
-        if constexpr (directions == 2) {
-            Sliding<Scalar>& sliding = equations_.sliding[which];
-            sliding.aim(*at, point.roles.direction, point.slip, bound, turn_of(which));
-            is_regular = is_regular && sliding.factorise(equations_.matrix, *at);
-        }
-    }
-    if (roles_revision_ != roles_revision()) ++revision_;
-    roles_revision_ = roles_revision();
-    return is_regular;
-}
-
 // Slip in slip_response_.
 template <int directions, class Scalar>
 void StickSlip<directions, Scalar>::answer(std::size_t which, const Cause& cause, Vectors& dp) {
@@ -375,35 +376,16 @@ void StickSlip<directions, Scalar>::answer(std::size_t which, const Cause& cause
     }
     if constexpr (directions == 2) {
         if (at.sliding() > 0) {
-            Sliding<Scalar>& sliding = equations_.sliding[which];
             at.find_slip(equations_.matrix, response_base_, dp, slip_response_);
-            for (Index l = 0; l < sliding.count(); ++l) {
+            for (Index l = 0; cause.angle != nullptr && l < at.sliding(); ++l) {
                 const Index i = at.other(l);
-                Row rest = slip_response_.row(i);
-                if (cause.angle != nullptr) rest += (*cause.angle)[i] * Row(-point.slip(i, 1), point.slip(i, 0));
-                right_[l] = -sliding.aside(l).dot(rest);
+                slip_response_.row(i) += (*cause.angle)[i] * Row(-point.slip(i, 1), point.slip(i, 0));
             }
-            sliding.solve(right_);
-            for (Index l = 0; l < sliding.count(); ++l) dp.row(at.other(l)) += right_[l] * sliding.across(l);
+            equations_.sliding[which].turn(at, slip_response_, dp);
         }
         if (cause.of_slip_alone) return at.find_slip(equations_.matrix, response_base_, dp, slip_response_);
     }
     at.complete(equations_.matrix, response_base_, dp, slip_response_);
-}
-
-template <int directions, class Scalar>
-void StickSlip<directions, Scalar>::respond(const Change& change, Vector* size_change) {
-    const Vectors *plain = change.constant[0], *turned = change.constant[own(directions - 1)];
-    response_base_.forget();
-    if (keeps_plain()) {
-        answer(0, {plain, change.bound}, response_[0]);
-        turn_.follow(slip_response_, angle_change_);
-        if (plain != turned && (plain == nullptr || turned == nullptr || !same_bits(*plain, *turned))) {
-            response_base_.forget();
-        }
-    }
-    answer(last(), {turned, change.bound, turn_.follows() ? &angle_change_ : nullptr}, response_.back());
-    if (size_change != nullptr) *size_change = -slip_response_.cwiseProduct(against_slip_).rowwise().sum();
 }
 
 template <int directions, class Scalar>
