@@ -128,7 +128,7 @@ struct FrictionStep {
     ///
     ///     work of the rigid bodies = slip work + jump work + change of elastic energy
     ///
-    /// It turns into heat during a slip that is too short for the step to resolve (see detail::JumpWork for the
+    /// It turns into heat during a slip that is too short for the step to resolve (see detail::FrictionCore for the
     /// expression). Without jumps it tends to 0 with dq, from either side; with constant friction, where rolling has
     /// none, it is 0. For a rigid shift it is what the slip work would gain if the tractions were the means of those at
     /// both ends, with the work of the rigid bodies from the mean force. 0 for a steady solution.

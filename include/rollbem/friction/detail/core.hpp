@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -30,7 +31,6 @@
 #include "imposed_slip.hpp"
 #include "scratch.hpp"
 #include "slip_work.hpp"
-#include "stage_tangent.hpp"
 
 namespace rollbem::detail {
 
@@ -161,7 +161,7 @@ private:
         begin(frame);
         Frame::solve_stages(frame, *this);
         finish(frame, to);
-        if (wants_tangents(frame)) add_tangents(frame, forces_);
+        if (wants_tangents(frame)) frame.add_tangents(forces_);
         return frame.result;
     }
     // No slip yet; the first solution is sought from the tractions at the start.
@@ -194,8 +194,8 @@ private:
     // What the next stage takes from this one.
     void carry(Frame& frame) const {
         Scratch& scratch = frame.scratch;
-        if constexpr (slip_dependent) scratch.jump_work.keep_first(scratch.solver.traction());
-        if (wants_tangents(frame)) carry_responses(frame);
+        if constexpr (slip_dependent) scratch.first = scratch.solver.traction();
+        if (wants_tangents(frame)) frame.carry_responses();
         for (std::size_t which = 0; which < constant_count(frame); ++which) {
             Vectors& displacement = scratch.displacement[which];
             find_displacements(system_, frame.stage.axes(), scratch.start[which], scratch.change);
@@ -222,21 +222,44 @@ private:
     }
     // Completes the result except for its tangents, and fills `to`, the slip and the slip work.
     void finish(Frame& frame, State& to) const;
-    // With constant friction only a shift has jumps.
+    // The energy released by jumps. Slip work takes the tractions at the end of a stage. Let (x, y) be the integral of
+    // x times the displacement caused by y, so that E(p) = (p, p)/2, and p_0, p_1, p_2 the tractions at the start of a
+    // step and after its stages. The equations of the stages, s = rigid - u' + (change of u), times their tractions
+    // give
+    //
+    //     work of the rigid bodies = slip work + E(p_2) - E(p_0) + J
+    //     J = (b, b)/2,                       b = p_2 - p_0, for one stage (implicit Euler)
+    //     J = (b, b)/2 - r (a, b - a),        a = p_1 - p_0, r = StagePlace::ratio(), for two stages (sdirk2)
+    //
+    // because the kernel is even: the integral of p u' vanishes. While the tractions vary smoothly J is of second order
+    // in dq for one stage, of third for two, where b = a/part. If they jump within a step, b stays finite however short
+    // the step is, and J is the energy (b, b)/2 that the jump releases in addition, for either scheme, whichever stage
+    // the jump is in. A half-length that varies within the step changes J by as much as it changes (b, b). With
+    // constant friction rolling has no jumps.
+    //
+    // A rigid shift is a single stage whose work is that of the mean of the forces at both ends: J = integral of b s/2.
     Scalar jump_work(const Frame& frame) const {
+        if (frame.stage.steady || (frame.rolls() && !slip_dependent)) return 0;
         Scratch& scratch = frame.scratch;
+        Vectors &change = scratch.change, &displacement = scratch.right[0];
         const auto start = 1 / units_.shear_modulus * frame.request.from.traction;
         const Vectors& end = scratch.solver.traction();
-        Scalar work = 0;
-        if (frame.stage.steady) return work;
-        if (!frame.rolls()) {
-            scratch.change = 1 / units_.length * scratch.slip;
-            work = scratch.jump_work.shifted(slip_work_, frame.end, start, end, scratch.change);
-        } else if constexpr (slip_dependent) {
-            const Scalar ratio = frame.table.place(1).ratio();
-            work = scratch.jump_work.rolled(system_, slip_work_, frame.end, ratio, start, end);
+        const Scalar unit = units_.length * forces_.unit(frame.end), ratio = frame.table.place(1).ratio();
+        change = end - start;
+        if (!frame.rolls()) return unit * slip_work_.product(change, scratch.slip) / (2 * units_.length);
+        if (frame.table.count() == 1) scratch.first = start;
+        scratch.first -= start;
+        // settled: J is below the rounding of the energies
+        const Scalar least = std::numeric_limits<Scalar>::epsilon() * end.squaredNorm();
+        if (change.squaredNorm() <= least && scratch.first.squaredNorm() <= least) return 0;
+        find_displacements(system_, frame.end, change, displacement);
+        Scalar sum = slip_work_.product(change, displacement) / 2;
+        if (ratio != 0) {
+            change -= scratch.first;
+            find_displacements(system_, frame.end, change, displacement);
+            sum -= ratio * slip_work_.product(scratch.first, displacement);
         }
-        return units_.width * units_.shear_modulus * units_.length * units_.length * work;
+        return unit * sum;
     }
 
     System system_;

@@ -12,7 +12,6 @@
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "slip_dependent_set.hpp"
-#include "slip_work.hpp"
 #include "stick_slip.hpp"
 
 namespace rollbem::detail {
@@ -76,9 +75,9 @@ struct FrictionScratch {
     using OfEach = std::array<Vectors, directions>;
 
     FrictionScratch(Eigen::Index n, bool slip_dependent, bool coupled)
-        : solver(n, coupled), falling(slip_dependent ? n : 0), jump_work(n) {
+        : solver(n, coupled), falling(slip_dependent ? n : 0) {
         slip.setZero(n, directions);
-        change = kept[0].right = kept[1].right = slip;
+        first = change = kept[0].right = kept[1].right = slip;
         for (OfEach* each : {&start, &displacement, &right}) each->fill(slip);
         for (auto& each : carried) each.fill(slip);
         for (Vector* vector : {&work, &bound, &bound_rate, &stage_bound_rate}) vector->setZero(n);
@@ -92,11 +91,11 @@ struct FrictionScratch {
     OfEach start;         // tractions from which the search for the present stage starts
     OfEach displacement;  // from which the present stage starts
     OfEach right;
+    Vectors first;  // tractions after the first of two stages
     Vectors change;
     Vector work;                          // of all stages so far
     Vector bound;                         // mu p_n/G of the present stage; p_n/G if mu depends on slip
     Vector bound_rate, stage_bound_rate;  // its derivative with respect to the load; in the present stage
-    JumpWork<directions, Scalar> jump_work;
     // dc of the second stage, from the first
     std::array<std::array<Vectors, TangentBy<directions>::count>, directions> carried;
 
