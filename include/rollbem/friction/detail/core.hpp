@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -151,9 +152,8 @@ private:
             const auto& start = frame.request.from.normal_pressure;
             bound = bound_per_pressure() * (start + frame.place.progress * (end - start)).matrix();
         }
-        for (Scalar& value : bound) {
-            if ((directions == 1 ? value : value * value) < negligible<Scalar>) value = 0;
-        }
+        const Scalar least = directions == 1 ? negligible<Scalar> : std::sqrt(negligible<Scalar>);
+        bound = (bound.array() < least).select(Scalar(0), bound);
     }
 
     // One step or steady solution, by its stages.

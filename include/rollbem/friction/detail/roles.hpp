@@ -55,7 +55,10 @@ struct Roles {
     void stick(Index i) { set(i, Role::sticks, Row::Zero()); }
     void release(Index i) { set(i, Role::is_free, Row::Zero()); }
     /// Slides along a vector of this length, or sticks if that is not positive.
-    void slide(Index i, const Row& along, Scalar norm) { norm > 0 ? set(i, Role::slides, along / norm) : stick(i); }
+    void slide(Index i, const Row& along, Scalar norm) {
+        if (!(norm > 0)) return stick(i);
+        set(i, Role::slides, directions == 1 ? Row(Row::Constant(along[0] > 0 ? 1 : -1)) : Row(along / norm));
+    }
     void slide(Index i, const Row& along) { slide(i, along, length(along)); }
     /// Turns the direction of an element that slides, unless the vector vanishes.
     void follow(Index i, const Row& along) {

@@ -202,8 +202,10 @@ private:
             const Role role = point.roles[i];
             if (role == Role::sticks) {
                 const Scalar size = length(p);
-                if (!(size <= bound)) fit.residual += size - bound;  // also NaN
-                fit.excess = (std::max)(fit.excess, size / bound - 1);
+                if (!(size <= bound)) {  // also NaN
+                    fit.residual += size - bound;
+                    fit.excess = (std::max)(fit.excess, size / bound - 1);
+                }
                 error_ = (std::max)(error_, length(slip));
                 trial_slip_.row(i).setZero();
                 continue;

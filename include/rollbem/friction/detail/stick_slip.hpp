@@ -27,7 +27,7 @@ namespace rollbem::detail {
 /// |p_i| = b_i; p_i and s_i are numbers or plane vectors. Because the bounds b are finite, a solution exists for every
 /// M (a continuous variational inequality on a compact set: Hartman and Stampacchia 1966); SlipSearch looks for it.
 ///
-/// If the rows behind are known (turn_slip), slip is then turned once as TurnedSlip says, and s_i replaced by R_i s_i
+/// If the slip at the centres is known (turn_slip), slip is then turned once as SlipTurn says, and s_i replaced by R_i s_i
 /// in the conditions of a second solution, which begins at the first. Sticking still means s_i = 0. Where that is not
 /// found, all angles are halved.
 ///
