@@ -180,6 +180,7 @@ TEST_CASE("A solution is found if all elements are alike", "[friction]") {
         CAPTURE(trial, n, outcome.rounds, outcome.path_points, outcome.residual);
         REQUIRE(outcome.status == Status::ok);
         REQUIRE(problem.violation(solver.traction()) < 1e-9);
+        REQUIRE(outcome.path_points == 0);  // full sliding is near enough
         singular += is_singular_circulant(first) ? 1 : 0;
     }
     CHECK(singular > 1000);

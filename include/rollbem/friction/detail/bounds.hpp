@@ -129,6 +129,8 @@ public:
         scratch_.duration.setConstant(duration);
         if (!frame.place.is_last() && first_start_ != nullptr) scratch_.friction = first_start_->matrix();
         if (!remembers()) return scratch_.before.setZero(), void();
+        per_half_length_ = 1 / frame.start.half_length;
+        per_first_ = 1 / rollbem::detail::between(frame.start.half_length, frame.end.half_length, frame.place.part);
         AlongContact<Scalar> start = at_start();
         if (!is_second()) {
             for (Index i = 0; i < size(); ++i) scratch_.before[i] = start(origin(i)).value;
@@ -197,16 +199,11 @@ private:
     AlongContact<Scalar> in_first_stage(const Vector& change) const { return {elements_.x, change.data(), Scalar(0)}; }
     // Position x/a of the particle that arrives at point i, at the start of the step.
     Scalar origin(Index i) const {
-        return (frame_->stage.half_length * elements_.x[i] + frame_->place.progress * frame_->dq) /
-               frame_->start.half_length;
+        return (frame_->stage.half_length * elements_.x[i] + frame_->place.progress * frame_->dq) * per_half_length_;
     }
     // Position x/a of the same particle at the end of the first stage.
     Scalar between(Index i) const {
-        return (frame_->stage.half_length * elements_.x[i] + (1 - frame_->place.part) * frame_->dq) /
-               first_half_length();
-    }
-    Scalar first_half_length() const {
-        return rollbem::detail::between(frame_->start.half_length, frame_->end.half_length, frame_->place.part);
+        return (frame_->stage.half_length * elements_.x[i] + (1 - frame_->place.part) * frame_->dq) * per_first_;
     }
 
     // Adds the response of the first stage to the change of the initial coefficients of the second.
@@ -226,9 +223,9 @@ private:
         for (Index i = 0; i < size(); ++i) {
             const Scalar point = elements_.x[i];
             Scalar& change = scratch_.path_change[i];
-            change = start(origin(i)).slope * place.progress * point / frame_->start.half_length;
+            change = start(origin(i)).slope * place.progress * point * per_half_length_;
             if (!is_second()) continue;
-            const Scalar x = between(i), moved = (place.progress * point - place.part * x) / first_half_length();
+            const Scalar x = between(i), moved = (place.progress * point - place.part * x) * per_first_;
             change += place.ratio() * rise(x).slope * moved;
             if (!(scratch_.before[i] > 0)) change = 0;
         }
@@ -254,9 +251,10 @@ private:
     // Newton's method has converged at once. A second stage then starts from mu at the start of the step, which is
     // nearer than that of the first stage if little changes; after a jump it is the other way round.
     bool is_easy_ = false;
-    bool moves_paths_ = false;      // the last tangent was that by the half-length
-    Scalar velocity_per_slip_ = 0;  // slip velocity [m/s] over the solver's slip
-    Scalar at_rest_;                // mu_s(0)
+    bool moves_paths_ = false;                    // the last tangent was that by the half-length
+    Scalar per_half_length_ = 1, per_first_ = 1;  // over the half-lengths at the start of the step and after one stage
+    Scalar velocity_per_slip_ = 0;                // slip velocity [m/s] over the solver's slip
+    Scalar at_rest_;                              // mu_s(0)
     const Vector* pressure_ = nullptr;
     Scratch& scratch_;
 };

@@ -49,11 +49,6 @@ public:
         const Scalar behind = values[between.behind];
         return behind + between.share * (values[between.ahead] - behind);
     }
-    /// Whether it is that of the element's own equation.
-    bool is_own(Index i) const {
-        const Between& between = between_[static_cast<std::size_t>(i)];
-        return between.behind == between.ahead;
-    }
 
 private:
     // Two equations, and the place of a centre between their points, from 0 to 1 unless it is extrapolated.

@@ -247,14 +247,14 @@ private:
         const Scalar unit = units_.length * forces_.unit(frame.end), ratio = frame.table.place(1).ratio();
         change = end - start;
         if (!frame.rolls()) return unit * slip_work_.product(change, scratch.slip) / (2 * units_.length);
-        if (frame.table.count() == 1) scratch.first = start;
-        scratch.first -= start;
+        const bool two_stages = ratio != 0;
+        if (two_stages) scratch.first -= start;
         // settled: J is below the rounding of the energies
         const Scalar least = std::numeric_limits<Scalar>::epsilon() * end.squaredNorm();
-        if (change.squaredNorm() <= least && scratch.first.squaredNorm() <= least) return 0;
+        if (change.squaredNorm() <= least && (!two_stages || scratch.first.squaredNorm() <= least)) return 0;
         find_displacements(system_, frame.end, change, displacement);
         Scalar sum = slip_work_.product(change, displacement) / 2;
-        if (ratio != 0) {
+        if (two_stages) {
             change -= scratch.first;
             find_displacements(system_, frame.end, change, displacement);
             sum -= ratio * slip_work_.product(scratch.first, displacement);

@@ -75,28 +75,23 @@ private:
     // Residual over the sum of bounds from which on another step would not change the angles of turned slip.
     inline static const Scalar nearly = std::cbrt(epsilon) * std::cbrt(epsilon);
 
-    struct Manner {
-        int most_steps;
-        bool careful;   // steps are halved
-        bool is_eager;  // if all elements stick before the first step
-    };
-
     bool look(const Problem& problem, Point& point) {
-        if (settle(problem, {longest, true, true}, point)) return true;
+        if (settle(problem, longest, true, point)) return true;
         slide_fully(problem, point);
-        if (settle(problem, {longest, true, false}, point)) return true;
+        if (settle(problem, longest, false, point)) return true;
         for (int number = 0; number < most_paths; ++number) {
             if (follow_path(problem, number, point)) return true;
         }
         return false;
     }
-    bool settle(const Problem& problem, const Manner& manner, Point& point) {
+    // `eagerly`: if all elements stick before the first of at most so many steps.
+    bool settle(const Problem& problem, int most_steps, bool eagerly, Point& point) {
         refinements_ = 0;
-        const bool settled = iterate(problem, manner, point);
+        const bool settled = iterate(problem, most_steps, eagerly, point);
         if (refinements_ > 0) problem.base.forget();
         return settled;
     }
-    bool iterate(const Problem& problem, const Manner& manner, Point& point);
+    bool iterate(const Problem& problem, int most_steps, bool eagerly, Point& point);
 
     bool follow_path(const Problem& problem, int number, Point& point) {
         path_.begin(problem, number);
@@ -104,12 +99,10 @@ private:
         while (path_.advance(problem)) {
             path_points += path_.points() - before;
             before = path_.points();
-            for (const bool careful : {true, false}) {
-                point.traction = path_.traction();
-                find_slip(problem, point);
-                place(problem, 1, point);
-                if (settle(problem, {from_path, careful, false}, point)) return true;
-            }
+            point.traction = path_.traction();
+            find_slip(problem, point);
+            place(problem, 1, point);
+            if (settle(problem, from_path, false, point)) return true;
         }
         return false;
     }
@@ -293,10 +286,10 @@ private:
 };
 
 template <int directions, class Scalar>
-bool SlipSearch<directions, Scalar>::iterate(const Problem& problem, const Manner& manner, Point& point) {
+bool SlipSearch<directions, Scalar>::iterate(const Problem& problem, int most_steps, bool eagerly, Point& point) {
     auto& equations = problem.equations;
     Scalar before = (std::numeric_limits<Scalar>::max)();
-    for (int step = 0; step < manner.most_steps; ++step) {
+    for (int step = 0; step < most_steps; ++step) {
         auto* at = equations.condense(problem.which, point.roles);
         if (at == nullptr) return false;
         at->find_base(equations.matrix, refinements_ > 0 ? &refined_ : &problem.constant, problem.base);
@@ -305,7 +298,7 @@ bool SlipSearch<directions, Scalar>::iterate(const Problem& problem, const Manne
         const Fit fit = measure(problem, point);
         Scalar residual = fit.residual;
         const bool stalls = !(residual < before), done = holds(fit, stalls ? 1000 : 1);
-        if (!done && stalls && manner.careful) residual = shorten(problem, point, before);
+        if (!done && stalls) residual = shorten(problem, point, before);
         if (!is_finite(residual)) return false;
         point.traction = trial_;
         point.slip = trial_slip_;
@@ -317,8 +310,7 @@ bool SlipSearch<directions, Scalar>::iterate(const Problem& problem, const Manne
             continue;
         }
         if (residual < nearly * problem.bound.sum() && problem.leads_on(point)) return true;
-        const bool eagerly = step == 0 && manner.is_eager && !point.roles.any_slides();
-        place(problem, eagerly ? eager : Scalar(1), point);
+        place(problem, eagerly && step == 0 && !point.roles.any_slides() ? eager : Scalar(1), point);
         before = residual;
     }
     return false;

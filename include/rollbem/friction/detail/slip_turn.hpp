@@ -20,8 +20,8 @@ namespace rollbem::detail {
 /// is not well posed; turning s_i by the angle from s_i to m_i of a solution, and solving once more at fixed angles,
 /// is.
 ///
-/// Angles are at most 60 degrees, and 0 where an element does not slip, or s_i or m_i vanishes, or a trailing element
-/// has none ahead. With one direction nothing turns. All memory is allocated by the constructor.
+/// Angles are at most 60 degrees, and 0 where an element does not slip, or s_i or m_i vanishes. With one direction
+/// nothing turns. All memory is allocated by the constructor.
 template <int directions, class Scalar>
 class SlipTurn {
 public:
@@ -52,7 +52,7 @@ public:
         rate_.setZero();
         for (Index i = 0; i < rate_.size(); ++i) {
             set(i, 1, 0);
-            if (roles[i] == Role::slides && !centres_->is_own(i)) find_angle(i, slip);
+            if (roles[i] == Role::slides) find_angle(i, slip);
         }
         return turns_;
     }
