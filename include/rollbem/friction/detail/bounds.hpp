@@ -70,7 +70,8 @@ public:
     auto solve(Solver& solver, const VectorX<Scalar>& bound, const typename Solver::Start& start) noexcept {
         return solver.solve(bound, start);
     }
-    /// To be called before respond(). Changes whenever what that finds for a change of c may; nothing if it does always.
+    /// To be called before respond(). A number that changes whenever the response to a change of c may; nothing if no
+    /// number tells.
     std::optional<std::uint64_t> linearise(Solver& solver) noexcept { return solver.roles_revision(); }
     /// dp in the stage solved last caused by a change, in the solver; `parameter` is that of the tangent.
     void respond(Solver& solver, const typename Solver::Change& change, std::size_t) noexcept {

@@ -30,7 +30,7 @@ public:
         return values;
     }
     /// Of equations half an element ahead of the centres: means of an element's own value and of that of the row
-    /// `behind`; a trailing element, -1, takes 3/2 of its own value less half of that of the row ahead, if there is one.
+    /// `behind`; a trailing element, -1, takes 3/2 of its own value less half of the value ahead, if there is one.
     static CentreValues in_strips(const std::vector<Index>& behind) {
         CentreValues values(static_cast<Index>(behind.size()));
         for (std::size_t i = 0; i < behind.size(); ++i) {

@@ -95,8 +95,8 @@ private:
         if (asked.by_half_width) find(By::half_width);
     }
 
-    // dp of the stage that was solved last, by one of TangentBy while no element changes its zone, in the solver. False,
-    // and nothing found, if it is the KeptResponse.
+    // Finds dp of the stage that was solved last, by one of TangentBy while no element changes its zone, in the solver.
+    // False, and nothing found, if it is the KeptResponse.
     bool respond(std::size_t parameter) {
         auto& solver = scratch.solver;
         typename StickSlip<directions, Scalar>::Change change;

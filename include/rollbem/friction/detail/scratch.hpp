@@ -55,8 +55,8 @@ struct SlipDependentScratch {
     std::array<Vector, TangentBy<directions>::count> carried_change;  // d rise of each tangent
 };
 
-/// The last response by the creepage, with one direction: in rolling it is often the next one, too. What the second stage
-/// takes of it, or the tangent, is then known.
+/// The last response by the creepage, with one direction: in rolling it is often the next one, too. What the second
+/// stage takes of it, or the tangent, is then known.
 template <int directions, class Scalar>
 struct KeptResponse {
     std::optional<std::uint64_t> revision;     // of the linear equations

@@ -27,9 +27,9 @@ namespace rollbem::detail {
 /// |p_i| = b_i; p_i and s_i are numbers or plane vectors. Because the bounds b are finite, a solution exists for every
 /// M (a continuous variational inequality on a compact set: Hartman and Stampacchia 1966); SlipSearch looks for it.
 ///
-/// If the slip at the centres is known (turn_slip), slip is then turned once as SlipTurn says, and s_i replaced by R_i s_i
-/// in the conditions of a second solution, which begins at the first. Sticking still means s_i = 0. Where that is not
-/// found, all angles are halved.
+/// If the slip at the centres is known (turn_slip), slip is then turned once as SlipTurn says, and s_i replaced by R_i
+/// s_i in the conditions of a second solution, which begins at the first. Sticking still means s_i = 0. Where that is
+/// not found, all angles are halved.
 ///
 /// The result depends on M, c, the bounds and the starting point alone, to the last bit, and not on earlier solutions.
 /// All memory is allocated by the constructor.
