@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 
-#include "../../detail/array_functions.hpp"
 #include "../../rolling/stage_equations.hpp"
 #include "../../rolling/step_frame.hpp"
 #include "../../scene/rigid_motion.hpp"
@@ -83,7 +82,7 @@ private:
     using By = TangentBy<directions>;
     using Vectors = ElementVectors<Scalar, directions>;
 
-    KeptResponse<directions, Scalar>& kept() { return scratch.kept[this->place.is_last() ? 1 : 0]; }
+    KeptResponse<Scalar>& kept() { return scratch.kept[this->place.is_second ? 2 : this->place.is_last() ? 1 : 0]; }
 
     // Calls use(parameter, is_new) after respond() by the creepages, and by what is asked for.
     template <class Use>
@@ -99,6 +98,12 @@ private:
     // False, and nothing found, if it is the KeptResponse.
     bool respond(std::size_t parameter) {
         auto& solver = scratch.solver;
+        const auto revision = bounds.linearise(solver);
+        if (directions == 1 && parameter == 0) {
+            if (revision && revision == kept().revision && kept().per_end == this->per_end()) return false;
+            kept().revision = revision;
+            kept().per_end = this->per_end();
+        }
         typename StickSlip<directions, Scalar>::Change change;
         for (std::size_t which = 0; which < solver.constant_count(); ++which) {
             Vectors& right = scratch.right[which];
@@ -121,12 +126,6 @@ private:
             scratch.stage_bound_rate = this->place.progress * scratch.bound_rate;
             change.bound = &scratch.stage_bound_rate;
         }
-        const auto revision = bounds.linearise(solver);
-        if (directions == 1 && parameter < By::creepages) {
-            if (revision && revision == kept().revision && same_bits(scratch.right[0], kept().right)) return false;
-            kept().revision = revision;
-            kept().right = scratch.right[0];
-        }
         bounds.respond(solver, change, parameter);
         return true;
     }
@@ -146,6 +145,7 @@ private:
             carried *= -this->place.ratio();
         }
         bounds.carry_response(parameter);
+        if (parameter == 0) scratch.kept[2].revision.reset();
     }
 
     auto& tangent_by(std::size_t parameter) {

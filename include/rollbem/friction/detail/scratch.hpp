@@ -57,11 +57,11 @@ struct SlipDependentScratch {
 
 /// The last response by the creepage, with one direction: in rolling it is often the next one, too. What the second
 /// stage takes of it, or the tangent, is then known.
-template <int directions, class Scalar>
+template <class Scalar>
 struct KeptResponse {
-    std::optional<std::uint64_t> revision;     // of the linear equations
-    ElementVectors<Scalar, directions> right;  // the change of the constants
-    Scalar tangent = 0;                        // sum of areas times dp, if the stage was the last
+    std::optional<std::uint64_t> revision;  // of the linear equations; none if nothing is kept
+    Scalar per_end = 0;                     // the creepage's effect on the constants
+    Scalar tangent = 0;                     // sum of areas times dp, if the stage was the last
 };
 
 /// Dimensionless: tractions in G, lengths in a_0, the contact's half-length. All memory is allocated by the
@@ -77,7 +77,7 @@ struct FrictionScratch {
     FrictionScratch(Eigen::Index n, bool slip_dependent, bool coupled)
         : solver(n, coupled), falling(slip_dependent ? n : 0) {
         slip.setZero(n, directions);
-        first = change = kept[0].right = kept[1].right = slip;
+        first = change = slip;
         for (OfEach* each : {&start, &displacement, &right}) each->fill(slip);
         for (auto& each : carried) each.fill(slip);
         for (Vector* vector : {&work, &bound, &bound_rate, &stage_bound_rate}) vector->setZero(n);
@@ -99,7 +99,7 @@ struct FrictionScratch {
     // dc of the second stage, from the first
     std::array<std::array<Vectors, TangentBy<directions>::count>, directions> carried;
 
-    std::array<KeptResponse<directions, Scalar>, 2> kept;  // of the first of two stages, and of the last
+    std::array<KeptResponse<Scalar>, 3> kept;  // of the first of two stages, of the only one, and of the second
 };
 
 }  // namespace rollbem::detail
