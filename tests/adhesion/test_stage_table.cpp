@@ -87,8 +87,7 @@ void compare(const ElementSystem<double, directions>& system, const Law& law,
     using Moved = RigidMotion<typename Core::Value>;
     const Friction friction{law, ArrayX<double>(p_0 * mean_hertz_pressure(mesh))};
     const FrictionModel model(contact, system, unchecked, friction, Integrator::implicit_euler);
-    const Core core("test", contact, system.elements(), system.element_count(), detail::with_uniform_law(friction),
-                    detail::gradient(system), system.fingerprint());
+    const Core core("test", contact, system, detail::with_uniform_law(friction));
     auto workspace = model.workspace(), own = core.workspace();
     auto from = model.at_rest(), half = from, to = from, found = from;
     REQUIRE(model.steady(model.at_rest(), {Travel<>::at_speed(20), start}, from, workspace).status == Status::ok);
@@ -101,7 +100,7 @@ void compare(const ElementSystem<double, directions>& system, const Law& law,
     const auto first = model.advance(from, {part, Moved::linear(start, middle), two}, half, workspace);
     const auto second = model.advance(half, {part, Moved::linear(middle, end), three}, to, workspace);
     const auto motion = Moved::linear(start, end);
-    const auto step = core.roll(system, halves, {from, whole, motion, core.load_after(from, three)}, found, own);
+    const auto step = core.roll(halves, {from, whole, motion, core.load_after(from, three)}, found, own);
     REQUIRE(second.status == Status::ok);
     REQUIRE(step.status == Status::ok);
     CHECK(found.zones == to.zones);

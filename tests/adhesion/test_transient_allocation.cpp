@@ -307,7 +307,7 @@ TEST_CASE("A step of a patch of varying size and shape does not allocate", "[fri
 TEST_CASE("The combined solver does not allocate, whether it follows a path or fails", "[friction]") {
     constexpr Eigen::Index n = 6;
     detail::StickSlip<2, double> uncoupled(n), coupled(n, true);
-    const std::vector<Eigen::Index> behind{-1, 0, 1, -1, 3, 4};
+    const auto centres = detail::CentreValues<double>::in_strips({-1, 0, 1, -1, 3, 4});
     const std::vector<Zone> zones(n, Zone::stick);
     const ElementVectors<double> start = ElementVectors<double>::Zero(n, 2);
     support::Draw draw(11);
@@ -325,9 +325,9 @@ TEST_CASE("The combined solver does not allocate, whether it follows a path or f
         VectorX<double> bound(n);
         for (double& entry : bound) entry = std::abs(draw.normal());
         const long before = allocations;
-        if (problem % 4 > 1) solver.turn_slip(behind);
+        if (problem % 4 > 1) solver.turn_slip(&centres);
         const auto outcome = solver.solve(bound, {start, zones});
-        solver.turn_slip({});
+        solver.turn_slip(nullptr);
         const long after = allocations;
         CAPTURE(problem, outcome.rounds, outcome.path_points);
         CHECK(after == before);

@@ -1,9 +1,10 @@
-// rollbem/friction/model.hpp, friction/detail/slip_work.hpp: elastic energy and slip work.
+// rollbem/friction/model.hpp, friction/detail/slip_work.hpp, centre_values.hpp: elastic energy and slip work.
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include <rollbem/compiled/steady.hpp>
+#include <rollbem/friction/detail/centre_values.hpp>
 #include <rollbem/friction/detail/slip_work.hpp>
 
 #include "scene.hpp"
@@ -57,16 +58,20 @@ ArrayX<double> points_of(const Mesh<double>& mesh, const Scheme& scheme) {
     return detail::line_elements(mesh, detail::BothRows<double>(scheme, mesh)).x;
 }
 
+using Values = detail::CentreValues<double>;
+
 TEST_CASE("A slip linear in x is interpolated exactly at the centres", "[friction]") {
     const auto linear = [](const ArrayX<double>& x) { return VectorX<double>((0.7 - 0.4 * x).matrix()); };
     const auto check = [&](const Mesh<double>& mesh, const auto& scheme) {
         const ArrayX<double> points = points_of(mesh, scheme);
         const Eigen::Index n = points.size();
-        const detail::SlipWork<double> slip_work(unknown_widths(mesh, scheme), points);
+        const ArrayX<double> widths = unknown_widths(mesh, scheme);
+        const Values values = Values::in_one_strip(widths, points);
+        const detail::SlipWork<double> slip_work(widths, values);
         const VectorX<double> slip = linear(points), expected = linear(mesh.centres().head(n));
         for (Eigen::Index i = 0; i < n; ++i) {
             CAPTURE(mesh.size(), i);
-            CHECK(std::abs(slip_work.at_centre(i, slip) - expected[i]) < 1e-13);
+            CHECK(std::abs(values.at(i, slip) - expected[i]) < 1e-13);
         }
         VectorX<double> work = VectorX<double>::Constant(n, 0.1);
         slip_work.add(VectorX<double>::Constant(n, -3), slip, work);
@@ -75,7 +80,7 @@ TEST_CASE("A slip linear in x is interpolated exactly at the centres", "[frictio
         VectorX<double> works = VectorX<double>::Zero(n);
         slip_work.add(traction, uneven, works, 2.0);
         for (Eigen::Index i = 0; i < n; ++i) {
-            const double one = -2 * mesh.widths()[i] * traction[i] * slip_work.at_centre(i, uneven);
+            const double one = -2 * mesh.widths()[i] * traction[i] * values.at(i, uneven);
             CHECK(std::abs(works[i] - one) < 1e-15);
         }
         const double length = mesh.widths().head(n).sum();
@@ -97,18 +102,18 @@ TEST_CASE("A slip linear in x is interpolated exactly at the centres", "[frictio
 TEST_CASE("The slip is taken as it is without points, with a single one, or where points coincide", "[friction]") {
     const VectorX<double> slip = VectorX<double>{{5, 3, 2}};
     const ArrayX<double> widths = ArrayX<double>::Constant(3, 2.0 / 3);
-    const detail::SlipWork<double> bare(widths, ArrayX<double>()), flat(widths, ArrayX<double>::Zero(3));
+    const Values bare = Values::in_one_strip(widths, {}), flat = Values::in_one_strip(widths, ArrayX<double>::Zero(3));
     for (Eigen::Index i = 0; i < 3; ++i) {
-        CHECK(bare.at_centre(i, slip) == slip[i]);
-        CHECK(flat.at_centre(i, slip) == slip[i]);
+        CHECK(bare.at(i, slip) == slip[i]);
+        CHECK(flat.at(i, slip) == slip[i]);
     }
-    const detail::SlipWork<double> one(ArrayX<double>::Constant(1, 2), ArrayX<double>::Constant(1, 1));
-    CHECK(one.at_centre(0, VectorX<double>::Constant(1, 4)) == 4);
+    const Values one = Values::in_one_strip(ArrayX<double>::Constant(1, 2), ArrayX<double>::Constant(1, 1));
+    CHECK(one.at(0, VectorX<double>::Constant(1, 4)) == 4);
     // Galerkin's equations are means over the elements themselves and do not involve neighbours
     const Mesh<double> mesh = uniform_mesh<double>(8);
-    const detail::SlipWork<double> galerkin(mesh.widths(), points_of(mesh, Galerkin{0, 0}));
+    const Values galerkin = Values::in_one_strip(mesh.widths(), points_of(mesh, Galerkin{0, 0}));
     for (Eigen::Index i = 0; i < 8; ++i) {
-        CHECK(std::abs(galerkin.at_centre(i, VectorX<double>::Unit(8, i)) - 1) < 1e-14);
+        CHECK(std::abs(galerkin.at(i, VectorX<double>::Unit(8, i)) - 1) < 1e-14);
     }
 }
 

@@ -1,5 +1,6 @@
 // rollbem/friction/model.hpp under a varying load: against a second discretisation and closed forms, and its limits.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -8,6 +9,7 @@
 
 #include <rollbem/closed_form/friction.hpp>
 #include <rollbem/compiled/friction.hpp>
+#include <rollbem/friction/detail/bounds.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"
@@ -98,6 +100,27 @@ double largest_difference(const std::vector<double>& one, const std::vector<doub
 const std::vector<double> agreed = {0.7500, 0.7618, 0.7737, 0.7851, 0.7963, 0.8066, 0.8151,
                                     0.8207, 0.8228, 0.8199, 0.8101, 0.7897, 0.7061, 0.5955,
                                     0.5245, 0.4980, 0.4937, 0.5000, 0.5129, 0.5299, 0.5494};
+
+TEST_CASE("What particles carry is linear between the points, with the slope from behind at each", "[friction]") {
+    const ArrayX<double> points{{-0.5, 0.25, 0.75}};
+    const std::array<double, 3> values{2, 5, 3};
+    detail::AlongContact<double> along(points, values.data(), 4);
+    const auto check = [&](double x, double value, double slope) {
+        const auto [found, found_slope] = along(x);
+        CAPTURE(x);
+        CHECK(found == Approx(value).epsilon(1e-14));
+        CHECK(found_slope == Approx(slope).margin(1e-14));
+    };
+    check(-0.9, 2, 0);
+    check(-0.5, 2, 0);
+    check(-0.2, 3.2, 4);
+    check(0.25, 5, 4);
+    check(0.5, 4, -4);
+    check(0.75, 3, -4);
+    check(0.875, 3.5, 4);
+    check(1, 4, 0);  // the leading edge, in front of which nothing varies
+    check(1.5, 4, 0);
+}
 
 TEST_CASE("Forces on a breathing mesh converge at second order in the number of elements", "[friction][load]") {
     std::vector<double> sizes, changes;

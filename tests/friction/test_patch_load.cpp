@@ -18,6 +18,7 @@
 #include <rollbem/normal/hertz_patch_load.hpp>
 #include <rollbem/rolling/run.hpp>
 
+#include "friction/same_bits.hpp"
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
 
@@ -33,6 +34,7 @@ constexpr double mu = 0.3, nu = 0.28, G = 8e10, a_0 = 5e-3, N_0 = 8e4;
 const HalfSpace<double> kernel(nu);
 using Forces = std::array<double, 3>;
 using Model = FrictionModel<ConstantFriction<double>, 2>;
+using State = FrictionState<2>;
 
 const PatchShapes<double>& shapes() {
     static const PatchShapes<double> made(6, 6, chebyshev, kernel, {.least = 0.4, .largest = 2.5, .factor = 1.25});
@@ -243,6 +245,26 @@ TEST_CASE("patch_load: without slip friction is full adhesion, while size and sh
             }
         }
     }
+}
+
+TEST_CASE("patch_load: what rests under a load of another shape rolls as under that load") {
+    const Scene scene(1, 6);
+    const Model model = scene.model(shapes().system(1), Integrator::sdirk2);
+    const State under_own = model.at_rest();
+    const NormalLoad<double> load{0.8 * under_own.normal_pressure, 1.2 * a_0, {}, 0.7 * a_0};
+    const State rest = model.at_rest(load);
+    CHECK(rest.half_length == load.half_length);
+    CHECK(rest.half_width == load.half_width);
+    auto workspace = model.workspace();
+    State to = rest, expected = rest;
+    const auto steady = model.steady(rest, {.motion = scene.creepage}, to, workspace);
+    REQUIRE(steady.status == Status::ok);
+    CHECK(same_bits::same(steady,
+                          model.steady(under_own, {.motion = scene.creepage, .load = load}, expected, workspace)));
+    CHECK(same_bits::same(to, expected));
+    // of another half-length the half-width must be given
+    CHECK_THROWS_WITH(model.at_rest({load.normal_pressure, load.half_length, {}, 0}),
+                      ContainsSubstring("invalid_load"));
 }
 
 TEST_CASE("patch_load: work becomes heat or elastic energy while size and shape vary") {

@@ -9,6 +9,8 @@
 
 #include <Eigen/Core>
 
+#include "finite.hpp"
+
 namespace rollbem::detail {
 
 template <class Scalar>
@@ -67,6 +69,15 @@ void eliminate_in_place(MatrixRef<Scalar> A, Eigen::Index* swaps, Eigen::Index c
             subtract_four<Scalar>(&A(last, first), A.outerStride(), u, &A(last, j), n - last);
         }
     }
+}
+
+/// Whether none of the first `count` pivots left by eliminate_in_place vanishes, and all are finite.
+template <class Matrix>
+bool has_pivots(const Matrix& A, Eigen::Index count) {
+    for (Eigen::Index k = 0; k < count; ++k) {
+        if (!is_finite(A(k, k)) || A(k, k) == 0) return false;
+    }
+    return true;
 }
 
 /// Overwrites the n x n matrix A with its factors. If A is singular, solutions contain infinities or NaN.

@@ -130,28 +130,26 @@ public:
     template <class AnyContact>
     FrictionModel(const AnyContact& contact, System system, const StabilityVerdict& verdict,
                   const Friction<Law, Scalar>& friction, Integrator integrator = Integrator::sdirk2)
-        : system_(std::move(system)),
-          core_(name, contact, system_.elements(), system_.element_count(), detail::with_uniform_law(friction),
-                detail::gradient(system_), system_.has_G() ? std::optional(system_.fingerprint()) : std::nullopt),
-          integrator_(integrator) {
+        : core_(name, contact, std::move(system), detail::with_uniform_law(friction)), integrator_(integrator) {
+        const System& own = core_.system();
         if constexpr (std::is_same_v<AnyContact, Contact<Scalar>>) {
-            detail::require_same_aspect(name, contact, system_);
+            detail::require_same_aspect(name, contact, own);
         } else {
-            detail::require(!system_.aspect() && system_.elements().places_are_known(), name,
-                            "number of places of a patch's elements", system_.elements().x.size(),
+            detail::require(!own.aspect() && own.elements().places_are_known(), name,
+                            "number of places of a patch's elements", own.elements().x.size(),
                             "be theirs: a patch has the system of a PatchMesh");
-            detail::require_same_shape(name, contact, system_);
+            detail::require_same_shape(name, contact, own);
         }
         detail::require(detail::stage_table<Scalar>(integrator).has_value(), name, "integrator",
                         rollbem::name(integrator), "solve stages, as implicit_euler and sdirk2 do");
-        if (!system_.has_G()) {
-            converges_ = !verdict.checked || detail::converges(detail::gradient(system_), system_.elements().areas);
+        if (!own.has_G()) {
+            converges_ = !verdict.checked || detail::converges(slope(), own.elements().areas);
             return;
         }
-        detail::require(friction.memory.distance == 0 || system_.elements().places_are_known(), name,
+        detail::require(friction.memory.distance == 0 || own.elements().places_are_known(), name,
                         "distance of the memory", friction.memory.distance,
                         "be 0 for a system that does not know the points of its equations");
-        detail::require_usable_in_time(name, system_, verdict);
+        detail::require_usable_in_time(name, own, verdict);
     }
     /// Of a system without G.
     template <class AnyContact>
@@ -183,7 +181,7 @@ public:
     /// The work that the rigid bodies do on the contact, -F times the rigid slip (creepage times the distance rolled),
     /// becomes heat or elastic energy, even while the load or the length of the contact varies: heat = -F slip - dE,
     /// for any scheme. The sum of FrictionStep::slip_work agrees with it to the orders of both in n and dq.
-    Scalar elastic_energy(const State& state) const { return core_.elastic_energy(state, system_); }
+    Scalar elastic_energy(const State& state) const { return core_.elastic_energy(state); }
 
     /// Steady rolling with the motion [-] at the end of a step, no shift, and its speed V > 0 [m/s], which a constant
     /// coefficient does not need, sought from the zones and coefficients of `from`. If the semi-axes of the load are
@@ -211,17 +209,24 @@ public:
 private:
     static constexpr const char* name = "FrictionModel";
 
+    const auto& slope() const {
+        if constexpr (directions == 1) {
+            return core_.system().G_prime();
+        } else {
+            return core_.system().G_prime_blocks();
+        }
+    }
+
     // Whether there can be a load after a state: ok, invalid_load or needs_fixed_mesh.
     Status check_load(const State& from, const RollingStep& step) const noexcept {
         if (!step.load) return Status::ok;
-        const Status possible = step.load->check(system_.element_count());
+        const Status possible = step.load->check(core_.system().element_count());
         return possible == Status::ok ? core_.check_width(from, *step.load) : possible;
     }
     typename Core::Request request(const State& from, const RollingStep& step) const noexcept {
         return {from, step.travel, step.motion, step.load ? core_.load_after(from, *step.load) : Core::load_of(from)};
     }
 
-    System system_;
     Core core_;
     Integrator integrator_;
     bool converges_ = true;
@@ -230,11 +235,11 @@ private:
 template <class Law, int directions, class Scalar>
 auto FrictionModel<Law, directions, Scalar>::at_rest(const NormalLoad<Scalar>& load) const -> State {
     State state = at_rest();
-    Status possible = load.check(system_.element_count());
+    Status possible = load.check(core_.system().element_count());
     if (possible == Status::ok) possible = core_.check_width(state, load);
     const auto given = core_.load_after(state, load);
     if (possible == Status::ok) {
-        possible = detail::check_growth(system_, Scalar(0), core_.axes(given), core_.axes(given));
+        possible = detail::check_growth(core_.system(), Scalar(0), core_.axes(given), core_.axes(given));
     }
     detail::require(possible == Status::ok, name, "status of the load at rest", rollbem::name(possible),
                     "be ok: pressures of all elements, finite and not negative, on semi-axes that the mesh can follow");
@@ -252,10 +257,9 @@ auto FrictionModel<Law, directions, Scalar>::steady(const State& from, const Rol
     const auto asked = request(from, step);
     possible = core_.check(from, to, workspace);
     const auto axes = core_.axes(asked.load);
-    if (possible == Status::ok) possible = detail::check_growth(system_, Scalar(0), axes, axes);
+    if (possible == Status::ok) possible = detail::check_growth(core_.system(), Scalar(0), axes, axes);
     if (possible != Status::ok) return detail::failed<Step>(possible);
-    const System* const shapes = detail::changes_shape(system_) ? &system_ : nullptr;
-    const Step solved = core_.solve_steady(detail::gradient(system_), shapes, asked, to, workspace);
+    const Step solved = core_.steady(asked, to, workspace);
     return converges_ ? solved : Core::without_forces(solved);
 }
 
@@ -264,14 +268,14 @@ auto FrictionModel<Law, directions, Scalar>::advance(const State& from, const Ro
                                                      Workspace& workspace) const noexcept -> Step {
     Status possible = check_load(from, step);
     if (possible != Status::ok) return detail::failed<Step>(possible);
-    if (!system_.has_G()) return detail::failed<Step>(Status::invalid_step);
+    if (!core_.system().has_G()) return detail::failed<Step>(Status::invalid_step);
     const auto asked = request(from, step);
     const Scalar dq = step.travel.dq / core_.half_length();
     possible = detail::check_step(core_.check(from, to, workspace), step.motion, dq, size(), [&] {
-        return detail::check_growth(system_, dq, core_.axes(from), core_.axes(asked.load));
+        return detail::check_growth(core_.system(), dq, core_.axes(from), core_.axes(asked.load));
     });
     if (possible != Status::ok) return detail::failed<Step>(possible);
-    return core_.roll(system_, *detail::stage_table<Scalar>(integrator_), asked, to, workspace);
+    return core_.roll(*detail::stage_table<Scalar>(integrator_), asked, to, workspace);
 }
 
 // A law in braces, which is not deduced, has a constant coefficient.

@@ -61,12 +61,12 @@ struct FrictionState {
 namespace detail {
 
 /// Where a solution is sought: at tractions in G and the zones that go with them, in one direction at these alone.
-/// `plain_traction`: for slip that is not turned, if its equations are others (StickSlip::plain_constant).
+/// `turned_traction`: of a second solution for turned slip, unless its equations are those of the first.
 template <int directions, class Scalar>
 struct SolutionStart {
     const ElementVectors<Scalar, directions>& traction;
     const std::vector<Zone>& zones;
-    const ElementVectors<Scalar, directions>* plain_traction = nullptr;
+    const ElementVectors<Scalar, directions>* turned_traction = nullptr;
 };
 
 /// The first type with one direction, the second with two.
@@ -128,7 +128,7 @@ struct FrictionStep {
     ///
     ///     work of the rigid bodies = slip work + jump work + change of elastic energy
     ///
-    /// It turns into heat during a slip that is too short for the step to resolve (see detail::JumpWork for the
+    /// It turns into heat during a slip that is too short for the step to resolve (see detail::FrictionCore for the
     /// expression). Without jumps it tends to 0 with dq, from either side; with constant friction, where rolling has
     /// none, it is 0. For a rigid shift it is what the slip work would gain if the tractions were the means of those at
     /// both ends, with the work of the rigid bodies from the mean force. 0 for a steady solution.

@@ -24,6 +24,25 @@ inline constexpr int columns_of = 1;
 template <class Scalar>
 inline constexpr int columns_of<ElementSystem<Scalar, 2>> = 2;
 
+/// G' of tractions along direction e and slip along d.
+template <class Scalar>
+const MatrixX<Scalar>& slope(const RollingSystem<Scalar>& system, std::size_t, std::size_t) {
+    return system.G_prime();
+}
+template <class Scalar>
+const MatrixX<Scalar>& slope(const ElementSystem<Scalar, 2>& system, std::size_t d, std::size_t e) {
+    return system.G_prime(d, e);
+}
+/// Whether tractions along one direction cause slip along the other.
+template <class Scalar>
+bool is_coupled(const RollingSystem<Scalar>&) {
+    return false;
+}
+template <class Scalar>
+bool is_coupled(const ElementSystem<Scalar, 2>& system) {
+    return system.coupled();
+}
+
 /// What tractions along direction e cause along d.
 template <class Scalar>
 Influence<Scalar> influence(const RollingSystem<Scalar>& system, std::size_t, std::size_t) {
@@ -53,9 +72,14 @@ public:
 
     const Stage stage;
 
+    /// The matrix of a stage, or -G' in steady rolling.
     template <class Block>
     void fill(std::size_t d, std::size_t e, Block&& M) const {
-        along(d, e).fill_stage_matrix(stage, M);
+        if (stage.steady) {
+            M = -slope(system_, d, e);
+        } else {
+            along(d, e).fill_stage_matrix(stage, M);
+        }
     }
     template <class Tractions, class Result>
     void find_displacements(const Tractions& p, Result&& U) const {
@@ -145,8 +169,10 @@ public:
     bool coupled() const { return set_.coupled; }
     bool is_single() const { return set_.is_single(); }
 
-    /// c G - (distance + growth zeta) G' - widening upsilon G_y, of tractions along e and slip along d.
+    /// c G - (distance + growth zeta) G' - widening upsilon G_y, or -G' in steady rolling, of tractions along e and slip
+    /// along d.
     void fill(std::size_t d, std::size_t e, Eigen::Ref<MatrixX<Scalar>> M) const {
+        if (stage.steady) return fill_slope(-1, d, e, M);
         const Scalar widening = stage.widening * per_width_;
         for (Eigen::Index j = 0; j < M.cols(); ++j) {
             M.col(j).setZero();

@@ -82,8 +82,6 @@ public:
     }
     /// d(factor() motion)/d motion at the end of the step.
     Scalar per_end() const { return motion.is_linear() ? place.progress * factor() : factor(); }
-    /// The same of the first of two stages in the second one, else 0.
-    Scalar carried_per_end() const { return carried_per_end_; }
     /// The share of a stage's slip in that of the step.
     Scalar weight() const { return place.is_last() ? Scalar(1) : place.ratio(); }
 
@@ -94,7 +92,6 @@ public:
             problem.solve_stage(frame);
             if (frame.place.is_last()) return;
             problem.carry(frame);
-            frame.carried_per_end_ = frame.per_end();
             frame.enter(index + 1);
         }
     }
@@ -104,8 +101,6 @@ private:
         place = table.place(index);
         stage = RollingStage<Scalar>::of(place, dq, start, end);
     }
-
-    Scalar carried_per_end_ = 0;
 };
 
 /// A result without numbers.

@@ -4,15 +4,19 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 
 #include <Eigen/Core>
 
 #include "../../detail/finite.hpp"
-#include "../../rolling/stage.hpp"
+#include "../../rolling/step_frame.hpp"
 #include "../../scene/rigid_motion.hpp"
+#include "../../system/elements.hpp"
 #include "../../types.hpp"
 #include "../law.hpp"
 #include "../state.hpp"
+#include "imposed_slip.hpp"
 #include "scratch.hpp"
 #include "slip_dependent_set.hpp"
 #include "stick_slip.hpp"
@@ -25,26 +29,22 @@ namespace rollbem::detail {
 template <class Scalar>
 class AlongContact {
 public:
+    struct Point {
+        Scalar value;
+        Scalar slope;  ///< at one of the points, that from behind
+    };
+
     AlongContact(const ArrayX<Scalar>& points, const Scalar* values, Scalar ahead)
         : points_(points), values_(values), ahead_(ahead) {}
 
     /// Arguments must not decrease from call to call.
-    Scalar operator()(Scalar x) {
+    Point operator()(Scalar x) {
         while (next_ < points_.size() && points_[next_] < x) ++next_;
         const bool between = next_ < points_.size();
         const Scalar right = between ? points_[next_] : Scalar(1), value = between ? values_[next_] : ahead_;
-        if (next_ == 0 || x >= right) return value;
-        const Scalar left = points_[next_ - 1];
-        return value + (right - x) / (right - left) * (values_[next_ - 1] - value);
-    }
-
-    /// The derivative; at a point, that from behind. Arguments must not decrease from call to call.
-    Scalar slope(Scalar x) {
-        while (next_ < points_.size() && points_[next_] < x) ++next_;
-        const bool between = next_ < points_.size();
-        const Scalar right = between ? points_[next_] : Scalar(1), value = between ? values_[next_] : ahead_;
-        if (next_ == 0 || x >= right) return 0;
-        return (value - values_[next_ - 1]) / (right - points_[next_ - 1]);
+        if (next_ == 0 || (!between && x >= right)) return {value, 0};
+        const Scalar slope = (value - values_[next_ - 1]) / (right - points_[next_ - 1]);
+        return {value - (right - x) * slope, slope};
     }
 
 private:
@@ -59,28 +59,23 @@ template <int directions, class Scalar>
 class ConstantBounds {
 public:
     using Solver = StickSlip<directions, Scalar>;
-    using Vectors = ElementVectors<Scalar, directions>;
-    using Start = SolutionStart<directions, Scalar>;
-    static constexpr bool are_given = true;
 
     /// Of what SlipDependentBounds read.
     template <class... Read>
     explicit ConstantBounds(const Read&...) noexcept {}
 
-    /// Called before each stage is solved.
-    void enter(const StagePlace<Scalar>&, const RollingStage<Scalar>&) noexcept {}
-    auto solve(Solver& solver, const VectorX<Scalar>& bound, const Start& start) noexcept {
+    /// Called before each stage of a frame is solved.
+    template <class Frame>
+    void enter(const Frame&) noexcept {}
+    auto solve(Solver& solver, const VectorX<Scalar>& bound, const typename Solver::Start& start) noexcept {
         return solver.solve(bound, start);
     }
-    /// dp in the stage solved last caused by a change dc and by a change of the bounds, `progress` times bound_change.
-    void respond(Solver& solver, const Vectors& change, Vectors& traction_change, std::size_t,
-                 const VectorX<Scalar>* bound_change = nullptr, Scalar progress = 1) noexcept {
-        solver.respond(change, traction_change, bound_change, progress);
-    }
-    /// dp caused by the half-length at the end of the step, which changes the constants by `change`.
-    void respond_to_half_length(Solver& solver, const Vectors& change, Vectors& traction_change,
-                                std::size_t parameter) noexcept {
-        respond(solver, change, traction_change, parameter);
+    /// To be called before respond(). A number that changes whenever the response to a change of c may; nothing if no
+    /// number tells.
+    std::optional<std::uint64_t> linearise(Solver& solver) noexcept { return solver.roles_revision(); }
+    /// dp in the stage solved last caused by a change, in the solver; `parameter` is that of the tangent.
+    void respond(Solver& solver, const typename Solver::Change& change, std::size_t) noexcept {
+        solver.respond(change);
     }
     /// Keeps the response of the first of two stages for that of the second.
     void carry_response(std::size_t) noexcept {}
@@ -94,43 +89,24 @@ template <int directions, class Scalar>
 class SlipDependentBounds {
 public:
     using Solver = StickSlip<directions, Scalar>;
-    using Vectors = ElementVectors<Scalar, directions>;
     using Vector = VectorX<Scalar>;
     using Law = AnySlipLaw<Scalar>;
     using Scratch = SlipDependentScratch<directions, Scalar>;
     using State = FrictionState<directions, Scalar>;
-    static constexpr bool are_given = false;
+    using Frame = StepFrame<CreepageAlong<directions, Scalar>, Scalar>;
 
-    /// A step; lengths in a_0 = `unit` [m]. `points` are the collocation points, used if there is a memory. Keeps
-    /// references to all arguments that are not numbers.
-    SlipDependentBounds(const Friction<Law, Scalar>& friction, const ArrayX<Scalar>& points, const State& from,
-                        Scalar unit, const rollbem::Travel<Scalar>& travel, Scratch& scratch) noexcept
+    /// The points of the elements are used if there is a memory. Keeps references to all arguments but the travel.
+    SlipDependentBounds(const Friction<Law, Scalar>& friction, const Elements<Scalar>& elements, const State& from,
+                        const rollbem::Travel<Scalar>& travel, Scratch& scratch) noexcept
         : law_(friction.law),
           memory_(friction.memory),
-          points_(friction.memory.distance > 0 ? &points : nullptr),
+          elements_(elements),
           start_(from.friction_coefficient),
-          unit_(unit),
-          dq_(travel.dq / unit),
-          duration_(travel.duration),
-          half_length_(from.half_length / unit),
-          per_half_length_(1 / half_length_),
+          travel_(travel),
+          at_rest_(law_(0)),
           scratch_(scratch) {
         if (from.solver.stage_coefficient.size() == start_.size()) first_start_ = &from.solver.stage_coefficient;
         scratch_.friction = start_.matrix();
-        if (points_ == nullptr) scratch_.before.setZero();
-    }
-
-    /// Steady rolling at a speed [m/s]: particles arrive from the equation ahead. Ways in units of the half-length [m].
-    SlipDependentBounds(const Friction<Law, Scalar>& friction, const Vector& ways, const State& from,
-                        Scalar half_length, Scalar speed, Scratch& scratch) noexcept
-        : law_(friction.law),
-          memory_(friction.memory),
-          start_(from.friction_coefficient),
-          steady_(true),
-          velocity_per_slip_(speed),
-          scratch_(scratch) {
-        scratch_.friction = start_.matrix();
-        scratch_.duration = half_length / speed * ways;
     }
 
     /// Writes mu of the stage solved last, and mu from which the next step starts the search in its first stage: that
@@ -140,73 +116,71 @@ public:
         to.solver.stage_coefficient = (is_second() && is_easy_ ? scratch_.first_friction : scratch_.friction).array();
     }
 
-    void enter(const StagePlace<Scalar>& place, const RollingStage<Scalar>& stage) noexcept {
-        const Scalar duration = place.part * duration_;
-        velocity_per_slip_ = unit_ / duration;
+    /// Refers to the frame. In steady rolling particles arrive from the equation ahead.
+    void enter(const Frame& frame) noexcept {
+        frame_ = &frame;
+        if (frame.stage.steady) {
+            const ArrayX<Scalar>& ways = elements_.intervals.size() > 0 ? elements_.intervals : elements_.areas;
+            velocity_per_slip_ = travel_.speed();
+            scratch_.duration = frame.stage.half_length * frame.unit / velocity_per_slip_ * ways.matrix();
+            return;
+        }
+        const Scalar duration = frame.place.part * travel_.duration;
+        velocity_per_slip_ = frame.unit / duration;
         scratch_.duration.setConstant(duration);
-        place_ = place;
-        stage_half_length_ = stage.half_length;
-        if (!place.is_last() && first_start_ != nullptr) scratch_.friction = first_start_->matrix();
-        if (points_ == nullptr) return;
+        if (!frame.place.is_last() && first_start_ != nullptr) scratch_.friction = first_start_->matrix();
+        if (!remembers()) return scratch_.before.setZero(), void();
+        per_half_length_ = 1 / frame.start.half_length;
+        per_first_ = 1 / rollbem::detail::between(frame.start.half_length, frame.end.half_length, frame.place.part);
         AlongContact<Scalar> start = at_start();
         if (!is_second()) {
-            for (Index i = 0; i < size(); ++i) scratch_.before[i] = start(origin(i));
-            first_half_length_ = stage.half_length;
+            for (Index i = 0; i < size(); ++i) scratch_.before[i] = start(origin(i)).value;
             return;
         }
         scratch_.rise = scratch_.friction - scratch_.before;
         if (is_easy_) scratch_.friction = start_.matrix();
-        AlongContact<Scalar> rise(*points_, scratch_.rise.data(), Scalar(0));
+        AlongContact<Scalar> rise = in_first_stage(scratch_.rise);
         for (Index i = 0; i < size(); ++i) {
             // extrapolation may overshoot if much is forgotten in a step
-            const Scalar before = start(origin(i)) + place_.ratio() * rise(between(i));
+            const Scalar before = start(origin(i)).value + frame.place.ratio() * rise(between(i)).value;
             scratch_.before[i] = (std::max)(before, Scalar(0));
         }
     }
 
     typename Solver::Outcome solve(Solver& solver, const Vector& pressure,
                                    const typename Solver::Start& from) noexcept {
+        pressure_ = &pressure;
         typename SlipDependentSet<directions, Scalar>::Outcome outcome =
-            scratch_.set.solve(passage(pressure), from, solver, scratch_.friction);
+            scratch_.set.solve(passage(), from, solver, scratch_.friction);
         outcome.solution.residual = (std::max)(outcome.solution.residual, outcome.change);
         if (!is_finite(outcome.change)) outcome.solution.residual = outcome.change;
         is_easy_ = outcome.solutions <= 4 && (is_easy_ || !is_second());
         if (!is_second()) scratch_.first_friction = scratch_.friction;
-        pressure_ = &pressure;
         return outcome.solution;
     }
 
-    /// dp in the stage solved last caused by a change dc, by a change of the pressures, `progress` times
-    /// pressure_change, and in the second stage by the response of the first, kept by carry_response().
-    void respond(Solver& solver, const Vectors& change, Vectors& traction_change, std::size_t parameter,
-                 const Vector* pressure_change = nullptr, Scalar progress = 1) noexcept {
-        SlipDependentChange<directions, Scalar> changes{change};
-        if (is_second() && points_ != nullptr) {
-            scratch_.before_change.setZero();
-            add_carried(parameter);
-            changes.before = &scratch_.before_change;
-        }
-        if (pressure_change != nullptr) {
-            scratch_.bound = progress * scratch_.friction.cwiseProduct(*pressure_change);
-            changes.bound = &scratch_.bound;
-        }
-        respond(solver, changes, traction_change);
-        moves_paths_ = false;
+    /// To be called before respond(), as in ConstantBounds.
+    std::optional<std::uint64_t> linearise(Solver& solver) noexcept {
+        const std::uint64_t revision = scratch_.set.linearise(passage(), solver);
+        return remembers() && is_second() ? std::nullopt : std::optional(revision);
     }
-
-    /// dp caused by the half-length at the end of the step, in a_0, which changes the constants by `change` and the
-    /// paths of the particles.
-    void respond_to_half_length(Solver& solver, const Vectors& change, Vectors& traction_change,
-                                std::size_t parameter) noexcept {
+    /// dp in the stage solved last caused by a change, with that of the pressures in place of the bounds, by the paths
+    /// of the particles if the parameter is the half-length, and in the second stage by the response of the first, kept
+    /// by carry_response().
+    void respond(Solver& solver, const typename Solver::Change& change, std::size_t parameter) noexcept {
         SlipDependentChange<directions, Scalar> changes{change};
-        moves_paths_ = points_ != nullptr;
-        if (moves_paths_) {
-            find_path_change();
+        moves_paths_ = remembers() && parameter == TangentBy<directions>::half_length;
+        if (moves_paths_ || (remembers() && is_second())) {
+            moves_paths_ ? find_path_change() : void(scratch_.path_change.setZero());
             scratch_.before_change = scratch_.path_change;
             if (is_second()) add_carried(parameter);
             changes.before = &scratch_.before_change;
         }
-        respond(solver, changes, traction_change);
+        if (change.bound != nullptr) {
+            scratch_.bound = scratch_.friction.cwiseProduct(*change.bound);
+            changes.direct.bound = &scratch_.bound;
+        }
+        scratch_.set.respond(passage(), solver, changes, scratch_.change);
     }
 
     /// Keeps the response of the first of two stages for that of the second.
@@ -219,23 +193,25 @@ private:
     using Index = Eigen::Index;
 
     Index size() const { return start_.size(); }
-    bool is_second() const { return place_.is_second; }
+    bool remembers() const { return memory_.distance > 0 && !frame_->stage.steady; }
+    bool is_second() const { return frame_->place.is_second; }
 
-    AlongContact<Scalar> at_start() const { return {*points_, start_.data(), law_(0)}; }
+    AlongContact<Scalar> at_start() const { return {elements_.x, start_.data(), at_rest_}; }
+    AlongContact<Scalar> in_first_stage(const Vector& change) const { return {elements_.x, change.data(), Scalar(0)}; }
     // Position x/a of the particle that arrives at point i, at the start of the step.
     Scalar origin(Index i) const {
-        return (stage_half_length_ * (*points_)[i] + place_.progress * dq_) * per_half_length_;
+        return (frame_->stage.half_length * elements_.x[i] + frame_->place.progress * frame_->dq) * per_half_length_;
     }
     // Position x/a of the same particle at the end of the first stage.
     Scalar between(Index i) const {
-        return (stage_half_length_ * (*points_)[i] + (1 - place_.part) * dq_) / first_half_length_;
+        return (frame_->stage.half_length * elements_.x[i] + (1 - frame_->place.part) * frame_->dq) * per_first_;
     }
 
     // Adds the response of the first stage to the change of the initial coefficients of the second.
     void add_carried(std::size_t parameter) {
-        AlongContact<Scalar> change(*points_, scratch_.carried_change[parameter].data(), Scalar(0));
+        AlongContact<Scalar> change = in_first_stage(scratch_.carried_change[parameter]);
         for (Index i = 0; i < size(); ++i) {
-            const Scalar added = place_.ratio() * change(between(i));
+            const Scalar added = frame_->place.ratio() * change(between(i)).value;
             if (scratch_.before[i] > 0) scratch_.before_change[i] += added;
         }
     }
@@ -243,43 +219,43 @@ private:
     // Derivatives with respect to the half-length at the end of the step; that of a stage changes by `progress` times
     // as much.
     void find_path_change() {
-        AlongContact<Scalar> start = at_start();
+        const StagePlace<Scalar>& place = frame_->place;
+        AlongContact<Scalar> start = at_start(), rise = in_first_stage(scratch_.rise);
         for (Index i = 0; i < size(); ++i) {
-            scratch_.path_change[i] = start.slope(origin(i)) * place_.progress * (*points_)[i] / half_length_;
-        }
-        if (!is_second()) return;
-        AlongContact<Scalar> rise(*points_, scratch_.rise.data(), Scalar(0));
-        for (Index i = 0; i < size(); ++i) {
-            const Scalar x = between(i),
-                         moved = (place_.progress * (*points_)[i] - place_.part * x) / first_half_length_;
-            scratch_.path_change[i] += place_.ratio() * rise.slope(x) * moved;
-            if (!(scratch_.before[i] > 0)) scratch_.path_change[i] = 0;
+            const Scalar point = elements_.x[i];
+            Scalar& change = scratch_.path_change[i];
+            change = start(origin(i)).slope * place.progress * point * per_half_length_;
+            if (!is_second()) continue;
+            const Scalar x = between(i), moved = (place.progress * point - place.part * x) * per_first_;
+            change += place.ratio() * rise(x).slope * moved;
+            if (!(scratch_.before[i] > 0)) change = 0;
         }
     }
 
-    void respond(Solver& solver, const SlipDependentChange<directions, Scalar>& changes, Vectors& traction_change) {
-        scratch_.set.respond(passage(*pressure_), solver, scratch_.friction, changes, traction_change, scratch_.change);
-    }
-
-    FrictionPassage<Scalar> passage(const Vector& pressure) const {
-        return {law_, memory_, pressure, scratch_.duration, steady_ ? nullptr : &scratch_.before, velocity_per_slip_};
+    FrictionPassage<Scalar> passage() const {
+        return {law_,
+                memory_,
+                *pressure_,
+                scratch_.duration,
+                frame_->stage.steady ? nullptr : &scratch_.before,
+                velocity_per_slip_,
+                at_rest_};
     }
 
     const Law& law_;
     const FrictionMemory<Scalar>& memory_;
-    const ArrayX<Scalar>* points_ = nullptr;
+    const Elements<Scalar>& elements_;
     const ArrayX<Scalar>& start_;  // mu when the step begins
     const ArrayX<Scalar>* first_start_ = nullptr;
-    bool steady_ = false;
+    rollbem::Travel<Scalar> travel_;
+    const Frame* frame_ = nullptr;
     // Newton's method has converged at once. A second stage then starts from mu at the start of the step, which is
     // nearer than that of the first stage if little changes; after a jump it is the other way round.
     bool is_easy_ = false;
-    bool moves_paths_ = false;  // the last tangent was that by the half-length
-    Scalar unit_ = 1, dq_ = 0, duration_ = 0;
-    Scalar half_length_ = 1, per_half_length_ = 1;          // at the start of the step, and its reciprocal
-    Scalar first_half_length_ = 1, stage_half_length_ = 1;  // at the end of the first stage, and of this one
-    StagePlace<Scalar> place_{1, 1};
-    Scalar velocity_per_slip_ = 0;  // slip velocity [m/s] over the solver's slip
+    bool moves_paths_ = false;                    // the last tangent was that by the half-length
+    Scalar per_half_length_ = 1, per_first_ = 1;  // over the half-lengths at the start of the step and after one stage
+    Scalar velocity_per_slip_ = 0;                // slip velocity [m/s] over the solver's slip
+    Scalar at_rest_;                              // mu_s(0)
     const Vector* pressure_ = nullptr;
     Scratch& scratch_;
 };

@@ -36,14 +36,16 @@ public:
     }
     Force of(const Vectors& tractions, const Axes& axes) const { return total(tractions, unit(axes), axes); }
 
-    /// The derivative by a semi-axis [m], which changes the tractions by `response` per unit of that of the contact.
-    Force rate(const Vectors& tractions, const Vectors& response, const Axes& axes, Axis axis, bool keeps_shape) const {
+    /// The derivative by a semi-axis [m] of the solution of a StickSlip, whose last response is that to the semi-axis
+    /// over that of the contact.
+    template <class Solver>
+    Force rate(const Solver& solver, const Axes& axes, Axis axis, bool keeps_shape) const {
         const auto own = OwnGrowth<Scalar>::by(axis, keeps_shape);
         const bool by_length = axis == Axis::half_length;
         const Scalar semi_axis = by_length ? axes.half_length : axes.half_width;
         const Axes arms{own.arms.half_length * axes.half_length, own.arms.half_width * axes.half_width};
-        const Force direct = total(tractions, own.power / semi_axis * unit(axes), arms);
-        return 1 / (by_length ? units_.length : units_.half_width) * (direct + of(response, axes));
+        const Force direct = total(solver.traction(), own.power / semi_axis * unit(axes), arms);
+        return 1 / (by_length ? units_.length : units_.half_width) * (direct + of(solver.response(), axes));
     }
 
 private:

@@ -26,9 +26,8 @@ namespace rollbem::detail {
 /// is small or a multiplier large, LU with pivoting takes over. Results depend on M and the roles alone, to the last
 /// bit. All memory is allocated by the constructor.
 template <class Scalar>
-class NestedStick : public EliminatedRoles {
+class NestedStick : public RoleLists {
 public:
-    using Index = Eigen::Index;
     using Vector = VectorX<Scalar>;
     using Vectors = ElementVectors<Scalar, 1>;
     using Matrix = MatrixX<Scalar>;
@@ -43,33 +42,30 @@ public:
     };
 
     explicit NestedStick(const M& matrix)
-        : EliminatedRoles(matrix.size()),
+        : RoleLists(matrix.size()),
           lower_(Matrix::Zero(matrix.size(), matrix.size())),
           upper_(lower_),
           pivoted_(lower_),
           right_(matrix.size()),
-          half_(matrix.size()),
           solution_(matrix.size()),
           row_(matrix.size()),
           stuck_(Vector::Zero(matrix.size())),
-          placed_(Vectors::Zero(matrix.size())),
-          product_(placed_),
+          placed_(stuck_),
+          product_(stuck_),
           swaps_(static_cast<std::size_t>(matrix.size())),
           nested_(swaps_.size()) {}
 
     /// Where M_SS is singular, a nearby matrix takes its place. False if there is none.
     bool condense(M& matrix, const std::vector<Role>& roles) {
-        if (holds(matrix, roles)) return is_usable_;
+        if (are_of(matrix, roles)) return is_usable_;
         if (matrix_revision_ != matrix.revision()) {
             nested_count_ = 0;
             placed_.setZero();
             product_.setZero();
         }
-        matrix_revision_ = matrix.revision();
-        revision_ = matrix.next_serial();
-        for (Index k = 0; k < count(); ++k) stuck_[listed(k)] = 0;
-        lists_.take(roles);
-        uses_pivoted_ = !extend(matrix.block(0, 0));
+        for (Index k = 0; k < sticking(); ++k) stuck_[listed(k)] = 0;
+        take(matrix, roles);
+        uses_pivoted_ = !extend(matrix.group(0));
         is_regular_ = !uses_pivoted_ || pivot(matrix, false);
         is_usable_ = is_regular_ || pivot(matrix, true);
         return is_usable_;
@@ -79,40 +75,28 @@ public:
 
     /// The tractions of S and all slip, by products with M itself: that of S is the error of its tractions.
     void complete(const M& matrix, const Base& base, Vectors& p, Vectors& s) {
-        const Matrix& A = matrix.block(0, 0);
-        for (Index k = 0; k < count(); ++k) p[listed(k)] = 0;
+        for (Index k = 0; k < sticking(); ++k) p[listed(k)] = 0;
         s.setZero();
         if (base.constant != nullptr) s = *base.constant;
-        if (!p.isZero(0)) s += product(A, p);
-        if (count() == 0) return;
-        for (Index k = 0; k < count(); ++k) right_[k] = s[listed(k)];
-        solve();
-        for (Index k = 0; k < count(); ++k) p[listed(k)] = stuck_[listed(k)] = -solution_[k];
-        multiply_stuck(A, s);
+        if (!p.isZero(0)) s += product(matrix.group(0), p);
+        stick(matrix.group(0), s);
+        for (Index k = 0; k < sticking(); ++k) p[listed(k)] = stuck_[listed(k)];
     }
 
     /// X_k C_kl Y_l of the elements k and l that slide.
     template <class Target>
     void form(const M& matrix, const Vectors& X, const Vectors& Y, Target&& target) {
-        const Matrix& A = matrix.block(0, 0);
-        for (Index l = 0; l < lists_.sliding(); ++l) {
-            const Index own = lists_.other(l);
-            row_ = A.col(own);
-            if (count() > 0) {
-                for (Index k = 0; k < count(); ++k) right_[k] = row_[listed(k)];
-                solve();
-                for (Index k = 0; k < count(); ++k) stuck_[listed(k)] = -solution_[k];
-                multiply_stuck(A, row_);
-            }
-            for (Index k = 0; k < lists_.sliding(); ++k) target(k, l) = X[k] * row_[lists_.other(k)] * Y[l];
+        for (Index l = 0; l < sliding(); ++l) {
+            row_ = matrix.group(0).col(other(l));
+            stick(matrix.group(0), row_);
+            for (Index k = 0; k < sliding(); ++k) target(k, l) = X[k] * row_[other(k)] * Y[l];
         }
     }
 
 private:
     static std::size_t at(Index k) { return static_cast<std::size_t>(k); }
 
-    Index count() const { return lists_.sticking(); }
-    Index listed(Index k) const { return lists_.sticking(count() - 1 - k); }
+    Index listed(Index k) const { return (*this)[sticking() - 1 - k]; }
 
     // M p, usually of neither new roles nor new bounds
     const Vectors& product(const Matrix& A, const Vectors& p) {
@@ -121,20 +105,20 @@ private:
         product_.noalias() = A * p;
         return product_;
     }
-    // M_SS^-1 right_ into solution_
-    void solve() {
+    // Overwrites the slip without the tractions of S, stuck_, with all slip.
+    void stick(const Matrix& A, Vectors& s) {
+        const Index count = sticking();
+        if (count == 0) return;
+        for (Index k = 0; k < count; ++k) right_[k] = s[listed(k)];
         if (uses_pivoted_) {
-            solution_.head(count()) = right_.head(count());
-            solve_in_place<Scalar>(pivoted_.topLeftCorner(count(), count()), swaps_.data(), solution_.head(count()));
-            return;
+            solve_in_place<Scalar>(pivoted_.topLeftCorner(count, count), swaps_.data(), right_.head(count));
+        } else {
+            multiply(lower_, count, right_, solution_);
+            multiply(upper_, count, solution_, right_);
         }
-        multiply(lower_, count(), right_, half_);
-        multiply(upper_, count(), half_, solution_);
-    }
-    // s += M_S p_S, with the columns from the first to the last element of S
-    template <class Slip>
-    void multiply_stuck(const Matrix& A, Slip& s) const {
-        const Index first = listed(count() - 1), length = listed(0) - first + 1;
+        for (Index k = 0; k < count; ++k) stuck_[listed(k)] = -right_[k];
+        // the columns from the first to the last element of S
+        const Index first = listed(count - 1), length = listed(0) - first + 1;
         s.noalias() += A.middleCols(first, length) * stuck_.segment(first, length);
     }
     static void multiply(const Matrix& A, Index count, const Vector& x, Vector& y) {
@@ -145,8 +129,8 @@ private:
     // d = a - z y; the inverse of L gains the row [-z L^-1, 1], that of U the column [-U^-1 y; 1] / d.
     bool extend(const Matrix& A) {
         Index k = 0;
-        while (k < count() && k < nested_count_ && nested_[at(k)] == listed(k)) ++k;
-        for (nested_count_ = k; k < count(); ++k) {
+        while (k < sticking() && k < nested_count_ && nested_[at(k)] == listed(k)) ++k;
+        for (nested_count_ = k; k < sticking(); ++k) {
             const Index own = listed(k);
             for (Index j = 0; j < k; ++j) right_[j] = A(nested_[at(j)], own);
             multiply(lower_, k, right_, solution_);  // y
@@ -174,16 +158,13 @@ private:
         return true;
     }
     bool pivot(M& matrix, bool shifts) {
-        const Matrix& A = matrix.block(0, 0);
-        for (Index k = 0; k < count(); ++k) {
-            for (Index j = 0; j < count(); ++j) pivoted_(j, k) = A(listed(j), listed(k));
+        const Index count = sticking();
+        for (Index k = 0; k < count; ++k) {
+            for (Index j = 0; j < count; ++j) pivoted_(j, k) = matrix.group(0)(listed(j), listed(k));
             if (shifts) pivoted_(k, k) += matrix.shift(listed(k));
         }
-        factorise_in_place<Scalar>(pivoted_.topLeftCorner(count(), count()), swaps_.data());
-        for (Index k = 0; k < count(); ++k) {
-            if (!is_finite(pivoted_(k, k)) || pivoted_(k, k) == 0) return false;
-        }
-        return true;
+        factorise_in_place<Scalar>(pivoted_.topLeftCorner(count, count), swaps_.data());
+        return has_pivots(pivoted_, count);
     }
 
     // Bounds on the loss of accuracy of elimination without pivoting; its results are also verified against M.
@@ -192,7 +173,7 @@ private:
 
     Matrix lower_, upper_;  // inverse triangles of the nested factors, zero outside
     Matrix pivoted_;
-    Vector right_, half_, solution_, row_;
+    Vector right_, solution_, row_;
     Vector stuck_;              // tractions of S, and zeros
     Vectors placed_, product_;  // the last tractions of all others, with zeros, and M times it
     std::vector<Index> swaps_;

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "../../detail/array_functions.hpp"
 #include "../../detail/length.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
@@ -34,6 +35,12 @@ Scalar length(const ElementVector<2, Scalar>& v) {
     return length(v[0], v[1]);
 }
 
+/// The sine of the angle from one vector to another, times both lengths; 0 with one direction.
+template <int directions, class Scalar>
+Scalar cross(const Eigen::Matrix<Scalar, 1, directions>& from, const Eigen::Matrix<Scalar, 1, directions>& to) {
+    return directions == 1 ? Scalar(0) : from[0] * to[directions - 1] - from[directions - 1] * to[0];
+}
+
 template <int directions, class Scalar>
 struct Roles {
     using Index = Eigen::Index;
@@ -47,7 +54,17 @@ struct Roles {
     Role operator[](Index i) const { return of[static_cast<std::size_t>(i)]; }
     void stick(Index i) { set(i, Role::sticks, Row::Zero()); }
     void release(Index i) { set(i, Role::is_free, Row::Zero()); }
-    void slide(Index i, const Row& along) { set(i, Role::slides, along); }
+    /// Slides along a vector of this length, or sticks if that is not positive.
+    void slide(Index i, const Row& along, Scalar norm) {
+        if (!(norm > 0)) return stick(i);
+        set(i, Role::slides, directions == 1 ? Row(Row::Constant(along[0] > 0 ? 1 : -1)) : Row(along / norm));
+    }
+    void slide(Index i, const Row& along) { slide(i, along, length(along)); }
+    /// Turns the direction of an element that slides, unless the vector vanishes.
+    void follow(Index i, const Row& along) {
+        const Scalar norm = length(along);
+        if (norm > 0) direction.row(i) = along / norm;
+    }
     bool any_slides() const { return std::find(of.begin(), of.end(), Role::slides) != of.end(); }
 
     std::vector<Role> of;
@@ -61,51 +78,24 @@ private:
     }
 };
 
-/// The elements that stick, slide and are free, in this order and each in ascending order.
+/// The elements that stick, slide and are free, in this order and each in ascending order: those of equations of which
+/// the sticking ones have been eliminated, for some M and roles.
 class RoleLists {
 public:
     using Index = Eigen::Index;
 
     explicit RoleLists(Index n) : elements_(static_cast<std::size_t>(n)), of_(elements_.size()) {}
 
-    void take(const std::vector<Role>& roles) {
-        of_ = roles;
-        Index count = 0;
-        const auto add = [&](Role role) {
-            for (std::size_t i = 0; i < roles.size(); ++i) {
-                if (roles[i] == role) elements_[static_cast<std::size_t>(count++)] = static_cast<Index>(i);
-            }
-            return count;
-        };
-        sticking_ = add(Role::sticks);
-        sliding_ = add(Role::slides) - sticking_;
-        add(Role::is_free);
-    }
-    bool are_of(const std::vector<Role>& roles) const { return roles == of_; }
-
     Index size() const { return static_cast<Index>(elements_.size()); }
     Index sticking() const { return sticking_; }
     Index sliding() const { return sliding_; }
     Index others() const { return size() - sticking_; }  ///< that do not stick
     Index operator[](Index k) const { return elements_[static_cast<std::size_t>(k)]; }
-    Index sticking(Index k) const { return (*this)[k]; }
     Index other(Index k) const { return (*this)[sticking_ + k]; }  ///< first those that slide
 
-private:
-    std::vector<Index> elements_;
-    std::vector<Role> of_;
-    Index sticking_ = 0, sliding_ = 0;
-};
-
-/// Of which M and roles equations with the sticking elements eliminated are.
-class EliminatedRoles {
-public:
-    explicit EliminatedRoles(Eigen::Index n) : lists_(n) {}
-
-    const RoleLists& lists() const { return lists_; }
     template <class Matrix>
-    bool holds(const Matrix& matrix, const std::vector<Role>& roles) const {
-        return matrix_revision_ == matrix.revision() && lists_.are_of(roles);
+    bool are_of(const Matrix& matrix, const std::vector<Role>& roles) const {
+        return matrix_revision_ == matrix.revision() && same_bits(roles, of_);
     }
     /// Changes whenever M or the roles do.
     std::uint64_t revision() const { return revision_; }
@@ -113,9 +103,32 @@ public:
     bool is_regular() const { return is_regular_; }
 
 protected:
-    RoleLists lists_;
-    std::uint64_t matrix_revision_ = 0, revision_ = 0;
+    template <class Matrix>
+    void take(Matrix& matrix, const std::vector<Role>& roles) {
+        matrix_revision_ = matrix.revision();
+        revision_ = matrix.next_serial();
+        of_ = roles;
+        auto next = elements_.begin();
+        const auto add = [&](Role role) {
+            const auto first = next;
+            for (std::size_t i = 0; i < roles.size(); ++i) {
+                if (roles[i] == role) *next++ = static_cast<Index>(i);
+            }
+            return static_cast<Index>(next - first);
+        };
+        sticking_ = add(Role::sticks);
+        sliding_ = add(Role::slides);
+        add(Role::is_free);
+    }
+
+    std::uint64_t matrix_revision_ = 0;
     bool is_regular_ = false, is_usable_ = false;  // as it is; or that of a nearby matrix
+
+private:
+    std::vector<Index> elements_;
+    std::vector<Role> of_;
+    Index sticking_ = 0, sliding_ = 0;
+    std::uint64_t revision_ = 0;
 };
 
 }  // namespace rollbem::detail

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 
 #include <Eigen/Core>
@@ -13,7 +12,6 @@
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "slip_dependent_set.hpp"
-#include "slip_work.hpp"
 #include "stick_slip.hpp"
 
 namespace rollbem::detail {
@@ -24,6 +22,12 @@ struct TangentBy {
     static constexpr std::size_t creepages = directions == 1 ? 1 : 3;
     static constexpr std::size_t load = creepages, half_length = creepages + 1, half_width = creepages + 2;
     static constexpr std::size_t count = directions == 1 ? half_width : half_width + 1;
+
+    static constexpr bool is_axis(std::size_t parameter) { return parameter >= half_length; }
+    /// The semi-axis of a parameter that is one.
+    static constexpr Axis axis(std::size_t parameter) {
+        return parameter == half_length ? Axis::half_length : Axis::half_width;
+    }
 };
 
 /// For a coefficient that depends on slip. All memory is allocated by the constructor.
@@ -31,7 +35,13 @@ template <int directions, class Scalar>
 struct SlipDependentScratch {
     using Vector = VectorX<Scalar>;
 
-    explicit SlipDependentScratch(Eigen::Index n);
+    explicit SlipDependentScratch(Eigen::Index n) : set(n) {
+        for (Vector* vector :
+             {&friction, &duration, &before, &rise, &first_friction, &change, &bound, &path_change, &before_change}) {
+            vector->setZero(n);
+        }
+        carried_change.fill(change);
+    }
 
     SlipDependentSet<directions, Scalar> set;
     Vector friction;  // mu in the present stage
@@ -45,6 +55,15 @@ struct SlipDependentScratch {
     std::array<Vector, TangentBy<directions>::count> carried_change;  // d rise of each tangent
 };
 
+/// The last response by the creepage, with one direction: in rolling it is often the next one, too. What the second
+/// stage takes of it, or the tangent, is then known.
+template <class Scalar>
+struct KeptResponse {
+    std::optional<std::uint64_t> revision;  // of the linear equations; none if nothing is kept
+    Scalar per_end = 0;                     // the creepage's effect on the constants
+    Scalar tangent = 0;                     // sum of areas times dp, if the stage was the last
+};
+
 /// Dimensionless: tractions in G, lengths in a_0, the contact's half-length. All memory is allocated by the
 /// constructor; that for a coefficient that depends on slip only if `slip_dependent`, that for directions that
 /// couple only if `coupled`.
@@ -52,68 +71,35 @@ template <int directions, class Scalar>
 struct FrictionScratch {
     using Vector = VectorX<Scalar>;
     using Vectors = ElementVectors<Scalar, directions>;
+    /// One of each solution that has constants of its own (StickSlip).
+    using OfEach = std::array<Vectors, directions>;
 
-    FrictionScratch(Eigen::Index n, bool slip_dependent, bool coupled);
+    FrictionScratch(Eigen::Index n, bool slip_dependent, bool coupled)
+        : solver(n, coupled), falling(slip_dependent ? n : 0) {
+        slip.setZero(n, directions);
+        first = change = slip;
+        for (OfEach* each : {&start, &displacement, &right}) each->fill(slip);
+        for (auto& each : carried) each.fill(slip);
+        for (Vector* vector : {&work, &bound, &bound_rate, &stage_bound_rate}) vector->setZero(n);
+    }
 
     StickSlip<directions, Scalar> solver;
     SlipDependentScratch<directions, Scalar> falling;
     std::uint64_t system = 0;  // the solver's matrices are those of this system and stage
     std::optional<RollingStage<Scalar>> stage;
-    Vectors slip, stage_slip;                 // of all stages so far; of the present one
-    Vectors start;                            // tractions from which the search for the present stage starts
-    Vectors displacement;                     // from which the present stage starts
-    Vectors plain_start, plain_displacement;  // the same for slip that is not turned, where it is
-    Vectors change, right, response;
-    Vector work;        // of all stages so far
-    Vector bound;       // mu p_n/G of the present stage; p_n/G if mu depends on slip
-    Vector bound_rate;  // its derivative with respect to the load
-    Vector rate;
-    JumpWork<directions, Scalar> jump_work;
+    Vectors slip;         // of all stages so far
+    OfEach start;         // tractions from which the search for the present stage starts
+    OfEach displacement;  // from which the present stage starts
+    OfEach right;
+    Vectors first;  // tractions after the first of two stages
+    Vectors change;
+    Vector work;                          // of all stages so far
+    Vector bound;                         // mu p_n/G of the present stage; p_n/G if mu depends on slip
+    Vector bound_rate, stage_bound_rate;  // its derivative with respect to the load; in the present stage
     // dc of the second stage, from the first
-    std::array<Vectors, TangentBy<directions>::count> carried, plain_carried;
+    std::array<std::array<Vectors, TangentBy<directions>::count>, directions> carried;
 
-    // One direction with a constant coefficient: what follows depends on M and the sticking elements alone. `carried`
-    // then belongs to a unit dc of the first stage.
-    static constexpr std::uint64_t never = (std::numeric_limits<std::uint64_t>::max)();
-    std::uint64_t tangent_revision = never, carried_revision = never;
-    Scalar unit_tangent = 0, carried_tangent = 0;  // sum of areas times dp, by dc of the last stage and of the first
+    std::array<KeptResponse<Scalar>, 3> kept;  // of the first of two stages, of the only one, and of the second
 };
-
-template <int directions, class Scalar>
-SlipDependentScratch<directions, Scalar>::SlipDependentScratch(Eigen::Index n)
-    : set(n),
-      friction(Vector::Zero(n)),
-      duration(friction),
-      before(friction),
-      rise(friction),
-      first_friction(friction),
-      change(friction),
-      bound(friction),
-      path_change(friction),
-      before_change(friction) {
-    carried_change.fill(friction);
-}
-
-template <int directions, class Scalar>
-FrictionScratch<directions, Scalar>::FrictionScratch(Eigen::Index n, bool slip_dependent, bool coupled)
-    : solver(n, coupled),
-      falling(slip_dependent ? n : 0),
-      slip(Vectors::Zero(n, directions)),
-      stage_slip(slip),
-      start(slip),
-      displacement(slip),
-      plain_start(slip),
-      plain_displacement(slip),
-      change(slip),
-      right(slip),
-      response(slip),
-      work(Vector::Zero(n)),
-      bound(work),
-      bound_rate(work),
-      rate(work),
-      jump_work(n) {
-    carried.fill(right);
-    plain_carried.fill(right);
-}
 
 }  // namespace rollbem::detail

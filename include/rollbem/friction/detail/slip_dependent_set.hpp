@@ -31,14 +31,21 @@ struct FrictionPassage {
     const VectorX<Scalar>& duration;  ///< duration of the period [s]
     const VectorX<Scalar>* before;    ///< mu before it; null in steady rolling, where it is that of the element ahead
     Scalar velocity_per_slip;         ///< slip velocity [m/s] over the solver's slip
+    Scalar at_rest;                   ///< mu_s(0)
+
+    Scalar kept(Eigen::Index i, Scalar v) const { return memory.kept(v, duration[i]); }
+    /// mu after the period at a slip velocity v.
+    Scalar after(Eigen::Index i, Scalar mu_before, Scalar v) const {
+        const Scalar share = kept(i, v);
+        return share * mu_before + (1 - share) * (v == 0 ? at_rest : law(v));
+    }
 };
 
 /// Derivatives with respect to the parameter of a tangent.
 template <int directions, class Scalar>
 struct SlipDependentChange {
-    const ElementVectors<Scalar, directions>& constant;  ///< dc
-    const VectorX<Scalar>* before = nullptr;             ///< d mu_before of each particle; null for zero
-    const VectorX<Scalar>* bound = nullptr;              ///< d bound at constant mu; null for zero
+    typename StickSlip<directions, Scalar>::Change direct;  ///< at constant mu
+    const VectorX<Scalar>* before = nullptr;                ///< d mu_before of each particle; null for zero
 };
 
 /// Solves mu = kept(v) mu_before + (1 - kept(v)) mu_s(v), where v is the slip velocity for the bounds mu p_n.
@@ -51,7 +58,7 @@ template <int directions, class Scalar>
 class SlipDependentSet {
 public:
     using Solver = StickSlip<directions, Scalar>;
-    using Vectors = ElementVectors<Scalar, directions>;
+    using Passage = FrictionPassage<Scalar>;
     using Change = SlipDependentChange<directions, Scalar>;
     using Index = Eigen::Index;
     using Vector = VectorX<Scalar>;
@@ -64,153 +71,130 @@ public:
     };
 
     explicit SlipDependentSet(Index n)
-        : start_(n),
-          residual_(n),
-          tried_(n),
-          step_(n),
-          velocity_(n),
-          slope_(n),
-          kept_(n),
-          response_(n),
-          coupling_(n, n),
-          by_friction_(n, n),
-          newton_(n, n),
-          right_(n),
-          newton_slope_(n),
-          newton_gain_(n),
-          newton_kept_(n),
-          swaps_(static_cast<std::size_t>(n)),
-          asked_(Vectors::Zero(n, directions)),
-          answer_(asked_),
-          friction_answer_(n) {}
+        : coupling_(n, n), by_friction_(n, n), newton_(n, n), swaps_(static_cast<std::size_t>(n)) {
+        for (Vector* vector : {&start_, &mu_, &residual_, &tried_, &step_, &velocity_, &slope_, &kept_, &response_,
+                               &gain_, &newton_slope_, &newton_gain_, &newton_kept_}) {
+            vector->setZero(n);
+        }
+    }
 
     Index size() const { return start_.size(); }
 
     /// Starts from `start` and `friction`, finite and not negative, and overwrites `friction` with the result. Matrices
     /// and constants of the solver must be set.
-    Outcome solve(const FrictionPassage<Scalar>& passage, const typename Solver::Start& start, Solver& solver,
+    Outcome solve(const Passage& passage, const typename Solver::Start& start, Solver& solver,
                   Vector& friction) noexcept {
-        Outcome outcome;
+        Search search{passage, solver, friction, (std::max)(passage.at_rest, friction.maxCoeff())};
+        Outcome& outcome = search.outcome;
         start_ = friction;
         solver.begin(start);
-        const Scalar rounding = 64 * static_cast<Scalar>(friction.size() + 10) * std::numeric_limits<Scalar>::epsilon();
-        const Scalar largest = (std::max)(passage.law(0), friction.maxCoeff());
-        Scalar settled = 0;  // what rounding explains; a law that rises may lead far above where it starts
-        const auto find = [&](const Vector& mu) {
-            tried_ = mu.cwiseProduct(passage.pressure);
-            typename Solver::Outcome found = solver.solve(tried_);
-            found.rounds += outcome.solution.rounds;
-            found.path_points += outcome.solution.path_points;
-            outcome.solution = found;
-            is_regular_ = found.tangent_exists;
-            ++outcome.solutions;
-            evaluate(passage, solver, mu);
-            outcome.change = largest_difference();
-            settled = rounding * (std::max)(largest, mu.maxCoeff());
-        };
-        find(friction);
+        find(search);
         Scalar scale = residual_.norm();
-        for (int restart = 0;; ++restart) {
-            if (newton(passage, solver, settled, find, outcome, friction)) break;
-            if (restart == most_restarts || !is_finite(outcome.change)) break;
+        for (int restart = 0; !newton(search) && restart < most_restarts && is_finite(outcome.change); ++restart) {
             if (restart == 0) friction = start_;
-            find(friction);
-            scale = follow(settled, scale, restart, find, friction);
+            find(search);
+            scale = follow(search, scale, restart);
         }
-        if (!(outcome.change <= settled)) {
+        if (!search.has_settled()) {
             outcome.solution.status = is_finite(outcome.change) ? Status::no_solution : Status::not_finite;
             outcome.solution.tangent_exists = false;
         }
         return outcome;
     }
 
-    /// dp and d mu in the last solution caused by a change, while no element changes its zone. `friction_change` and
-    /// `traction_change` must not be vectors in `change`.
-    void respond(const FrictionPassage<Scalar>& passage, Solver& solver, const Vector& friction, const Change& change,
-                 Vectors& traction_change, Vector& friction_change) {
-        factorise(passage, solver, friction, true);
-        const bool constant_only = directions == 1 && change.before == nullptr && change.bound == nullptr;
-        if (constant_only && answered_ && same_bits(change.constant, asked_)) {
-            traction_change = answer_;
-            friction_change = friction_answer_;
-            return;
-        }
-        solver.respond(change.constant, traction_change, change.bound, 1, &response_);
+    /// To be called before respond(). Changes whenever its result may, other changes being equal.
+    std::uint64_t linearise(const Passage& passage, Solver& solver) {
+        factorise(passage, solver, true);
+        return revision_;
+    }
+    /// Finds dp in the solver, and d mu, of the last solution due to a change while no element changes its zone.
+    /// `friction_change` must not be a vector in `change`.
+    void respond(const Passage& passage, Solver& solver, const Change& change, Vector& friction_change) {
+        solver.respond(change.direct, &response_);
         Scalar ahead = 0;
         for (Index i = size() - 1; i >= 0; --i) {
-            ahead = slope_[i] * passage.velocity_per_slip * response_[i] + kept_[i] * ahead;
+            ahead = slope_[i] * response_[i] + kept_[i] * ahead;
             if (change.before != nullptr && passage.pressure[i] > 0) {
-                ahead += passage.memory.kept(rounded(velocity_[i]), passage.duration[i]) * (*change.before)[i];
+                ahead += passage.kept(i, rounded(velocity_[i])) * (*change.before)[i];
             }
             friction_change[i] = ahead;
         }
         spread(solver, friction_change);
         tried_ = friction_change.cwiseProduct(passage.pressure);
-        solver.add_response(tried_, traction_change);
-        if (!constant_only) return;
-        answered_ = true;
-        asked_ = change.constant;
-        answer_ = traction_change;
-        friction_answer_ = friction_change;
+        if (change.direct.bound != nullptr) tried_ += *change.direct.bound;
+        solver.respond({change.direct.constant, &tried_});
     }
 
 private:
     static constexpr int most_steps = 30, most_halvings = 8, most_restarts = 6, most_rounds = 600;
 
-    // Slip velocities and residual.
-    void evaluate(const FrictionPassage<Scalar>& passage, const Solver& solver, const Vector& mu) {
-        const auto at_rest = passage.law(0);
-        Scalar ahead = at_rest;
-        for (Index i = mu.size() - 1; i >= 0; --i) {
-            const Scalar v = passage.velocity_per_slip * solver.slip_size(i);
-            velocity_[i] = v;
-            if (passage.pressure[i] > 0) {
-                const Scalar kept = passage.memory.kept(v, passage.duration[i]);
-                const Scalar before = passage.before == nullptr ? ahead : (*passage.before)[i];
-                ahead = kept * before + (1 - kept) * (v == 0 ? at_rest : passage.law(v));
-            } else {
-                ahead = at_rest;
-            }
-            residual_[i] = ahead - mu[i];
+    struct Search {
+        const Passage& passage;
+        Solver& solver;
+        Vector& friction;
+        Scalar largest;      // a law that rises may lead far above where it starts
+        Scalar settled = 0;  // what rounding explains
+        Outcome outcome{};
+
+        bool has_settled() const { return outcome.change <= settled; }
+    };
+
+    // Solves for the bounds of the present mu.
+    void find(Search& search) {
+        Outcome& outcome = search.outcome;
+        tried_ = search.friction.cwiseProduct(search.passage.pressure);
+        typename Solver::Outcome found = search.solver.solve(tried_);
+        found.rounds += outcome.solution.rounds;
+        found.path_points += outcome.solution.path_points;
+        outcome.solution = found;
+        is_regular_ = found.tangent_exists;
+        ++outcome.solutions;
+        evaluate(search);
+        // Eigen's maximum may pass over NaN
+        outcome.change =
+            all_finite(residual_) ? residual_.cwiseAbs().maxCoeff() : std::numeric_limits<Scalar>::quiet_NaN();
+        search.settled = 64 * static_cast<Scalar>(size() + 10) * std::numeric_limits<Scalar>::epsilon() *
+                         (std::max)(search.largest, search.friction.maxCoeff());
+    }
+
+    // Slip velocities, right-hand side and residual.
+    void evaluate(const Search& search) {
+        const Passage& passage = search.passage;
+        Scalar ahead = passage.at_rest;
+        for (Index i = size() - 1; i >= 0; --i) {
+            velocity_[i] = passage.velocity_per_slip * search.solver.slip_size(i);
+            const Scalar before = passage.before == nullptr ? ahead : (*passage.before)[i];
+            mu_[i] = ahead = passage.pressure[i] > 0 ? passage.after(i, before, velocity_[i]) : passage.at_rest;
+            residual_[i] = ahead - search.friction[i];
         }
     }
 
-    // NaN if any entry is, which Eigen's maximum may pass over.
-    Scalar largest_difference() const {
-        return all_finite(residual_) ? residual_.cwiseAbs().maxCoeff() : std::numeric_limits<Scalar>::quiet_NaN();
-    }
-
-    static Scalar passed(const FrictionPassage<Scalar>& passage, Scalar duration, Scalar before, Scalar v) {
-        const Scalar kept = passage.memory.kept(v, duration), now = passage.law(v);
-        return kept * before + (1 - kept) * now;
-    }
-
-    // Newton steps until the residual is small enough (true) or cannot be reduced.
-    template <class Find>
-    bool newton(const FrictionPassage<Scalar>& passage, Solver& solver, const Scalar& settled, const Find& find,
-                const Outcome& outcome, Vector& friction) {
+    // Newton steps until the residual is small enough (true) or cannot be reduced:
+    // (1 - d right-hand side / d mu) step = residual. The coefficients of sticking elements have no influence.
+    bool newton(Search& search) {
         for (int step = 0; step < most_steps; ++step) {
-            if (outcome.change <= settled) return true;
-            if (!is_finite(outcome.change)) return false;
-            linearise(passage, solver, friction);
+            if (search.has_settled()) return true;
+            if (!is_finite(search.outcome.change)) return false;
+            factorise(search.passage, search.solver, false);
+            step_ = residual_;
+            spread(search.solver, step_);
             const Scalar size = residual_.norm();
             bool better = false;
             Scalar part = 1;
-            right_ = friction;
+            gain_ = search.friction;
             for (int halving = 0; halving < most_halvings && !better; ++halving, part /= 2) {
-                friction = (right_ + part * step_).cwiseMax(Scalar(0));
-                find(friction);
-                better = residual_.norm() < (1 - part / 10) * size || outcome.change <= settled;
+                search.friction = (gain_ + part * step_).cwiseMax(Scalar(0));
+                find(search);
+                better = residual_.norm() < (1 - part / 10) * size || search.has_settled();
             }
             if (!better) return false;
         }
-        return outcome.change <= settled;
+        return search.has_settled();
     }
 
     // Fixed-point iterations until the residual has risen and fallen again. In the bottleneck, where it hardly changes,
     // the steps are enlarged; after unsuccessful restarts they are damped.
-    template <class Find>
-    Scalar follow(const Scalar& settled, Scalar scale, int restart, const Find& find, Vector& friction) {
+    Scalar follow(Search& search, Scalar scale, int restart) {
         const Scalar part = restart < 2 ? Scalar(1) : restart < 4 ? Scalar(0.4) : Scalar(0.15);
         const int rounds = restart == 0 ? most_rounds : most_rounds / 3;
         Scalar before = residual_.norm(), peak = before;
@@ -218,8 +202,8 @@ private:
         Scalar leap = 10;
         for (int round = 0; round < rounds; ++round) {
             const bool leaps = flat >= 3;
-            friction = (friction + (leaps ? leap : part) * residual_).cwiseMax(Scalar(0));
-            find(friction);
+            search.friction = (search.friction + (leaps ? leap : part) * residual_).cwiseMax(Scalar(0));
+            find(search);
             const Scalar size = residual_.norm();
             if (!is_finite(size)) break;
             leap = leaps ? 2 * leap : flat == 0 ? Scalar(10) : leap;
@@ -228,17 +212,9 @@ private:
             before = size;
             peak = (std::max)(peak, size);
             const bool passed = peak > 50 * scale && falling >= 25 && size < peak / 5;
-            if (size <= settled || passed) break;
+            if (size <= search.settled || passed) break;
         }
         return (std::max)(scale, peak / 50);
-    }
-
-    // Newton's step: (1 - d right-hand side / d mu) step = residual. The coefficients of sticking elements have no
-    // influence.
-    void linearise(const FrictionPassage<Scalar>& passage, Solver& solver, const Vector& mu) {
-        factorise(passage, solver, mu, false);
-        step_ = residual_;
-        spread(solver, step_);
     }
 
     // Rounds to 30 bits, which is within the accuracy of the difference quotients. While quantities change by round-off
@@ -253,57 +229,53 @@ private:
         }
     }
 
-    // The derivatives of the right-hand side by the slip velocity and by the coefficient of the element ahead, and
-    // Newton's matrix, which is factorised only if it has changed. The slip of sticking elements remains zero. Tangents
-    // need the `exact` derivatives; Newton's method does without those of the angles of turned slip.
-    void factorise(const FrictionPassage<Scalar>& passage, Solver& solver, const Vector& mu, bool exact) {
-        couple(solver, exact);
+    // The derivatives of the right-hand side by the slip, and in steady rolling by the coefficient of the element
+    // ahead, of the last solution. The slip of sticking elements remains zero.
+    void differentiate(const Passage& passage, const Solver& solver) {
         const bool steady = passage.before == nullptr;
         // differences of a width that also suits elements that hardly slip, and not that of a least velocity which is
         // far above any slip
         const Scalar fastest = rounded(velocity_.maxCoeff());
         const Scalar unit = (std::min)(passage.memory.least_velocity, fastest) + fastest / 1000;
         const Scalar share = std::cbrt(std::numeric_limits<Scalar>::epsilon());
-        Scalar ahead = passage.law(0);
-        for (Index i = size() - 1; i >= 0; --i) {
+        for (Index i = 0; i < size(); ++i) {
             slope_[i] = kept_[i] = 0;
+            if (!(passage.pressure[i] > 0)) continue;
+            const Scalar v = rounded(velocity_[i]);
+            if (steady) kept_[i] = passage.kept(i, v);
+            if (solver.slides()[i] == 0) continue;
+            const Scalar ahead = i + 1 < size() ? mu_[i + 1] : passage.at_rest;
             const Scalar before = rounded(steady ? ahead : (*passage.before)[i]);
-            if (steady) ahead = residual_[i] + mu[i];
-            const bool slips = solver.slides()[i] != 0;
-            if (!(passage.pressure[i] > 0) || !(slips || steady)) continue;
-            const Scalar v = rounded(velocity_[i]), duration = passage.duration[i];
-            if (steady) kept_[i] = passage.memory.kept(v, duration);
-            if (!slips) continue;
             const Scalar nearby = share * (v + unit) + (std::numeric_limits<Scalar>::min)();
             const Scalar low = (std::max)(v - nearby, Scalar(0)), high = v + nearby;
-            slope_[i] =
-                (passed(passage, duration, before, high) - passed(passage, duration, before, low)) / (high - low);
+            slope_[i] = passage.velocity_per_slip *
+                        ((passage.after(i, before, high) - passage.after(i, before, low)) / (high - low));
         }
-        step_ = passage.velocity_per_slip * solver.slides().cwiseProduct(slope_);
-        right_ = -solver.slides().cwiseProduct(passage.pressure);
-        if (newton_revision_ == coupling_revision_ && is_steady_ == steady && same_bits(newton_slope_, step_) &&
-            same_bits(newton_gain_, right_) && (!steady || same_bits(newton_kept_, kept_))) {
+    }
+
+    // Newton's matrix, which is factorised only if it has changed. Tangents need the `exact` derivatives; Newton's
+    // method does without those of the angles of turned slip.
+    void factorise(const Passage& passage, Solver& solver, bool exact) {
+        couple(solver, exact);
+        differentiate(passage, solver);
+        gain_ = -solver.slides().cwiseProduct(passage.pressure);
+        if (newton_revision_ == coupling_revision_ && same_bits(newton_slope_, slope_) &&
+            same_bits(newton_gain_, gain_) && same_bits(newton_kept_, kept_)) {
             return;
         }
-        answered_ = false;
-        is_steady_ = steady;
+        ++revision_;
         newton_revision_ = coupling_revision_;
-        newton_slope_ = step_;
-        newton_gain_ = right_;
+        newton_slope_ = slope_;
+        newton_gain_ = gain_;
         newton_kept_ = kept_;
         for (Index k = 0; k < count_; ++k) {
-            const Scalar gain = right_[solver.slipping(k)];
-            if (!steady) {  // independent of the element ahead
-                for (Index l = 0; l < count_; ++l) {
-                    newton_(l, k) = (k == l ? 1 : 0) - step_[solver.slipping(l)] * gain * coupling_(l, k);
-                }
-                continue;
-            }
             Scalar leading = 0;
             Index next = count_ - 1;
             for (Index i = size() - 1; i >= 0; --i) {
                 leading *= kept_[i];
-                if (next >= 0 && solver.slipping(next) == i) leading += step_[i] * gain * coupling_(next--, k);
+                if (next >= 0 && solver.slipping(next) == i) {
+                    leading += slope_[i] * gain_[solver.slipping(k)] * coupling_(next--, k);
+                }
                 by_friction_(i, k) = leading;
             }
             for (Index l = 0; l < count_; ++l) newton_(l, k) = (k == l ? 1 : 0) - by_friction_(solver.slipping(l), k);
@@ -326,28 +298,20 @@ private:
     void spread(const Solver& solver, Vector& change) {
         for (Index k = 0; k < count_; ++k) response_[k] = change[solver.slipping(k)];
         solve_in_place<Scalar>(newton_.topLeftCorner(count_, count_), swaps_.data(), response_.head(count_));
-        if (is_steady_) {
-            change.noalias() += by_friction_.leftCols(count_) * response_.head(count_);
-        } else {
-            for (Index k = 0; k < count_; ++k) change[solver.slipping(k)] = response_[k];
-        }
+        change.noalias() += by_friction_.leftCols(count_) * response_.head(count_);
     }
 
     static constexpr std::uint64_t never = (std::numeric_limits<std::uint64_t>::max)();
 
-    Vector start_, residual_, tried_, step_;
-    Vector velocity_, slope_, kept_;  // v; d right-hand side / d v and / d mu of the element ahead
-    Vector response_;
+    Vector start_, mu_, residual_, tried_, step_;
+    Vector velocity_, slope_, kept_;  // v; d right-hand side / d slip and / d mu of the element ahead
+    Vector response_, gain_;
     Matrix coupling_, by_friction_, newton_;
-    Vector right_;
     Vector newton_slope_, newton_gain_, newton_kept_;  // for which by_friction_ and newton_ were computed
-    std::uint64_t coupling_revision_ = never, newton_revision_ = never;
+    std::uint64_t coupling_revision_ = never, newton_revision_ = never, revision_ = 0;
     Index count_ = 0;  // of the elements that slide
-    bool is_regular_ = false, is_steady_ = false;
+    bool is_regular_ = false;
     std::vector<Index> swaps_;
-    Vectors asked_, answer_;  // last argument and result of respond()
-    Vector friction_answer_;
-    bool answered_ = false;  // with the present newton_
 };
 
 }  // namespace rollbem::detail

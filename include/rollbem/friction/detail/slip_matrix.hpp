@@ -1,12 +1,12 @@
 // M of a friction problem s = M p + c, and what depends on M alone.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -18,8 +18,8 @@
 
 namespace rollbem::detail {
 
-/// M by blocks: slip in direction d by tractions in direction e. With two directions that do not couple it falls into
-/// two groups of n unknowns; otherwise there is one group of all. All memory is allocated by the constructor.
+/// M by groups of unknowns that do not couple: with one direction, or with two that couple, there is one group of all
+/// unknowns, direction by direction; otherwise each direction is one. All memory is allocated by the constructor.
 template <int directions, class Scalar>
 class SlipMatrix {
 public:
@@ -29,35 +29,38 @@ public:
     using Matrix = MatrixX<Scalar>;
 
     explicit SlipMatrix(Index n, bool coupled = false) : n_(n), coupled_(directions == 2 && coupled), reach_(n) {
-        for (std::size_t d = 0; d < directions; ++d) {
-            for (std::size_t e = 0; e < directions; ++e) {
-                if (d == e || coupled_) block_[directions * d + e].setZero(n, n);
-            }
+        const bool inverts = directions == 2;
+        for (std::size_t g = 0; g < groups(); ++g) {
+            group_[g].setZero(group_size(), group_size());
+            if (inverts) inverse_[g].resize(group_size(), group_size());
         }
-        if constexpr (directions == 2) {
-            const Index size = group_size();
-            for (std::size_t g = 0; g < groups(); ++g) inverse_[g].resize(size, size);
-            swaps_.resize(static_cast<std::size_t>(size));
-            for (Vectors& vectors : sign_) vectors.resize(n, directions);
-            for (Vectors& vectors : sums_) vectors.resize(n, directions);
-            draw_signs();
-        }
+        if (!inverts) return;
+        swaps_.resize(static_cast<std::size_t>(group_size()));
+        for (Vectors& sums : sums_) sums.resize(n, directions);
+        for (Vectors& signs : sign_) signs.resize(n, directions);
+        draw_signs();
     }
 
     Index size() const { return n_; }
     bool coupled() const { return coupled_; }
     std::size_t groups() const { return coupled_ ? 1 : directions; }
-    Index group_size() const { return coupled_ ? directions * n_ : n_; }
-    /// Directions in a group.
-    Index depth() const { return coupled_ ? directions : 1; }
+    Index group_size() const { return depth() * n_; }
+    Index depth() const { return coupled_ ? directions : 1; }  ///< directions in a group
+    const Matrix& group(std::size_t g) const { return group_[g]; }
+    /// The unknowns of a group.
+    template <class Either>
+    auto part(Either& vectors, std::size_t g) const {
+        using Part = std::conditional_t<std::is_const_v<Either>, const Vector, Vector>;
+        return Eigen::Map<Part>(vectors.data() + static_cast<Index>(g) * group_size(), group_size());
+    }
 
-    /// To be filled before the first solution and whenever M changes.
-    Matrix& renew(std::size_t d, std::size_t e) {
+    /// Slip in direction d by tractions in direction e; to be filled before the first solution and whenever M changes.
+    auto renew(std::size_t d, std::size_t e) {
         ++revision_;
         reach_is_known_ = inverse_is_known_ = sums_are_known_ = false;
-        return block_[directions * d + e];
+        return block(*this, d, e);
     }
-    const Matrix& block(std::size_t d, std::size_t e) const { return block_[directions * d + e]; }
+    auto block(std::size_t d, std::size_t e) const { return block(*this, d, e); }
     /// Changes whenever M does.
     std::uint64_t revision() const { return revision_; }
     /// A number that no one else gets, for what is kept of this matrix.
@@ -68,11 +71,7 @@ public:
 
     /// s = M p
     void multiply(const Vectors& p, Vectors& s) const {
-        for (std::size_t d = 0; d < directions; ++d) {
-            auto slip = s.col(static_cast<Index>(d));
-            slip.noalias() = block(d, d) * p.col(static_cast<Index>(d));
-            if (coupled_) slip.noalias() += block(d, 1 - d) * p.col(static_cast<Index>(1 - d));
-        }
+        for (std::size_t g = 0; g < groups(); ++g) part(s, g).noalias() = group_[g] * part(p, g);
     }
 
     /// rho of each element: from the largest influence on it, as its own may vanish.
@@ -95,16 +94,10 @@ public:
         if (inverse_is_known_) return inverse_exists_;
         inverse_is_known_ = inverse_exists_ = true;
         for (std::size_t g = 0; g < groups(); ++g) {
-            Matrix& factors = scratch[g];
-            if (coupled_) {
-                factors << block_[0], block_[1], block_[2], block_[3];
-            } else {
-                factors = block(g, g);
-            }
-            const Scalar norm = norm_of(factors);
-            factorise_in_place<Scalar>(factors, swaps_.data());
-            invert_factors<Scalar>(factors, swaps_.data(), inverse_[g]);
-            const Scalar condition = norm * norm_of(inverse_[g]);
+            scratch[g] = group_[g];
+            factorise_in_place<Scalar>(scratch[g], swaps_.data());
+            invert_factors<Scalar>(scratch[g], swaps_.data(), inverse_[g]);
+            const Scalar condition = norm_of(group_[g]) * norm_of(inverse_[g]);
             inverse_exists_ = inverse_exists_ && is_finite(condition) &&
                               condition * std::numeric_limits<Scalar>::epsilon() < largest_error;
         }
@@ -114,15 +107,15 @@ public:
 
     /// Two sums of M p + c - s over all elements, with irregular signs; the larger one. Costs no product with M.
     Scalar error(const Vectors& p, const Vectors& c, const Vectors& s) {
-        if (!sums_are_known_) {
-            for (std::size_t k = 0; k < sums_.size(); ++k) multiply_transposed(sign_[k], sums_[k]);
-            sums_are_known_ = true;
-        }
         Scalar largest = 0;
         for (std::size_t k = 0; k < sums_.size(); ++k) {
+            for (std::size_t g = 0; g < groups() && !sums_are_known_; ++g) {
+                part(sums_[k], g).noalias() = group_[g].transpose() * part(sign_[k], g);
+            }
             const Scalar sum = sums_[k].cwiseProduct(p).sum() + sign_[k].cwiseProduct(c - s).sum();
-            largest = std::abs(sum) <= largest ? largest : std::abs(sum);  // also NaN
+            if (!(std::abs(sum) <= largest)) largest = std::abs(sum);  // also NaN
         }
+        sums_are_known_ = true;
         return largest;
     }
 
@@ -132,12 +125,11 @@ private:
 
     static Scalar norm_of(const Matrix& A) { return A.cwiseAbs().colwise().sum().maxCoeff(); }
 
-    void multiply_transposed(const Vectors& u, Vectors& result) const {
-        for (std::size_t e = 0; e < directions; ++e) {
-            auto column = result.col(static_cast<Index>(e));
-            column.noalias() = block(e, e).transpose() * u.col(static_cast<Index>(e));
-            if (coupled_) column.noalias() += block(1 - e, e).transpose() * u.col(static_cast<Index>(1 - e));
-        }
+    template <class Either>
+    static auto block(Either& own, std::size_t d, std::size_t e) {
+        const Index row = own.coupled_ ? static_cast<Index>(d) * own.n_ : 0;
+        const Index column = own.coupled_ ? static_cast<Index>(e) * own.n_ : 0;
+        return own.group_[own.coupled_ ? 0 : d].block(row, column, own.n_, own.n_);
     }
 
     // Bits of a linear congruential generator (Knuth's MMIX).
@@ -153,8 +145,7 @@ private:
 
     Index n_;
     bool coupled_;
-    std::array<Matrix, directions * directions> block_;
-    std::array<Matrix, directions> inverse_;
+    std::array<Matrix, directions> group_, inverse_;
     std::vector<Index> swaps_;
     std::array<Vectors, 2> sign_, sums_;  // u and M^T u
     Vector reach_;

@@ -63,7 +63,7 @@ public:
             const Row z = -problem.reach[i] * problem.turn.turned(i, Row(column_.row(i)));
             scale_[i] = std::sqrt(static_cast<Scalar>(n)) * (problem.bound[i] + length(z));
             if (!(scale_[i] > 0)) scale_[i] = 1;
-            for (Index d = 0; d < directions; ++d) trial_[d * n + i] = z[d] / scale_[i];
+            rows(trial_.data()).row(i) = z / scale_[i];
         }
         trial_[last] = 0;
         forward_.setZero();
@@ -145,32 +145,30 @@ private:
         return size;
     }
 
-    // rho R times the vectors in column_, over the elements' scales and times `factor`, and nothing for t.
-    template <class Target>
-    void put(const Problem& problem, Scalar factor, Target&& target) const {
-        const Index n = scale_.size();
-        for (Index i = 0; i < n; ++i) {
-            const Row turned = problem.turn.turned(i, Row(column_.row(i)));
-            const Scalar share = factor * problem.reach[i] / scale_[i];
-            for (Index d = 0; d < directions; ++d) target[d * n + i] = share * turned[d];
+    // The unknowns of the elements among those of all, the last of which is t.
+    auto rows(Scalar* unknowns) const { return Eigen::Map<Vectors>(unknowns, scale_.size(), directions); }
+
+    // rho R times the vectors in column_, over the elements' scales, and nothing for t.
+    void put(const Problem& problem, Scalar* target) const {
+        for (Index i = 0; i < scale_.size(); ++i) {
+            rows(target).row(i) = problem.reach[i] / scale_[i] * problem.turn.turned(i, Row(column_.row(i)));
         }
-        target[directions * n] = 0;
+        target[column_.size()] = 0;
     }
 
     // The equations' residual at trial_ into change_, their derivatives into matrix_.
     void set_up(const Problem& problem) {
         const Index n = scale_.size(), last = directions * n;
+        const auto scale = scale_.array().template replicate<1, directions>();
         find_tractions(problem);
         problem.equations.matrix.multiply(traction_, column_);
         column_ += problem.constant + (1 - trial_[last]) * offset_;
-        put(problem, 1, change_);
+        put(problem, change_.data());
+        rows(change_.data()) += rows(trial_.data()) - (traction_.array() / scale).matrix();
         problem.equations.matrix.multiply(growth_, column_);
         column_ -= offset_;
-        put(problem, 1, matrix_.col(last));
-        for (Index d = 0; d < directions; ++d) {
-            change_.segment(d * n, n) += trial_.segment(d * n, n) - traction_.col(d).cwiseQuotient(scale_);
-            matrix_.col(last).segment(d * n, n) -= growth_.col(d).cwiseQuotient(scale_);
-        }
+        put(problem, matrix_.col(last).data());
+        rows(matrix_.col(last).data()).array() -= growth_.array() / scale;
         for (Index e = 0; e < directions; ++e) {
             for (Index i = 0; i < n; ++i) set_up_column(problem, e, i);
         }
@@ -178,17 +176,19 @@ private:
     }
     // By z of element i in direction e.
     void set_up_column(const Problem& problem, Index e, Index i) {
-        const Index n = scale_.size();
         const SlipMatrix<directions, Scalar>& M = problem.equations.matrix;
+        const Row slope = slope_.row(i).template segment<directions>(directions * e);
         for (Index d = 0; d < directions; ++d) {
             const auto own = static_cast<std::size_t>(d);
-            column_.col(d) = slope_(i, directions * e + d) * M.block(own, own).col(i);
-            if (M.coupled()) column_.col(d) += slope_(i, directions * e + 1 - d) * M.block(own, 1 - own).col(i);
+            column_.col(d) = scale_[i] * slope[d] * M.block(own, own).col(i);
+            if constexpr (directions == 2) {
+                if (M.coupled()) column_.col(d) += scale_[i] * slope[1 - d] * M.block(own, 1 - own).col(i);
+            }
         }
-        auto target = matrix_.col(e * n + i);
-        put(problem, scale_[i], target);
-        for (Index d = 0; d < directions; ++d) target[d * n + i] -= slope_(i, directions * e + d);
-        target[e * n + i] += 1;
+        auto target = matrix_.col(e * scale_.size() + i);
+        put(problem, target.data());
+        rows(target.data()).row(i) -= slope;
+        target[e * scale_.size() + i] += 1;
     }
 
     // P_t(z) = 2 g z/(|r - g, w| + |r + g, w|), r = |z|, g the bound and w the rounding, and its derivatives.
@@ -196,8 +196,7 @@ private:
         const Index n = scale_.size();
         const Scalar t = trial_[directions * n];
         for (Index i = 0; i < n; ++i) {
-            Row z;
-            for (Index d = 0; d < directions; ++d) z[d] = scale_[i] * trial_[d * n + i];
+            const Row z = scale_[i] * rows(trial_.data()).row(i);
             const Scalar g_t = problem.bound[i], w_t = 2 * (1 - 2 * t) * problem.bound[i];
             const Scalar r = length(z), g = t * problem.bound[i], w = 2 * (1 - t) * g;
             const Scalar low = length(r - g, w), high = length(r + g, w), sum = low + high;
@@ -213,10 +212,10 @@ private:
             const Scalar share_t = (2 * g_t - share * sum_t) / sum, bend = -share * over(sum_r / sum, r);
             traction_.row(i) = share * z;
             growth_.row(i) = share_t * z;
-            for (Index d = 0; d < directions; ++d) {
-                for (Index e = 0; e < directions; ++e) {
-                    slope_(i, directions * e + d) = bend * z[d] * z[e] + (d == e ? share : Scalar(0));
-                }
+            for (Index e = 0; e < directions; ++e) {
+                auto slope = slope_.row(i).template segment<directions>(directions * e);
+                slope = bend * z[e] * z;
+                slope[e] += share;
             }
         }
     }

@@ -1,25 +1,99 @@
-// What a search for stick and slip is given: the conditions, and the equations with the sticking elements eliminated.
+// What a search for stick and slip is given: the conditions, and the equations of the elements that stick and slide.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Core>
 
+#include "../../detail/in_place_lu.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "condensed_slip.hpp"
 #include "nested_stick.hpp"
 #include "roles.hpp"
-#include "sliding.hpp"
 #include "slip_matrix.hpp"
-#include "turned_slip.hpp"
+#include "slip_turn.hpp"
 
 namespace rollbem::detail {
 
-/// M and what is kept for its two solutions, first with slip as it is, then with slip turned; with one direction there
-/// is one. Usually both have the same roles, and then share the condensed equations. All memory is allocated by the
+/// The turn of tractions whose sizes are given: one unknown for each element that slides, in their order, at a point
+/// (p, s). With n along the traction, t across it, a and w the same
+/// turned back, and k = -a.s/b: the tractions change by tau t, where
+///     (w.C t + k) tau = -w.s,
+/// C from CondensedSlip. All memory is allocated by the constructor.
+template <class Scalar>
+class Sliding {
+public:
+    using Index = Eigen::Index;
+    using Vector = VectorX<Scalar>;
+    using Vectors = ElementVectors<Scalar>;
+    using Row = ElementVector<2, Scalar>;
+    using Matrix = MatrixX<Scalar>;
+
+    explicit Sliding(Index n)
+        : along_(Vectors::Zero(n, 2)),
+          across_(along_),
+          against_(along_),
+          aside_(along_),
+          stiffness_(n),
+          turn_(n),
+          factors_(n, n),
+          swaps_(static_cast<std::size_t>(n)) {}
+
+    /// The directions and stiffnesses of the elements that slide.
+    template <class Turn>
+    void aim(const RoleLists& lists, const Vectors& direction, const Vectors& slip, const Vector& bound,
+             const Turn& turn) {
+        count_ = lists.sliding();
+        for (Index l = 0; l < count_; ++l) {
+            const Index i = lists.other(l);
+            const Row along = direction.row(i), against = turn.turned_back(i, along);
+            along_.row(l) = along;
+            across_.row(l) << -along[1], along[0];
+            against_.row(l) = against;
+            aside_.row(l) << -against[1], against[0];
+            // finite, however small the bound
+            stiffness_[l] = std::clamp(-against.dot(slip.row(i)) / bound[i], Scalar(0),
+                                       (std::numeric_limits<Scalar>::max)() / 1000);
+        }
+    }
+    /// False if the equations are singular to working precision.
+    bool factorise(const SlipMatrix<2, Scalar>& matrix, const CondensedSlip<Scalar>& condensed) {
+        auto factors = factors_.topLeftCorner(count_, count_);
+        condensed.form(matrix, aside_, across_, factors);
+        factors.diagonal() += stiffness_.head(count_);
+        factorise_in_place<Scalar>(factors, swaps_.data());
+        return has_pivots(factors_, count_);
+    }
+
+    const Vectors& along() const { return along_; }      ///< n
+    const Vectors& across() const { return across_; }    ///< t
+    const Vectors& against() const { return against_; }  ///< a
+    const Vectors& aside() const { return aside_; }      ///< w
+    /// Adds tau t, for this slip, to the tractions.
+    void turn(const RoleLists& lists, const Vectors& slip, Vectors& traction) {
+        for (Index l = 0; l < count_; ++l) turn_[l] = -aside_.row(l).dot(slip.row(lists.other(l)));
+        solve_in_place<Scalar>(factors_.topLeftCorner(count_, count_), swaps_.data(), turn_.head(count_));
+        for (Index l = 0; l < count_; ++l) traction.row(lists.other(l)) += turn_[l] * across_.row(l);
+    }
+    void solve_columns(Eigen::Ref<Matrix> right) {
+        solve_columns_in_place<Scalar>(factors_.topLeftCorner(count_, count_), swaps_.data(), right);
+    }
+
+private:
+    Vectors along_, across_, against_, aside_;
+    Vector stiffness_, turn_;
+    Matrix factors_;
+    std::vector<Index> swaps_;
+    Index count_ = 0;
+};
+
+/// M and what is kept for its solutions, first with slip as it is, then with slip turned; with one direction there is
+/// one. Usually both have the same roles, and then share the condensed equations. All memory is allocated by the
 /// constructor.
 template <int directions, class Scalar>
 struct SlipEquations {
@@ -27,59 +101,25 @@ struct SlipEquations {
     using Base = typename Condensed::Base;
 
     SlipEquations(Eigen::Index n, bool coupled)
-        : matrix(n, coupled), condensed(make<Condensed>(matrix)), base(make<Base>(n)), sliding(make_sliding(n)) {}
+        : matrix(n, coupled),
+          condensed(directions, Condensed(matrix)),
+          base(directions, Base(n)),
+          sliding(directions, Sliding<Scalar>(directions == 1 ? 0 : n)) {}
 
     /// Null if the equations of the sticking elements cannot be solved.
     Condensed* condense(std::size_t which, const Roles<directions, Scalar>& roles) {
-        Condensed* at = &condensed[which];
-        if constexpr (directions == 2) {
-            Condensed& other = condensed[1 - which];
-            if (!at->holds(matrix, roles.of) && other.holds(matrix, roles.of)) {
-                if (which == 0) {  // the other one would be overwritten
-                    std::swap(*at, other);
-                } else {
-                    at = &other;
-                }
-            }
+        Condensed *at = &condensed[which], *const other = &condensed[directions - 1 - which];
+        if (!at->are_of(matrix, roles.of) && other->are_of(matrix, roles.of)) {
+            if (which == 0) std::swap(*at, *other);  // the other one would be overwritten
+            if (which == 1) at = other;
         }
         return at->condense(matrix, roles.of) ? at : nullptr;
     }
 
     SlipMatrix<directions, Scalar> matrix;
-    std::array<Condensed, directions> condensed;
-    std::array<Base, directions> base;
-    std::array<Sliding<Scalar>, directions == 2 ? 2 : 0> sliding;
-
-private:
-    static auto make_sliding(Eigen::Index n) {
-        if constexpr (directions == 1) {
-            return std::array<Sliding<Scalar>, 0>{};
-        } else {
-            return make<Sliding<Scalar>>(n);
-        }
-    }
-    template <class Part, class Argument>
-    static std::array<Part, directions> make(const Argument& argument) {
-        if constexpr (directions == 1) {
-            return {Part(argument)};
-        } else {
-            return {Part(argument), Part(argument)};
-        }
-    }
-};
-
-/// Tractions p within the bounds b that oppose the slip R (M p + c): |p_i| <= b_i, s_i = 0 where |p_i| < b_i, and
-/// R_i s_i = -v_i p_i, v_i >= 0, where |p_i| = b_i.
-template <int directions, class Scalar>
-struct SlipProblem {
-    SlipEquations<directions, Scalar>& equations;
-    std::size_t which;                                       ///< of the two solutions
-    typename SlipEquations<directions, Scalar>::Base& base;  ///< of c
-    const ElementVectors<Scalar, directions>& constant;      ///< c
-    const VectorX<Scalar>& bound;
-    const SlipTurn<directions, Scalar>& turn;  ///< R
-    const VectorX<Scalar>& reach;              ///< rho
-    Scalar imposed;                            ///< max |c|
+    std::vector<Condensed> condensed;
+    std::vector<Base> base;
+    std::vector<Sliding<Scalar>> sliding;  // with two directions
 };
 
 /// A solution, or a point on the way to one.
@@ -90,6 +130,29 @@ struct SlipPoint {
 
     Roles<directions, Scalar> roles;
     ElementVectors<Scalar, directions> traction, slip;
+};
+
+/// Tractions p within the bounds b that oppose the slip R (M p + c): |p_i| <= b_i, s_i = 0 where |p_i| < b_i, and
+/// R_i s_i = -v_i p_i, v_i >= 0, where |p_i| = b_i.
+template <int directions, class Scalar>
+struct SlipProblem {
+    using Turn = SlipTurn<directions, Scalar>;
+
+    SlipEquations<directions, Scalar>& equations;
+    std::size_t which;                                       ///< of the solutions
+    typename SlipEquations<directions, Scalar>::Base& base;  ///< of c
+    const ElementVectors<Scalar, directions>& constant;      ///< c
+    const VectorX<Scalar>& bound;
+    const Turn& turn;              ///< R
+    const VectorX<Scalar>& reach;  ///< rho
+    Scalar imposed;                ///< max |c|
+    Turn* next = nullptr;          ///< of another problem, with the angles of the solution of this one
+    bool has_next = false;         ///< that is solved even if nothing turns
+
+    /// Whether there is another problem after this one. A point near a solution is enough to find its angles.
+    bool leads_on(const SlipPoint<directions, Scalar>& point) const {
+        return next != nullptr && (next->find(point.slip, point.roles) || has_next);
+    }
 };
 
 }  // namespace rollbem::detail

@@ -35,11 +35,6 @@ public:
     using Problem = SlipProblem<directions, Scalar>;
     using Point = SlipPoint<directions, Scalar>;
 
-    struct Tally {
-        int steps = 0;        ///< of Newton's method
-        int path_points = 0;  ///< of SlipPath
-    };
-
     explicit SlipSearch(Index n)
         : trial_(Vectors::Zero(n, directions)),
           trial_slip_(trial_),
@@ -47,46 +42,25 @@ public:
           slip_change_(trial_),
           best_(trial_),
           refined_(trial_),
-          right_(n),
           path_(n) {}
 
-    /// From the roles of `point` and the directions of its tractions. A point near a solution is enough if
-    /// `is_enough(point)`. False if there is no success.
-    template <class Enough>
-    bool find(const Problem& problem, const Enough& is_enough, Point& point, Tally& tally) {
+    /// From the roles of `point` and the directions of its tractions. A point near a solution is enough if the problem
+    /// leads on. False if there is no success.
+    bool find(const Problem& problem, Point& point) {
         least_ = (std::numeric_limits<Scalar>::max)();
-        if (settle(problem, is_enough, {longest, true, true}, point, tally)) return true;
-        slide_fully(problem, point);
-        if (settle(problem, is_enough, {longest, true, false}, point, tally)) return true;
-        for (int number = 0; number < most_paths; ++number) {
-            if (follow_path(problem, is_enough, number, point, tally)) return true;
+        const bool found = look(problem, point);
+        if (!found) return_to_best(problem, point);
+        for (Index i = 0; i < point.roles.size(); ++i) {
+            if (directions == 2 && point.roles[i] == Role::slides) point.roles.follow(i, point.traction.row(i));
         }
-        return_to_best(problem, point);
-        return false;
+        return found;
     }
+
+    /// Newton steps, and points of SlipPath, since they were set to 0.
+    int steps = 0, path_points = 0;
 
     /// That of M p + c - s in the last point found; estimated with two directions.
     Scalar error() const { return error_; }
-
-    /// The roles for a point by the natural map; an element without traction yet slips from `share` of its bound on.
-    static void place(const Problem& problem, Scalar share, Point& point) {
-        const Scalar factor = share * (1 + 4 * rounding(point.roles.size()));
-        for (Index i = 0; i < point.roles.size(); ++i) {
-            const Scalar bound = problem.bound[i];
-            if (bound == 0) {
-                point.roles.release(i);
-                continue;
-            }
-            const Row slip = point.slip.row(i);
-            const Row x = point.traction.row(i) - problem.reach[i] * problem.turn.turned(i, slip);
-            const Scalar size = length(x);
-            if (size > factor * bound) {
-                point.roles.slide(i, x / size);
-            } else {
-                point.roles.stick(i);
-            }
-        }
-    }
 
     static Scalar rounding(Index n) { return static_cast<Scalar>(n + 10) * epsilon; }
 
@@ -101,37 +75,52 @@ private:
     // Residual over the sum of bounds from which on another step would not change the angles of turned slip.
     inline static const Scalar nearly = std::cbrt(epsilon) * std::cbrt(epsilon);
 
-    struct Manner {
-        int most_steps;
-        bool careful;   // steps are halved
-        bool is_eager;  // if all elements stick before the first step
-    };
-
-    template <class Enough>
-    bool settle(const Problem& problem, const Enough& is_enough, const Manner& manner, Point& point, Tally& tally) {
+    bool look(const Problem& problem, Point& point) {
+        if (settle(problem, longest, true, point)) return true;
+        slide_fully(problem, point);
+        if (settle(problem, longest, false, point)) return true;
+        for (int number = 0; number < most_paths; ++number) {
+            if (follow_path(problem, number, point)) return true;
+        }
+        return false;
+    }
+    // `eagerly`: if all elements stick before the first of at most so many steps.
+    bool settle(const Problem& problem, int most_steps, bool eagerly, Point& point) {
         refinements_ = 0;
-        const bool settled = iterate(problem, is_enough, manner, point, tally);
+        const bool settled = iterate(problem, most_steps, eagerly, point);
         if (refinements_ > 0) problem.base.forget();
         return settled;
     }
-    template <class Enough>
-    bool iterate(const Problem& problem, const Enough& is_enough, const Manner& manner, Point& point, Tally& tally);
+    bool iterate(const Problem& problem, int most_steps, bool eagerly, Point& point);
 
-    template <class Enough>
-    bool follow_path(const Problem& problem, const Enough& is_enough, int number, Point& point, Tally& tally) {
+    bool follow_path(const Problem& problem, int number, Point& point) {
         path_.begin(problem, number);
         int before = 0;
         while (path_.advance(problem)) {
-            tally.path_points += path_.points() - before;
+            path_points += path_.points() - before;
             before = path_.points();
-            for (const bool careful : {true, false}) {
-                point.traction = path_.traction();
-                find_slip(problem, point);
-                place(problem, 1, point);
-                if (settle(problem, is_enough, {from_path, careful, false}, point, tally)) return true;
-            }
+            point.traction = path_.traction();
+            find_slip(problem, point);
+            place(problem, 1, point);
+            if (settle(problem, from_path, false, point)) return true;
         }
         return false;
+    }
+
+    // The roles for a point by the natural map; an element without traction yet slips from `share` of its bound on.
+    static void place(const Problem& problem, Scalar share, Point& point) {
+        const Scalar factor = share * (1 + 4 * rounding(point.roles.size()));
+        for (Index i = 0; i < point.roles.size(); ++i) {
+            const Scalar bound = problem.bound[i];
+            if (bound == 0) {
+                point.roles.release(i);
+                continue;
+            }
+            const Row slip = point.slip.row(i);
+            const Row x = point.traction.row(i) - problem.reach[i] * problem.turn.turned(i, slip);
+            const Scalar size = length(x);
+            size > factor* bound ? point.roles.slide(i, x, size) : point.roles.stick(i);
+        }
     }
 
     // M p + c
@@ -140,17 +129,10 @@ private:
         point.slip += problem.constant;
     }
 
-    void slide_fully(const Problem& problem, Point& point) const {
+    static void slide_fully(const Problem& problem, Point& point) {
         for (Index i = 0; i < point.roles.size(); ++i) {
             const Row against = -problem.turn.turned(i, Row(problem.constant.row(i)));
-            const Scalar size = length(against);
-            if (problem.bound[i] == 0) {
-                point.roles.release(i);
-            } else if (size > 0) {
-                point.roles.slide(i, against / size);
-            } else {
-                point.roles.stick(i);
-            }
+            problem.bound[i] == 0 ? point.roles.release(i) : point.roles.slide(i, against);
         }
     }
 
@@ -170,35 +152,28 @@ private:
     // The full step, into trial_: tractions that slide return to their bounds. False if there is none.
     template <class Condensed>
     bool take_step(const Problem& problem, Condensed& at, const Point& point) {
-        auto& equations = problem.equations;
-        const RoleLists& lists = at.lists();
-        for (Index k = 0; k < lists.others(); ++k) {
-            const Index i = lists.other(k);
+        for (Index k = 0; k < at.others(); ++k) {
+            const Index i = at.other(k);
             trial_.row(i) = problem.bound[i] * point.roles.direction.row(i);
         }
         if constexpr (directions == 2) {
-            if (lists.sliding() > 0 && !turn(problem, at, point)) return false;
+            if (at.sliding() > 0 && !turn(problem, at, point)) return false;
         }
-        at.complete(equations.matrix, problem.base, trial_, trial_slip_);
+        at.complete(problem.equations.matrix, problem.base, trial_, trial_slip_);
         return true;
     }
     // The tractions that slide.
     template <class Condensed>
     bool turn(const Problem& problem, Condensed& at, const Point& point) {
-        auto& equations = problem.equations;
-        const RoleLists& lists = at.lists();
-        Sliding<Scalar>& sliding = equations.sliding[problem.which];
-        at.find_slip(equations.matrix, problem.base, trial_, trial_slip_);
-        sliding.aim(lists, point.roles.direction, trial_slip_, problem.bound, problem.turn);
-        if (!sliding.factorise(equations.matrix, at)) return false;
-        for (Index l = 0; l < sliding.count(); ++l) {
-            right_[l] = -sliding.aside(l).dot(trial_slip_.row(lists.other(l)));
-        }
-        sliding.solve(right_);
-        for (Index l = 0; l < sliding.count(); ++l) {
-            const Index i = lists.other(l);
-            const Row turned = trial_.row(i) + right_[l] * sliding.across(l);
-            trial_.row(i) = problem.bound[i] / length(turned) * turned;
+        auto& matrix = problem.equations.matrix;
+        Sliding<Scalar>& sliding = problem.equations.sliding[problem.which];
+        at.find_slip(matrix, problem.base, trial_, trial_slip_);
+        sliding.aim(at, point.roles.direction, trial_slip_, problem.bound, problem.turn);
+        if (!sliding.factorise(matrix, at)) return false;
+        sliding.turn(at, trial_slip_, trial_);
+        for (Index l = 0; l < at.sliding(); ++l) {
+            const Index i = at.other(l);
+            trial_.row(i) *= problem.bound[i] / length(Row(trial_.row(i)));
         }
         return true;
     }
@@ -209,35 +184,31 @@ private:
         Scalar excess = 0;    // of sticking tractions, relative to their bounds
         Scalar creep = 0;     // slip across tractions, and along them
     };
+    // Clears the slip of sticking elements, which with one direction is the error.
     Fit measure(const Problem& problem, const Point& point) {
         Fit fit;
         Scalar largest = 0;  // of M p
         error_ = 0;
         for (Index i = 0; i < point.roles.size(); ++i) {
-            const Role role = point.roles[i];
+            const Row p = trial_.row(i), slip = trial_slip_.row(i);
             const Scalar bound = problem.bound[i];
+            const Role role = point.roles[i];
             if (role == Role::sticks) {
-                const Scalar size = length(Row(trial_.row(i)));
-                if (size > bound) {
+                const Scalar size = length(p);
+                if (!(size <= bound)) {  // also NaN
                     fit.residual += size - bound;
                     fit.excess = (std::max)(fit.excess, size / bound - 1);
-                } else if (!(size <= bound)) {
-                    fit.residual = size;  // NaN
                 }
-                if constexpr (directions == 1) {
-                    error_ = (std::max)(error_, std::abs(trial_slip_[i] - shift(problem, i)));
-                }
+                error_ = (std::max)(error_, length(slip));
+                trial_slip_.row(i).setZero();
                 continue;
             }
-            const Row slip = trial_slip_.row(i);
             largest = (std::max)(largest, (slip - problem.constant.row(i)).cwiseAbs().maxCoeff());
             if (role == Role::is_free) continue;
             // the product of tiny tractions and slips would vanish
-            const Row turned = problem.turn.turned(i, slip), p = trial_.row(i), along = p / bound;
-            fit.creep = (std::max)(fit.creep, along.dot(turned));
-            if constexpr (directions == 2) {
-                fit.creep = (std::max)(fit.creep, std::abs(along[0] * turned[1] - along[1] * turned[0]));
-            }
+            const Row turned = problem.turn.turned(i, slip), along = p / bound;
+            const Scalar across = std::abs(cross<directions, Scalar>(along, turned));
+            fit.creep = (std::max)({fit.creep, along.dot(turned), across});
             fit.residual += rest(p, turned, problem.reach[i], bound);
         }
         slip_scale_ = rounding(point.roles.size()) * ((std::max)(largest, problem.imposed) + problem.imposed);
@@ -248,10 +219,6 @@ private:
         const Row x = p - reach * turned_slip;
         const Scalar size = length(x);
         return length(Row(p - (size > bound ? bound / size : Scalar(1)) * x));
-    }
-    // c' - c, whose slip is the error that is repaired.
-    Scalar shift(const Problem& problem, Index i) const {
-        return refinements_ > 0 ? refined_(i, 0) - problem.constant(i, 0) : Scalar(0);
     }
     // Whether the trial is a solution for the assumed roles, to `factor` times round-off.
     bool holds(const Fit& fit, Scalar factor) const {
@@ -280,14 +247,12 @@ private:
 
     // Whether s = M p + c, to round-off or, at last, to some more.
     bool verify(const Problem& problem, const Point& point) {
-        if constexpr (directions == 2) {
-            auto& matrix = problem.equations.matrix;
-            if (matrix.serves_once()) {
-                find_error(problem, point);
-                error_ = change_.cwiseAbs().maxCoeff();
-            } else {
-                error_ = matrix.error(point.traction, problem.constant, point.slip);
-            }
+        auto& matrix = problem.equations.matrix;
+        if (directions == 1 ? refinements_ > 0 : matrix.serves_once()) {
+            find_error(problem, point);
+            error_ = change_.cwiseAbs().maxCoeff();
+        } else if (directions == 2) {
+            error_ = matrix.error(point.traction, problem.constant, point.slip);
         }
         return error_ <= (refinements_ < most_refinements ? 4 : 1000) * slip_scale_;
     }
@@ -295,24 +260,12 @@ private:
         problem.equations.matrix.multiply(point.traction, change_);
         change_ += problem.constant - point.slip;
     }
-    // With one direction slip of sticking elements is the error.
-    static void clear(Point& point) {
-        for (Index i = 0; directions == 1 && i < point.roles.size(); ++i) {
-            if (point.roles[i] == Role::sticks) point.slip.row(i).setZero();
-        }
-    }
     // c' with which the error repeats itself, and is thereby repaired. False if there were enough of these.
     bool refine(const Problem& problem, const Point& point) {
         if (refinements_ == most_refinements || !is_finite(error_)) return false;
         if (refinements_++ == 0) refined_ = problem.constant;
-        if constexpr (directions == 2) {
-            find_error(problem, point);
-            refined_ += change_;
-        } else {
-            for (Index i = 0; i < refined_.rows(); ++i) {
-                if (point.roles[i] == Role::sticks) refined_[i] = problem.constant[i] + point.slip[i];
-            }
-        }
+        find_error(problem, point);
+        refined_ += change_;
         problem.base.forget();
         return true;
     }
@@ -325,7 +278,6 @@ private:
 
     Vectors trial_, trial_slip_, change_, slip_change_, best_;
     Vectors refined_;  // c'
-    Vector right_;
     SlipPath<directions, Scalar> path_;
     Scalar slip_scale_ = 0;  // rounding of the slip
     Scalar error_ = 0;
@@ -334,36 +286,31 @@ private:
 };
 
 template <int directions, class Scalar>
-template <class Enough>
-bool SlipSearch<directions, Scalar>::iterate(const Problem& problem, const Enough& is_enough, const Manner& manner,
-                                             Point& point, Tally& tally) {
+bool SlipSearch<directions, Scalar>::iterate(const Problem& problem, int most_steps, bool eagerly, Point& point) {
     auto& equations = problem.equations;
     Scalar before = (std::numeric_limits<Scalar>::max)();
-    for (int step = 0; step < manner.most_steps; ++step) {
+    for (int step = 0; step < most_steps; ++step) {
         auto* at = equations.condense(problem.which, point.roles);
         if (at == nullptr) return false;
         at->find_base(equations.matrix, refinements_ > 0 ? &refined_ : &problem.constant, problem.base);
-        ++tally.steps;
+        ++steps;
         if (!take_step(problem, *at, point)) return false;
         const Fit fit = measure(problem, point);
         Scalar residual = fit.residual;
-        const bool done = holds(fit, 1), stalls = !(residual < before), nearly_done = stalls && holds(fit, 1000);
-        if (!done && !nearly_done && stalls && manner.careful) residual = shorten(problem, point, before);
+        const bool stalls = !(residual < before), done = holds(fit, stalls ? 1000 : 1);
+        if (!done && stalls) residual = shorten(problem, point, before);
         if (!is_finite(residual)) return false;
         point.traction = trial_;
         point.slip = trial_slip_;
         note(point.traction, residual);
-        if (done || nearly_done) {
-            if (verify(problem, point)) {
-                clear(point);
-                return true;
-            }
+        if (done) {
+            if (verify(problem, point)) return true;
             if (!refine(problem, point)) return false;
             before = (std::numeric_limits<Scalar>::max)();
             continue;
         }
-        if (residual < nearly * problem.bound.sum() && is_enough(point)) return true;
-        place(problem, step == 0 && manner.is_eager && !point.roles.any_slides() ? eager : Scalar(1), point);
+        if (residual < nearly * problem.bound.sum() && problem.leads_on(point)) return true;
+        place(problem, eagerly && step == 0 && !point.roles.any_slides() ? eager : Scalar(1), point);
         before = residual;
     }
     return false;

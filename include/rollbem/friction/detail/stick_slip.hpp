@@ -27,9 +27,9 @@ namespace rollbem::detail {
 /// |p_i| = b_i; p_i and s_i are numbers or plane vectors. Because the bounds b are finite, a solution exists for every
 /// M (a continuous variational inequality on a compact set: Hartman and Stampacchia 1966); SlipSearch looks for it.
 ///
-/// If the rows behind are known (turn_slip), slip is then turned once as TurnedSlip says, and s_i replaced by R_i s_i
-/// in the conditions of a second solution, which begins at the first. Sticking still means s_i = 0. Where that is not
-/// found, all angles are halved.
+/// If the slip at the centres is known (turn_slip), slip is then turned once as SlipTurn says, and s_i replaced by R_i
+/// s_i in the conditions of a second solution, which begins at the first. Sticking still means s_i = 0. Where that is
+/// not found, all angles are halved.
 ///
 /// The result depends on M, c, the bounds and the starting point alone, to the last bit, and not on earlier solutions.
 /// All memory is allocated by the constructor.
@@ -55,50 +55,53 @@ public:
         Status status = Status::not_finite;
     };
 
+    /// A change of the problem: dc of each solution (the second unless it has the constants of the first) and that of
+    /// the bounds; null: none.
+    struct Change {
+        std::array<const Vectors*, directions> constant{};
+        const Vector* bound = nullptr;
+    };
+
     /// `coupled`: traction in one direction causes slip in the other, too.
     explicit StickSlip(Index n, bool coupled = false)
         : equations_(n, coupled),
           search_(n),
-          points_(make_points(n)),
+          points_(directions, Point(n)),
           turn_(n),
           zones_(static_cast<std::size_t>(n), Zone::stick),
           slides_(Vector::Zero(n)),
-          constant_(Vectors::Zero(n, directions)),
-          plain_constant_(constant_),
-          difference_(constant_),
-          plain_change_(constant_),
-          plain_response_(constant_),
-          slip_response_(constant_),
-          kept_response_(constant_),
-          kept_plain_response_(constant_),
-          against_slip_(constant_),
-          angle_change_(Vector::Zero(n)),
-          right_(n),
-          unit_(Vector::Zero(n)),
+          constant_(directions, Vectors::Zero(n, directions)),
+          response_(constant_),
+          difference_(constant_[0]),
+          slip_response_(difference_),
+          against_slip_(difference_),
+          angle_change_(slides_),
+          right_(slides_),
+          unit_(slides_),
           response_base_(n) {}
 
-    Index size() const { return constant_.rows(); }
+    Index size() const { return slides_.size(); }
     bool coupled() const { return equations_.matrix.coupled(); }
-    /// Turns slip from now on; the row behind each in its strip, -1 for a trailing element. With an empty list slip is
-    /// not turned, as after construction.
-    void turn_slip(const std::vector<Index>& behind) {
-        if constexpr (directions == 2) turn_.set_behind(behind);
-    }
+    /// The slip at the centres, to which slip is turned from now on; null, as after construction: it is not turned.
+    void turn_slip(const CentreValues<Scalar>* centres) { turn_.turn_to(centres); }
     /// Whether respond() will be called; otherwise no tangent exists.
     void want_tangents(bool wanted) { wants_tangents_ = wanted; }
 
     /// The blocks of M, to be filled before the first solve and whenever they change: slip in direction `slip`
     /// (0 longitudinal, 1 lateral) by tractions in direction `by`.
-    Matrix& new_matrix(std::size_t slip = 0, std::size_t by = 0) { return equations_.matrix.renew(slip, by); }
-    const Matrix& matrix(std::size_t slip = 0, std::size_t by = 0) const { return equations_.matrix.block(slip, by); }
+    auto new_matrix(std::size_t slip = 0, std::size_t by = 0) { return equations_.matrix.renew(slip, by); }
     /// Whether M is for one solution only, not for many with other c.
     void use_once(bool once) { equations_.matrix.serve_once(once); }
-    /// c, to be filled before begin().
-    Vectors& constant() { return constant_; }
-    /// c of the solution whose slip is not turned, to be filled if that starts from tractions of its own.
-    Vectors& plain_constant() { return plain_constant_; }
+    /// c, to be filled before begin(); of the second solution only if that has a start of its own.
+    Vectors& constant(std::size_t which = 0) { return constant_[which]; }
+    /// How many of the solutions have constants of their own.
+    std::size_t constant_count() const { return has_two_ ? 2 : 1; }
 
     const Vectors& traction() const { return points_[last()].traction; }
+    /// Of the solution whose slip is not turned, of which the angles of turned slip are those.
+    const Vectors& plain_traction() const { return points_[0].traction; }
+    /// Of each solution that has constants of its own.
+    const Vectors& traction(std::size_t which) const { return has_two_ && which == 0 ? plain_traction() : traction(); }
     /// s, exactly zero where elements stick. Where they slip it is against the traction, or, if slip is turned, R s is;
     /// then s_i stays the slip at the point of row i.
     const Vectors& slip() const { return points_[last()].slip; }
@@ -112,42 +115,67 @@ public:
     Scalar slip_size(Index i) const { return length(Row(slip().row(i))); }
 
     /// Takes c, and tractions and zones that hold for other c and bounds.
-    void begin(const Start& start) noexcept;
+    void begin(const Start& start) noexcept {
+        has_two_ = directions == 2 && start.turned_traction != nullptr;
+        has_turned_ = false;
+        for (std::size_t k = 0; k < directions; ++k) {
+            equations_.base[k].forget();
+            imposed_[k] = largest(constant_[own(k)]);
+        }
+        if (has_two_) difference_ = *start.turned_traction - start.traction;
+        Point& point = points_[0];
+        for (Index i = 0; i < size(); ++i) {
+            const int zone = static_cast<signed char>(start.zones[static_cast<std::size_t>(i)]);
+            Row along = directions == 1 ? Row(Row::Constant(static_cast<Scalar>(-zone))) : Row(start.traction.row(i));
+            if (!(length(along) > 0)) along = -constant_[0].row(i);
+            zone == 0 ? point.roles.stick(i) : point.roles.slide(i, along);
+        }
+    }
     /// Solves for bounds >= 0, all finite, from the start or the last solution for other bounds since begin().
-    Outcome solve(const Vector& bound) noexcept;
+    Outcome solve(const Vector& bound) noexcept {
+        search_.steps = search_.path_points = 0;
+        is_apart_ = false;
+        turn_.stop();
+        adapt(bound, points_[0]);
+        const Problem first = problem(0, bound);
+        bool settled = search_.find(first, points_[0]);
+        if (settled && first.leads_on(points_[0])) settled = solve_turned(bound);
+        Outcome outcome{search_.steps, search_.path_points};
+        outcome.residual = publish(bound);
+        outcome.tangent_exists = settled && wants_tangents_ && factorise(bound);
+        const bool solved = is_finite(outcome.residual) && outcome.residual <= 10000 * Search::rounding(size());
+        outcome.status = solved ? Status::ok : Status::no_solution;
+        return outcome;
+    }
     Outcome solve(const Vector& bound, const Start& start) noexcept {
         begin(start);
         return solve(bound);
     }
 
-    /// dp due to a change dc, and to `share` times that of the bounds unless null, while no element changes between
-    /// stick and slip; and the change of |s| unless null. Slipping elements follow their bounds along their traction.
-    /// If angles follow, those of turned slip change with the solution that they belong to, due to plain_change() and
-    /// the same change of the bounds. Only if a tangent exists according to the last outcome.
-    void respond(const Vectors& change, Vectors& traction_change, const Vector* bound_change = nullptr,
-                 Scalar share = 1, Vector* size_change = nullptr) {
-        respond(Change{&change, bound_change, share}, traction_change, size_change);
+    /// Finds dp due to a change while no element changes between stick and slip, and the change of |s| unless null.
+    /// Slipping elements follow their bounds along their traction. If angles follow, those of turned slip change with
+    /// the solution that they belong to. Only if a tangent exists according to the last outcome.
+    void respond(const Change& change, Vector* size_change = nullptr) {
+        const Vectors *plain = change.constant[0], *turned = change.constant[own(directions - 1)];
+        response_base_.forget();
+        if (keeps_plain()) {
+            answer(0, {plain, change.bound}, response_[0]);
+            turn_.follow(slip_response_, angle_change_);
+            if (plain != turned && (plain == nullptr || turned == nullptr || !same_bits(*plain, *turned))) {
+                response_base_.forget();
+            }
+        }
+        answer(last(), {turned, change.bound, turn_.follows() ? &angle_change_ : nullptr}, response_.back());
+        if (size_change != nullptr) *size_change = -slip_response_.cwiseProduct(against_slip_).rowwise().sum();
     }
-    /// Adds to the last response, with dp in `traction_change`, what a change of the bounds causes by itself.
-    void add_response(const Vector& bound_change, Vectors& traction_change) {
-        kept_response_ = traction_change;
-        kept_plain_response_ = plain_response_;
-        respond(Change{nullptr, &bound_change, 1}, traction_change, nullptr);
-        traction_change += kept_response_;
-        if (keeps_plain()) plain_response_ += kept_plain_response_;
-    }
+    /// dp of the last solution; of each that has constants of its own.
+    const Vectors& response() const { return response_.back(); }
+    const Vectors& response(std::size_t which) const { return has_two_ ? response_[which] : response(); }
     bool angles_follow() const { return turn_.follows(); }
-    bool keeps_plain() const { return is_apart_ || turn_.follows(); }
-    /// The tractions for slip that is not turned, of which the angles of turned slip are those.
-    const Vectors& plain_traction() const { return points_[0].traction; }
-    /// Their change in the last response, if keeps_plain().
-    const Vectors& plain_response() const { return plain_response_; }
-    /// dc of the equations for slip that is not turned, to be filled before respond().
-    Vectors& plain_change() { return plain_change_; }
 
     /// The elements that slide, in ascending order.
-    Index slipping_count() const { return lists().sliding(); }
-    Index slipping(Index k) const { return lists().other(k); }
+    Index slipping_count() const { return equations_.condensed[at_].sliding(); }
+    Index slipping(Index k) const { return equations_.condensed[at_].other(k); }
     /// Derivatives of slip by bounds: entry (k, l) becomes the slip of the k-th sliding element, against its present
     /// slip, due to a unit increase of the bound of the l-th. `exact`: angles of turned slip follow. Uses both scratch
     /// matrices, of n x n.
@@ -167,36 +195,23 @@ private:
 
     static constexpr int most_halvings = 3;
 
-    /// null: zero
-    struct Change {
-        const Vectors* constant;
-        const Vector* bound;
-        Scalar share;
-        const Vector* angle = nullptr;
-        bool of_slip_alone = false;  // not of the tractions that stick
-    };
-
-    static std::array<Point, directions> make_points(Index n) {
-        if constexpr (directions == 1) {
-            return {Point(n)};
-        } else {
-            return {Point(n), Point(n)};
-        }
-    }
     std::size_t last() const { return is_apart_ ? 1 : 0; }
-    const RoleLists& lists() const { return equations_.condensed[at_].lists(); }
+    bool keeps_plain() const { return is_apart_ || turn_.follows(); }
+    // Of the first solution if the constants are those of all.
+    std::size_t own(std::size_t which) const { return has_two_ ? which : 0; }
     const SlipTurn<directions, Scalar>& turn_of(std::size_t which) const { return which == 0 ? unturned_ : turn_; }
 
     Problem problem(std::size_t which, const Vector& bound) {
-        const bool own = which == 0 && has_own_plain_;
         return {equations_,
                 which,
-                equations_.base[has_own_plain_ ? which : 0],
-                own ? plain_constant_ : constant_,
+                equations_.base[own(which)],
+                constant_[own(which)],
                 bound,
-                which == 0 ? unturned_ : turn_,
+                turn_of(which),
                 equations_.matrix.reach(),
-                imposed_[own ? 0 : directions - 1]};
+                imposed_[own(which)],
+                which == 0 ? &turn_ : nullptr,
+                has_two_};
     }
     static Scalar largest(const Vectors& vectors) {
         if constexpr (directions == 1) return vectors.cwiseAbs().maxCoeff();
@@ -211,158 +226,103 @@ private:
             if (bound[i] == 0) {
                 point.roles.release(i);
             } else if (point.roles[i] == Role::is_free) {
-                const Row slip = point.slip.row(i);
-                const Scalar size = length(slip);
-                size > 0 ? point.roles.slide(i, -slip / size) : point.roles.stick(i);
+                point.roles.slide(i, -point.slip.row(i));
             }
         }
     }
 
     // The second solution starts from the first, shifted by the difference of their starts.
     void start_turned(const Vector& bound) {
-        if constexpr (directions == 2) {
-            Point& point = points_[1];
-            point.roles = points_[0].roles;
-            point.slip = points_[0].slip;
-            if (!has_own_plain_) return;
-            for (Index i = 0; i < size(); ++i) {
-                if (point.roles[i] != Role::slides) continue;
-                const Row p = bound[i] * point.roles.direction.row(i) + difference_.row(i);
-                const Scalar norm = length(p);
-                if (norm > 0) point.roles.slide(i, p / norm);
-            }
+        Point& point = points_.back();
+        point.roles = points_[0].roles;
+        point.slip = points_[0].slip;
+        for (Index i = 0; has_two_ && i < size(); ++i) {
+            if (point.roles[i] != Role::slides) continue;
+            point.roles.follow(i, bound[i] * point.roles.direction.row(i) + difference_.row(i));
         }
     }
-    bool solve_turned(const Vector& bound, typename Search::Tally& tally) {
-        if constexpr (directions == 2) {
-            const auto never = [](const Point&) { return false; };
-            if (has_turned_) {
-                adapt(bound, points_[1]);
-            } else {
-                start_turned(bound);
-            }
-            has_turned_ = true;
-            is_apart_ = true;
-            bool settled = search_.find(problem(1, bound), never, points_[1], tally);
-            for (int k = 0; k < most_halvings && !settled && turn_.turns(); ++k) {
-                turn_.halve();
-                start_turned(bound);
-                settled = search_.find(problem(1, bound), never, points_[1], tally);
-            }
-            return settled;
+    bool solve_turned(const Vector& bound) {
+        if (has_turned_) {
+            adapt(bound, points_.back());
         } else {
-            return true;
+            start_turned(bound);
         }
+        has_turned_ = is_apart_ = true;
+        bool settled = search_.find(problem(1, bound), points_.back());
+        for (int k = 0; k < most_halvings && !settled && turn_.turns(); ++k) {
+            turn_.halve();
+            start_turned(bound);
+            settled = search_.find(problem(1, bound), points_.back());
+        }
+        return settled;
     }
 
-    // Directions along the tractions that were found.
-    static void follow_tractions(const Vector& bound, Point& point) {
-        for (Index i = 0; i < bound.size(); ++i) {
-            if (point.roles[i] != Role::slides) continue;
-            const Row p = point.traction.row(i);
-            const Scalar norm = length(p);
-            if (norm > 0) point.roles.slide(i, p / norm);
-        }
-    }
     Scalar publish(const Vector& bound);
     // What tangents need of each solution. False if it is singular to working precision.
-    bool factorise(const Vector& bound);
-    bool find_turn(const Point& point) {
-        if constexpr (directions == 1) {
-            return false;
-        } else {
-            return turn_.find(point.slip, point.roles) || has_own_plain_;
+    bool factorise(const Vector& bound) {
+        bool is_regular = true;
+        for (std::size_t which = keeps_plain() ? 0 : last(); which <= last(); ++which) {
+            const Point& point = points_[which];
+            Condensed* at = equations_.condense(which, point.roles);
+            if (at == nullptr || !at->is_regular()) return false;
+            at_ = static_cast<std::size_t>(at - equations_.condensed.data());
+            if constexpr (directions == 2) {
+                Sliding<Scalar>& sliding = equations_.sliding[which];
+                sliding.aim(*at, point.roles.direction, point.slip, bound, turn_of(which));
+                is_regular = is_regular && sliding.factorise(equations_.matrix, *at);
+            }
         }
+        if (roles_revision_ != roles_revision()) ++revision_;
+        roles_revision_ = roles_revision();
+        return is_regular;
     }
 
-    void respond(Change change, Vectors& traction_change, Vector* size_change);
-    void answer(std::size_t which, const Change& change, Vectors& dp, Vectors& ds);
+    // Of one solution; dc and `angle` may be null. `of_slip_alone`: not of the tractions that stick.
+    struct Cause {
+        const Vectors* constant;
+        const Vector* bound;
+        const Vector* angle = nullptr;
+        bool of_slip_alone = false;
+    };
+    void answer(std::size_t which, const Cause& cause, Vectors& dp);
     // Adds to the slip across by each bound what turning it by the angles that follow adds.
     void add_angles(Matrix& aside) {
-        if constexpr (directions == 2) {
-            unit_.setZero();
-            slip_response_.setZero();
-            response_base_.forget();
-            for (Index l = 0; l < slipping_count(); ++l) {
-                unit_[slipping(l)] = 1;
-                answer(0, Change{nullptr, &unit_, 1, nullptr, true}, kept_response_, slip_response_);
-                unit_[slipping(l)] = 0;
-                turn_.follow(slip_response_, angle_change_);
-                for (Index k = 0; k < slipping_count(); ++k)
-                    aside(k, l) -= slip_size(slipping(k)) * angle_change_[slipping(k)];
+        unit_.setZero();
+        slip_response_.setZero();
+        response_base_.forget();
+        for (Index l = 0; l < slipping_count(); ++l) {
+            unit_[slipping(l)] = 1;
+            answer(0, {nullptr, &unit_, nullptr, true}, response_[0]);
+            unit_[slipping(l)] = 0;
+            turn_.follow(slip_response_, angle_change_);
+            for (Index k = 0; k < slipping_count(); ++k) {
+                aside(k, l) -= slip_size(slipping(k)) * angle_change_[slipping(k)];
             }
         }
     }
 
     Equations equations_;
     Search search_;
-    std::array<Point, directions> points_;  // with slip as it is; with slip turned
+    std::vector<Point> points_;  // with slip as it is; with slip turned
     SlipTurn<directions, Scalar> turn_, unturned_{0};
     std::vector<Zone> zones_;
     Vector slides_;
-    Vectors constant_, plain_constant_;
+    std::vector<Vectors> constant_, response_;
     Vectors difference_;  // of the tractions that both solutions start from
-    Vectors plain_change_, plain_response_, slip_response_, kept_response_, kept_plain_response_;
-    Vectors against_slip_;
+    Vectors slip_response_, against_slip_;
     Vector angle_change_, right_, unit_;
     typename Condensed::Base response_base_;
     std::size_t at_ = 0;                        // condensed equations of the last solution
-    std::array<Scalar, directions> imposed_{};  // max |c| of both solutions
+    std::array<Scalar, directions> imposed_{};  // max |c| of each
     std::uint64_t revision_ = 0, roles_revision_ = 0;
     Index stick_count_ = 0;
-    bool has_own_plain_ = false;  // the first solution has another c
-    bool is_apart_ = false;       // the last solution is the second one
-    bool has_turned_ = false;     // there has been a second solution since begin()
+    bool has_two_ = false;     // solutions, with constants of their own
+    bool is_apart_ = false;    // the last solution is the second one
+    bool has_turned_ = false;  // there has been a second solution since begin()
     bool wants_tangents_ = true;
 };
 
-template <int directions, class Scalar>
-void StickSlip<directions, Scalar>::begin(const Start& start) noexcept {
-    has_own_plain_ = directions == 2 && start.plain_traction != nullptr;
-    has_turned_ = false;
-    for (auto& base : equations_.base) base.forget();
-    imposed_.back() = largest(constant_);
-    if (has_own_plain_) {
-        imposed_[0] = largest(plain_constant_);
-        difference_ = start.traction - *start.plain_traction;
-    }
-    const Vectors& traction = has_own_plain_ ? *start.plain_traction : start.traction;
-    const Vectors& constant = has_own_plain_ ? plain_constant_ : constant_;
-    Point& point = points_[0];
-    for (Index i = 0; i < size(); ++i) {
-        const int zone = static_cast<signed char>(start.zones[static_cast<std::size_t>(i)]);
-        if constexpr (directions == 1) {
-            zone != 0 ? point.roles.slide(i, Row(zone > 0 ? -1 : 1)) : point.roles.stick(i);
-        } else {
-            Row along = traction.row(i);
-            if (!(length(along) > 0)) along = -constant.row(i);
-            const Scalar norm = length(along);
-            zone != 0 && norm > 0 ? point.roles.slide(i, along / norm) : point.roles.stick(i);
-        }
-    }
-}
-
-template <int directions, class Scalar>
-auto StickSlip<directions, Scalar>::solve(const Vector& bound) noexcept -> Outcome {
-    typename Search::Tally tally;
-    is_apart_ = false;
-    turn_.stop();
-    adapt(bound, points_[0]);
-    const auto is_enough = [&](const Point& point) { return find_turn(point); };
-    bool settled = search_.find(problem(0, bound), is_enough, points_[0], tally);
-    if constexpr (directions == 2) {
-        if (settled) follow_tractions(bound, points_[0]);
-        if (settled && (turn_.turns() || find_turn(points_[0]))) settled = solve_turned(bound, tally);
-    }
-    Outcome outcome{tally.steps, tally.path_points};
-    outcome.residual = publish(bound);
-    outcome.tangent_exists = settled && wants_tangents_ && factorise(bound);
-    const bool solved = is_finite(outcome.residual) && outcome.residual <= 10000 * Search::rounding(size());
-    outcome.status = solved ? Status::ok : Status::no_solution;
-    return outcome;
-}
-
-// Zones, and slip cleared of round-off; returns the largest violation. Directions are those of the solution.
+// Zones, and slip cleared of round-off; returns the largest violation.
 template <int directions, class Scalar>
 auto StickSlip<directions, Scalar>::publish(const Vector& bound) -> Scalar {
     Point& point = points_[last()];
@@ -374,105 +334,58 @@ auto StickSlip<directions, Scalar>::publish(const Vector& bound) -> Scalar {
     for (Index i = 0; i < size(); ++i) {
         const Row p = point.traction.row(i), s = turn.turned(i, Row(point.slip.row(i)));
         const Scalar norm = length(p);
-        Row against = Row::Zero();
-        excess = (std::max)(excess, norm - bound[i]);
         const Role role = point.roles[i];
+        excess = (std::max)(excess, norm - bound[i]);
+        against_slip_.row(i).setZero();
+        slides_[i] = role == Role::slides ? Scalar(1) : Scalar(0);
         Zone zone = role == Role::sticks ? Zone::stick : Zone::slip;
-        if (directions == 1 && zone != Zone::stick && (role == Role::slides ? p[0] > 0 : s[0] < 0)) {
-            zone = Zone::slip_negative;
-        }
         if (role == Role::sticks) {
             ++stick_count_;
             slip = (std::max)(slip, length(s));
             point.slip.row(i).setZero();
         } else if (role == Role::slides) {
-            const Row along = directions == 2 && norm > 0 ? Row(p / norm) : Row(point.roles.direction.row(i));
+            const Row along = point.roles.direction.row(i);
             const Scalar forward = along.dot(s);
             excess = (std::max)(excess, bound[i] - norm);
-            slip = (std::max)({slip, length(Row(s - forward * along)), forward});
-            point.roles.direction.row(i) = along;
-            against = turn.turned_back(i, along);
-            point.slip.row(i) = (std::min)(forward, Scalar(0)) * against;
+            slip = (std::max)({slip, std::abs(cross<directions, Scalar>(along, s)), forward});
+            against_slip_.row(i) = turn.turned_back(i, along);
+            point.slip.row(i) = (std::min)(forward, Scalar(0)) * against_slip_.row(i);
         }
-        against_slip_.row(i) = against;
-        slides_[i] = role == Role::slides ? Scalar(1) : Scalar(0);
+        if (directions == 1 && zone == Zone::slip && (role == Role::slides ? p[0] > 0 : s[0] < 0)) {
+            zone = Zone::slip_negative;
+        }
         Zone& published = zones_[static_cast<std::size_t>(i)];
         is_same = is_same && published == zone;
         published = zone;
     }
     if (!is_same) ++revision_;
     if (!finite) return std::numeric_limits<Scalar>::quiet_NaN();
-    const Scalar most = bound.maxCoeff(), imposed = is_apart_ || !has_own_plain_ ? imposed_.back() : imposed_[0];
+    const Scalar most = bound.maxCoeff(), imposed = imposed_[own(last())];
     return (std::max)(imposed > 0 ? slip / imposed : slip, most > 0 ? excess / most : excess);
 }
 
+// Slip in slip_response_.
 template <int directions, class Scalar>
-bool StickSlip<directions, Scalar>::factorise(const Vector& bound) {
-    bool is_regular = true;
-    for (std::size_t which = keeps_plain() ? 0 : last(); which <= last(); ++which) {
-        const Point& point = points_[which];
-        Condensed* at = equations_.condense(which, point.roles);
-        if (at == nullptr || !at->is_regular()) return false;
-        at_ = static_cast<std::size_t>(at - equations_.condensed.data());
-        if constexpr (directions == 2) {
-            Sliding<Scalar>& sliding = equations_.sliding[which];
-            sliding.aim(at->lists(), point.roles.direction, point.slip, bound, turn_of(which));
-            is_regular = is_regular && sliding.factorise(equations_.matrix, *at);
-        }
-    }
-    if (roles_revision_ != roles_revision()) ++revision_;
-    roles_revision_ = roles_revision();
-    return is_regular;
-}
-
-template <int directions, class Scalar>
-void StickSlip<directions, Scalar>::answer(std::size_t which, const Change& change, Vectors& dp, Vectors& ds) {
+void StickSlip<directions, Scalar>::answer(std::size_t which, const Cause& cause, Vectors& dp) {
     const Point& point = points_[which];
     Condensed& at = *equations_.condense(which, point.roles);
-    const RoleLists& lists = at.lists();
-    at.find_base(equations_.matrix, change.constant, response_base_);
-    for (Index k = 0; k < lists.others(); ++k) {
-        const Index i = lists.other(k);
-        const Scalar growth = change.bound == nullptr ? Scalar(0) : change.share * (*change.bound)[i];
-        dp.row(i) = growth * point.roles.direction.row(i);
+    at.find_base(equations_.matrix, cause.constant, response_base_);
+    for (Index k = 0; k < at.others(); ++k) {
+        const Index i = at.other(k);
+        dp.row(i) = (cause.bound == nullptr ? Scalar(0) : (*cause.bound)[i]) * point.roles.direction.row(i);
     }
     if constexpr (directions == 2) {
-        if (lists.sliding() > 0) {
-            Sliding<Scalar>& sliding = equations_.sliding[which];
-            at.find_slip(equations_.matrix, response_base_, dp, ds);
-            for (Index l = 0; l < sliding.count(); ++l) {
-                const Index i = lists.other(l);
-                Row rest = ds.row(i);
-                if (change.angle != nullptr) rest += (*change.angle)[i] * Row(-point.slip(i, 1), point.slip(i, 0));
-                right_[l] = -sliding.aside(l).dot(rest);
+        if (at.sliding() > 0) {
+            at.find_slip(equations_.matrix, response_base_, dp, slip_response_);
+            for (Index l = 0; cause.angle != nullptr && l < at.sliding(); ++l) {
+                const Index i = at.other(l);
+                slip_response_.row(i) += (*cause.angle)[i] * Row(-point.slip(i, 1), point.slip(i, 0));
             }
-            sliding.solve(right_);
-            for (Index l = 0; l < sliding.count(); ++l) dp.row(lists.other(l)) += right_[l] * sliding.across(l);
+            equations_.sliding[which].turn(at, slip_response_, dp);
         }
+        if (cause.of_slip_alone) return at.find_slip(equations_.matrix, response_base_, dp, slip_response_);
     }
-    if constexpr (directions == 2) {
-        if (change.of_slip_alone) return at.find_slip(equations_.matrix, response_base_, dp, ds);
-    }
-    at.complete(equations_.matrix, response_base_, dp, ds);
-}
-
-template <int directions, class Scalar>
-void StickSlip<directions, Scalar>::respond(Change change, Vectors& traction_change, Vector* size_change) {
-    response_base_.forget();
-    if constexpr (directions == 2) {
-        if (keeps_plain()) {
-            Change plain = change;
-            if (change.constant != nullptr) plain.constant = &plain_change_;
-            answer(0, plain, plain_response_, slip_response_);
-            if (turn_.follows()) {
-                turn_.follow(slip_response_, angle_change_);
-                change.angle = &angle_change_;
-            }
-            if (change.constant != nullptr && !same_bits(*change.constant, plain_change_)) response_base_.forget();
-        }
-    }
-    answer(last(), change, traction_change, slip_response_);
-    if (size_change != nullptr) *size_change = -slip_response_.cwiseProduct(against_slip_).rowwise().sum();
+    at.complete(equations_.matrix, response_base_, dp, slip_response_);
 }
 
 template <int directions, class Scalar>

@@ -1,0 +1,132 @@
+// Friction in two directions to second order: the direction of slip is taken where the traction of the element acts.
+#pragma once
+
+#include <cmath>
+
+#include <Eigen/Core>
+
+#include "../../detail/finite.hpp"
+#include "../../types.hpp"
+#include "../state.hpp"
+#include "centre_values.hpp"
+#include "roles.hpp"
+
+namespace rollbem::detail {
+
+/// The slip s_i of a row that lies half an element ahead of the centre of its element opposes a traction that acts
+/// there. Where the direction of slip varies, that is an error of first order. Slip at the centre points along
+///     m_i = (s_i + s_(i-1))/2,   at a trailing element   m_0 = (3 s_0 - s_1)/2,
+/// with the row behind in the same strip and zero where elements stick (CentreValues). Replacing s_i by m_i in the law
+/// is not well posed; turning s_i by the angle from s_i to m_i of a solution, and solving once more at fixed angles,
+/// is.
+///
+/// Angles are at most 60 degrees, and 0 where an element does not slip, or s_i or m_i vanishes. With one direction
+/// nothing turns. All memory is allocated by the constructor.
+template <int directions, class Scalar>
+class SlipTurn {
+public:
+    using Index = Eigen::Index;
+    using Vectors = ElementVectors<Scalar, directions>;
+    using Row = ElementVector<directions, Scalar>;
+
+    explicit SlipTurn(Index n)
+        : rotation_(Vectors::Zero(n, directions)),
+          along_slip_(rotation_),
+          along_centre_(rotation_),
+          rate_(VectorX<Scalar>::Zero(n)) {}
+
+    /// The slip at the centres, to which slip is turned from now on; null: slip is not turned. Refers to it.
+    void turn_to(const CentreValues<Scalar>* centres) {
+        centres_ = centres;
+        stop();
+    }
+
+    bool turns() const { return turns_; }
+    /// Whether any angle changes with the slip that find() was called with.
+    bool follows() const { return follows_; }
+    void stop() { turns_ = follows_ = false; }
+    /// Finds the angles of a solution whose slip has not been turned. False if there is nothing to turn.
+    bool find(const Vectors& slip, const Roles<directions, Scalar>& roles) {
+        stop();
+        if (centres_ == nullptr) return false;
+        rate_.setZero();
+        for (Index i = 0; i < rate_.size(); ++i) {
+            set(i, 1, 0);
+            if (roles[i] == Role::slides) find_angle(i, slip);
+        }
+        return turns_;
+    }
+
+    /// Halves all angles.
+    void halve() {
+        for (Index i = 0; i < rate_.size(); ++i) {
+            const Scalar cosine = std::sqrt((1 + cosine_of(i)) / 2);  // at least cos 30 degrees
+            set(i, cosine, sine_of(i) / (2 * cosine));
+        }
+        rate_ /= 2;
+    }
+
+    /// The derivatives of the angles by those of the slip that find() was called with.
+    void follow(const Vectors& slip_change, VectorX<Scalar>& angle_change) const {
+        angle_change.setZero();
+        for (Index i = 0; i < rate_.size(); ++i) {
+            if (rate_[i] == 0) continue;
+            const Row centre = at_centre(i, slip_change), own = slip_change.row(i);
+            angle_change[i] = rate_[i] * (cross<directions, Scalar>(along_centre_.row(i), centre) -
+                                          cross<directions, Scalar>(along_slip_.row(i), own));
+        }
+    }
+
+    /// R_i v, and v turned back.
+    Row turned(Index i, const Row& v) const { return turns_ ? rotated(v, cosine_of(i), sine_of(i)) : v; }
+    Row turned_back(Index i, const Row& v) const { return turns_ ? rotated(v, cosine_of(i), -sine_of(i)) : v; }
+
+private:
+    Scalar cosine_of(Index i) const { return rotation_(i, 0); }
+    Scalar sine_of(Index i) const { return rotation_(i, directions - 1); }
+    void set(Index i, Scalar cosine, Scalar sine) {
+        rotation_(i, 0) = cosine;
+        if constexpr (directions == 2) rotation_(i, 1) = sine;
+    }
+    static Row rotated(const Row& v, [[maybe_unused]] Scalar cosine, [[maybe_unused]] Scalar sine) {
+        if constexpr (directions == 1) {
+            return v;
+        } else {
+            return {cosine * v[0] - sine * v[1], sine * v[0] + cosine * v[1]};
+        }
+    }
+
+    // The angle from s_i to m_i.
+    void find_angle(Index i, const Vectors& slip) {
+        const Row own = slip.row(i), centre = at_centre(i, slip);
+        const Scalar size = length(own), centre_size = length(centre);
+        if (!(size > 0) || !(centre_size > 0)) return;
+        // unit vectors, as products of large slips overflow
+        const Row along = own / size, aim = centre / centre_size;
+        const Scalar cosine = along.dot(aim), sine = cross<directions, Scalar>(along, aim);
+        if (!is_finite(cosine)) return;
+        along_slip_.row(i) = along / size;
+        along_centre_.row(i) = aim / centre_size;
+        const bool cut = cosine < Scalar(0.5);
+        rate_[i] = cut ? 0 : 1;
+        follows_ = follows_ || !cut;
+        if (!(sine != 0)) return;
+        set(i, cut ? Scalar(0.5) : cosine, cut ? std::copysign(std::sqrt(Scalar(0.75)), sine) : sine);
+        turns_ = true;
+    }
+
+    // m_i
+    Row at_centre(Index i, const Vectors& slip) const {
+        Row centre;
+        for (Index d = 0; d < directions; ++d) centre[d] = centres_->at(i, slip.col(d));
+        return centre;
+    }
+
+    const CentreValues<Scalar>* centres_ = nullptr;
+    Vectors rotation_;                   // cosine and sine of the angles
+    Vectors along_slip_, along_centre_;  // s_i and m_i of which they are the angles, over the squares of their lengths
+    VectorX<Scalar> rate_;               // 0 for angles that do not follow the slip, half for those that are halved
+    bool turns_ = false, follows_ = false;
+};
+
+}  // namespace rollbem::detail
