@@ -1,6 +1,8 @@
 // Four numbers of single precision as doubles, in packets.
 #pragma once
 
+#include "../../detail/language.hpp"
+
 #include <Eigen/Core>
 
 namespace rollbem::detail {
