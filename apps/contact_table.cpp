@@ -100,6 +100,34 @@ Scene read_scene(const study::Options& options) {
     }
 }
 
+/// Rows must be of the profiles, the track and the material that the options say: heights of the middle and of both ends
+/// of each line are found again.
+void require_same_profiles(const study::Options& options, const Scene& scene, const ContactTable::Grid& grid,
+                           const std::vector<rollbem::ContactSide>& sides) {
+    constexpr double alike = 1e-7;  // [m]
+    const std::size_t shifts = grid.shifts.size(), lines = grid.loads.size() * grid.yaws.size();
+    const auto differs = [&](std::size_t line, std::size_t i) {
+        const rollbem::ContactNode& node = sides.back().nodes[line * shifts + i];
+        if (!node.known) return false;
+        const double load = grid.loads[line / grid.yaws.size()];
+        rollbem::WheelsetOnTrack::Workspace workspace;
+        const auto found = scene.wheelset.solve(
+            {.lateral = grid.shifts[i], .roll = node.roll, .yaw = grid.yaws[line % grid.yaws.size()]}, {load, load},
+            workspace);
+        const double support = found.position.height + ContactTable::support_y * found.position.roll;
+        return !has_numbers(found.status) || std::abs(support - node.support) > alike;
+    };
+    for (std::size_t line = 0; line < lines; ++line) {
+        for (const std::size_t i : {std::size_t(0), shifts / 2, shifts - 1}) {
+            options.require(!differs(line, i), "rows",
+                            "be of the profiles, the track and the material that the other options say: at load " +
+                                study::Cell(grid.loads[line / grid.yaws.size()]).text(6) + ", yaw " +
+                                study::Cell(grid.yaws[line % grid.yaws.size()]).text(4) + ", shift " +
+                                study::Cell(grid.shifts[i]).text(4) + " theirs have another height");
+        }
+    }
+}
+
 /// Heights by the table and by contacts must agree at a few of its nodes.
 void require_same_profiles(const study::Options& options, const Scene& scene, const ContactTable& table) {
     constexpr double alike = 2e-6;  // [m]
@@ -283,7 +311,9 @@ void make(const study::Options& options) {
     const rollbem::MadeContactTable made = refused_as_input([&] {
         if (!reads) return make_contact_table(scene.wheelset, scene.creep, making);
         const rollbem::ContactTableMaker maker(scene.wheelset, scene.creep, making);
-        return maker.table(contact::read_sides(options, making.grid, maker.side_count()));
+        const auto sides = contact::read_sides(options, making.grid, maker.side_count());
+        require_same_profiles(options, scene, making.grid, sides);
+        return maker.table(sides);
     });
     progress.clear();
     std::ostringstream bytes;
@@ -549,7 +579,7 @@ void add_options(study::Options& options) {
     options.refuse("plot", "draw contacts with profile_study");
     options.add_input("rows",
                       "make the table of these rows instead of computing them: the parts of --shard, one after the "
-                      "other; with the same options and version");
+                      "other; with the same options but those of zones, and the same version");
     options.not_with({"shard"}, "rows");
     options.not_with({"shard", "rows"}, "check");
     options.not_with({"rows"}, "scan");

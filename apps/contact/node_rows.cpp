@@ -28,7 +28,7 @@ std::vector<std::string> columns() {
     for (const char* name : {"peak_pressure_over_root", "rail_y", "wheel_y"}) names.emplace_back(name);
     return names;
 }
-constexpr std::size_t first_value = 5;  // after the key: cut, height, roll and status
+constexpr std::size_t key_columns = 5, first_value = 5;  // after the key: cut, height, roll and status
 
 /// Which node and zone a row is.
 struct Place {
@@ -91,7 +91,8 @@ void read_row(const study::JoinedRows& rows, std::size_t row, const std::vector<
     const auto& cuts = side.zones.cuts();
     const auto number = [&](std::size_t k) -> double {
         const auto found = study::number_of(cells[k], ',');
-        rows.require(found && std::isfinite(*found), row, "a number is missing; status = " + cells[4]);
+        rows.require(found && std::isfinite(*found), row,
+                     columns()[key_columns + k] + " = " + cells[k] + " must be a number; status = " + cells[4]);
         return *found;
     };
     const bool same = zone < cuts.size() ? number(0) == cuts[zone].y && number(1) == cuts[zone].half_width
@@ -99,12 +100,25 @@ void read_row(const study::JoinedRows& rows, std::size_t row, const std::vector<
     rows.require(same, row, "cut_y and cut_half_width must be those of the first rows: parts are of one table");
     rows.require(cells[4] == "ok" || cells[4] == "no_contact", row,
                  "status = " + cells[4] + " must be ok or no_contact");
-    node.known = cells[4] == "ok";
-    if (!node.known || zone >= std::size_t(side.zones.count())) return;
+    const bool known = cells[4] == "ok";
+    rows.require(zone == 0 || known == node.known, row, "status = " + cells[4] + " must be that of all rows of a node");
+    node.known = known;
+    if (!known) return;
+    rows.require(zone == 0 || (number(2) == node.support && number(3) == node.roll), row,
+                 "height and roll must be those of all rows of a node");
     node.support = number(2);
     node.roll = number(3);
+    if (zone >= std::size_t(side.zones.count())) return;
     ContactRow::Values& values = node.zones.emplace_back();
     for (Eigen::Index k = 0; k < ContactRow::rows; ++k) values[k] = number(first_value + std::size_t(k));
+    rows.require(values[ContactRow::share] >= 0 && values[ContactRow::share] <= 1 + 1e-9, row,
+                 "share = " + cells[first_value] + " must be 0 to 1");
+    for (const auto which : {ContactRow::radius, ContactRow::length, ContactRow::width, ContactRow::c11,
+                             ContactRow::c22, ContactRow::scale}) {
+        const std::size_t k = first_value + std::size_t(which);
+        rows.require(!(values[ContactRow::share] > 0) || values[which] > 0, row,
+                     columns()[key_columns + k] + " = " + cells[k] + " must be positive where share is");
+    }
 }
 
 }  // namespace

@@ -41,6 +41,7 @@ Scenario read_scenario(const study::Options& options) {
             "one of --creepage-ratio, --step, --ramp, --sine, --history, --force and --shift must be given with "
             "--transient");
     }
+    study::require_no_first_shift(run, imposed, history_columns);
     study::read_load(options, run, imposed);
     Scenario scenario{Line(options), run, std::move(imposed), !options.flag("unchecked")};
     scenario.line.both = scenario.imposed.has("lateral_ratio");
@@ -101,6 +102,13 @@ rollbem::FrictionContact make_contact(const study::Options& options, const Scena
     return line.contact(scene, along, across, means, rollbem::unchecked, scenario.run.integrator, half_length);
 }
 
+/// The smallest half-length [a_0] that a fixed mesh resolves: three elements long in the middle of it.
+double least_half_length(const study::History& imposed, const rollbem::Mesh<double>& mesh) {
+    const Eigen::ArrayXd edges = mesh.edges();
+    const Eigen::Index count = std::min<Eigen::Index>(3, edges.size() - 1), first = (edges.size() - 1 - count) / 2;
+    return largest_half_length(imposed) * (edges[first + count] - edges[first]) / 2 * (1 - 1e-12);
+}
+
 Rolling make_rolling(const study::Options& options, const Scenario& scenario, const study::Scene& scene) {
     Rolling rolling{.contact = make_contact(options, scenario, scene),
                     .run = scenario.run,
@@ -111,6 +119,13 @@ Rolling make_rolling(const study::Options& options, const Scenario& scenario, co
                     .full = mu_N * scene.contact.width(),
                     .checked = scenario.checked};
     if (!scenario.load_varies()) return rolling;
+    if (!scenario.breathes()) {
+        rolling.fits = [&imposed = scenario.imposed,
+                        least = least_half_length(scenario.imposed, *scene.mesh)](double q) {
+            const double ratio = imposed.at("load_ratio", q);
+            return ratio == 0 || std::sqrt(ratio) >= least;
+        };
+    }
     const auto hertz = hertz_load(scenario.imposed, scenario.breathes(), *scene.mesh);
     rolling.load_at = [hertz, &imposed = scenario.imposed](double q) {
         rollbem::NormalLoad<double> normal = hertz.at(mu_N);
@@ -174,7 +189,8 @@ const study::Sheet<TimeRow>& time_sheet() {
               if_valid([](const R& r) { return study::Cell(r.moment.step.path_points); })},
              {"status",
               "unchecked instead of ok with --unchecked; unresolved, with empty results, with fewer than six steps in "
-              "a period of --sine (OMEGA --dq > 1) or of --load-sine (2 pi --dq > LENGTH); why a step failed; "
+              "a period of --sine (OMEGA --dq > 1) or of --load-sine (2 pi --dq > LENGTH), or a contact shorter than "
+              "three elements of a fixed mesh; why a step failed; "
               "after_failure behind it",
               [](const R& r) { return r.moment.status; }},
              {"method, derivative, mesh, n, alpha_L, alpha_T, lambda", "the scheme"},

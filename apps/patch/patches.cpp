@@ -41,7 +41,15 @@ Outline read_outline(const study::Options& options) {
 
 /// Of --scheme, or of --method, --nodes and --strip-grading.
 std::vector<study::NamedScheme> make_schemes(const study::Options& options) {
-    if (options.given("scheme")) return study::named_schemes(options.texts("scheme"), true);
+    if (options.given("scheme")) {
+        std::vector<study::NamedScheme> schemes = study::named_schemes(options.texts("scheme"), true);
+        for (const study::NamedScheme& scheme : schemes) {
+            if (scheme.richardson)
+                throw study::BadInput("--scheme = " + scheme.word() +
+                                      " must be one mesh here: precision_study extrapolates on patches");
+        }
+        return schemes;
+    }
     study::NamedScheme scheme{.method = options.choice("method", {"nodes"}), .mesh_name = "cosine"};
     scheme.nodes = options.choice("nodes", {"centres", "chebyshev"});
     const std::string grading = options.choice("strip-grading", {"cosine", "uniform"});

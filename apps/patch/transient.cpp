@@ -67,6 +67,7 @@ Scene read_scene(const study::Options& options) {
     Scene scene{study::read_history(options, history_columns, {"longitudinal", "lateral", "spin", "force"},
                                     study::between(-1e6, 1e6)),
                 study::RunSettings(options)};
+    study::require_no_first_shift(scene.run, scene.imposed, history_columns);
     study::read_load(options, scene.run, scene.imposed, "a_ratio,b_ratio");
     const study::History& imposed = scene.imposed;
     if (!imposed.has("a_ratio") && !imposed.has("b_ratio")) return scene;

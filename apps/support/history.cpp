@@ -140,6 +140,9 @@ History read_history(const Options& options, const HistoryColumns& columns, cons
     if (history.has("force") && history.has(columns.main())) {
         throw BadInput("a force and a creepage along x must not be given together");
     }
+    if (history.has("force") && history.has(columns.shift[0])) {
+        throw BadInput("a force and a shift along x must not be given together: the shift follows from the force");
+    }
     return history;
 }
 

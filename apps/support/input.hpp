@@ -43,6 +43,7 @@ public:
 
     const std::string& text() const { return text_; }
     bool is_first() const { return read_ == 1; }  ///< the header of a table
+    bool ends_whole() const { return contents_.empty() || contents_.back() == '\n'; }
 
     /// "--name = file: line 3", counted from the top of the file, for messages.
     std::string where() const { return said_ + ": line " + std::to_string(number_); }

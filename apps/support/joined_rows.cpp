@@ -16,6 +16,9 @@ JoinedRows::JoinedRows(const Options& options, const std::vector<std::string>& c
         lines_.push_back(read.text());
         places_.push_back(read.where());
     }
+    if (!read.ends_whole()) {
+        throw BadInput(read.where() + " must end with a line feed: is the last part complete?");
+    }
     if (lines_.size() == count) return;
     throw BadInput(options.said("rows") + ": number of rows = " + std::to_string(lines_.size()) + " must be " +
                    std::to_string(count) + ": all parts of --shard, one after the other");
@@ -30,7 +33,7 @@ std::vector<std::string> JoinedRows::cells(std::size_t row, const Row& expected)
             number ? found && std::abs(*found - *number) <= 1e-9 * std::abs(*number) : cells[k] == expected[k].text();
         require(same, row,
                 columns_[k] + " = " + cells[k] + " must be " + expected[k].text(12) +
-                    ", as the options of the grid want it");
+                    ", as the options of the grid want it: are all parts there, in order and once?");
     }
     cells.erase(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(expected.size()));
     return cells;

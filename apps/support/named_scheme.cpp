@@ -42,22 +42,22 @@ bool read_alphas(const std::string& word, NamedScheme& scheme) {
     return both.size() == 2 && is_between(scheme.alpha_L, -2, 2) && is_between(scheme.alpha_T, -2, 2);
 }
 
-/// What may follow the method and the alphas, in any order.
+/// What may follow the method and the alphas, in any order and each once.
 bool read_parameter(const std::string& word, bool of_patch, NamedScheme& scheme) {
     const bool galerkin = scheme.method == "galerkin";
-    if (of_patch && (word == "cosine-strips" || word == "uniform-strips")) {
+    if (of_patch && scheme.strips.empty() && (word == "cosine-strips" || word == "uniform-strips")) {
         scheme.strips = word.substr(0, word.find('-'));
         return true;
     }
-    if (scheme.method != "nodes" && (word == "fd" || word == "analytic")) {
+    if (scheme.method != "nodes" && scheme.derivative.empty() && (word == "fd" || word == "analytic")) {
         scheme.derivative = word;
         return true;
     }
-    if (scheme.alpha_L && word.rfind("lambda-", 0) == 0) {
+    if (scheme.alpha_L && !scheme.lambda && word.rfind("lambda-", 0) == 0) {
         scheme.lambda = parse_number<double>(word.substr(7));
         return is_between(scheme.lambda, 0, 1);
     }
-    if (!galerkin) return false;
+    if (!galerkin || !scheme.quadrature.empty()) return false;
     scheme.quadrature = word == "exact" ? word : word.substr(1);
     const auto points = parse_number<int>(scheme.quadrature);
     return word == "exact" || (word[0] == 'q' && points && *points >= 1 && *points <= 1000);
@@ -108,17 +108,17 @@ std::optional<NamedScheme> scheme_named(const std::string& word, bool of_patch) 
     if (!contains({"collocation", "galerkin", "knothe-bc", "nodes"}, scheme.method)) return std::nullopt;
     const bool has_alphas = scheme.method == "collocation" || scheme.method == "galerkin";
     if (scheme.method == "nodes") scheme.nodes = nodes_at_chebyshev ? "chebyshev" : "centres";
-    if (scheme.method == "galerkin") scheme.quadrature = "exact";
     if (nodes_at_chebyshev && scheme.mesh_name != "cosine") return std::nullopt;
     if (of_patch && (scheme.method != "nodes" || scheme.mesh_name != "cosine")) return std::nullopt;
     if (has_alphas) {
         if (parts.size() < 3 || !read_alphas(parts[2], scheme)) return std::nullopt;
-        scheme.lambda = 1;
     }
-    if (of_patch) scheme.strips = "cosine";
     for (std::size_t k = has_alphas ? 3 : 2; k < parts.size(); ++k) {
         if (!read_parameter(parts[k], of_patch, scheme)) return std::nullopt;
     }
+    if (scheme.method == "galerkin" && scheme.quadrature.empty()) scheme.quadrature = "exact";
+    if (has_alphas && !scheme.lambda) scheme.lambda = 1;
+    if (of_patch && scheme.strips.empty()) scheme.strips = "cosine";
     if (scheme.derivative.empty()) scheme.derivative = usual_derivative(scheme);
     return scheme;
 }

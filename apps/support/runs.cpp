@@ -97,6 +97,14 @@ RunSettings::RunSettings(const Options& options)
       integrator(read_integrator(options, true)),
       breathing(options.flag("breathing")) {}
 
+void require_no_first_shift(const RunSettings& run, const History& imposed, const HistoryColumns& columns) {
+    for (const std::string& column : columns.shift) {
+        if (run.from_steady && !column.empty() && imposed.at(column, 0, true) != 0)
+            throw BadInput(column + " = " + Cell(imposed.at(column, 0, true)).text(6) +
+                           " at q_over_a = 0 must be 0 with --from steady: a shift before rolling starts from rest");
+    }
+}
+
 namespace {
 
 /// A table of --load, whose first column is that of places.

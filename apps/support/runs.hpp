@@ -70,6 +70,9 @@ struct RunSettings {
 /// there is no load, or jumps.
 void read_load(const Options& options, const RunSettings& run, History& imposed, const std::string& further = "");
 
+/// Refuses a shift before rolling in a run from steady rolling. Throws BadInput.
+void require_no_first_shift(const RunSettings& run, const History& imposed, const HistoryColumns& columns);
+
 /// What make(case) returns for each of the cases, which have a label(), with a progress line: checks may take long.
 template <class Run, class Case, class Make>
 std::vector<Run> prepared(const Options& options, const std::vector<Case>& cases, const Make& make) {

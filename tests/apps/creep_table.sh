@@ -69,4 +69,14 @@ bad 'line 30: load = 1e+05 must be 80000' "$table" $small --rows "$scratch/broke
 sed '10s/,1,,,/,1,0.73,0.002,/' nodes.csv >broken.csv
 bad 'line 10: cut_y and cut_half_width must be those of the first rows' \
     "$table" $small --rows "$scratch/broken.csv" --output x.contact
+sed '2s/,ok,/,no_contact,/' nodes.csv >broken.csv
+bad 'line 3: status = ok must be that of all rows of a node' \
+    "$table" $small --rows "$scratch/broken.csv" --output x.contact
+head -c -1 nodes.csv >broken.csv
+bad 'must end with a line feed: is the last part complete?' \
+    "$table" $small --rows "$scratch/broken.csv" --output x.contact
+awk -F, -v OFS=, 'NR == 2 { $17 = -$17 } { print }' nodes.csv >broken.csv
+bad 'line 2: half_length_over_root = -' "$table" $small --rows "$scratch/broken.csv" --output x.contact
+bad 'nodes.csv must be of the profiles, the track and the material' \
+    "$table" $small --rail uic60 --rows "$scratch/nodes.csv" --output x.contact
 exit $failures

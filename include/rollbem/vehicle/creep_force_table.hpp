@@ -542,7 +542,7 @@ TangentialForce<double> BasicCreepForceTable<Real>::force(const PatchContact<dou
     const Ellipse on = ellipse(contact.half_length / contact.half_width);
     const Eigen::Array3d w = linear_law(on.linear, c, creepage);
     const CreepForceGrid::Stretch stretch = CreepForceGrid::stretch(bound / stiffness, w.matrix().stableNorm());
-    if (!is_finite(stretch.factor)) return {0, 0, 0};
+    if (std::isinf(stretch.factor)) return {0, 0, 0};
     const Eigen::Array3d u = w * (stretch.factor * static_cast<double>(n_));
     if (!is_finite(u.sum())) return {u.sum(), u.sum(), u.sum()};
     const double turn = u[2] < 0 || (u[2] == 0 && u[1] < 0) ? -1 : 1;

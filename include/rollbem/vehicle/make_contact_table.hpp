@@ -370,8 +370,10 @@ public:
     }
 
     /// The table of all nodes. Throws std::invalid_argument if the wheels do not carry the loads at five shifts about 0.
+    /// Throws it also if there are not all sides, nodes, or rows of a node.
     MadeContactTable table(const std::vector<ContactSide>& sides) const {
         ContactTable::Grid grid = making_.grid;
+        require_whole(sides);
         std::size_t missing = 0;
         for (const ContactSide& side : sides) {
             missing += std::size_t(std::count_if(side.nodes.begin(), side.nodes.end(),
@@ -392,6 +394,17 @@ public:
 private:
     static constexpr const char* name = "make_contact_table";
 
+    void require_whole(const std::vector<ContactSide>& sides) const {
+        detail::require(sides.size() == side_count(), name, "number of sides", sides.size(), "be that of the wheelset");
+        for (const ContactSide& side : sides) {
+            detail::require(Eigen::Index(side.nodes.size()) == making_.grid.nodes(), name, "number of nodes",
+                            side.nodes.size(), "be that of the grid");
+            for (const ContactNode& node : side.nodes) {
+                detail::require(!node.known || Eigen::Index(node.zones.size()) == side.zones.count(), name,
+                                "number of rows of a node", node.zones.size(), "be that of the zones");
+            }
+        }
+    }
     const TrackDimensions& dimensions(std::size_t side) const {
         return track_.wheel(side + 1 == side_count() ? WheelsetSide::right : WheelsetSide::left).dimensions();
     }
@@ -404,10 +417,17 @@ private:
     }
     ContactZones zones_of(std::size_t side) const {
         if (given_zones(side)) return *given_zones(side);
-        std::vector<const detail::WheelNode*> judged;
         const std::size_t shifts = making_.grid.shifts.size();
+        ContactSide known;
         for (const std::size_t line : judged_lines()) {
-            for (std::size_t i = 0; i < shifts; i += 2) judged.push_back(&nodes_[side][line * shifts + i]);
+            for (std::size_t i = 0; i < shifts; ++i) {
+                known.nodes.push_back({.known = !nodes_[side][line * shifts + i].patches.empty()});
+            }
+        }
+        std::vector<const detail::WheelNode*> judged;
+        const std::size_t out = detail::left_out(making_.grid, {known});
+        for (const std::size_t line : judged_lines()) {
+            for (std::size_t i = out; i + out < shifts; i += 2) judged.push_back(&nodes_[side][line * shifts + i]);
         }
         return detail::ZoneFinder(judged, dimensions(side), creep_, making_.jobs).find();
     }

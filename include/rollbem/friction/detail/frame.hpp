@@ -69,8 +69,8 @@ struct FrictionFrame : StepFrame<CreepageAlong<directions, Scalar>, Scalar> {
             }
             if constexpr (directions == 1) {
                 if (parameter != 0) return;
-                if (is_new) kept().tangent = tangent / forces.unit(this->end);
-                tangent = kept().tangent * forces.unit(this->end);
+                if (is_new) kept().tangent = forces.areas().dot(solver.response());
+                tangent = forces.unit(this->end) * kept().tangent;
             }
         });
         if constexpr (directions == 2) {

@@ -27,7 +27,7 @@ public:
     using Vectors = ElementVectors<Scalar, directions>;
     using Axes = SemiAxes<Scalar>;
 
-    explicit ImposedSlip(const Elements<Scalar>& elements) : unit_(VectorX<Scalar>::Ones(elements.size())) {
+    explicit ImposedSlip(const Elements<Scalar>& elements) {
         if constexpr (directions == 2) {
             if (!elements.places_are_known()) return;
             spin_.resize(elements.size(), 2);
@@ -35,8 +35,6 @@ public:
         }
     }
 
-    /// The constants of a unit creepage in its direction.
-    const VectorX<Scalar>& unit() const { return unit_; }
     /// Creepages by which there are tangents: with spin, if it can be imposed.
     std::size_t creepage_count() const { return directions == 1 ? 1 : spin_.rows() == 0 ? 2 : 3; }
     /// Whether the rigid slip of a creepage is known.
@@ -95,7 +93,6 @@ private:
         sum.col(directions - 1) += angle * axes.half_length * spin_.col(directions - 1);
     }
 
-    VectorX<Scalar> unit_;
     Vectors spin_;  // rigid slip of unit spin; empty with one direction, and where places are not known
 };
 

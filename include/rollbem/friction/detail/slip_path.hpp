@@ -110,7 +110,7 @@ private:
     static constexpr Scalar longest = Scalar(0.25);
     static constexpr Scalar most_turn = Scalar(1.2);  // 1/cos of the angle from one point to the next
     static constexpr int most_together = 8;
-    static constexpr int most_points = 500;  // patches take 15 on average
+    static constexpr int most_points = 500;
 
     static Scalar over(Scalar a, Scalar b) { return b > 0 ? a / b : Scalar(0); }
 

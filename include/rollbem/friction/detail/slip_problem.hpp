@@ -21,8 +21,8 @@
 namespace rollbem::detail {
 
 /// The turn of tractions whose sizes are given: one unknown for each element that slides, in their order, at a point
-/// (p, s). With n along the traction, t across it, a and w the same
-/// turned back, and k = -a.s/b: the tractions change by tau t, where
+/// (p, s). With n along the traction, t across it, a and w the same turned back, and k = -a.s/b: the tractions change by
+/// tau t, where
 ///     (w.C t + k) tau = -w.s,
 /// C from CondensedSlip. All memory is allocated by the constructor.
 template <class Scalar>

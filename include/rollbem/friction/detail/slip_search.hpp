@@ -65,7 +65,7 @@ public:
     static Scalar rounding(Index n) { return static_cast<Scalar>(n + 10) * epsilon; }
 
 private:
-    static constexpr int longest = 60;    // Newton steps; rolling takes at most 16
+    static constexpr int longest = 60;    // Newton steps
     static constexpr int from_path = 20;  // Newton steps
     static constexpr int most_paths = 3, most_refinements = 3;
     static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();

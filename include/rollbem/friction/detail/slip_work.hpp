@@ -1,13 +1,10 @@
-// Frictional heat of each element: slip is known at the collocation points, tractions on the elements. And the elastic
-// energy that a step releases and that neither its slip work nor the energy left contains.
+// Frictional heat of each element: slip is known at the collocation points, tractions on the elements.
 #pragma once
 
-#include <limits>
 #include <utility>
 
 #include <Eigen/Core>
 
-#include "../../rolling/stage_equations.hpp"
 #include "../../system/elements.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"

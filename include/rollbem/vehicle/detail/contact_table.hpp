@@ -93,7 +93,8 @@ struct WheelForces {
     /// alone if the status is invalid_step, else NaN unless ok.
     Eigen::Matrix<double, 6, 1, Eigen::DontAlign> force =
         Eigen::Matrix<double, 6, 1, Eigen::DontAlign>::Constant(std::numeric_limits<double>::quiet_NaN());
-    /// Their derivatives, a column for each Input in SI units; exact but at jumps of higher derivatives.
+    /// Their derivatives, a column for each Input in SI units; exact, to the digits of single precision, but at jumps of
+    /// higher derivatives.
     Eigen::Matrix<double, 6, inputs, Eigen::DontAlign> tangent =
         Eigen::Matrix<double, 6, inputs, Eigen::DontAlign>::Zero();
     std::array<Point, ContactZones::most> points;
@@ -270,7 +271,7 @@ private:
     struct Sample {
         Eigen::Array<double, Rows, 1, Eigen::DontAlign> value, by_shift, by_yaw;
     };
-    /// Rows of a field with slopes, at the nodes of one load from `first` on. Derivatives are 0 unless asked for.
+    /// Rows of a field with slopes, at the nodes of one load from `first` on.
     template <int Rows, class Field>
     Sample<Rows> sample(const Cell& at, const Field& values, const Field& slopes, Eigen::Index row,
                         Eigen::Index first) const noexcept;

@@ -88,7 +88,9 @@ private:
             if (!is_finite(input)) return Status::not_finite;
         }
         bool valid = load.vertical >= 0 && load.vertical <= most_load && friction_.coefficient >= 0;
-        for (const double factor : friction_.factor) valid = valid && factor >= 0 && is_finite(factor);
+        for (const double factor : friction_.factor) {
+            valid = valid && factor >= 0 && is_finite(factor * friction_.coefficient);
+        }
         if (!valid) return Status::invalid_load;
         if (!creep_.fits(table_.poisson_ratio())) return Status::wrong_table;
         return table_.covers(position.lateral, position.yaw) ? Status::ok : Status::wrong_table;
@@ -542,7 +544,8 @@ private:
                 }
             }
         }
-        if (!is_finite(result_.force.sum() + result_.tangent.sum())) result_.status = Status::not_finite;
+        const double sum = result_.force.sum() + result_.tangent.sum() + result_.heat;
+        if (!is_finite(sum)) result_.status = Status::not_finite;
         if (pass.stands && result_.status == Status::ok) {
             result_.status = Status::invalid_step;
             result_.tangent.setZero();
