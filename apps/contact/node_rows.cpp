@@ -91,9 +91,10 @@ void read_row(const study::JoinedRows& rows, std::size_t row, const std::vector<
     const auto& cuts = side.zones.cuts();
     const auto number = [&](std::size_t k) -> double {
         const auto found = study::number_of(cells[k], ',');
-        rows.require(found && std::isfinite(*found), row,
+        if (found && std::isfinite(*found)) return *found;
+        rows.require(false, row,
                      columns()[key_columns + k] + " = " + cells[k] + " must be a number; status = " + cells[4]);
-        return *found;
+        return 0;
     };
     const bool same = zone < cuts.size() ? number(0) == cuts[zone].y && number(1) == cuts[zone].half_width
                                          : cells[0].empty() && cells[1].empty();
@@ -116,8 +117,8 @@ void read_row(const study::JoinedRows& rows, std::size_t row, const std::vector<
     for (const auto which : {ContactRow::radius, ContactRow::length, ContactRow::width, ContactRow::c11,
                              ContactRow::c22, ContactRow::scale}) {
         const std::size_t k = first_value + std::size_t(which);
-        rows.require(!(values[ContactRow::share] > 0) || values[which] > 0, row,
-                     columns()[key_columns + k] + " = " + cells[k] + " must be positive where share is");
+        if (!(values[ContactRow::share] > 0) || values[which] > 0) continue;
+        rows.require(false, row, columns()[key_columns + k] + " = " + cells[k] + " must be positive where share is");
     }
 }
 
