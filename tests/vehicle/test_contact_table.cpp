@@ -482,6 +482,24 @@ TEST_CASE("look-ups say what is wrong", "[contact_table]") {
     const WheelsetSpeeds speeds{.forward = 30, .pitch_rate = -30 / 0.46};
     CHECK(soft.look_up(creep(), WheelsetSide::right, {}, speeds, 1e5, 0.3).status == Status::wrong_table);
     CHECK(soft.forces(creep(), WheelsetSide::right, {}, speeds, 1e5, 0.3).status == Status::wrong_table);
+    const double last = s1002().largest_shift();
+    const WheelLoad as_equal(1e5, s1002().on_rails(last, 0, {1e5, 1e5}).roll);
+    CHECK(s1002().look_up(creep(), WheelsetSide::right, {.lateral = last}, speeds, as_equal, mu).status == Status::ok);
+}
+
+TEST_CASE("a place where no zone carries has no forces", "[contact_table]") {
+    const ContactTable::Grid& grid = s1002().grid();
+    ContactTable::Side side = s1002().side(WheelsetSide::right);
+    for (Eigen::Index column = 0; column < side.points.cols(); ++column) {
+        const double shift = grid.shifts[std::size_t(column) % grid.shifts.size()];
+        if (std::abs(shift) > 3e-3) side.points(ContactRow::share, column) = 0;
+    }
+    const ContactTable holed(grid, {8.2e10, 0.28}, {side});
+    const WheelsetSpeeds speeds{.forward = 30, .pitch_rate = -30 / radius};
+    const double shift = GENERATE(2e-3, 3e-3 + 5e-5, 3e-3 + 9e-5, 5e-3);
+    const Status expected = shift < 3e-3 ? Status::ok : Status::wrong_table;
+    CHECK(holed.look_up(creep(), WheelsetSide::right, {.lateral = shift}, speeds, 1e5, mu).status == expected);
+    CHECK(holed.forces(creep(), WheelsetSide::right, {.lateral = shift}, speeds, 1e5, mu).status == expected);
 }
 
 }  // namespace contact_table_tests

@@ -102,10 +102,10 @@ struct WheelForces {
     /// The load lies between those of the table. If not, places and shares are those of its border, with an unknown
     /// error.
     bool load_on_table = false;
-    /// wrong_table (the position, or the shift that a roll amounts to, lies beyond the table, or Poisson's ratios
-    /// differ), invalid_load (load or mu is negative), invalid_step (the wheel does not roll: the mean of its speed and
-    /// the circumferential one is 0), not_finite, no_solution (the rail cannot carry the load: friction holds the wheel
-    /// up)
+    /// wrong_table (the position, or the shift that a roll amounts to, lies beyond the table, no zone carries there, or
+    /// Poisson's ratios differ), invalid_load (load or mu is negative), invalid_step (the wheel does not roll: the mean
+    /// of its speed and the circumferential one is 0), not_finite, no_solution (the rail cannot carry the load: friction
+    /// holds the wheel up)
     Status status = Status::not_finite;
 
     auto derivative(Input input) const { return tangent.col(input); }

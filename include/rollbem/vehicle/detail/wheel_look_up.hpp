@@ -118,7 +118,7 @@ private:
             equal.derivatives()[WheelForces::yaw] = table[2];
             equal.derivatives()[WheelForces::load] = table[3];
             shift_ = Dual<all>(shift_ - radius * (input<all>(WheelForces::roll) - equal));
-            if (!(std::abs(shift_.value()) <= table_.largest_shift())) return Status::wrong_table;
+            if (!table_.covers(shift_.value(), inputs_[WheelForces::yaw])) return Status::wrong_table;
         }
         cell_ = table_.cell(shift_.value(), inputs_[WheelForces::yaw]);
         loads_ = table_.grid_.loads.size();
@@ -129,6 +129,7 @@ private:
         for (Eigen::Index zone = 0; zone < zones; ++zone) {
             zones_[std::size_t(zone)].carries = side_->carries(zone, cell_.shift);
         }
+        if (carry_count() == 0) return Status::wrong_table;
         if (carry_count() == 1) return Status::ok;  // all of the load
         for (Eigen::Index zone = 0; zone < zones; ++zone) {
             Zone& of = zones_[std::size_t(zone)];
@@ -458,6 +459,7 @@ private:
             if (!one_carries && zones_[k].carries) shares[k] = share<partials>(zones_[k], root);
             total += shares[k];
         }
+        if (!(total.value() > 0)) return Status::wrong_table;
         Number whole = constant<partials>(sum);
         if constexpr (partials > none) whole.derivatives()[by_sum<partials>] = 1;
         pass.excess = whole - input<partials>(WheelForces::load);
