@@ -275,19 +275,14 @@ private:
     template <int Rows, class Field>
     Sample<Rows> sample(const Cell& at, const Field& values, const Field& slopes, Eigen::Index row,
                         Eigen::Index first) const noexcept;
-    /// Rows of points in single precision.
-    using Singles = Eigen::Array<float, packed_rows, 1>;
-    /// Over their means, at each load.
-    using RowsByLoad = std::array<Singles, most_loads>;
-    RowsByLoad rows_by_load(const Cell& at, const Stored& side, Eigen::Index zone) const noexcept;
-    /// At one load; derivatives by yaw and the cube root of the load have the digits of single precision.
+    /// Rows of a point over their means, at the place under one load of the table.
     struct LoadedRows {
-        ContactRow::Values value, by_shift;
-        Singles by_yaw, by_root;
+        Eigen::Array<double, packed_rows, 1> value, by_shift, by_yaw;
     };
+    using RowsByLoad = std::array<LoadedRows, most_loads>;
+    /// Without derivatives their numbers are left as they are.
     template <bool derivatives>
-    LoadedRows loaded_rows(const Cell& at, const Stored& side, Eigen::Index zone,
-                           const detail::RowWeights<most_loads>& weights) const noexcept;
+    void sample_rows(const Cell& at, const Stored& side, Eigen::Index zone, RowsByLoad& found) const noexcept;
     Eigen::Index first_node(std::size_t load) const { return grid_.node(load, 0, 0); }
 
     /// Height of a wheel and roll at a load, with derivatives by shift, yaw and load.
@@ -458,77 +453,34 @@ auto ContactTable::sample(const Cell& at, const Field& values, const Field& slop
     return found;
 }
 
-inline auto ContactTable::rows_by_load(const Cell& at, const Stored& side, Eigen::Index zone) const noexcept
-    -> RowsByLoad {
-    RowsByLoad found;
-    const std::array<double, 4>& w = at.along.value;
-    for (std::size_t l = 0; l < grid_.loads.size(); ++l) {
-        Singles sum = Singles::Zero();
-        for (std::size_t k = 0; k < grid_.yaws.size(); ++k) {
-            const Eigen::Index node = zone * grid_.nodes() + grid_.node(l, k, at.shift);
-            const double across = at.across.value[k];
-            sum += float(across * w[0]) * side.points.col(node) + float(across * w[1]) * side.points.col(node + 1) +
-                   float(across * w[2]) * side.slopes.col(node) + float(across * w[3]) * side.slopes.col(node + 1);
-        }
-        found[l] = sum;
-    }
-    return found;
-}
-
 template <bool derivatives>
-auto ContactTable::loaded_rows(const Cell& at, const Stored& side, Eigen::Index zone,
-                               const detail::RowWeights<most_loads>& weights) const noexcept -> LoadedRows {
+void ContactTable::sample_rows(const Cell& at, const Stored& side, Eigen::Index zone,
+                               RowsByLoad& found) const noexcept {
     using Four = Eigen::Array4f;
-    const auto single = [](double x) { return static_cast<float>(x); };
-    struct Node {
-        Eigen::Index column;
-        Eigen::Array4d exact;
-        Four by_yaw, by_root;  // the same number four times
-    };
-    std::array<Node, most_loads * most_yaws> nodes;
-    std::size_t count = 0;
-    for (std::size_t l = 0; l < grid_.loads.size(); ++l) {
-        if (weights.value[l] == 0 && weights.rate[l] == 0) continue;
-        for (std::size_t k = 0; k < grid_.yaws.size(); ++k) {
-            Node& node = nodes[count++];
-            const double value = weights.value[l] * at.across.value[k];
-            node.column = zone * grid_.nodes() + grid_.node(l, k, at.shift);
-            node.exact.setConstant(value);
-            node.by_yaw.setConstant(single(weights.value[l] * at.across.rate[k]));
-            node.by_root.setConstant(single(weights.rate[l] * at.across.value[k]));
-        }
-    }
     const auto& [w, rate] = at.along;
-    const float w_1 = single(w[1]), w_2 = single(w[2]), w_3 = single(w[3]);  // the first two weights add up to 1
-    LoadedRows found;
-    Eigen::Array<double, packed_rows, 1> all, shift;
-    for (Eigen::Index i = 0; i < packed_rows; i += 4) {
-        Eigen::Array4d value = Eigen::Array4d::Zero(), by_shift = value;
-        Four first = Four::Zero(), by_yaw = first, by_root = first;
-        for (std::size_t n = 0; n < count; ++n) {
-            const Node& node = nodes[n];
-            const Eigen::Index j = node.column;
-            const Four low = side.points.col(j).segment<4>(i), rise = side.points.col(j + 1).segment<4>(i) - low,
-                       low_slope = side.slopes.col(j).segment<4>(i), high_slope = side.slopes.col(j + 1).segment<4>(i);
-            const Eigen::Array4d wide_rise = detail::widened(rise), wide_low = detail::widened(low_slope),
-                                 wide_high = detail::widened(high_slope);
-            value += node.exact * (detail::widened(low) + w[1] * wide_rise + w[2] * wide_low + w[3] * wide_high);
+    for (std::size_t l = 0; l < grid_.loads.size(); ++l) {
+        for (Eigen::Index i = 0; i < packed_rows; i += 4) {
+            Eigen::Array4d value = Eigen::Array4d::Zero(), by_shift = value, by_yaw = value;
+            for (std::size_t k = 0; k < grid_.yaws.size(); ++k) {
+                const Eigen::Index j = zone * grid_.nodes() + grid_.node(l, k, at.shift);
+                const Four one = side.points.col(j).segment<4>(i), two = side.points.col(j + 1).segment<4>(i),
+                           one_slope = side.slopes.col(j).segment<4>(i),
+                           two_slope = side.slopes.col(j + 1).segment<4>(i);
+                const Eigen::Array4d rise = detail::widened(two - one), low = detail::widened(one_slope),
+                                     high = detail::widened(two_slope);
+                // the first two weights add up to 1
+                const Eigen::Array4d here = detail::widened(one) + w[1] * rise + w[2] * low + w[3] * high;
+                value += at.across.value[k] * here;
+                if constexpr (!derivatives) continue;
+                by_shift += at.across.value[k] * (rate[1] * rise + rate[2] * low + rate[3] * high);
+                by_yaw += at.across.rate[k] * here;
+            }
+            found[l].value.segment<4>(i) = value;
             if constexpr (!derivatives) continue;
-            by_shift += node.exact * (rate[1] * wide_rise + rate[2] * wide_low + rate[3] * wide_high);
-            // weights of these two add up to 0: differences from one node keep their digits
-            if (n == 0) first = low;
-            const Four apart = (low - first) + (w_1 * rise + w_2 * low_slope + w_3 * high_slope);
-            by_yaw += node.by_yaw * apart;
-            by_root += node.by_root * apart;
+            found[l].by_shift.segment<4>(i) = by_shift;
+            found[l].by_yaw.segment<4>(i) = by_yaw;
         }
-        all.segment<4>(i) = value;
-        shift.segment<4>(i) = by_shift;
-        found.by_yaw.segment<4>(i) = by_yaw;
-        found.by_root.segment<4>(i) = by_root;
     }
-    found.value = side.means + all.head<ContactRow::rows>();
-    if constexpr (derivatives) found.by_shift = shift.head<ContactRow::rows>();
-    return found;
 }
 
 inline auto ContactTable::wheel_on_rails(const Stored& side, double lateral, double yaw, double load) const noexcept

@@ -46,8 +46,6 @@ inline std::size_t interval_of(const std::vector<double>& nodes, double at) {
 template <std::size_t most>
 struct RowWeights {
     std::array<double, most> value{}, rate{};
-
-    float single(std::size_t node) const { return static_cast<float>(value[node]); }
 };
 
 /// Polynomials in yaw^2 through all nodes, which are not negative and begin with 0.

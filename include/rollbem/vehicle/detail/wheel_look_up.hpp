@@ -149,7 +149,7 @@ private:
     struct Zone {
         bool carries = false, is_sampled = false;
         std::array<ContactTable::Sample<1>, ContactTable::most_loads> share;
-        ContactTable::RowsByLoad rough;
+        ContactTable::RowsByLoad rows;
         Values value, by_shift, by_yaw, by_sum;  // at the present sum of loads
     };
 
@@ -166,26 +166,28 @@ private:
             values[arm_x] *= yaw;
             values.segment<9>(correction) += yaw * values.segment<9>(correction_by_yaw);
         };
-        if (partials == none && is_rough_) {
-            if (!std::exchange(of.is_sampled, true)) of.rough = table_.rows_by_load(cell_, *side_, zone);
-            ContactTable::Singles sum = weights.single(0) * of.rough[0];
-            for (std::size_t l = 1; l < loads_; ++l) sum += weights.single(l) * of.rough[l];
-            of.value = side_->means + sum.head<ContactRow::rows>().cast<double>();
-            return times_yaw(of.value);
+        if (!std::exchange(of.is_sampled, true)) {
+            tangents_ ? table_.sample_rows<true>(cell_, *side_, zone, of.rows)
+                      : table_.sample_rows<false>(cell_, *side_, zone, of.rows);
         }
-        const auto now = table_.loaded_rows<(partials > none)>(cell_, *side_, zone, weights);
-        const auto widened = [](const ContactTable::Singles& numbers) -> Values {
-            return numbers.head<ContactRow::rows>().cast<double>();
+        const auto at_load = [&](const auto& weight, auto part) -> Values {
+            auto sum = (weight[0] * part(of.rows[0])).eval();
+            for (std::size_t l = 1; l < loads_; ++l) sum += weight[l] * part(of.rows[l]);
+            return sum.template head<ContactRow::rows>();
         };
-        of.value = now.value;
+        using Rows = ContactTable::LoadedRows;
+        const auto values = [](const Rows& rows) -> const auto& { return rows.value; };
+        of.value = side_->means + at_load(weights.value, values);
         if constexpr (partials > none) {
-            of.by_sum = widened(now.by_root) / (3 * root * root);
+            of.by_sum = at_load(weights.rate, values) / (3 * root * root);
             times_yaw(of.by_sum);
         }
         if constexpr (by_inputs<partials>) {
-            of.by_shift = now.by_shift;
+            of.by_shift = at_load(
+                weights.value, [](const Rows& rows) -> const auto& { return rows.by_shift; });
             times_yaw(of.by_shift);
-            of.by_yaw = widened(now.by_yaw);
+            of.by_yaw = at_load(
+                weights.value, [](const Rows& rows) -> const auto& { return rows.by_yaw; });
             times_yaw(of.by_yaw);
             of.by_yaw[arm_x] += of.value[arm_x];
             of.by_yaw.segment<9>(correction) += of.value.segment<9>(correction_by_yaw);
