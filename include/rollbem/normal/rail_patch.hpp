@@ -65,6 +65,12 @@ struct RailPatch {
         const std::array<double, 3> arm = in_track(along, across, normal);
         return {x + arm[0], y + arm[1], z + arm[2]};
     }
+    /// delta of the rail's surface [rad] and y of its profile [m] at s.
+    double surface_angle(double s) const {
+        const double row = std::round((s - grid.y_0) / grid.dy);
+        return angle + std::atan(rail_slope[std::clamp<Eigen::Index>(Eigen::Index(row), 0, grid.ny - 1)]);
+    }
+    double surface_y(double s) const { return rail_y + s * std::cos(angle); }
     /// The vertical load that the pressures carry [N].
     double vertical_load() const { return detail::vertical_load(pressure, grid, rail_slope, angle); }
 };

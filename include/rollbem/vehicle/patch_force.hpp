@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -19,7 +21,9 @@
 #include "../scene/mirror.hpp"
 #include "../scene/rigid_motion.hpp"
 #include "../status.hpp"
+#include "flash_temperature.hpp"
 #include "patch_elements.hpp"
+#include "rail_friction.hpp"
 #include "wheelset_on_track.hpp"
 
 namespace rollbem {
@@ -32,6 +36,8 @@ struct RollingFriction {
     /// Whether slip is that of the curved surfaces (curved_slip_of), or that of three creepages, as in CONTACT's
     /// planes.
     bool curved_slip = false;
+    std::optional<RailFriction> rail{};  ///< mu over the rail, in place of the coefficient, one for each strip
+    std::optional<Heating> heating{};    ///< for the temperature, and friction that depends on it
 };
 
 /// Friction on one patch of a right wheel, in the axes (x, s, n) of its plane.
@@ -41,6 +47,11 @@ struct PatchForce {
     double slip_work = std::numeric_limits<double>::quiet_NaN();  ///< heat per distance rolled [J/m]
     Eigen::ArrayXd edges{}, strip_work{};  ///< of the strips along s [m], and the part of each in slip_work [J/m]
     Eigen::Index elements = 0;
+    /// The largest temperature above ambient [K], where heating is asked for. NaN where the contact passes so slowly
+    /// that heat flows along it (Heating::passes_fast).
+    double peak_temperature = std::numeric_limits<double>::quiet_NaN();
+    /// Of friction. With friction that depends on the temperature also not_converged: both did not come to agree, or
+    /// the temperature is not known.
     Status status = Status::not_finite;
 };
 
@@ -132,42 +143,163 @@ inline TangentialForce<double> force_of(const std::vector<Rectangle<double>>& el
     return force;
 }
 
-/// Steady rolling on one mesh of all outlines.
+/// mu of each element, cold.
+inline Eigen::ArrayXd coefficients_on(const PieceMeshes& meshes, const RollingPieces& rolling,
+                                      const RollingFriction& friction) {
+    std::vector<double> found;
+    for (std::size_t k = 0; k < meshes.pieces.size(); ++k) {
+        const PatchMesh<double>& mesh = meshes.pieces[k];
+        const RailPatch& patch = *rolling.pieces[k];
+        for (Eigen::Index j = 0; j < mesh.strip_count(); ++j) {
+            const double s = meshes.unit * mesh.middles_y()[j];
+            const double mu =
+                friction.rail ? friction.rail->at(patch.surface_angle(s), patch.surface_y(s)) : friction.coefficient;
+            found.insert(found.end(), std::size_t(mesh.elements_per_strip()), mu);
+        }
+    }
+    return Eigen::Map<const Eigen::ArrayXd>(found.data(), Eigen::Index(found.size()));
+}
+
+/// Temperatures above ambient [K] in the middles of a piece's elements, and the largest of those at their trailing
+/// edges, from the heat of each per distance rolled [J/m].
+struct PieceTemperatures {
+    Eigen::ArrayXd middles;
+    double peak = 0;
+};
+inline PieceTemperatures temperatures_of(const std::vector<Rectangle<double>>& elements, Eigen::Index along,
+                                         const Eigen::ArrayXd& work, double speed, const Heating& heating) {
+    PieceTemperatures found{Eigen::ArrayXd(work.size()), 0};
+    for (Eigen::Index first = 0; first < work.size(); first += along) {
+        Eigen::ArrayXd edges(along + 1), heat(along);
+        for (Eigen::Index i = 0; i < along; ++i) {
+            const auto& [x_1, x_2, y_1, y_2] = elements[std::size_t(first + i)];
+            edges[i] = x_1;
+            edges[i + 1] = x_2;
+            heat[i] = speed * work[first + i] / ((x_2 - x_1) * (y_2 - y_1));
+        }
+        const Eigen::ArrayXd middles = (edges.head(along) + edges.tail(along)) / 2;
+        found.middles.segment(first, along) = flash_temperature(edges, heat, middles, speed, heating);
+        found.peak =
+            (std::max)(found.peak, flash_temperature(edges, heat, edges.head(along), speed, heating).maxCoeff());
+    }
+    return found;
+}
+
+/// Steady rolling on one mesh of all outlines, with tractions [Pa] and heat [J/m] of its elements.
+struct MeshFriction {
+    Status status = Status::not_finite;
+    TangentialForce<double> force;
+    ElementVectors<double> tractions;
+    Eigen::ArrayXd work;
+    std::vector<double> peaks{};  ///< of temperatures [K], of each piece; empty: not known
+};
+
+/// What friction does on a mesh, solved for coefficients of its elements.
+class MeshSolver {
+public:
+    MeshSolver(const PieceMeshes& meshes, const PatchContact<double>& contact, const RollingPieces& rolling,
+               const RollingFriction& friction)
+        : meshes_(meshes),
+          contact_(contact),
+          rolling_(rolling),
+          friction_(friction),
+          system_(steady_system(meshes.joined(), NodeDifference{Nodes::chebyshev},
+                                HalfSpace<double>(contact.poisson_ratio()))),
+          pressures_(system_.size()) {
+        for (std::size_t k = 0; k < meshes.pieces.size(); ++k) {
+            pressures_.segment(meshes.first(k), meshes.size(k)) =
+                pressures_on(meshes.pieces[k].rectangles(meshes.unit), *rolling.pieces[k]);
+        }
+    }
+
+    /// Friction that depends on the temperature by relaxed steps, as each of them changes the other.
+    MeshFriction solve() const {
+        const Eigen::ArrayXd cold = coefficients_on(meshes_, rolling_, friction_);
+        MeshFriction found = with(cold);
+        if (!friction_.heating || found.status != Status::ok) return found;
+        const std::optional<HotFriction>& hot = friction_.heating->friction;
+        constexpr double settled = 1e-7;
+        Eigen::ArrayXd mu = cold;
+        for (int round = 0; round < 100; ++round) {
+            const std::optional<Eigen::ArrayXd> temperature = heat(found);
+            if (!hot) return found;
+            if (!temperature) break;
+            const Eigen::ArrayXd next =
+                cold.binaryExpr(*temperature, [&](double own, double kelvin) { return hot->at(own, kelvin); });
+            if ((next - mu).abs().maxCoeff() <= settled) return found;
+            mu += (next - mu) / 2;
+            found = with(mu);
+            if (found.status != Status::ok) return found;
+        }
+        found.status = Status::not_converged;
+        return found;
+    }
+
+private:
+    MeshFriction with(const Eigen::ArrayXd& mu) const {
+        const double most = mu.maxCoeff();
+        Eigen::ArrayXd bounds = pressures_;  // over `most`
+        if (most > 0) bounds *= mu / most;
+        const FrictionModel model(contact_, system_, {most, std::move(bounds)});
+        auto workspace = model.workspace();
+        auto state = model.at_rest();
+        const ElementVectors<double> rows = slip_besides(meshes_, system_.elements(), rolling_, friction_);
+        const RigidMotion<Creepage<double>> motion(rolling_.creepage(0));
+        const FrictionStep<2> step =
+            model.steady(model.at_rest(), {Travel<>::at_speed(1), motion.with_rows(rows)}, state, workspace);
+        return {step.status, step.force, state.traction, workspace.slip_work()};
+    }
+
+    /// The temperatures of all elements, and peaks; none where the contact passes slowly.
+    std::optional<Eigen::ArrayXd> heat(MeshFriction& of) const {
+        const Heating& heating = *friction_.heating;
+        Eigen::ArrayXd found(of.work.size());
+        std::vector<double> peaks;
+        for (std::size_t k = 0; k < meshes_.pieces.size(); ++k) {
+            const RailPatch& patch = *rolling_.pieces[k];
+            const double speed = rolling_velocity_of(patch, rolling_.speeds);
+            if (!heating.passes_fast(speed, patch.half_length)) return std::nullopt;
+            const Eigen::Index first = meshes_.first(k), count = meshes_.size(k);
+            const PieceTemperatures own =
+                temperatures_of(meshes_.pieces[k].rectangles(meshes_.unit), meshes_.pieces[k].elements_per_strip(),
+                                of.work.segment(first, count), speed, heating);
+            found.segment(first, count) = own.middles;
+            peaks.push_back(own.peak);
+        }
+        of.peaks = std::move(peaks);
+        return found;
+    }
+
+    const PieceMeshes& meshes_;
+    const PatchContact<double>& contact_;
+    const RollingPieces& rolling_;
+    const RollingFriction& friction_;
+    ElementSystem<double, 2> system_;
+    Eigen::ArrayXd pressures_;
+};
+
 inline std::vector<PatchForce> friction_on(const PieceMeshes& meshes, const PatchContact<double>& contact,
                                            const RollingPieces& rolling, const RollingFriction& friction) {
-    const ElementSystem<double, 2> system =
-        steady_system(meshes.joined(), NodeDifference{Nodes::chebyshev}, HalfSpace<double>(contact.poisson_ratio()));
-    Eigen::ArrayXd pressures(system.size());
-    for (std::size_t k = 0; k < meshes.pieces.size(); ++k) {
-        pressures.segment(meshes.first(k), meshes.size(k)) =
-            pressures_on(meshes.pieces[k].rectangles(meshes.unit), *rolling.pieces[k]);
-    }
-    const FrictionModel model(contact, system, {friction.coefficient, pressures});
-    auto workspace = model.workspace();
-    auto state = model.at_rest();
-    const ElementVectors<double> rows = slip_besides(meshes, system.elements(), rolling, friction);
-    const RigidMotion<Creepage<double>> motion(rolling.creepage(0));
-    const FrictionStep<2> step =
-        model.steady(model.at_rest(), {Travel<>::at_speed(1), motion.with_rows(rows)}, state, workspace);
+    const MeshFriction solved = MeshSolver(meshes, contact, rolling, friction).solve();
     std::vector<PatchForce> found;
     for (std::size_t k = 0; k < meshes.pieces.size(); ++k) {
         const PatchMesh<double>& mesh = meshes.pieces[k];
         PatchForce& piece = found.emplace_back();
         piece.creepage = rolling.creepage(k);
         piece.elements = mesh.size();
-        piece.status = step.status;
-        piece.force = step.force;  // not finite without a result
-        if (step.status == Status::assists_creepage || !is_finite(step.force)) continue;
-        piece.force = force_of(mesh.rectangles(meshes.unit), state.traction.middleRows(meshes.first(k), mesh.size()));
+        piece.status = solved.status;
+        piece.force = solved.force;  // not finite without a result
+        if (solved.status == Status::assists_creepage || !is_finite(solved.force)) continue;
+        piece.force = force_of(mesh.rectangles(meshes.unit), solved.tractions.middleRows(meshes.first(k), mesh.size()));
         piece.edges.resize(mesh.strip_count() + 1);
         piece.edges << meshes.unit * mesh.lower(), meshes.unit * mesh.upper().tail(1);
-        piece.strip_work = workspace.slip_work()
-                               .segment(meshes.first(k), mesh.size())
+        piece.strip_work = solved.work.segment(meshes.first(k), mesh.size())
                                .reshaped(mesh.elements_per_strip(), mesh.strip_count())
                                .colwise()
                                .sum()
                                .transpose();
         piece.slip_work = piece.strip_work.sum();
+        if (!solved.peaks.empty()) piece.peak_temperature = solved.peaks[k];
     }
     return found;
 }

@@ -1,0 +1,52 @@
+// The flash temperature of a rolling contact: how far friction heats surfaces that pass through it once.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <Eigen/Core>
+
+namespace rollbem {
+
+/// Friction that falls with the temperature.
+struct HotFriction {
+    double coefficient;  ///< mu at and above `end` [-]
+    double begin, end;   ///< temperatures above ambient between which mu falls or rises linearly [K]
+
+    double at(double cold, double temperature) const {
+        return cold + (coefficient - cold) * std::clamp((temperature - begin) / (end - begin), 0.0, 1.0);
+    }
+};
+
+/// How both bodies, of one material, take the heat of friction, of which each gets half. Defaults are steel's.
+struct Heating {
+    double conductivity = 50;       ///< k [W/(m K)]
+    double heat_capacity = 3.53e6;  ///< rho c, of a volume [J/(m^3 K)]
+    std::optional<HotFriction> friction{};
+
+    double diffusivity() const { return conductivity / heat_capacity; }  ///< kappa [m^2/s]
+    /// Whether heat stays below the place where it came in: V a is at least 10 kappa.
+    bool passes_fast(double speed, double half_length) const { return speed * half_length >= 10 * diffusivity(); }
+};
+
+/// Temperatures above ambient [K] at the places `at` [m] of a strip of the contact, which material enters at the
+/// leading edge: sqrt(kappa/(pi V))/k times the integral of q/2 (x') / sqrt(x' - x) over what lies ahead, exact for
+/// heat per area q [W/m^2] that is uniform in each element. `edges` ascend from the trailing to the leading edge [m],
+/// one more than `heat`; V [m/s] must be positive. Heat flows straight down, as in a half-space that passes fast
+/// (Carslaw and Jaeger 1959; Heating::passes_fast).
+inline Eigen::ArrayXd flash_temperature(const Eigen::ArrayXd& edges, const Eigen::ArrayXd& heat,
+                                        const Eigen::ArrayXd& at, double speed, const Heating& heating) {
+    const double factor = std::sqrt(heating.diffusivity() / (std::numbers::pi * speed)) / heating.conductivity;
+    const auto root = [](double x) { return std::sqrt((std::max)(x, 0.0)); };
+    Eigen::ArrayXd found = Eigen::ArrayXd::Zero(at.size());
+    for (Eigen::Index k = 0; k < at.size(); ++k) {
+        for (Eigen::Index i = 0; i < heat.size(); ++i) {
+            found[k] += heat[i] * (root(edges[i + 1] - at[k]) - root(edges[i] - at[k]));  // 2 of the root, q/2
+        }
+    }
+    return factor * found;
+}
+
+}  // namespace rollbem

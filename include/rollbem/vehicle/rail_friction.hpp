@@ -1,0 +1,52 @@
+// Friction of a rail that is not the same everywhere: a lubricated gauge face, a treated top.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "../detail/finite.hpp"
+#include "../detail/require.hpp"
+
+namespace rollbem {
+
+/// The coefficient of friction over the angle of the rail's surface or over its y, linear between the nodes and
+/// constant beyond them.
+class RailFriction {
+public:
+    /// What the nodes are: delta of the surface [rad], or y of the rail's profile [m], both as on the right rail.
+    enum class Over { angle, y };
+
+    /// Throws std::invalid_argument unless there is a node, nodes ascend, and coefficients are finite and not negative.
+    RailFriction(Over over, std::vector<double> nodes, std::vector<double> coefficients)
+        : over_(over), nodes_(std::move(nodes)), coefficients_(std::move(coefficients)) {
+        constexpr const char* name = "RailFriction";
+        detail::require(!nodes_.empty(), name, "number of nodes", nodes_.size(), "be at least 1");
+        detail::require(nodes_.size() == coefficients_.size(), name, "number of coefficients", coefficients_.size(),
+                        "be that of the nodes");
+        for (std::size_t k = 0; k < nodes_.size(); ++k) {
+            detail::require(detail::is_finite(nodes_[k]) && (k == 0 || nodes_[k] > nodes_[k - 1]), name, "node",
+                            nodes_[k], "be finite and above the one before");
+            detail::require(detail::is_finite(coefficients_[k]) && coefficients_[k] >= 0, name, "coefficient",
+                            coefficients_[k], "be finite and not negative");
+        }
+    }
+
+    /// mu [-] where the surface has the angle [rad] and lies at y [m].
+    double at(double angle, double y) const {
+        const double place = over_ == Over::angle ? angle : y;
+        const auto above = std::upper_bound(nodes_.begin(), nodes_.end(), place);
+        if (above == nodes_.begin()) return coefficients_.front();
+        if (above == nodes_.end()) return coefficients_.back();
+        const auto k = static_cast<std::size_t>(above - nodes_.begin());
+        const double share = (place - nodes_[k - 1]) / (nodes_[k] - nodes_[k - 1]);
+        return coefficients_[k - 1] + share * (coefficients_[k] - coefficients_[k - 1]);
+    }
+
+private:
+    Over over_;
+    std::vector<double> nodes_, coefficients_;
+};
+
+}  // namespace rollbem

@@ -1,0 +1,158 @@
+// rollbem/vehicle/flash_temperature.hpp, rail_friction.hpp, and friction of a patch with both
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include <rollbem/compiled/wheelset.hpp>
+#include <rollbem/detail/gauss_legendre.hpp>
+#include <rollbem/vehicle/flash_temperature.hpp>
+#include <rollbem/vehicle/patch_force.hpp>
+#include <rollbem/vehicle/rail_friction.hpp>
+
+#include "support/catch.hpp"
+#include "support/refusal.hpp"
+
+namespace flash_temperature_tests {
+
+using namespace rollbem;
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr double a = 5.88e-3, b = 10.54e-3, load = 1e5, radius = 0.46, mu = 0.3;
+
+/// Hertz's ellipse on a level rail.
+RailPatch ellipse() {
+    RailPatch patch;
+    patch.status = Status::ok;
+    patch.rolling_radius = radius;
+    patch.load = load;
+    patch.half_length = a;
+    patch.half_width = b;
+    patch.peak_pressure = 1.5 * load / (std::numbers::pi * a * b);
+    const Eigen::ArrayXd angle = Eigen::ArrayXd::LinSpaced(121, 0, std::numbers::pi);
+    patch.outline.emplace(Eigen::ArrayXd(-b * angle.cos()), Eigen::ArrayXd(-a * angle.sin()),
+                          Eigen::ArrayXd(a * angle.sin()));
+    const Eigen::Index nx = 81, ny = 81;
+    patch.grid = {nx, ny, -a, -b, 2 * a / 80, 2 * b / 80};
+    patch.pressure.resize(nx, ny);
+    for (Eigen::Index j = 0; j < ny; ++j) {
+        for (Eigen::Index i = 0; i < nx; ++i) {
+            const double rest = 1 - std::pow(patch.grid.x(i) / a, 2) - std::pow(patch.grid.y(j) / b, 2);
+            patch.pressure(i, j) = patch.peak_pressure * std::sqrt(std::max(rest, 0.0));
+        }
+    }
+    patch.rail_slope = patch.rail_n = patch.wheel_n = Eigen::ArrayXd::Zero(ny);
+    return patch;
+}
+
+constexpr double slide = 1;  // [m/s]
+PatchForce sliding(const RollingFriction& friction, double speed = 30) {
+    const WheelsetSpeeds speeds{.forward = speed - slide / 2, .pitch_rate = -(speed + slide / 2) / radius};
+    return patch_force(ellipse(), {}, speeds, TrackDimensions{}, friction);
+}
+
+}  // namespace
+
+TEST_CASE("A band of uniform heat is as hot as Carslaw and Jaeger say, however it is parted", "[profiles]") {
+    const Heating heating;
+    const double heat = 1e8, speed = 20;
+    const Eigen::ArrayXd places{{-a, -a / 2, a / 3, a, 2 * a}};
+    const auto of = [&](const Eigen::ArrayXd& edges) {
+        return flash_temperature(edges, Eigen::ArrayXd::Constant(edges.size() - 1, heat), places, speed, heating);
+    };
+    const Eigen::ArrayXd whole = of(Eigen::ArrayXd{{-a, a}}), parts = of(Eigen::ArrayXd{{-a, -a / 2, 0.1 * a, a}});
+    for (Eigen::Index k = 0; k < places.size(); ++k) {
+        const double ahead = std::max(a - places[k], 0.0);
+        const double expected = heat * std::sqrt(heating.diffusivity() * ahead / (std::numbers::pi * speed)) / 50;
+        CHECK_THAT(whole[k], WithinRel(expected, 1e-12));
+        CHECK_THAT(parts[k], WithinRel(expected, 1e-12));
+    }
+}
+
+TEST_CASE("A sliding ellipse is as hot as the integral over its middle strip", "[profiles]") {
+    const Heating heating;
+    const PatchForce found = sliding({.coefficient = mu, .elements = 40, .strips = 15, .heating = heating});
+    REQUIRE(found.status == Status::ok);
+    CHECK_THAT(found.slip_work * 30, WithinRel(mu * load * slide, 3e-3));
+    // heat of rigid slip: that of elastic surfaces differs by the strain, which is small beside the creepage
+    const auto rule = detail::gauss_legendre<double>(40);
+    double largest = 0;
+    for (double x = -a; x < a; x += a / 50) {
+        const double end = std::sqrt(a - x);  // x' - x = t^2
+        double sum = 0;
+        for (Eigen::Index k = 0; k < rule.nodes.size(); ++k) {
+            const double t = end * (1 + rule.nodes[k]) / 2, u = (x + t * t) / a;
+            sum += rule.weights[k] * end * std::sqrt(std::max(1 - u * u, 0.0));
+        }
+        const double heat = mu * slide * ellipse().peak_pressure;
+        largest = std::max(largest, heat / 2 * sum * std::sqrt(heating.diffusivity() / (std::numbers::pi * 30)) / 50);
+    }
+    CHECK_THAT(found.peak_temperature, WithinRel(largest, 0.03));
+    CHECK(std::isnan(sliding({.coefficient = mu}).peak_temperature));
+}
+
+TEST_CASE("Friction that depends on the temperature agrees with it", "[profiles]") {
+    RollingFriction friction{.coefficient = mu, .elements = 10, .strips = 7, .heating = Heating{}};
+    const PatchForce cold = sliding(friction);
+    const auto with = [&](HotFriction hot) {
+        friction.heating->friction = hot;
+        return sliding(friction);
+    };
+    // never reached, and reached at once
+    const PatchForce same = with({0.1, 2000, 3000}), low = with({0.1, 0, 1e-6});
+    CHECK(same.force.longitudinal == cold.force.longitudinal);
+    CHECK_THAT(low.force.longitudinal, WithinRel(0.1 * load, 1e-6));
+    CHECK_THAT(low.peak_temperature, WithinRel(cold.peak_temperature / 3, 0.03));
+    // heat, and so the temperature, is in proportion to friction: T = mu(T)/mu T_cold where all is as warm as the peak
+    const PatchForce falling = with({0.1, 0, 300});
+    REQUIRE(falling.status == Status::ok);
+    CHECK(falling.force.longitudinal < cold.force.longitudinal);
+    CHECK(falling.force.longitudinal > low.force.longitudinal);
+    const double steep = 200.0 / 300 / mu * 1e-3 * cold.peak_temperature;
+    CHECK(falling.peak_temperature > cold.peak_temperature / (1 + steep));
+    CHECK(falling.peak_temperature < cold.peak_temperature);
+}
+
+TEST_CASE("Heat that flows along the contact has no temperature", "[profiles]") {
+    RollingFriction friction{.coefficient = mu, .elements = 8, .strips = 7, .heating = Heating{}};
+    const double slow = 9 * friction.heating->diffusivity() / a;
+    const WheelsetSpeeds speeds{.forward = slow * 0.99, .pitch_rate = -slow * 1.01 / radius};
+    const auto of = [&] { return patch_force(ellipse(), {}, speeds, TrackDimensions{}, friction); };
+    CHECK(of().status == Status::ok);
+    CHECK(std::isnan(of().peak_temperature));
+    friction.heating->friction = {0.1, 0, 100};
+    CHECK(of().status == Status::not_converged);
+}
+
+TEST_CASE("Each strip of a patch has the rail's friction", "[profiles]") {
+    using enum RailFriction::Over;
+    const auto with = [](const RailFriction& rail) {
+        return sliding({.coefficient = 9, .elements = 10, .strips = 15, .rail = rail});
+    };
+    const PatchForce constant = sliding({.coefficient = mu, .elements = 10, .strips = 15}),
+                     same = with({angle, {0}, {mu}}), linear = with({y, {-b, b}, {0, 2 * mu}});
+    CHECK(same.force.longitudinal == constant.force.longitudinal);
+    // a level patch: all has one angle, and mu over y as its mean and a moment, b^2/5 of Hertz's pressures
+    CHECK(with({angle, {-0.1, 0.1}, {0, 2 * mu}}).force.longitudinal == constant.force.longitudinal);
+    CHECK_THAT(linear.force.longitudinal, WithinRel(mu * load, 1e-4));
+    CHECK_THAT(linear.force.moment, WithinRel(-mu * load * b / 5, 0.02));
+    CHECK(with({y, {-1, 1}, {0, 0}}).force.longitudinal == 0.0);
+}
+
+TEST_CASE("Friction over a rail is linear between its nodes", "[profiles]") {
+    using enum RailFriction::Over;
+    const RailFriction rail(angle, {0.1, 0.3}, {0.4, 0.1});
+    CHECK(rail.at(0, 9) == 0.4);
+    CHECK_THAT(rail.at(0.2, 9), WithinAbs(0.25, 1e-15));
+    CHECK(rail.at(0.5, 9) == 0.1);
+    CHECK_THAT(refusal([] { RailFriction(y, {}, {}); }), ContainsSubstring("number of nodes = 0"));
+    CHECK_THAT(refusal([] { RailFriction(y, {1, 1}, {0, 0}); }), ContainsSubstring("node = 1"));
+    CHECK_THAT(refusal([] { RailFriction(y, {1}, {-1}); }), ContainsSubstring("coefficient = -1"));
+}
+
+}  // namespace flash_temperature_tests
