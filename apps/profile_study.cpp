@@ -89,7 +89,7 @@ struct Found {
 };
 
 /// In track axes: of a left wheel, y, angles and what lies across the track are those of its mirror image reversed.
-study::Sheet<Found, Case> sheet_of(const std::string& positions, bool friction) {
+study::Sheet<Found, Case> sheet_of(const std::string& positions, bool friction, bool heating) {
     const auto found = [](const auto& value) { return study::where(&Found::patch, value); };
     const auto of_patch = [=](double RailPatch::*member, bool mirrored = false) {
         return found([=](const Found& f) { return f.sign(mirrored) * f.patch()->*member; });
@@ -147,6 +147,7 @@ study::Sheet<Found, Case> sheet_of(const std::string& positions, bool friction) 
                     })});
     list.push_back({"elements", "", study::where(&Found::force, [](const Found& f) { return f.force()->elements; })});
     list.push_back({"pitch_rate", "", [](const Found& f) { return f.contacts.of.pitch_rate; }});
+    if (heating) add("peak_temperature", &Found::solved, false, [](const PatchForce& p) { return p.peak_temperature; });
     return {positions, list, ""};
 }
 
@@ -243,7 +244,8 @@ int main(int argc, char** argv) {
         if (!folder.empty()) files.make_folder(folder, "--outline");
         study::OutputFile* wear = given.given("wear") ? &files.open(given.text("wear"), "--wear") : nullptr;
         Positions positions(cases.size());  // for files, and the picture of a single one
-        const study::Sheet<Found, Case> sheet = sheet_of(profile::case_columns(given), settings.friction.has_value());
+        const study::Sheet<Found, Case> sheet =
+            sheet_of(profile::case_columns(given), settings.friction.has_value(), given.flag("temperature"));
 
         // 2. A row for each patch; for each wheel that has none, one that says why.
         const auto compute = [&](const Case& at, study::RowRange range, const study::Results<Found>& emit) {

@@ -2,7 +2,9 @@
 #include <cstddef>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -65,7 +67,10 @@ three creepages, or of the curved surfaces with --slip curved. slip_power [W] is
 [N], for wear, minus the power of forces and moment on the creepages per metre rolled: the same on ever finer meshes, a
 few per cent off on coarse ones, and not where next to nothing slips. fatigue_index is the force of friction over the
 normal force, less --shear-yield over the peak pressure (surface fatigue where positive); elements are those of each
-patch. --wear FILE has, for right rail and right wheel (of left ones in their mirror images) of
+patch. With --temperature peak_temperature [K above ambient] is the largest flash temperature of a patch, by half of the
+heat in each body; it is empty where the contact passes slowly, V half_length < 10 conductivity/heat capacity, and with
+--hot-friction there is then no result (not_converged). In a FILE of --friction, mu is linear over the angle of the
+rail's surface [rad] or y of its profile [m], as on the right rail, and constant beyond the rows. --wear FILE has, for right rail and right wheel (of left ones in their mirror images) of
 each side, s, the length along the profile, y, z, and work [J/m^2]: frictional work per metre rolled and metre of
 profile, the mean over all positions. The loads are vertical: the normal forces are found together with those of
 friction.
@@ -97,7 +102,9 @@ void add_position_options(study::Options& options) {
 
 void add_friction_options(study::Options& options) {
     options.group("Friction");
-    options.add("friction", "MU", "coefficient of friction: adds creepages and forces (dimensionless)");
+    options.add("friction", "MU|FILE",
+                "coefficient of friction: adds creepages and forces (dimensionless); or CSV with the columns angle,mu "
+                "or y,mu of the rail's surface");
     options.add("speed", "V", "with --friction: of the wheelset, negative when rolling backwards [m/s]", "1");
     options.add("pitch-rate", "LIST",
                 "with --friction: about the axle, negative when rolling forward [rad/s]; default: that in which the "
@@ -112,6 +119,60 @@ void add_friction_options(study::Options& options) {
         "CONTACT has it",
         "linear");
     options.add("shear-yield", "K", "with --friction: yield stress in shear, for the fatigue index [Pa]", "3e8");
+    options.add_flag("temperature", "with --friction: add the peak flash temperature of each patch, peak_temperature");
+    options.add("conductivity", "K", "of wheel and rail [W/(m K)]", "50").only_with({"temperature"});
+    options.add("heat-capacity", "RHO_C", "of their volume [J/(m^3 K)]", "3.53e6").only_with({"temperature"});
+    options
+        .add("hot-friction", "MU_1,T_0,T_1",
+             "friction goes linearly from its value at T_0 to MU_1 at T_1 above ambient [K]")
+        .only_with({"temperature"});
+}
+
+/// From a file of angle,mu or y,mu. Throws BadInput.
+rollbem::RailFriction read_rail_friction(const study::Options& options) {
+    using Over = rollbem::RailFriction::Over;
+    const std::vector<study::Numbers> columns = study::read_columns(options, "friction", "mu", "angle;y");
+    const auto& [mu, angle, y] = std::tie(columns[0], columns[1], columns[2]);
+    options.require(angle.empty() != y.empty(), "friction", "have a row, and either a column angle [rad] or y [m]");
+    try {
+        return {y.empty() ? Over::angle : Over::y, y.empty() ? angle : y, mu};
+    } catch (const std::invalid_argument& error) {
+        throw study::BadInput(options.said("friction") + ": " + error.what());
+    }
+}
+
+/// Throws BadInput.
+std::optional<rollbem::Heating> read_heating(const study::Options& options) {
+    if (!options.flag("temperature")) return {};
+    rollbem::Heating heating{options.number("conductivity", study::positive()),
+                             options.number("heat-capacity", study::positive())};
+    if (!options.given("hot-friction")) return heating;
+    const std::vector<double> hot = options.row("hot-friction", 3);
+    options.require(hot.size() == 3 && hot[0] >= 0 && hot[1] >= 0 && hot[2] > hot[1], "hot-friction",
+                    "be MU_1,T_0,T_1 with MU_1 >= 0 and 0 <= T_0 < T_1");
+    heating.friction = {hot[0], hot[1], hot[2]};
+    return heating;
+}
+
+/// Throws BadInput.
+std::optional<rollbem::RollingFriction> read_friction(const study::Options& options) {
+    if (!options.given("friction")) {
+        for (const char* name : {"speed", "pitch-rate", "n", "strips", "slip", "shear-yield", "wear", "temperature"}) {
+            options.ignored(name, "without --friction");
+        }
+        return {};
+    }
+    rollbem::RollingFriction friction{
+        .elements = Eigen::Index(options.integer("n", 1, 100)),
+        .strips = options.given("strips") ? Eigen::Index(options.integer("strips", 1, 100)) : 0,
+        .curved_slip = options.choice("slip", {"curved", "linear"}) == "curved",
+        .heating = read_heating(options)};
+    if (study::detail::parse_number<double>(options.text("friction"))) {
+        friction.coefficient = options.number("friction", study::positive());
+    } else {
+        friction.rail = read_rail_friction(options);
+    }
+    return friction;
 }
 
 }  // namespace
@@ -234,15 +295,7 @@ Settings read_settings(const study::Options& options, bool several) {
     std::vector<Side> sides;
     if (side != "right") sides.push_back(Side::left);
     if (side != "left") sides.push_back(Side::right);
-    std::optional<rollbem::RollingFriction> friction;
-    if (options.given("friction")) {
-        friction = {positive("friction"), Eigen::Index(options.integer("n", 1, 100)),
-                    options.given("strips") ? Eigen::Index(options.integer("strips", 1, 100)) : 0,
-                    options.choice("slip", {"curved", "linear"}) == "curved"};
-    } else {
-        for (const char* name : {"speed", "pitch-rate", "n", "strips", "slip", "shear-yield", "wear"})
-            options.ignored(name, "without --friction");
-    }
+    const std::optional<rollbem::RollingFriction> friction = read_friction(options);
     const double load = positive("load"), speed = options.number("speed", study::finite());
     options.require(speed != 0, "speed", "differ from 0: creepage is slip over the velocity of rolling");
     rollbem::WheelsetOnTrack wheelset = read_wheelset(options, track);

@@ -150,14 +150,22 @@ double Options::number(const std::string& name, const Rule& rule) const {
     return to_number(name, text(name), "one number", rule);
 }
 
-std::optional<std::pair<double, double>> Options::pair(const std::string& name) const {
+std::vector<double> Options::row(const std::string& name, std::size_t count) const {
     const std::vector<std::string> parts = cells_of(text(name));
-    if (parts.size() != 2) return std::nullopt;
-    const auto first = detail::parse_number<double>(parts[0]), second = detail::parse_number<double>(parts[1]);
-    if (!first || !second || !std::isfinite(*first) || !std::isfinite(*second)) return std::nullopt;
-    require_digits(name, text(name), *first);
-    require_digits(name, text(name), *second);
-    return std::pair(*first, *second);
+    std::vector<double> found;
+    for (const std::string& part : parts) {
+        const auto number = detail::parse_number<double>(part);
+        if (parts.size() != count || !number || !std::isfinite(*number)) return {};
+        require_digits(name, text(name), *number);
+        found.push_back(*number);
+    }
+    return found;
+}
+
+std::optional<std::pair<double, double>> Options::pair(const std::string& name) const {
+    const std::vector<double> both = row(name, 2);
+    if (both.empty()) return std::nullopt;
+    return std::pair(both[0], both[1]);
 }
 
 std::ptrdiff_t Options::integer(const std::string& name, std::ptrdiff_t low, std::ptrdiff_t high) const {

@@ -226,7 +226,9 @@ public:
 
     double number(const std::string& name, const Rule& rule) const;
 
-    /// FIRST,SECOND as two finite numbers; nothing where the one value is something else.
+    /// FIRST,SECOND,... as so many finite numbers; empty where the one value is something else.
+    std::vector<double> row(const std::string& name, std::size_t count) const;
+    /// The same of two; nothing where the value is something else.
     std::optional<std::pair<double, double>> pair(const std::string& name) const;
 
     std::ptrdiff_t integer(const std::string& name, std::ptrdiff_t low, std::ptrdiff_t high) const;
