@@ -3,7 +3,8 @@
 // solves for stick and slip from rest, matrices ready, in the mean over nine creepages; its counter error is the
 // largest of F_y over mu N under creepage, spin, and both, against limits at nu = 0.28. BM_PatchCreepCurve does so
 // along a curve up to full sliding, each point from the one before. Their counter LU is the processor time of one
-// solution over that of one LU decomposition. BM_CreepTable looks forces up in a table.
+// solution over that of one LU decomposition. BM_CreepTable looks forces up in a table, BM_SimplifiedTheory
+// computes them by strips.
 // Sample run: ./bench_patch --benchmark_filter=/12$
 #include <algorithm>
 #include <array>
@@ -23,6 +24,7 @@
 #include <rollbem/compiled/creep_force_table.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
+#include <rollbem/vehicle/simplified_theory.hpp>
 
 namespace {
 
@@ -163,6 +165,17 @@ void BM_CreepTable(benchmark::State& state) {
     }
 }
 
+// The forces of a contact under creepages and spin by FASTSIM (0) and by FaStrip (1), n strips of n elements.
+void BM_SimplifiedTheory(benchmark::State& state) {
+    const bool by_strips = state.range(0) == 1;
+    const int n = static_cast<int>(state.range(1));
+    const SimplifiedTheory theory(circle, {4.2, 3.7, 1.5, -1.5, 1.2}, 1, 1, {n, n});
+    const Creepage<double> creepage{0.14, 0.1, 0.2};
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(by_strips ? theory.fastrip(creepage) : theory.fastsim(creepage));
+    }
+}
+
 // A step of sdirk2 under a load that varies, tangents included: 0 on a fixed mesh, 1 with semi-axes in proportion, 2
 // with a new a/b as well.
 void BM_PatchStep(benchmark::State& state) {
@@ -206,6 +219,7 @@ BENCHMARK(BM_PatchSystem)->ArgsProduct({{8, 12, 16, 24}})->Unit(benchmark::kMicr
 BENCHMARK(BM_PatchSteady)->ArgsProduct({{8, 12, 16, 24}})->Unit(benchmark::kMicrosecond)->Complexity();
 BENCHMARK(BM_PatchFriction)->ArgsProduct({{8, 12, 16, 24}})->Unit(benchmark::kMicrosecond)->Complexity();
 BENCHMARK(BM_PatchCreepCurve)->ArgsProduct({{8, 12, 16}})->Unit(benchmark::kMicrosecond)->Complexity();
+BENCHMARK(BM_SimplifiedTheory)->ArgNames({"fastrip", "n"})->ArgsProduct({{0, 1}, {10, 12, 20, 40}});
 BENCHMARK(BM_CreepTable)->ArgName("contacts")->Arg(8)->Arg(4096);
 
 }  // namespace

@@ -10,10 +10,12 @@ f(s, c) = sprintf('< awk -F, -v OFS=, -v s=%g "NR > 1 && \$1 == s { print \$2, \
     'simplified_theories.csv')
 plot f(0,3) with lines lw 2.5 lc rgb '#0072b2' title 'rollbem', \
     f(0,4) with lines lw 2 dt 2 lc rgb '#d55e00' title 'FASTSIM', \
-    f(0,5) with lines lw 2 dt 4 lc rgb '#555555' title 'linear, saturated'
+    f(0,6) with lines lw 2 dt 3 lc rgb '#009e73' title 'FaStrip', \
+    f(0,7) with lines lw 2 dt 4 lc rgb '#555555' title 'linear, saturated'
 set xlabel 'lateral creepage, G a b c_{22} η / (μ N)'
 set ylabel '-F_y / (μ N)'
 set title 'with spin, G a b c c_{23} φ / (μ N) = 0.8'
 plot f(0.8,3) with lines lw 2.5 lc rgb '#0072b2' title 'rollbem', \
     f(0.8,4) with lines lw 2 dt 2 lc rgb '#d55e00' title 'FASTSIM', \
-    f(0.8,5) with lines lw 2 dt 4 lc rgb '#555555' title 'linear, saturated'
+    f(0.8,6) with lines lw 2 dt 3 lc rgb '#009e73' title 'FaStrip', \
+    f(0.8,7) with lines lw 2 dt 4 lc rgb '#555555' title 'linear, saturated'

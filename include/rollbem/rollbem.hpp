@@ -57,3 +57,4 @@
 #include "types.hpp"
 #include "vehicle/creep_force_table.hpp"
 #include "vehicle/reduced_friction.hpp"
+#include "vehicle/simplified_theory.hpp"
