@@ -1,12 +1,19 @@
-// What wears and tires wheels and rails that roll: frictional work, where on a profile it is done, the fatigue index.
+// What wears and tires wheels and rails that roll, by patches and by table: frictional work, where on a profile it is
+// done, the fatigue index; the quotient that a derailment depends on.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include <Eigen/Core>
 
 #include "../detail/require.hpp"
+#include "../normal/profile.hpp"
+#include "../scene/creep_coefficients.hpp"
+#include "contact_table.hpp"
+#include "simplified_theory.hpp"
 #include "wheelset_forces.hpp"
 
 namespace rollbem {
@@ -14,10 +21,12 @@ namespace rollbem {
 /// T gamma [N], the work of creep forces on creepages per metre rolled [J/m]: -(F_x xi + F_s eta + M_n phi). Wear per
 /// metre is a function of it over the area (British Rail Research; Braghin et al. 2006). It is the heat of friction
 /// (slip_work) up to the errors of the discretisation, where slip is that of the three creepages.
-inline double t_gamma(const PatchForce& patch) {
-    return -(patch.force.longitudinal * patch.creepage.longitudinal + patch.force.lateral * patch.creepage.lateral +
-             patch.force.moment * patch.creepage.spin);
+inline double t_gamma(const TangentialForce<double>& force, const Creepage<double>& creepage) {
+    return -(force.longitudinal * creepage.longitudinal + force.lateral * creepage.lateral +
+             force.moment * creepage.spin);
 }
+inline double t_gamma(const PatchForce& patch) { return t_gamma(patch.force, patch.creepage); }
+inline double t_gamma(const WheelForces::Point& point) { return t_gamma(point.force, point.creepage); }
 
 /// FI_surf [-] of Ekberg, Kabo and Andersson (2002): the force of friction over the normal force, less k/p_max, k the
 /// yield stress in shear [Pa]; of Hertz's contact p_max = 3N/(2 pi a b). Where it is positive, the surface flows
@@ -25,6 +34,70 @@ inline double t_gamma(const PatchForce& patch) {
 inline double surface_fatigue_index(const RailPatch& patch, const PatchForce& friction, double shear_yield) {
     return std::hypot(friction.force.longitudinal, friction.force.lateral) / patch.load -
            shear_yield / patch.peak_pressure;
+}
+
+/// The same of a point of a table with a load, under the largest pressure of its zone.
+inline double surface_fatigue_index(const WheelForces::Point& point, double shear_yield) {
+    return std::hypot(point.force.longitudinal, point.force.lateral) / point.normal_load -
+           shear_yield / point.peak_pressure;
+}
+
+/// Y/Q [-] of a wheel: its lateral force on the rail, positive outwards as a flange presses, over its vertical one.
+inline double y_over_q(const WheelForces& wheel, WheelsetSide side) {
+    const double outwards = side == WheelsetSide::right ? -wheel.force[1] : wheel.force[1];
+    return outwards / -wheel.force[2];
+}
+
+/// Kalker's c11, c22 and c23 of an ellipse, by a table's linear law.
+inline CreepCoefficients<double> creep_coefficients(const CreepForceTable& creep, const PatchContact<double>& ellipse) {
+    const CreepageTangent<double> at_rest = creep.look_up(ellipse, 1, 1, {}).tangent;
+    const double unit = -ellipse.shear_modulus() * ellipse.half_length() * ellipse.half_width();
+    return {at_rest.by_longitudinal.longitudinal / unit, at_rest.by_lateral.lateral / unit,
+            at_rest.by_spin.lateral / unit / ellipse.c()};
+}
+
+/// Friction on a point of a table with its work over the strips of its ellipse: the sum is t_gamma, and parts are those
+/// of FASTSIM, or of the load where nothing slips. `mu` is that of the point. Status::no_contact without a load.
+inline PatchForce strip_work_of(const WheelForces::Point& point, const CreepForceTable& creep, double mu,
+                                const SimplifiedMesh& mesh = {}) {
+    PatchForce found;
+    found.status = Status::no_contact;
+    if (!(point.load_share > 0)) return found;
+    const double half = std::numbers::pi / 2, b = point.ellipse.half_width();
+    const Eigen::ArrayXd angles = Eigen::ArrayXd::LinSpaced(mesh.strips + 1, -half, half);
+    found = {.creepage = point.creepage,
+             .force = point.force,
+             .slip_work = t_gamma(point),
+             .edges = b * angles.sin(),
+             .strip_work = Eigen::ArrayXd::Zero(mesh.strips),
+             .elements = Eigen::Index(mesh.strips) * mesh.elements,
+             .status = Status::ok};
+    if (mu > 0) {
+        const SimplifiedTheory theory(point.ellipse, creep_coefficients(creep, point.ellipse), mu, point.normal_load,
+                                      mesh);
+        theory.fastsim(point.creepage, [&](const SimplifiedElement& element) {
+            found.strip_work[element.strip] -=
+                element.area * (element.traction[0] * element.slip[0] + element.traction[1] * element.slip[1]);
+        });
+    }
+    if (!(found.strip_work.sum() > 0)) found.strip_work = (angles.head(mesh.strips) + half / mesh.strips).cos().cube();
+    found.strip_work *= found.slip_work / found.strip_work.sum();
+    return found;
+}
+
+/// Arc length of the point of a table on a rail's profile [m]: of places of the same y the one of the nearest angle. NaN
+/// beside the profile.
+inline double arc_length(const Profile& rail, const WheelForces::Point& point) {
+    double nearest = std::numeric_limits<double>::infinity(), s = std::numeric_limits<double>::quiet_NaN();
+    for (Eigen::Index i = 1; i < rail.size(); ++i) {
+        const double before = rail.y()[i - 1] - point.rail_y, after = rail.y()[i] - point.rail_y;
+        if (before * after > 0 || before == after) continue;
+        const double angle = std::atan2(rail.z()[i] - rail.z()[i - 1], rail.y()[i] - rail.y()[i - 1]);
+        if (std::abs(angle - point.angle) >= nearest) continue;
+        nearest = std::abs(angle - point.angle);
+        s = rail.s()[i - 1] + before / (before - after) * (rail.s()[i] - rail.s()[i - 1]);
+    }
+    return s;
 }
 
 /// Frictional work per metre rolled, over the arc length of a profile, summed over many patches.
