@@ -237,6 +237,10 @@ int main(int argc, char** argv) {
     study::Options options("profile_study", "Patches of a wheel on a rail, from their profiles.");
     profile::add_options(options);
     return study::run_program(options, argc, argv, [](const study::Options& given) {
+        if (given.flag("conicity")) {
+            profile::study_conicity(given);
+            return study::exit_ok;
+        }
         const std::vector<Case> cases = profile::read_cases(given);
         const Settings settings = profile::read_settings(given, cases.size() > 1);
         const std::string folder = given.text("outline");

@@ -48,6 +48,14 @@ std::vector<Case> read_cases(const study::Options& options);
 /// The columns of a case: those of what is swept.
 std::string case_columns(const study::Options& options);
 
+// --- equivalent conicity
+
+/// Declares --conicity and what belongs to it, behind all other options.
+void add_conicity_options(study::Options& options);
+
+/// The table of --conicity. Throws BadInput.
+void study_conicity(const study::Options& options);
+
 // --- profiles by name or from files
 
 /// Declares --wheel, --rail, their material, and what they need.

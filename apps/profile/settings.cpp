@@ -74,6 +74,13 @@ rail's surface [rad] or y of its profile [m], as on the right rail, and constant
 each side, s, the length along the profile, y, z, and work [J/m^2]: frictional work per metre rolled and metre of
 profile, the mean over all positions. The loads are vertical: the normal forces are found together with those of
 friction.
+--conicity: a row for each amplitude, half of y_max - y_min, between which the wheelset's middle moves: tan_gamma of the
+cone with the same wavelength, by integration of the wave; tan_gamma_linear by harmonic linearisation; the note
+nonlinearity in the sidecar. status is ok, beyond_clearance (the wave leaves what both wheels reach without climbing
+over a flange or an end of a profile) or unstable (Delta r falls: no wave passes the equilibrium), or why the wheelset
+has no contact in the middle. With --rolling-radii delta_r is right_radius less left_radius; cells beyond the clearance
+are empty.
+  profile_study --conicity --wheel worn.whl --tape-offset 0 --rail worn.ban --cant 0 --plot conicity.svg
 --outline writes files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P and patch K, e.g. for
   patch_study --n 12 --outline DIR/1_right_1.outline.csv --pressure DIR/1_right_1.pressure.csv --longitudinal 0.1
 )";
@@ -191,6 +198,7 @@ void add_options(study::Options& options) {
     options.group("Result");
     options.add_folder("outline", "also write outlines and pressures of all patches into this folder, for patch_study");
     options.add_output("wear", "with --friction: also write frictional work over both profiles to this CSV file");
+    add_conicity_options(options);
     options.footer(help);
     options.set_conventions(
         "axes = track axes: x forward, y to the right, z down; patches: x, s along y turned by the angle, n into the "

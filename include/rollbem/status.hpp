@@ -41,6 +41,7 @@ enum class Status {
     unbalanced,         ///< numbers, but normal forces and friction did not settle, or a wheel does not roll
     no_contact,         ///< the surfaces do not touch: a wheel is lifted, or beside the rail
     end_of_profile,     ///< contact reaches the end of a profile, which is not known beyond
+    beyond_clearance,   ///< a wheel would climb over its flange, or a motion would leave the rails
     undefined_section,  ///< the wheel's section is not a function there: yaw is too large
     too_deep,           ///< the wheel lies more than a millimetre within the rail: a position that cannot be meant
     load_not_reached,   ///< no height was found at which the contact carries the load
@@ -77,6 +78,7 @@ constexpr const char* name(Status status) {
         case Status::unbalanced: return "unbalanced";
         case Status::no_contact: return "no_contact";
         case Status::end_of_profile: return "end_of_profile";
+        case Status::beyond_clearance: return "beyond_clearance";
         case Status::undefined_section: return "undefined_section";
         case Status::too_deep: return "too_deep";
         case Status::load_not_reached: return "load_not_reached";

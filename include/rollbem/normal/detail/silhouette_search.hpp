@@ -33,16 +33,30 @@ public:
         // the highest points of the rail are known to the distance of its samples
         touch_ = touching_height(touch_, [this](double height) {
             find_feet(height);
-            const Foot* deepest = nullptr;
-            for (const Sample& sample : samples_) {
-                if (sample.close && (deepest == nullptr || sample.foot.depth > deepest->depth)) deepest = &sample.foot;
-            }
-            return deepest;
+            const Sample* const sample = deepest();
+            return sample == nullptr ? nullptr : &sample->foot;
         });
         return Status::ok;
     }
 
     double touch() const { return touch_; }  ///< the height at which the wheel begins to touch [m]
+
+    /// Where the wheel touches first: a point of the wheel at that height, and of the rail; nothing where a curve ends
+    /// there. Follows locate().
+    std::optional<SurfaceCut> first_point() const {
+        const Sample* const sample = deepest();
+        if (sample == nullptr || sample == &samples_.front() || sample == &samples_.back()) return std::nullopt;
+        double low = (sample - 1)->s, high = (sample + 1)->s;
+        SurfaceCut cut{};
+        for (int k = 0; k < 45; ++k) {
+            cut.wheel_s = (low + high) / 2;
+            const double steeper = place(cut, sample->foot.s);
+            if (!is_finite(steeper)) return std::nullopt;
+            (steeper > 0 ? high : low) = cut.wheel_s;
+        }
+        if (!cut.foot.inside) return std::nullopt;
+        return cut;
+    }
 
     /// Whether the wheel at the height of the last regions lies more than a millimetre within the rail somewhere.
     bool is_too_deep() const {
@@ -116,6 +130,29 @@ private:
             samples_[k].normal_y = -(two.z - one.z) / size;
             samples_[k].normal_z = (two.y - one.y) / size;
         }
+    }
+
+    const Sample* deepest() const {
+        const Sample* found = nullptr;
+        for (const Sample& sample : samples_) {
+            if (sample.close && (found == nullptr || sample.foot.depth > found->foot.depth)) found = &sample;
+        }
+        return found;
+    }
+
+    // Both points of a cut at the touching height; returns what has the sign of the rail's slope less the wheel's,
+    // NaN where the silhouette is not defined.
+    double place(SurfaceCut& cut, double rail_s) const {
+        constexpr double beside = 1e-7;  // [m]
+        const PlacedWheel::Place one = placed_->silhouette(cut.wheel_s - beside),
+                                 two = placed_->silhouette(cut.wheel_s + beside);
+        if (!one.defined || !two.defined) return std::numeric_limits<double>::quiet_NaN();
+        const double dy = two.y - one.y, dz = two.z - one.z;
+        cut.x = (one.x + two.x) / 2;
+        cut.y = (one.y + two.y) / 2;
+        cut.z = (one.z + two.z) / 2 + touch_;
+        cut.foot = foot_on_rail(*geometry_, 0, rail_s, 0, cut.y, cut.z);
+        return dy * cut.foot.slope[1] - dz * cut.foot.slope[0];
     }
 
     void find_feet(double height) {
