@@ -241,6 +241,10 @@ int main(int argc, char** argv) {
             profile::study_conicity(given);
             return study::exit_ok;
         }
+        if (given.flag("virtual-penetration")) {
+            profile::study_methods(given);
+            return study::exit_ok;
+        }
         const std::vector<Case> cases = profile::read_cases(given);
         const Settings settings = profile::read_settings(given, cases.size() > 1);
         const std::string folder = given.text("outline");

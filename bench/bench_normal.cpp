@@ -1,7 +1,7 @@
 // Patches from profiles. BM_NormalContact/n: pressures on 2 n x n cells under Hertz's gap (a/b = 2.6), from nothing;
 // its counter error is that of the peak pressure against Hertz. BM_ProfilePatch/n: S1002 on 60E1 with 2 n x n cells
 // across what touches, from the profiles to outline and pressures, from the position 0.1 mm beside it; /0 from nothing
-// at n = 20. Sample run: ./bench_normal --benchmark_filter=/20$
+// at n = 20. BM_VirtualPenetration/y: the same profiles at y tenths of a millimetre. Sample run: ./bench_normal --benchmark_filter=/20$
 #include <limits>
 
 #include <benchmark/benchmark.h>
@@ -9,6 +9,7 @@
 #include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/normal_contact.hpp>
+#include <rollbem/vehicle/virtual_penetration.hpp>
 
 namespace {
 
@@ -59,6 +60,24 @@ void BM_ProfilePatch(benchmark::State& state) {
     state.counters["n"] = double(n);
 }
 BENCHMARK(BM_ProfilePatch)->Arg(0)->Arg(10)->Arg(20)->Arg(40)->Unit(benchmark::kMillisecond);
+
+/// The error is that of its load, that of the cells being the reference.
+void BM_VirtualPenetration(benchmark::State& state) {
+    const WheelOnRail wheel(s1002(), rail_60e1());
+    WheelOnRail::Workspace workspace;
+    WheelsetPosition at{.lateral = double(state.range(0)) * 1e-4};
+    const auto exact = wheel.solve_for_load(at, 1e5, workspace, {.cells_x = 80, .cells_s = 40});
+    at.height = exact.height;
+    double load = 0, expected = 0;
+    for (const RailPatch& patch : exact.patches) expected += patch.load;
+    for (auto _ : state) {
+        load = 0;
+        for (const VirtualPenetration& contact : virtual_penetration(wheel, at)) load += contact.load;
+        benchmark::DoNotOptimize(load);
+    }
+    state.counters["error"] = load / expected - 1;
+}
+BENCHMARK(BM_VirtualPenetration)->Arg(-40)->Arg(30)->Arg(52)->Unit(benchmark::kMicrosecond);
 
 /// With tangents if the argument is 1.
 void BM_WheelsetLookUp(benchmark::State& state) {

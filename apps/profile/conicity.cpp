@@ -135,10 +135,7 @@ void add_conicity_options(study::Options& options) {
                   "radii and angles of contact of both wheels over the lateral position: --shift, or all within the "
                   "clearance")
         .only_with({"conicity"});
-    options.not_with({"side",   "yaw",         "positions",   "roll",     "x",     "pitch",         "load",
-                      "height", "interaction", "cells",       "friction", "speed", "pitch-rate",    "n",
-                      "strips", "slip",        "shear-yield", "outline",  "wear",  "shear-modulus", "poisson"},
-                     "conicity");
+    options.not_with({"load", "shear-modulus", "poisson"}, "conicity");
 }
 
 void study_conicity(const study::Options& options) {

@@ -50,11 +50,19 @@ std::string case_columns(const study::Options& options);
 
 // --- equivalent conicity
 
-/// Declares --conicity and what belongs to it, behind all other options.
+/// Declares --conicity and what belongs to it, before add_method_options().
 void add_conicity_options(study::Options& options);
 
 /// The table of --conicity. Throws BadInput.
 void study_conicity(const study::Options& options);
+
+// --- methods for the normal problem
+
+/// Declares --virtual-penetration, and what has no effect with it and with --conicity.
+void add_method_options(study::Options& options);
+
+/// The table of --virtual-penetration. Throws BadInput.
+void study_methods(const study::Options& options);
 
 // --- profiles by name or from files
 

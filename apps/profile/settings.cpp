@@ -81,6 +81,9 @@ over a flange or an end of a profile) or unstable (Delta r falls: no wave passes
 has no contact in the middle. With --rolling-radii delta_r is right_radius less left_radius; cells beyond the clearance
 are empty.
   profile_study --conicity --wheel worn.whl --tape-offset 0 --rail worn.ban --cant 0 --plot conicity.svg
+--virtual-penetration: rows for each shift of the right wheel, the height being that where 80 x 40 cells carry --load:
+load, area and largest pressure by virtual penetration (share 0.55 of the approach) and by cells, and their relative
+errors beside 80 x 40 cells; time_us is that of all of it from the profiles.
 --outline writes files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P and patch K, e.g. for
   patch_study --n 12 --outline DIR/1_right_1.outline.csv --pressure DIR/1_right_1.pressure.csv --longitudinal 0.1
 )";
@@ -199,6 +202,7 @@ void add_options(study::Options& options) {
     options.add_folder("outline", "also write outlines and pressures of all patches into this folder, for patch_study");
     options.add_output("wear", "with --friction: also write frictional work over both profiles to this CSV file");
     add_conicity_options(options);
+    add_method_options(options);
     options.footer(help);
     options.set_conventions(
         "axes = track axes: x forward, y to the right, z down; patches: x, s along y turned by the angle, n into the "
