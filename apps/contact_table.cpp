@@ -199,7 +199,7 @@ ContactTable::Grid read_grid(const study::Options& options) {
     if (both) grid.yaws[0] = 0;
     options.require(grid.yaws.size() <= ContactTable::most_yaws && grid.yaws.back() <= 0.3, "yaw",
                     "have at most 8 nodes from 0 on, up to 0.3 rad: values are polynomials in yaw^2 through all");
-    grid.loads = options.numbers("load", study::positive());
+    grid.loads = options.numbers("load", study::between(1, 1e7));
     std::sort(grid.loads.begin(), grid.loads.end());
     options.require(grid.loads.size() <= ContactTable::most_loads, "load", "be at most 8");
     return grid;
@@ -275,13 +275,32 @@ void say_what_was_made(const study::Options& options, const Scene& scene, const 
     }
 }
 
-/// What `make` returns; what it refuses is bad input.
+/// What `make` returns; what it refuses of the grid is bad input.
 template <class Make>
-auto refused_as_input(const Make& make) {
+auto refused_as_input(const study::Options& options, const Make& make) {
     try {
         return make();
+    } catch (const study::BadInput&) {
+        throw;
     } catch (const std::invalid_argument& error) {
-        throw study::BadInput(error.what());
+        throw study::BadInput(options.said("shift") + ", " + options.said("yaw") + ", " + options.said("load") + ": " +
+                              error.what());
+    }
+}
+
+/// Cuts between zones must lie over the rail.
+void require_on_rail(const study::Options& options, const Scene& scene, const rollbem::ContactTableMaking& making) {
+    for (const WheelsetSide side : rollbem::WheelsetOnTrack::sides) {
+        const std::string name = side == WheelsetSide::left ? "left-zones" : "zones";
+        const auto& zones = making.zones[std::size_t(side)];
+        const rollbem::WheelOnRail& wheel = scene.wheelset.wheel(side);
+        const double inner = wheel.rail_origin() + wheel.rail().y().minCoeff(),
+                     outer = wheel.rail_origin() + wheel.rail().y().maxCoeff();
+        for (const auto& cut : zones ? zones->cuts() : std::vector<rollbem::ContactZones::Cut>{}) {
+            options.require(
+                inner < cut.y && cut.y < outer, name,
+                "lie over the rail, from y = " + study::Cell(inner).text(4) + " to " + study::Cell(outer).text(4));
+        }
     }
 }
 
@@ -290,8 +309,9 @@ void make_part(const study::Options& options) {
     rollbem::ContactTableMaking making = read_making(options);
     const ContactTable::Grid grid = making.grid;
     const Scene scene = read_scene(options);
+    require_on_rail(options, scene, making);
     rollbem::ContactTableMaker maker =
-        refused_as_input([&] { return rollbem::ContactTableMaker(scene.wheelset, scene.creep, making); });
+        refused_as_input(options, [&] { return rollbem::ContactTableMaker(scene.wheelset, scene.creep, making); });
     say_duration(options, scene, making);
     study::write_table(options, contact::node_table(maker, grid));
 }
@@ -301,6 +321,7 @@ void make(const study::Options& options) {
     const std::string output = options.text("output");
     options.require(options.given("output") && output != "-", "output", "be a file: a contact table is not text");
     const Scene scene = read_scene(options);
+    require_on_rail(options, scene, making);
     study::OutputFiles files;
     study::OutputFile& file = files.open(output, "--output");
     const bool reads = options.given("rows");
@@ -308,7 +329,7 @@ void make(const study::Options& options) {
     study::Progress progress(options.program(), making.lines(), study::shows_progress(options) && !reads, "lines");
     std::size_t done = 0;
     making.done = [&] { progress.update(++done); };
-    const rollbem::MadeContactTable made = refused_as_input([&] {
+    const rollbem::MadeContactTable made = refused_as_input(options, [&] {
         if (!reads) return make_contact_table(scene.wheelset, scene.creep, making);
         const rollbem::ContactTableMaker maker(scene.wheelset, scene.creep, making);
         const auto sides = contact::read_sides(options, making.grid, maker.side_count());
@@ -468,6 +489,7 @@ std::vector<Position> scan_positions(const study::Options& options, const Contac
     const auto range = options.pair("scan");
     options.require(range && range->first > 0 && range->second > 0 && range->first / range->second <= 1e6, "scan",
                     "be SHIFT_MAX,STEP with at most 1e6 steps");
+    options.require(range->second <= range->first, "scan", "have a STEP of at most SHIFT_MAX");
     options.require(range->first <= table.largest_shift(), "scan",
                     "end within the table, at " + study::Cell(table.largest_shift()).text(6));
     std::vector<double> loads;
@@ -577,6 +599,12 @@ void add_options(study::Options& options) {
     options.not_with({"load", "shift", "yaw", "zones", "left-zones"}, "scan");
     options.only_with({"left-zones"}, {"left-wheel", "left-rail", "left-radius"});
     options.refuse("plot", "draw contacts with profile_study");
+    options.refuse("no-timing", "rows have no times");
+    options.set_help(
+        "output",
+        "the contact table, a file that is no CSV; with --shard and --scan a CSV file with FILE.toml beside "
+        "it, by default standard output");
+    options.set_help("jobs", "threads, 1 to 1024 (dimensionless)");
     options.add_input("rows",
                       "make the table of these rows instead of computing them: the parts of --shard, one after the "
                       "other; with the same options but those of zones, and the same version");

@@ -131,8 +131,8 @@ Eigen::Array3Xd read_forces(const Job& job, const study::JoinedRows& rows) {
     const CreepForceGrid& grid = job.grid;
     Eigen::Array3Xd forces(3, grid.nodes() * grid.shapes());
     std::optional<CreepForceSource> source;
-    for (std::size_t i = 0; i < rows.lines().size(); ++i) {
-        const auto column = static_cast<Eigen::Index>(i);
+    for (Eigen::Index column = 0; column < forces.cols(); ++column) {
+        const auto i = static_cast<std::size_t>(column);
         const Eigen::Index shape = column / grid.nodes(), node = column % grid.nodes();
         if (node == 0) source.emplace(grid.a_over_b(shape), grid.poisson_ratio(), job.n);
         const study::Row expected = node_cells(*source, grid.creepage(shape, node));
@@ -258,6 +258,7 @@ void add_options(study::Options& options) {
     options.refuse("kernel", "the bodies are half-spaces");
     options.refuse("aspect", "a patch is wide and long: --a-over-b");
     options.not_with({"shard"}, "rows");
+    options.refuse("no-timing", "rows have no times");
     options.refuse("plot", "draw friction on patches with patch_study");
     options.footer(help);
 }

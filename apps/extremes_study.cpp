@@ -72,6 +72,7 @@ extremes::Cases all_cases(bool large) {
 void add_options(study::Options& options) {
     for (const char* group : {"Discretisation", "Contact"}) options.refuse_group(group, "each case has its own");
     options.refuse("plot", "cases have nothing to draw");
+    options.refuse("no-timing", "cases are not timed");
     options.not_with({"large", "contacts"}, "patches");
     options.not_with({"large"}, "contacts");
     options.add_flag(

@@ -29,6 +29,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
+constexpr study::Methods methods{.states = true, .closed = true};
+
 constexpr Complex unknown{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 
 /// The response at one frequency. Where c11 is not finite, it and the error are left out, as is what needs the exact
@@ -122,9 +124,10 @@ private:
 /// A c11 that cannot be trusted is left out if that is `checked`.
 void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, bool checked, study::RowRange range,
                 const study::Results<Response>& emit) {
-    const Sweep fine(scene.on_one_mesh(false));
+    const std::vector<study::Scene> meshes = scene.meshes();
+    const Sweep fine(meshes.front());
     std::optional<Sweep> coarse;
-    if (scene.coarse) coarse.emplace(scene.on_one_mesh(true));
+    if (scene.coarse) coarse.emplace(meshes.back());
     for (std::size_t i = range.first; i < range.last; ++i) {
         Response point = fine(omegas[i]);
         if (coarse) {
@@ -299,6 +302,7 @@ void add_options(study::Options& options) {
     options.not_with({"n", "mesh", "edges", "derivative", "state-space"}, "method=polynomial",
                      ", which has no elements and no states");
     study::offer_chebyshev(options, "; or polynomial, of an --order");
+    study::offer_schemes(options, methods);
     options.footer(
         R"(Example: three meshes, with the Argand diagram and both parts over the frequency
   frequency_study --n 20,40,60 --omega-min 0.01 --omega-max 10 --points 101 --output c11.csv --plot c11.svg
@@ -331,7 +335,7 @@ int main(int argc, char** argv) {
         const bool by_polynomials = given.text("method") == "polynomial", checked = !given.flag("unchecked");
         const Polynomials polynomials = by_polynomials ? solve_polynomials(given, omegas) : Polynomials{};
         const std::vector<study::Scene> scenes =
-            by_polynomials ? polynomials.scenes : study::make_non_steady_scenes(given, study::Methods::all_with_c11);
+            by_polynomials ? polynomials.scenes : study::make_non_steady_scenes(given, methods);
         study::Table table = sheet.table(
             scenes, [&](const study::Scene&) { return omegas.size(); },
             [&](const study::Scene& scene, study::RowRange range, const study::Results<Response>& emit) {

@@ -141,6 +141,7 @@ int main(int argc, char** argv) {
     add_contact_options(options);
     add_steady_options(options);
     add_rolling_options(options);
+    study::offer_schemes(options, friction::methods);
     options.footer(help());
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {

@@ -77,7 +77,7 @@ void add_options(study::Options& options) {
                          study::join(line_schemes, ", ") + "; for quantities of patches " +
                          study::join(patch_schemes, ", "));
     options.set_help("aspect", "b/a, one value above 0; inf for quantities of steady rolling (dimensionless)");
-    options.set_help("poisson", "Poisson's ratio, one value, 0 to 0.5 (dimensionless)");
+    options.set_help("poisson", "Poisson's ratio, 0 to 0.5 (dimensionless)", "NU");
     options.add("quantity", "LIST",
                 "all, or some of c11,traction,c11_z0.1,c11_z1 (z = omega a/V),response,transient,friction,"
                 "combined_force,load_force; or some of " +

@@ -32,6 +32,10 @@ using study::Cell;
 using Complex = std::complex<double>;
 using Result = rollbem::StabilityResult<double>;
 
+constexpr study::Methods methods{
+    .states = true,
+    .not_extrapolated = "modes are counted, and eigenvalues of two meshes, not the same number, do not pair up"};
+
 // --- how many modes grow -------------------------------------------------------------------------------------------
 
 struct Count {
@@ -329,6 +333,7 @@ int main(int argc, char** argv) {
     options.not_with({"alpha-T"}, "critical", ", which searches for it");
     options.not_with({"alpha"}, "critical", ", which takes --alpha-L and searches for alpha_T");
     study::offer_chebyshev(options);
+    study::offer_schemes(options, methods);
     options.footer(
         R"(Example: the scheme that is best in steady state, on refined meshes, with a plot
   stability_study --n 20,60,160,166 --alpha-T 0.5,0.63,0.8 --output stable.csv --plot stable.svg
@@ -343,7 +348,7 @@ with --method nodes and knothe-bc.
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        const auto scenes = study::make_non_steady_scenes(given, study::Methods::elements_and_states);
+        const auto scenes = study::make_non_steady_scenes(given, methods);
         for (const study::Scene& scene : scenes) {
             if (!given.flag("critical")) break;
             if (!scene.alpha_T) throw study::BadInput("--critical has no effect with schemes without an alpha_T");

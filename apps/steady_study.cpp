@@ -23,6 +23,8 @@ namespace {
 
 using study::Cell;
 
+constexpr study::Methods methods{.states = true, .closed = true};
+
 /// The result for one scene. A c11 that cannot be trusted is not a number.
 struct Steady {
     double c11, exact;
@@ -110,8 +112,9 @@ Steady solve_once(const study::Scene& scene, bool timed) {
 Steady solve(const study::Scene& scene, bool timed) {
     if (!scene.is_discrete()) return solve_without_elements(scene, timed);
     if (!scene.coarse) return solve_once(scene, timed);
-    const Steady coarse = solve_once(scene.on_one_mesh(true), timed);
-    Steady fine = solve_once(scene.on_one_mesh(false), timed);
+    const std::vector<study::Scene> meshes = scene.meshes();
+    const Steady coarse = solve_once(meshes.back(), timed);
+    Steady fine = solve_once(meshes.front(), timed);
     fine.c11 = rollbem::richardson(coarse.c11, fine.c11, scene.order());
     if (fine.status == study::ok) fine.status = coarse.status;
     for (study::Cell Steady::*time : {&Steady::assembly_us, &Steady::solve_us}) {
@@ -142,6 +145,7 @@ int main(int argc, char** argv) {
     options.set_default("n", "10,20,40,80,160,320");
     options.refuse("lambda", study::no_lambda);
     study::offer_chebyshev(options);
+    study::offer_schemes(options, methods);
     options.footer(R"(Example: three positions of the trailing point, as a file and a plot of the error
   steady_study --n 40,80,160 --alpha-L 0 --alpha-T 0.5,0.63,0.7 --output c11.csv --plot c11.svg
 
@@ -149,7 +153,7 @@ One row per scheme and n. The columns kernel to nodes identify rows; they are em
 )" + sheet.help());
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        const auto scenes = study::make_scenes(given, study::Problem::steady, study::Methods::all_with_c11);
+        const auto scenes = study::make_scenes(given, study::Problem::steady, methods);
         const bool timed = study::has_times(given);
         study::Table table = sheet.table(scenes, [&](const study::Scene& scene) { return solve(scene, timed); });
         table.plot = [&](const std::vector<study::Row>& rows) { return draw_errors(scenes, rows); };

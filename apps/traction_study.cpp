@@ -21,6 +21,8 @@
 
 namespace {
 
+constexpr study::Methods methods{.states = true};
+
 /// At a point. Carter's traction there is compared with, or where there are elements his mean over the element.
 struct Traction {
     double x, traction, carter;
@@ -47,14 +49,33 @@ const study::Sheet<Traction> sheet{
       &Traction::status}},
     std::string("method, derivative, mesh, ") + study::settings};
 
-/// Unit creepage. With Knothe and Gross-Thebing's boundary conditions the leading element has no traction.
+/// Of every element, for unit creepage; not numbers unless the status is ok.
+struct Elements {
+    Eigen::ArrayXd tractions;
+    std::string status;
+};
+
+/// On one mesh. With Knothe and Gross-Thebing's boundary conditions the leading element has no traction.
+Elements solve_once(const study::Scene& scene) {
+    const rollbem::Response<double> solution = solve_steady(*scene.mesh, scene.scheme, scene.kernel);
+    Elements found{Eigen::ArrayXd::Zero(scene.n()), study::steady_status(scene, solution.status, solution.c11())};
+    found.tractions.head(solution.unknowns.rows()) = solution.unknowns.col(0);
+    if (found.status != study::ok) found.tractions.setConstant(std::nan(""));
+    return found;
+}
+
+/// The elements of the rows: those of the coarse mesh where there are two.
+const rollbem::Mesh<double>& mesh_of(const study::Scene& scene) { return scene.coarse ? *scene.coarse : *scene.mesh; }
+
 void by_elements(const study::Scene& scene, study::RowRange elements, const study::Results<Traction>& emit) {
-    const rollbem::Mesh<double>& mesh = *scene.mesh;
-    const rollbem::Response<double> solution = solve_steady(mesh, scene.scheme, scene.kernel);
-    Eigen::VectorXd traction = Eigen::VectorXd::Zero(scene.n());
-    traction.head(solution.unknowns.rows()) = solution.unknowns.col(0);
-    const std::string status = study::steady_status(scene, solution.status, solution.c11());
-    if (status != study::ok) traction.setConstant(std::nan(""));
+    const rollbem::Mesh<double>& mesh = mesh_of(scene);
+    const std::vector<study::Scene> meshes = scene.meshes();
+    auto [traction, status] = solve_once(meshes.front());
+    if (scene.coarse) {
+        const Elements coarse = solve_once(meshes.back());
+        traction = study::extrapolate_tractions(scene, traction, coarse.tractions);
+        if (status == study::ok) status = coarse.status;
+    }
     const double nu = scene.contact.poisson_ratio();
     const Eigen::ArrayXd means = rollbem::carter_mean_tractions(mesh, nu);
     for (Eigen::Index i = Eigen::Index(elements.first); i < Eigen::Index(elements.last); ++i) {
@@ -125,16 +146,23 @@ int main(int argc, char** argv) {
     study::Options options("traction_study", "Traction of every element in steady rolling against Carter's solution.");
     options.refuse("lambda", study::no_lambda);
     study::offer_chebyshev(options);
+    study::offer_schemes(options, methods);
     options.footer(R"(Example: 20 and 80 elements of a cosine mesh, with a plot of the traction along the contact
   traction_study --n 20,80 --mesh cosine --alpha 0.5 --output traction.csv --plot traction.svg
 
-One row per element, or per state:
+One row per element, or per state; with richardson: per element of n/2:
 )" + sheet.help());
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        const auto scenes = study::make_scenes(given, study::Problem::steady, study::Methods::elements_and_states);
+        const auto scenes = study::make_scenes(given, study::Problem::steady, methods);
+        for (const study::Scene& scene : scenes) {
+            if (!scene.coarse || scene.mesh_name == "uniform" || scene.mesh_name == "cosine") continue;
+            throw study::BadInput(
+                "--scheme = " + scene.word() +
+                " must be on a uniform or cosine mesh, of which pairs of elements make the coarse one");
+        }
         study::Table table = sheet.table(
-            scenes, [](const study::Scene& scene) { return scene.n(); },
+            scenes, [](const study::Scene& scene) { return scene.chebyshev ? scene.n() : mesh_of(scene).size(); },
             [](const study::Scene& scene, study::RowRange rows, const study::Results<Traction>& emit) {
                 scene.chebyshev ? by_states(scene, rows, emit) : by_elements(scene, rows, emit);
             });

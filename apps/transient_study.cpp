@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include <rollbem/accuracy/richardson.hpp>
 #include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/reference/step_response.hpp>
 #include <rollbem/rolling/run.hpp>
@@ -24,6 +25,8 @@
 namespace {
 
 using Model = rollbem::AdhesionModel<>;
+
+constexpr study::Methods methods{.states = true};
 
 const study::HistoryColumns columns{{"creepage"}};
 
@@ -105,10 +108,17 @@ const study::Sheet<Moment> sheet{
       &Moment::status}},
     study::settings};
 
+/// What rolls: a model, or two whose forces are extrapolated, the coarse one last; and the exact response of the
+/// contact.
+struct Rolling {
+    double order;  ///< of convergence
+    std::vector<Model> models{};
+    std::optional<rollbem::reference::StepResponse> exact{};
+};
+
 /// One run: emits the rows of `range`, but steps from the start, because each state needs the one before.
-void run(const Model& model, const Creepage& creepage, const study::Steps& steps,
-         const std::optional<rollbem::reference::StepResponse>& exact, bool checked, study::RowRange range,
-         const study::Results<Moment>& emit) {
+void run(const Rolling& rolling, const Creepage& creepage, const study::Steps& steps, bool checked,
+         study::RowRange range, const study::Results<Moment>& emit) {
     const bool resolved = creepage.history.resolved(steps.dq);
     const std::string status = !resolved ? study::unresolved : checked ? study::ok : study::unchecked;
 
@@ -116,15 +126,20 @@ void run(const Model& model, const Creepage& creepage, const study::Steps& steps
     const double reference = largest_creepage(creepage, steps);
 
     // 4. Step by step, with creepage linear over each. A step with a knot inside is divided there.
-    rollbem::Run contact(model);
+    std::vector<rollbem::Run<Model>> contacts(rolling.models.begin(), rolling.models.end());
     for (std::size_t k = 1; k <= std::min(range.last, steps.count); ++k) {
         const double start = static_cast<double>(k - 1) * steps.dq, end = static_cast<double>(k) * steps.dq;
         double force = 0;
         const auto failed = study::roll(start, end, creepage.history.places(), [&](double from, double to) {
             const auto motion = rollbem::RigidMotion<double>::linear(creepage.at(from, true), creepage.at(to, false));
-            const auto step = contact.advance({from == start && to == end ? steps.dq : to - from, motion});
-            force = -step.force_per_width / reference;  // a = G = 1
-            return step.status;
+            std::vector<double> forces;
+            for (auto& contact : contacts) {
+                const auto step = contact.advance({from == start && to == end ? steps.dq : to - from, motion});
+                if (step.status != rollbem::Status::ok) return step.status;
+                forces.push_back(-step.force_per_width / reference);  // a = G = 1
+            }
+            force = forces.size() == 1 ? forces[0] : rollbem::richardson(forces[1], forces[0], rolling.order);
+            return rollbem::Status::ok;
         });
         if (failed) {
             throw study::BadInput("the force is not finite at q/a = " + study::Cell(end).text(6) +
@@ -134,8 +149,8 @@ void run(const Model& model, const Creepage& creepage, const study::Steps& steps
 
         // 5. Compare with the exact response of the plane model.
         emit({end, creepage.at(end, false), resolved ? force : std::nan(""),
-              exact ? std::optional(creepage.exact(*exact, end) / reference) : std::nullopt,
-              study::word(model.integrator()), status});
+              rolling.exact ? std::optional(creepage.exact(*rolling.exact, end) / reference) : std::nullopt,
+              study::word(rolling.models.front().integrator()), status});
     }
 }
 
@@ -172,6 +187,7 @@ void add_options(study::Options& options) {
     study::add_integrator(options, false);
     options.add_flag("unchecked", "also step schemes that are unstable, may be unstable, or do not converge");
     study::offer_chebyshev(options);
+    study::offer_schemes(options, methods);
     options.footer(
         R"(Example: the step response of the second-order scheme
   transient_study --step 1 --mesh cosine --alpha 0.5 --kernel plane --aspect 100 --poisson 0.25 \
@@ -200,16 +216,14 @@ int main(int argc, char** argv) {
 
         // 2. One model for each scene, if eigenvalues and steady rolling tell that stepping makes sense, and the exact
         // response of its contact.
-        const std::vector<study::Scene> scenes =
-            study::make_non_steady_scenes(given, study::Methods::elements_and_states);
-        struct Rolling {
-            Model model;
-            std::optional<rollbem::reference::StepResponse> exact{};
-        };
+        const std::vector<study::Scene> scenes = study::make_non_steady_scenes(given, methods);
         const auto runs = study::prepared<Rolling>(given, scenes, [&](const study::Scene& scene) {
-            rollbem::RollingSystem<double> system = study::system_of(scene);
-            study::require_steppable(given, scene, system);
-            Rolling rolling{Model(scene.contact, std::move(system), rollbem::unchecked, integrator)};
+            Rolling rolling{scene.order()};
+            for (const study::Scene& one : scene.meshes()) {
+                rollbem::RollingSystem<double> system = study::system_of(one);
+                study::require_steppable(given, one, system);
+                rolling.models.emplace_back(one.contact, std::move(system), rollbem::unchecked, integrator);
+            }
             if (study::plane_model_decays(scene.contact)) {
                 rolling.exact.emplace(scene.contact.poisson_ratio(), scene.contact.aspect());
             }
@@ -221,7 +235,7 @@ int main(int argc, char** argv) {
             sheet.table(scenes, one_each_step,
                         [&](const study::Scene& scene, study::RowRange range, const study::Results<Moment>& emit) {
                             const Rolling& rolling = runs[std::size_t(&scene - scenes.data())];
-                            run(rolling.model, creepage, steps, rolling.exact, !given.flag("unchecked"), range, emit);
+                            run(rolling, creepage, steps, !given.flag("unchecked"), range, emit);
                         });
         table.plot = [&](const std::vector<study::Row>& rows) { return draw_force(creepage, rows); };
         study::write_table(given, table);

@@ -23,6 +23,8 @@ namespace friction {
 
 using System = rollbem::ElementSystem<double>;
 
+inline constexpr study::Methods methods{.not_extrapolated = "precision_study extrapolates forces with friction"};
+
 inline constexpr double mu_N = std::numbers::pi / 2;
 
 /// A pressure at every point and its mean on each element of a mesh, scaled to the load of Hertz's pressure with p0 =

@@ -266,7 +266,7 @@ void run_steady(const study::Options& options) {
     Curve curve{options, Line(options), read_points(options), "", study::has_times(options)};
     if (options.given("force")) curve.force = options.number("force", study::finite());
     if (options.given("sweep")) curve.sweep = options.choice("sweep", {"up", "down"});
-    const std::vector<study::Scene> scenes = study::make_scenes(options, study::Problem::steady);
+    const std::vector<study::Scene> scenes = study::make_scenes(options, study::Problem::steady, methods);
     const auto solve = options.flag("fit-border") ? solve_by_border : solve_by_elements;
     Tractions tractions(options, traction_sheet().names(), scenes.size(), options.given("plot"));
 

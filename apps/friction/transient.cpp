@@ -37,6 +37,9 @@ Scenario read_scenario(const study::Options& options) {
     study::History imposed = study::read_history(options, history_columns,
                                                  {"creepage_ratio", "lateral_ratio", "spin_ratio", "shift", "force"});
     if (!imposed.has("creepage_ratio") && !imposed.has("force") && !imposed.has("shift")) {
+        options.require(
+            !options.given("history"), "history",
+            "have a column creepage_ratio, force or shift, unless an option of one of these names is given");
         throw study::BadInput(
             "one of --creepage-ratio, --step, --ramp, --sine, --history, --force and --shift must be given with "
             "--transient");
@@ -128,7 +131,7 @@ Rolling make_rolling(const study::Options& options, const Scenario& scenario, co
     }
     const auto hertz = hertz_load(scenario.imposed, scenario.breathes(), *scene.mesh);
     rolling.load_at = [hertz, &imposed = scenario.imposed](double q) {
-        rollbem::NormalLoad<double> normal = hertz.at(mu_N);
+        rollbem::NormalLoad<double> normal = hertz.at(hertz.breathes() ? mu_N : 0);
         hertz.set(imposed.at("load_ratio", q) * mu_N, normal);  // a step refuses what is no load
         return normal;
     };
@@ -267,7 +270,7 @@ std::string transient_help() { return time_sheet().help(); }
 
 void run_transient(const study::Options& options) {
     const Scenario scenario = read_scenario(options);
-    const std::vector<study::Scene> scenes = study::make_non_steady_scenes(options);
+    const std::vector<study::Scene> scenes = study::make_non_steady_scenes(options, methods);
     const auto prepare = [&](const study::Scene& scene) {
         try {
             return make_rolling(options, scenario, scene);

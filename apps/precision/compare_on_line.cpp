@@ -65,8 +65,8 @@ Values reference(const Contact<double>& contact, const Settings& settings, const
         case Problem::combined_friction:
         case Problem::varying_load: {
             const long n = quantity.problem == Problem::varying_load ? 320 : 640;
-            const study::Scene fine =
-                study::make_scene(scheme_of("richardson:cosine:collocation:0.5/0.5"), n, contact, LineModel::plane);
+            const study::Scene fine = study::make_scene(study::scheme_named("richardson:cosine:collocation:0.5/0.5"), n,
+                                                        contact, LineModel::plane);
             return evaluate(fine, {.creepage_ratio = settings.creepage_ratio, .load_parts = 4}, quantity, {}).values;
         }
         default: break;
@@ -78,23 +78,16 @@ Values reference(const Contact<double>& contact, const Settings& settings, const
 double model_error(const Contact<double>& contact, Settings settings, const Quantity& quantity) {
     settings.may_breathe = false;
     const auto on = [&](LineModel model) {
-        const auto scene = study::make_scene(scheme_of("cosine:collocation:0.5/0.5"), 60, contact, model);
+        const auto scene = study::make_scene(study::scheme_named("cosine:collocation:0.5/0.5"), 60, contact, model);
         return evaluate(scene, settings, quantity, {}).values;
     };
     return error_of(quantity, on(LineModel::strip), on(LineModel::plane));
 }
 
-/// The meshes of a scene, each alone.
-std::vector<study::Scene> meshes_of(const study::Scene& scene) {
-    std::vector<study::Scene> all{scene.on_one_mesh(false)};
-    if (scene.coarse) all.insert(all.begin(), scene.on_one_mesh(true));
-    return all;
-}
-
 std::string status_of(const study::Scene& scene) {
     rollbem::Status status = rollbem::Status::not_finite;
     if (!scene.is_discrete()) return name(status);
-    for (const study::Scene& one : meshes_of(scene)) {
+    for (const study::Scene& one : scene.meshes()) {
         const rollbem::Status own = steady(one).status;
         if (own != rollbem::Status::ok) status = own;
     }
@@ -106,7 +99,7 @@ std::optional<bool> stable(const study::Scene& scene) {
     const bool plane_decays = study::plane_model_decays(scene.contact);
     if (!scene.is_discrete()) return plane_decays;  // of the model itself
     if (scene.is_plane() && !plane_decays) return std::nullopt;
-    for (const study::Scene& one : meshes_of(scene)) {
+    for (const study::Scene& one : scene.meshes()) {
         const auto count = rollbem::count_unstable<double>(study::system_of(one));
         if (count.status != rollbem::Status::ok) return std::nullopt;
         if (count.unstable_count > 0) return false;

@@ -178,15 +178,10 @@ Found tractions(const study::Scene& scene) {
         all.head(found.size()) = found;
         return all;
     };
-    const Array fine = of(scene.on_one_mesh(false));
+    const std::vector<study::Scene> meshes = scene.meshes();
+    const Array fine = of(meshes.front());
     if (!scene.coarse) return on_elements(*scene.mesh, fine, nu);
-    Array tractions = of(scene.on_one_mesh(true));
-    const Array forces = fine * scene.mesh->widths();
-    for (Eigen::Index i = 0; i < tractions.size(); ++i) {
-        const double mean = forces.segment(2 * i, 2).sum() / scene.coarse->widths()[i];
-        tractions[i] = rollbem::richardson(tractions[i], mean, scene.order());
-    }
-    return on_elements(*scene.coarse, tractions, nu);
+    return on_elements(*scene.coarse, study::extrapolate_tractions(scene, fine, of(meshes.back())), nu);
 }
 
 }  // namespace
@@ -225,9 +220,10 @@ Found evaluate(const study::Scene& scene, const Settings& settings, const Quanti
     };
     if (scene.is_discrete()) {
         if (traction) return tractions(scene);
-        Values found = values(scene.on_one_mesh(false), settings, quantity);
+        const std::vector<study::Scene> meshes = scene.meshes();
+        Values found = values(meshes.front(), settings, quantity);
         if (!scene.coarse) return {found};
-        const Values coarse = values(scene.on_one_mesh(true), settings, quantity);
+        const Values coarse = values(meshes.back(), settings, quantity);
         for (std::size_t k = 0; k < found.size(); ++k) {
             found[k] = rollbem::richardson(coarse[k], found[k], scene.order());
         }

@@ -22,9 +22,6 @@ struct Settings {
     bool may_breathe = true;      ///< whether a mesh may follow that load
 };
 
-/// The scheme of a word that is known to be one.
-inline study::NamedScheme scheme_of(const std::string& word) { return *study::scheme_named(word); }
-
 /// Whether a scheme has n elements, states or the order n of polynomials; 0 is that of the closed form.
 bool exists(const study::NamedScheme& scheme, long n);
 

@@ -59,7 +59,9 @@ std::vector<Point> read_points(const study::Options& options, const std::vector<
         if (cells.size() != columns().size()) {
             throw study::BadInput(where + " must have " + std::to_string(columns().size()) + " cells");
         }
-        if (!study::scheme_named(cells[0])) {
+        try {
+            study::scheme_named(cells[0]);
+        } catch (const study::BadInput&) {
             throw study::BadInput(where + " must name a scheme: " + cells[0]);
         }
         const bool wanted = std::any_of(quantities.begin(), quantities.end(),

@@ -97,7 +97,7 @@ rollbem::WheelOnRail read_side(const study::Options& options, const std::string&
 }  // namespace
 
 void add_profile_options(study::Options& options) {
-    options.set_help("poisson", "Poisson's ratio of wheel and rail, 0 to 0.5 (dimensionless)");
+    options.set_help("poisson", "Poisson's ratio of wheel and rail, 0 to 0.5 (dimensionless)", "NU");
     options.add("shear-modulus", "G", "shear modulus of wheel and rail [Pa]", "8.2e10");
     options.group("Profiles");
     options.add_input("wheel",

@@ -14,11 +14,11 @@ namespace study {
 /// The rows of --rows: the parts of --shard, one after the other, each row at its place.
 class JoinedRows {
 public:
-    /// Throws BadInput unless the file has a header of these columns and `count` rows.
+    /// Of `count` rows. Throws BadInput unless the file has a header of these columns and ends with a whole line.
     JoinedRows(const Options& options, const std::vector<std::string>& columns, std::size_t count);
 
     /// The row that begins with `expected`; its other cells from there on are the result. Throws BadInput, which names
-    /// the line, if it is another row.
+    /// the line, if it is another row, missing, or the last one and not the end.
     std::vector<std::string> cells(std::size_t row, const Row& expected) const;
 
     /// Throws BadInput with the line of a row.
@@ -29,7 +29,8 @@ public:
     const std::vector<std::string>& lines() const { return lines_; }  ///< without the header
 
 private:
-    std::vector<std::string> columns_, lines_, places_;
+    std::vector<std::string> columns_, lines_, places_;  ///< the last place is the end
+    std::size_t count_;
 };
 
 }  // namespace study

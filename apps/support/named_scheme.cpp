@@ -1,6 +1,6 @@
 #include "named_scheme.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <utility>
 
 #include "csv.hpp"
@@ -13,61 +13,96 @@ namespace {
 using detail::parse_number;
 
 const std::vector<std::string> without_elements{"chebyshev", "polynomial", "closed-form"};
+const std::vector<std::string> method_words{"collocation", "galerkin", "knothe-bc", "nodes", "nodes-chebyshev"};
+constexpr const char* meshes = "uniform, cosine, geometric-RATIO, knothe-EPSILON, modified-knothe-EPSILON";
 
 bool is_between(const std::optional<double>& value, double low, double high) {
     return value && *value >= low && *value <= high;
 }
 
-/// uniform, or knothe-0.3.
-bool read_mesh(const std::string& word, NamedScheme& scheme) {
-    for (const rollbem::TopologyInfo& known : rollbem::topologies) {
-        scheme.mesh_name = known.name;
-        if (known.grading.empty()) {
-            if (word == known.name) return true;
-            continue;
+/// A word on its way to a scheme, part by part.
+struct Reader {
+    std::string word;
+    bool of_patch;
+    NamedScheme scheme{};
+
+    void require(bool holds, const std::string& part, const std::string& rule) const {
+        if (!holds) throw BadInput("--scheme = " + word + ": " + (part.empty() ? "''" : part) + " must " + rule);
+    }
+
+    /// uniform, or knothe-0.3.
+    void read_mesh(const std::string& part) {
+        for (const rollbem::TopologyInfo& known : rollbem::topologies) {
+            scheme.mesh_name = known.name;
+            if (known.grading.empty() && part == known.name) return;
+            const std::string start = scheme.mesh_name + "-";
+            if (known.grading.empty() || part.rfind(start, 0) != 0) continue;
+            scheme.grading = parse_number<double>(part.substr(start.size()));
+            return require(is_between(scheme.grading, 1e-12, 1e12), part, "have a number from 1e-12 to 1e12");
         }
-        const std::string start = scheme.mesh_name + "-";
-        if (word.rfind(start, 0) != 0) continue;
-        scheme.grading = parse_number<double>(word.substr(start.size()));
-        return is_between(scheme.grading, 1e-12, 1e12);
+        require(false, part,
+                std::string("be a mesh, one of ") + meshes + (of_patch ? "" : ", or the whole ") +
+                    (of_patch ? "" : listed(without_elements, "or")));
     }
-    return false;
-}
 
-/// 0/0.63.
-bool read_alphas(const std::string& word, NamedScheme& scheme) {
-    const std::vector<std::string> both = cells_of(word, '/');
-    scheme.alpha_L = parse_number<double>(both.front());
-    scheme.alpha_T = parse_number<double>(both.back());
-    return both.size() == 2 && is_between(scheme.alpha_L, -2, 2) && is_between(scheme.alpha_T, -2, 2);
-}
+    void read_method(const std::string& part) {
+        require(contains(method_words, part), part, "be a method, one of " + join(method_words, ", "));
+        const bool at_chebyshev = part == "nodes-chebyshev";
+        scheme.method = at_chebyshev ? "nodes" : part;
+        if (scheme.method == "nodes") scheme.nodes = at_chebyshev ? "chebyshev" : "centres";
+        require(!at_chebyshev || scheme.mesh_name == "cosine", part, "be on the mesh cosine");
+        require(!of_patch || (scheme.method == "nodes" && scheme.mesh_name == "cosine"), scheme.mesh_name + ":" + part,
+                "be cosine:nodes or cosine:nodes-chebyshev on a patch");
+    }
 
-/// What may follow the method and the alphas, in any order and each once.
-bool read_parameter(const std::string& word, bool of_patch, NamedScheme& scheme) {
-    const bool galerkin = scheme.method == "galerkin";
-    if (of_patch && scheme.strips.empty() && (word == "cosine-strips" || word == "uniform-strips")) {
-        scheme.strips = word.substr(0, word.find('-'));
-        return true;
+    /// 0/0.63.
+    void read_alphas(const std::string& part) {
+        const std::vector<std::string> both = cells_of(part, '/');
+        scheme.alpha_L = parse_number<double>(both.front());
+        scheme.alpha_T = parse_number<double>(both.back());
+        require(both.size() == 2 && is_between(scheme.alpha_L, -2, 2) && is_between(scheme.alpha_T, -2, 2), part,
+                "be ALPHA_L/ALPHA_T, both in [-2, 2]");
     }
-    if (scheme.method != "nodes" && scheme.derivative.empty() && (word == "fd" || word == "analytic")) {
-        scheme.derivative = word;
-        return true;
+
+    /// What may follow the method and the alphas, in any order and each once.
+    void read_parameter(const std::string& part) {
+        std::vector<std::string> known = derivative_names(scheme.method);
+        if (scheme.derivative.empty() && contains(known, part)) return void(scheme.derivative = part);
+        if (scheme.alpha_L) known.emplace_back("lambda-L with L from 0 to 1");
+        if (scheme.alpha_L && !scheme.lambda && part.rfind("lambda-", 0) == 0) {
+            scheme.lambda = parse_number<double>(part.substr(7));
+            if (is_between(scheme.lambda, 0, 1)) return;
+        }
+        if (scheme.method == "galerkin") {
+            known = joined<std::string>({"exact", "qN with N from 1 to 1000"}, known);
+            const auto points = parse_number<int>(part.substr(std::min<std::size_t>(part.size(), 1)));
+            const bool fits = part == "exact" || (part[0] == 'q' && points && *points >= 1 && *points <= 1000);
+            if (scheme.quadrature.empty() && fits)
+                return void(scheme.quadrature = part == "exact" ? part : part.substr(1));
+        }
+        if (of_patch) {
+            known = {"cosine-strips", "uniform-strips"};
+            if (scheme.strips.empty() && contains(known, part))
+                return void(scheme.strips = part.substr(0, part.find('-')));
+        }
+        require(false, part,
+                known.empty() ? "not follow " + scheme.method : "be one of " + join(known, ", ") + ", once");
     }
-    if (scheme.alpha_L && !scheme.lambda && word.rfind("lambda-", 0) == 0) {
-        scheme.lambda = parse_number<double>(word.substr(7));
-        return is_between(scheme.lambda, 0, 1);
-    }
-    if (!galerkin || !scheme.quadrature.empty()) return false;
-    scheme.quadrature = word == "exact" ? word : word.substr(1);
-    const auto points = parse_number<int>(scheme.quadrature);
-    return word == "exact" || (word[0] == 'q' && points && *points >= 1 && *points <= 1000);
-}
+};
 
 }  // namespace
 
+std::vector<std::string> derivative_names(const std::string& method) {
+    if (method == "nodes") return {};
+    return method == "galerkin" ? std::vector<std::string>{"fd", "analytic"}
+                                : std::vector<std::string>{"fd", "fd4", "analytic"};
+}
+
 rollbem::AnyScheme NamedScheme::equations() const {
     using rollbem::Derivative;
-    const Derivative d = derivative == "fd" ? Derivative::finite_difference : Derivative::analytic;
+    const Derivative d = derivative == "fd"    ? Derivative::finite_difference
+                         : derivative == "fd4" ? Derivative::fourth_order
+                                               : Derivative::analytic;
     const double leading = alpha_L.value_or(0), trailing = alpha_T.value_or(0), centre = lambda.value_or(1);
     if (method == "collocation") return rollbem::Collocation{leading, trailing, d, centre};
     if (method == "knothe-bc") return rollbem::KnotheBoundary{d};
@@ -96,26 +131,19 @@ std::string NamedScheme::word() const {
     return strips.empty() ? text : text + ":" + strips + "-strips";
 }
 
-std::optional<NamedScheme> scheme_named(const std::string& word, bool of_patch) {
+NamedScheme scheme_named(const std::string& word, bool of_patch) {
     if (!of_patch && contains(without_elements, word)) return NamedScheme{.method = word};
     std::vector<std::string> parts = cells_of(word, ':');
-    NamedScheme scheme;
+    Reader reader{word, of_patch};
+    NamedScheme& scheme = reader.scheme;
     scheme.richardson = parts.front() == "richardson";
     if (scheme.richardson) parts.erase(parts.begin());
-    if (parts.size() < 2 || !read_mesh(parts[0], scheme)) return std::nullopt;
-    const bool nodes_at_chebyshev = parts[1] == "nodes-chebyshev";
-    scheme.method = nodes_at_chebyshev ? "nodes" : parts[1];
-    if (!contains({"collocation", "galerkin", "knothe-bc", "nodes"}, scheme.method)) return std::nullopt;
+    parts.resize(std::max<std::size_t>(parts.size(), 2));  // what is missing is refused as empty
+    reader.read_mesh(parts[0]);
+    reader.read_method(parts[1]);
     const bool has_alphas = scheme.method == "collocation" || scheme.method == "galerkin";
-    if (scheme.method == "nodes") scheme.nodes = nodes_at_chebyshev ? "chebyshev" : "centres";
-    if (nodes_at_chebyshev && scheme.mesh_name != "cosine") return std::nullopt;
-    if (of_patch && (scheme.method != "nodes" || scheme.mesh_name != "cosine")) return std::nullopt;
-    if (has_alphas) {
-        if (parts.size() < 3 || !read_alphas(parts[2], scheme)) return std::nullopt;
-    }
-    for (std::size_t k = has_alphas ? 3 : 2; k < parts.size(); ++k) {
-        if (!read_parameter(parts[k], of_patch, scheme)) return std::nullopt;
-    }
+    if (has_alphas) reader.read_alphas(parts.size() > 2 ? parts[2] : "");
+    for (std::size_t k = has_alphas ? 3 : 2; k < parts.size(); ++k) reader.read_parameter(parts[k]);
     if (scheme.method == "galerkin" && scheme.quadrature.empty()) scheme.quadrature = "exact";
     if (has_alphas && !scheme.lambda) scheme.lambda = 1;
     if (of_patch && scheme.strips.empty()) scheme.strips = "cosine";
@@ -123,35 +151,20 @@ std::optional<NamedScheme> scheme_named(const std::string& word, bool of_patch) 
     return scheme;
 }
 
-void add_scheme_option(Options& options, const std::vector<std::string>& others, const std::string& further) {
-    options.add("scheme", "LIST",
-                "discretisations by name, in place of these options: MESH:METHOD[:PARAMETERS], e.g. "
-                "uniform:collocation:0/0.63, cosine:nodes-chebyshev, uniform:galerkin:0/0.75:q7, as in the column "
-                "scheme" +
-                    further);
-    options.not_with(others, "scheme");
+std::string scheme_help(const std::string& further) {
+    return "discretisations by name, in place of these options: MESH:METHOD[:PARAMETERS], e.g. "
+           "uniform:collocation:0/0.63, cosine:nodes-chebyshev, uniform:galerkin:0/0.75:q7, as in the column scheme" +
+           further;
 }
 
 std::vector<NamedScheme> named_schemes(const std::vector<std::string>& words, bool of_patch) {
     std::vector<NamedScheme> schemes;
     std::vector<std::string> known;
     for (const std::string& word : words) {
-        const std::optional<NamedScheme> found = scheme_named(word, of_patch);
-        if (!found && of_patch) {
-            throw BadInput("--scheme = " + word +
-                           " must be cosine:nodes or cosine:nodes-chebyshev, with :cosine-strips or :uniform-strips");
-        }
-        if (!found) {
-            throw BadInput(
-                "--scheme = " + word +
-                " must be MESH:METHOD, of the meshes uniform, cosine, geometric-RATIO, knothe-EPSILON, "
-                "modified-knothe-EPSILON and the methods collocation:ALPHA_L/ALPHA_T, galerkin:ALPHA_L/ALPHA_T with "
-                ":exact or :qPOINTS, all with :fd, :analytic or :lambda-L, knothe-bc, nodes, nodes-chebyshev (cosine); "
-                "or chebyshev, polynomial, closed-form, richardson:MESH:METHOD");
-        }
-        if (contains(known, found->word())) throw BadInput("--scheme = " + word + " must not be given twice");
-        known.push_back(found->word());
-        schemes.push_back(*found);
+        schemes.push_back(scheme_named(word, of_patch));
+        known.push_back(schemes.back().word());
+        if (std::count(known.begin(), known.end(), known.back()) == 1) continue;
+        throw BadInput("--scheme = " + word + " must not be given twice");
     }
     return schemes;
 }

@@ -38,16 +38,20 @@ struct NamedScheme {
     std::string word() const;
 };
 
+/// What --derivative may be with a method of elements.
+std::vector<std::string> derivative_names(const std::string& method);
+
 /// What --derivative is by default: fd, but analytic for galerkin with exact quadrature, and none with nodes.
 std::string usual_derivative(const NamedScheme& scheme);
 
-/// The scheme of a word, if there is one. Those of patches alone have strips.
-std::optional<NamedScheme> scheme_named(const std::string& word, bool of_patch = false);
+/// The scheme of a word, as of --scheme; those of patches alone have strips. Throws BadInput, which says what the part
+/// of the word that is to blame may be.
+NamedScheme scheme_named(const std::string& word, bool of_patch = false);
 
-/// Declares --scheme, beside which `others` are refused; `further` continues its help.
-void add_scheme_option(Options& options, const std::vector<std::string>& others, const std::string& further = "");
+/// What --help says of --scheme; `further` continues it.
+std::string scheme_help(const std::string& further = "");
 
-/// The schemes of these words, as of --scheme. Throws BadInput with what they may be.
+/// The same of several. Throws BadInput, also for a scheme that is there twice.
 std::vector<NamedScheme> named_schemes(const std::vector<std::string>& words, bool of_patch = false);
 
 }  // namespace study

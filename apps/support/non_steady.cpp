@@ -24,7 +24,7 @@ void require_plane_model(const rollbem::Contact<double>& contact) {
                    "before any discretisation, is unstable in time; --kernel strip has no such limit");
 }
 
-std::vector<Scene> make_non_steady_scenes(const Options& options, Methods methods) {
+std::vector<Scene> make_non_steady_scenes(const Options& options, const Methods& methods) {
     std::vector<Scene> scenes = make_scenes(options, Problem::non_steady, methods);
     for (const Scene& scene : scenes) {
         if (scene.is_plane()) require_plane_model(scene.contact);

@@ -22,7 +22,7 @@ bool plane_model_decays(const rollbem::Contact<double>& contact);
 void require_plane_model(const rollbem::Contact<double>& contact);
 
 /// All cases of a problem in the time domain. Throws BadInput if make_scenes or require_plane_model does.
-std::vector<Scene> make_non_steady_scenes(const Options& options, Methods methods = Methods::elements);
+std::vector<Scene> make_non_steady_scenes(const Options& options, const Methods& methods);
 
 /// Of elements or Chebyshev states; nothing if a matrix has entries that are not finite, as for b/a near the limits of
 /// double.

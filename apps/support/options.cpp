@@ -106,11 +106,15 @@ Options::Options(std::string program, const std::string& purpose)
     add("alpha", "LIST", "sets alpha-L and alpha-T to the same values, -2 to 2 (dimensionless)");
     add("lambda", "LIST", "G is taken at lambda times these alphas, 0 to 1 (dimensionless)", "1");
     only_with({"alpha-L", "alpha-T", "alpha", "lambda"}, {"method=collocation", "method=galerkin"});
-    add("derivative", "NAME", "fd or analytic; default: fd, but analytic for galerkin with exact quadrature");
+    add("derivative", "NAME",
+        "fd, fd4 (of fourth order; not for galerkin) or analytic; default: fd, but analytic for galerkin with exact "
+        "quadrature");
     not_with({"derivative"}, "method=nodes", ", which takes differences");
-    add_scheme_option(*this, joined<std::string>({"mesh", "edges", "method", "nodes", "quadrature", "derivative",
-                                                  "alpha-L", "alpha-T", "alpha", "lambda"},
-                                                 grading_options()));
+    add("scheme", "LIST", scheme_help());
+    not_with(joined<std::string>({"mesh", "edges", "method", "nodes", "quadrature", "derivative", "alpha-L", "alpha-T",
+                                  "alpha", "lambda"},
+                                 grading_options()),
+             "scheme");
 
     group("Contact");
     add("kernel", "NAME", "strip (half-width b) or plane (its limit b >> a)", "strip");
@@ -210,9 +214,10 @@ void Options::set_default(const std::string& name, const std::string& default_te
     entry.option->description(wrap(entry.help + shown, 82));
 }
 
-void Options::set_help(const std::string& name, const std::string& help) {
+void Options::set_help(const std::string& name, const std::string& help, const std::string& value) {
     Entry& entry = entries_.at(name);
     entry.help = help;
+    if (!value.empty()) entry.option->type_name(value);
     set_default(name, entry.default_text);
 }
 

@@ -159,8 +159,8 @@ public:
 
     void set_default(const std::string& name, const std::string& default_text);
 
-    /// Replaces the text that add() gave for --help.
-    void set_help(const std::string& name, const std::string& help);
+    /// Replaces the text that add() gave for --help, and its VALUE unless that is empty.
+    void set_help(const std::string& name, const std::string& help, const std::string& value = "");
 
     /// Makes --name bad input for this study, for a reason that the message gives; --help does not list it.
     void refuse(const std::string& name, const std::string& reason);

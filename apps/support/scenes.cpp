@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include <rollbem/accuracy/richardson.hpp>
+
 #include "input.hpp"
 
 namespace study {
@@ -94,6 +96,16 @@ void offer_chebyshev(Options& options, const std::string& further) {
                          further);
 }
 
+void offer_schemes(Options& options, const Methods& methods) {
+    options.set_help(
+        "scheme",
+        scheme_help(std::string(methods.states ? "; chebyshev" : "") +
+                    (methods.closed ? ", polynomial of the order n, closed-form (both of --kernel plane)" : "") +
+                    (methods.not_extrapolated.empty()
+                         ? "; richardson:MESH:METHOD[:PARAMETERS], extrapolated from n/2 and n elements"
+                         : "")));
+}
+
 namespace {
 
 /// The schemes of the options of the command line, lambda outermost, then alpha_L, alpha_T and the mesh's grading.
@@ -105,8 +117,8 @@ std::vector<NamedScheme> listed_schemes(const Options& options, const std::vecto
     common.mesh_name = has_edges ? "edges" : options.choice("mesh", mesh_names());
     if (common.method == "galerkin") common.quadrature = options.text("quadrature");
     if (common.method == "galerkin" && common.quadrature != "exact") options.integer("quadrature", 1, 1000);
-    common.derivative =
-        options.given("derivative") ? options.choice("derivative", {"fd", "analytic"}) : usual_derivative(common);
+    common.derivative = options.given("derivative") ? options.choice("derivative", derivative_names(common.method))
+                                                    : usual_derivative(common);
     if (common.method == "nodes") common.nodes = options.choice("nodes", {"centres", "chebyshev"});
     options.require(common.nodes != "chebyshev" || common.mesh_name == "cosine", "nodes",
                     "be centres unless --mesh is cosine");
@@ -135,29 +147,53 @@ std::vector<NamedScheme> listed_schemes(const Options& options, const std::vecto
 }
 
 /// The schemes that a study of elements takes.
-std::vector<NamedScheme> make_schemes(const Options& options, Problem problem, Methods methods) {
+std::vector<NamedScheme> make_schemes(const Options& options, Problem problem, const Methods& methods) {
     std::vector<std::string> names{"collocation", "galerkin", "knothe-bc", "nodes"};
-    if (methods != Methods::elements) names.emplace_back("chebyshev");
+    if (methods.states) names.emplace_back("chebyshev");
     const std::string no_states = "friction bounds the traction of elements, which chebyshev does not have";
-    options.require(methods != Methods::elements || options.text("method") != "chebyshev", "method",
+    options.require(methods.states || options.text("method") != "chebyshev", "method",
                     "be one of " + join(names, ", ") + ": " + no_states);
     if (!options.given("scheme")) return listed_schemes(options, names);
     std::vector<NamedScheme> schemes = named_schemes(options.texts("scheme"));
     for (const NamedScheme& scheme : schemes) {
-        const std::string said = "--scheme = " + scheme.word();
-        if (methods != Methods::all_with_c11 && (scheme.richardson || !scheme.is_discrete())) {
-            throw BadInput(said + " must not be extrapolated, a polynomial or a closed form, which have a c11 alone");
-        }
-        if (scheme.is_discrete() && !contains(names, scheme.method))
-            throw BadInput(said + " must be one of elements: " + no_states);
-        if (problem == Problem::steady && scheme.lambda.value_or(1) != 1) {
-            throw BadInput(said + " must have no lambda: " + no_lambda);
-        }
+        const auto require = [&](bool holds, const std::string& rule) {
+            if (!holds) throw BadInput("--scheme = " + scheme.word() + " must " + rule);
+        };
+        require(!scheme.richardson || methods.not_extrapolated.empty(),
+                "be on one mesh: " + std::string(methods.not_extrapolated));
+        require(scheme.is_discrete() || methods.closed, "have elements or states: polynomials have a c11 alone");
+        require(!scheme.is_discrete() || contains(names, scheme.method), "be one of elements: " + no_states);
+        require(problem == Problem::non_steady || scheme.lambda.value_or(1) == 1,
+                std::string("have no lambda: ") + no_lambda);
+        require(scheme.is_discrete() || !options.given("kernel") || options.text("kernel") == "plane",
+                "go with --kernel plane, whose model alone it solves");
     }
+    const bool has_n =
+        std::any_of(schemes.begin(), schemes.end(), [](const auto& s) { return s.method != "closed-form"; });
+    if (!has_n) options.ignored("n", "with --scheme closed-form, which has no elements");
     return schemes;
 }
 
 }  // namespace
+
+std::vector<Scene> Scene::meshes() const {
+    std::vector<Scene> all{*this};
+    all[0].coarse.reset();
+    if (!coarse) return all;
+    all.push_back(all[0]);
+    all[1].mesh = coarse;
+    return all;
+}
+
+Eigen::ArrayXd extrapolate_tractions(const Scene& scene, const Eigen::ArrayXd& fine, const Eigen::ArrayXd& rough) {
+    const Eigen::ArrayXd forces = fine * scene.mesh->widths();
+    Eigen::ArrayXd tractions = rough;
+    for (Eigen::Index i = 0; i < tractions.size(); ++i) {
+        const double mean = forces.segment(2 * i, 2).sum() / scene.coarse->widths()[i];
+        tractions[i] = rollbem::richardson(tractions[i], mean, scene.order());
+    }
+    return tractions;
+}
 
 Scene make_scene(const NamedScheme& scheme, Eigen::Index n, const rollbem::Contact<double>& contact,
                  rollbem::LineModel model) {
@@ -175,7 +211,7 @@ Scene make_scene(const NamedScheme& scheme, Eigen::Index n, const rollbem::Conta
     return scene;
 }
 
-std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods methods) {
+std::vector<Scene> make_scenes(const Options& options, Problem problem, const Methods& methods) {
     const std::vector<NamedScheme> schemes = make_schemes(options, problem, methods);
     const std::vector<rollbem::Contact<double>> contacts = make_contacts(options, problem);
     const bool plane = options.choice("kernel", {"strip", "plane"}) == "plane";

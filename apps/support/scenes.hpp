@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <rollbem/elasticity/any_kernel.hpp>
@@ -22,9 +23,12 @@ namespace study {
 /// Whether b/a may be infinite: a problem in the time domain needs G, which has no such limit.
 enum class Problem { steady, non_steady };
 
-/// What a study can compute with. Chebyshev states are for full adhesion. What is extrapolated, polynomials and the
-/// closed form have a c11 alone.
-enum class Methods { elements, elements_and_states, all_with_c11 };
+/// What a study can compute with besides elements on one mesh.
+struct Methods {
+    bool states = false;                     ///< Chebyshev's, which are for full adhesion
+    bool closed = false;                     ///< polynomials and the closed form, which have a c11 alone
+    std::string_view not_extrapolated = "";  ///< why there is no richardson:; empty where there is
+};
 
 /// One case to compute, and its names in the columns.
 struct Scene : NamedScheme {
@@ -37,13 +41,8 @@ struct Scene : NamedScheme {
     Eigen::Index degree = 0;  ///< of a polynomial
 
     Eigen::Index n() const { return chebyshev ? chebyshev->states : mesh ? mesh->size() : degree; }
-    /// On the coarse mesh, or on the fine one, alone.
-    Scene on_one_mesh(bool on_coarse) const {
-        Scene one = *this;
-        if (on_coarse) one.mesh = coarse;
-        one.coarse.reset();
-        return one;
-    }
+    /// On each of its meshes alone, the coarse one last.
+    std::vector<Scene> meshes() const;
 
     /// For the progress line.
     std::string label() const { return "n = " + std::to_string(n()); }
@@ -79,13 +78,20 @@ inline constexpr const char* no_lambda = "a steady problem builds no G, the only
 /// Says in --help that --method takes chebyshev, too, and further methods of the study's own.
 void offer_chebyshev(Options& options, const std::string& further = "");
 
+/// Says in --help of --scheme what the study takes besides elements.
+void offer_schemes(Options& options, const Methods& methods);
+
 /// A case of n elements or states, or of the order n of a polynomial; the plane alone knows those without either.
 /// Throws BadInput if they are too few for the mesh.
 Scene make_scene(const NamedScheme& scheme, Eigen::Index n, const rollbem::Contact<double>& contact,
                  rollbem::LineModel model);
 
 /// All cases that the common options ask for. Throws BadInput if a value is out of range or an option would be ignored.
-std::vector<Scene> make_scenes(const Options& options, Problem problem, Methods methods = Methods::elements);
+std::vector<Scene> make_scenes(const Options& options, Problem problem, const Methods& methods);
+
+/// Tractions on the coarse mesh of a scene, extrapolated from those on each of its meshes alone: a pair of fine elements
+/// is a coarse one, on uniform and cosine meshes.
+Eigen::ArrayXd extrapolate_tractions(const Scene& scene, const Eigen::ArrayXd& fine, const Eigen::ArrayXd& rough);
 
 /// What columns called status say in addition to the library's names.
 inline constexpr const char* ok = "ok";

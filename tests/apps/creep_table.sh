@@ -34,7 +34,7 @@ good 0 "$creep" $coarse --rows spaced.csv --output again.csv
 cmp whole.csv.bin again.csv.bin || fail 'the table of rows with comments and empty lines'
 sed '12s/,ok,/,no_solution,/' spaced.csv >broken.csv
 bad 'line 12: status = no_solution must be ok' "$creep" $coarse --rows "$scratch/broken.csv" --output x.csv
-bad 'number of rows = 300 must be 375' "$creep" --n 4 --levels 4 --shapes 5 --rows "$scratch/rows.csv" --output x.csv
+bad 'a_over_b = ' "$creep" --n 4 --levels 4 --shapes 5 --rows "$scratch/rows.csv" --output x.csv
 bad 'line 2: a_over_b = 0.1 must be 0.2' "$creep" $coarse --a-over-b 0.2,5 --rows "$scratch/rows.csv" --output x.csv
 sed '7s/ok/no_solution/; 7s/,[^,]*,\([^,]*,[^,]*,[^,]*,[^,]*,no_solution\)/,,\1/' rows.csv >broken.csv
 bad 'line 7: spin_moment must be a number; status = no_solution' \
@@ -60,7 +60,13 @@ cat node?.csv >nodes.csv
 good 0 "$table" $small --rows nodes.csv --output again.contact
 cmp whole.contact again.contact || fail 'the contact table of the same rows differs'
 cat node1.csv node2.csv node4.csv >broken.csv
-bad 'number of rows = 84 must be 112: all parts of --shard' \
+bad 'line 58: yaw = 0.01 must be 0, as the options of the grid want it' \
+    "$table" $small --rows "$scratch/broken.csv" --output x.contact
+cat node1.csv node2.csv node3.csv >broken.csv
+bad 'line 85: the end, after 84 of 112 rows, must be that of the last part' \
+    "$table" $small --rows "$scratch/broken.csv" --output x.contact
+cat node?.csv node4.csv >broken.csv
+bad 'line 114: must be the end, after all 112 rows' \
     "$table" $small --rows "$scratch/broken.csv" --output x.contact
 cat node1.csv node2.csv node2.csv node4.csv >broken.csv
 bad 'line 58: load = 80000 must be 100000' "$table" $small --rows "$scratch/broken.csv" --output x.contact

@@ -62,6 +62,38 @@ TEST_CASE("Schemes are imposed at the leading edges by default", "[scheme]") {
     }
 }
 
+TEMPLATE_TEST_CASE("Differences give the slope of a power up to their order and not one more", "[scheme]", SCALARS) {
+    using Scalar = TestType;
+    // the mean of d/dx x^power over an interval of the row about a point
+    const auto slope = [](const SchemeRows<Scalar>& rows, Eigen::Index l, int power) {
+        Scalar sum = 0;
+        for (Eigen::Index k = 0; k < rows.offsets.size(); ++k) {
+            const Scalar middle = rows.offsets[k] * rows.lengths[l], half = rows.lengths[l] / 2;
+            const Scalar rise = std::pow(middle + half, Scalar(power)) - std::pow(middle - half, Scalar(power));
+            sum += rows.weights[k] * rise / rows.lengths[l];
+        }
+        return sum;
+    };
+    const auto mesh = geometric_mesh<Scalar>(4, 3);
+    for (const auto& [derivative, order] :
+         {std::pair(Derivative::finite_difference, 2), {Derivative::fourth_order, 4}}) {
+        const auto rows = scheme_rows(Collocation{0.25, 0.5, derivative}, Quantity::slope, mesh);
+        for (Eigen::Index l = 0; l < mesh.size(); ++l) {
+            for (int power = 0; power <= order; ++power) {
+                CAPTURE(order, power);
+                CHECK(std::abs(slope(rows, l, power) - Scalar(power == 1)) <
+                      8 * std::numeric_limits<Scalar>::epsilon());
+            }
+            CHECK(std::abs(slope(rows, l, order + 1)) > Scalar(1e-3));
+        }
+        const auto kernel = PlaneKernel<Scalar>(1000, 0.75, 0.25);
+        const auto ways = steady_system(mesh, Collocation{0.25, 0.5, derivative}, kernel).elements().intervals;
+        CHECK((ways / mesh.widths() - 1).abs().maxCoeff() < 4 * std::numeric_limits<Scalar>::epsilon());
+    }
+    CHECK_THROWS_WITH((Galerkin{.derivative = Derivative::fourth_order}.rows(Quantity::slope, mesh)),
+                      ContainsSubstring("finite_difference"));
+}
+
 TEMPLATE_TEST_CASE("Nodes are the centres or Chebyshev's points, and the last row ends on the leading edge", "[scheme]",
                    SCALARS) {
     using Scalar = TestType;

@@ -90,6 +90,7 @@ using Mesh = rollbem::Mesh<Real>;
 struct Rows {
     Real alpha_L = 0, alpha_T = 0;
     std::vector<std::pair<Real, Real>> samples{{0, 1}};  // node in half widths, weight
+    Real length = 1;                                     // of an average, in widths
     int averages;
     bool guard = false;
     Eigen::Index first = 0, less = 0;
@@ -98,11 +99,16 @@ struct Rows {
 
 inline Rows rows_of(const rollbem::Collocation& s, bool slope) {
     const Real shift = slope ? 1 : static_cast<Real>(s.lambda);
-    const bool fd = s.derivative == Derivative::finite_difference;
-    return {.alpha_L = shift * static_cast<Real>(s.alpha_L),
-            .alpha_T = shift * static_cast<Real>(s.alpha_T),
-            .averages = slope && fd ? 1 : 0,
-            .guard = slope && !fd};
+    const bool fd = s.derivative != Derivative::analytic;
+    Rows rows{.alpha_L = shift * static_cast<Real>(s.alpha_L),
+              .alpha_T = shift * static_cast<Real>(s.alpha_T),
+              .averages = slope && fd ? 1 : 0,
+              .guard = slope && !fd};
+    if (slope && s.derivative == Derivative::fourth_order) {
+        rows.length = Real(1) / 3;
+        rows.samples = {{-2 * rows.length, Real(-1) / 24}, {0, Real(26) / 24}, {2 * rows.length, Real(-1) / 24}};
+    }
+    return rows;
 }
 inline Rows rows_of(const rollbem::Galerkin& s, bool slope) {
     Rows rows = rows_of(rollbem::Collocation{s.alpha_L, s.alpha_T, s.derivative, s.lambda}, slope);
@@ -175,7 +181,7 @@ inline std::vector<Real> row(const Kernel& kernel, const Mesh& mesh, const Rows&
     for (const auto& [node, weight] : rows.samples) {
         Real offset = (alpha + node / 2) * mesh.widths()[own];
         if (rows.guard) offset = guarded(mesh, own, offset);
-        Real delta = mesh.widths()[own] / 2;
+        Real delta = rows.length * mesh.widths()[own] / 2;
         if (rows.nodes) {
             const Real from = node_place(mesh, *rows.nodes, own) - centre(mesh, own);
             const Real to = node_place(mesh, *rows.nodes, own + 1) - centre(mesh, own);
@@ -258,7 +264,8 @@ struct NamedScheme {
 /// Every scheme that takes any mesh, with alphas that are exact in float.
 inline std::vector<NamedScheme> every_scheme() {
     using rollbem::Collocation, rollbem::Galerkin, rollbem::KnotheBoundary;
-    constexpr auto fd = Derivative::finite_difference, analytic = Derivative::analytic;
+    constexpr auto fd = Derivative::finite_difference, analytic = Derivative::analytic,
+                   fourth = Derivative::fourth_order;
     return {{"fd 0.5/0.5", Collocation{0.5, 0.5, fd}},
             {"fd 0/0.625", Collocation{0, 0.625, fd}},
             {"fd 0/0", Collocation{0, 0, fd}},
@@ -274,7 +281,10 @@ inline std::vector<NamedScheme> every_scheme() {
             {"Galerkin 7 fd", Galerkin{0, 0.625, fd, 1, 7}},
             {"Galerkin 4 analytic", Galerkin{0.25, 0.25, analytic, 0.5, 4}},
             {"Galerkin 3 analytic", Galerkin{0, 1, analytic, 1, 3}},
+            {"fourth order 0/0.625", Collocation{0, 0.625, fourth}},
+            {"fourth order 0.5/0.5", Collocation{0.5, 0.5, fourth, 0.5}},
             {"Knothe boundary fd", KnotheBoundary{fd}},
+            {"Knothe boundary fourth order", KnotheBoundary{fourth}},
             {"Knothe boundary analytic", KnotheBoundary{analytic}},
             {"nodes centres", rollbem::NodeDifference{}}};
 }

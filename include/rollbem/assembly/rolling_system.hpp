@@ -64,7 +64,8 @@ Elements<Scalar> line_elements(const Mesh<Scalar>& mesh, const BothRows<Scalar>&
         elements.x[i] =
             mesh.centres()[element] + (rows.alpha[element] + offset * rows.lengths[element]) * mesh.widths()[element];
     }
-    elements.intervals = rows.lengths.segment(rows.first_equation, n) * mesh.widths().segment(rows.first_equation, n);
+    elements.intervals =
+        rows.way * rows.lengths.segment(rows.first_equation, n) * mesh.widths().segment(rows.first_equation, n);
     elements.y = ArrayX<Scalar>::Zero(n);
     elements.centre_x = mesh.centres().head(n);
     elements.centre_y = ArrayX<Scalar>::Zero(n);

@@ -39,6 +39,8 @@ struct SchemeRows {
     /// How many times the mean over the interval is taken: once for a difference between its ends, Eq. (29), and once
     /// for Galerkin's integral in closed form, Eq. (14). At most twice for the slope and once for the displacement.
     int averages = 0;
+    /// The way for which a row stands, from its equation to the next, in lengths of the interval.
+    Scalar way = 1;
     /// Moves points that are closer than 0.001 dx to an edge of an element, where du/dx is infinite, to that distance.
     bool guard = false;
     /// The rows are those of points half an element ahead of the centres, where the rigid slip is taken, even if G is
@@ -62,6 +64,7 @@ concept RollingScheme = requires(const Scheme& scheme, Quantity quantity, const 
 enum class Derivative {
     finite_difference,  ///< central over the element's own width about the point, Eq. (29)
     analytic,           ///< closed form; points closer than 0.001 dx to an element's edge are moved to that distance
+    fourth_order,       ///< central over the same width, but from four points, of fourth order; not for Galerkin
 };
 
 /// Eq. (12) at one point per element, x_l + alpha_l dx_l, with alpha_l linear between both ends, Eq. (28).
@@ -178,15 +181,29 @@ void check_alphas(const Scheme& scheme, const char* who, Eigen::Index n) {
     require(n > 1 || scheme.alpha_L == scheme.alpha_T, who, "n", n, "be at least 2 where alpha_L and alpha_T differ");
 }
 
+// Differences over the thirds of each interval, weighted so that they give the slope in its middle to fourth order.
+template <class Scalar>
+void take_thirds(SchemeRows<Scalar>& rows) {
+    for (Scalar& length : rows.lengths) length /= 3;
+    rows.way = 3;
+    rows.offsets.resize(3);
+    rows.weights.resize(3);
+    for (Eigen::Index k = 0; k < 3; ++k) {
+        rows.offsets[k] = Scalar(k - 1);
+        rows.weights[k] = Scalar(k == 1 ? 26 : -1) / 24;
+    }
+}
+
 // Rows at one point per element, for any options with the fields of Collocation.
 template <class Scalar, class Scheme>
 SchemeRows<Scalar> collocation_rows(const Scheme& scheme, Quantity quantity, const Mesh<Scalar>& mesh) {
     const double shift = quantity == Quantity::slope ? 1 : scheme.lambda;
-    const bool finite_difference = scheme.derivative == Derivative::finite_difference;
-    const bool differenced = quantity == Quantity::slope && finite_difference;
+    const bool analytic = scheme.derivative == Derivative::analytic;
+    const bool differenced = quantity == Quantity::slope && !analytic;
     SchemeRows<Scalar> rows = rows_about(mesh, shift * scheme.alpha_L, shift * scheme.alpha_T);
     rows.averages = differenced ? 1 : 0;
-    rows.guard = quantity == Quantity::slope && !differenced;
+    rows.guard = quantity == Quantity::slope && analytic;
+    if (differenced && scheme.derivative == Derivative::fourth_order) take_thirds(rows);
     return rows;
 }
 
@@ -246,8 +263,7 @@ template <class Scalar>
 SchemeRows<Scalar> Collocation::rows(Quantity quantity, const Mesh<Scalar>& mesh) const {
     detail::check_alphas(*this, "Collocation", mesh.size());
     SchemeRows<Scalar> result = detail::collocation_rows(*this, quantity, mesh);
-    result.half_element_ahead =
-        alpha_L == 0.5 && alpha_T == 0.5 && lambda == 1 && derivative == Derivative::finite_difference;
+    result.half_element_ahead = alpha_L == 0.5 && alpha_T == 0.5 && lambda == 1 && derivative != Derivative::analytic;
     return result;
 }
 
@@ -256,6 +272,8 @@ SchemeRows<Scalar> Galerkin::rows(Quantity quantity, const Mesh<Scalar>& mesh) c
     detail::check_alphas(*this, "Galerkin", mesh.size());
     detail::require(quadrature >= 0 && quadrature <= 1000, "Galerkin", "quadrature", quadrature,
                     "be exact_quadrature (0) or lie in [1, 1000]");
+    detail::require(derivative != Derivative::fourth_order, "Galerkin", "derivative", "fourth_order",
+                    "be analytic or finite_difference: the fourth order is that of a slope at a point");
     SchemeRows<Scalar> result = detail::collocation_rows(*this, quantity, mesh);
     if (quadrature == exact_quadrature) {
         ++result.averages;
