@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <random>
 #include <string>
 
 #include <rollbem/compiled/wheelset.hpp>
@@ -11,6 +10,7 @@
 
 #include "cases.hpp"
 #include "deformed_gap.hpp"
+#include "drawn.hpp"
 
 namespace extremes {
 
@@ -20,8 +20,8 @@ using namespace rollbem;
 
 constexpr std::uint64_t pairs = 10;  // of rough profiles
 
-using Random = std::mt19937_64;
-double uniform(Random& random) { return std::uniform_real_distribution<double>(-1, 1)(random); }
+using Random = drawn::Draw;
+double uniform(Random& random) { return random.uniform(-1, 1); }
 
 /// Hollows and bumps of half a millimetre, and waves as a measured surface has them.
 Profile rough(const Profile& profile, Random& random) {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
-#include <random>
 #include <string>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include <rollbem/compiled/patch.hpp>
 
 #include "cases.hpp"
+#include "drawn.hpp"
 
 namespace extremes {
 
@@ -25,23 +25,6 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 using State = rollbem::FrictionState<2>;
 
 constexpr int steps = 4;
-
-/// Numbers from a seed, the same with every standard library.
-class Draw {
-public:
-    explicit Draw(std::uint64_t seed) : bits_(seed) {}
-
-    double between(double low, double high) { return low + (high - low) * unit(); }
-    double decades(double low, double high) { return low * std::pow(high / low, unit()); }
-    int count(int low, int high) { return low + static_cast<int>(unit() * (high - low + 1)); }
-    double sign() { return unit() < 0.5 ? -1 : 1; }
-    bool one_in(int n) { return count(1, n) == 1; }
-
-private:
-    double unit() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
-
-    std::mt19937_64 bits_;
-};
 
 /// mu N = 1, and so are the contact's a and G.
 struct Scene {
@@ -60,36 +43,36 @@ struct Scene {
     double half_length, narrowing = 1;  ///< in the beginning: a; a/b over that of the contact
 
     explicit Scene(std::uint64_t seed) {
-        Draw draw(seed);
-        a_over_b = draw.decades(0.05, 20);
-        nu = std::array{0.0, steel, 0.5}[static_cast<std::size_t>(draw.count(0, 2))];
-        strips = draw.count(1, 10);
-        n = draw.count(1, std::min(12, 2 * strips));
+        drawn::Draw draw(seed);
+        a_over_b = draw.logarithmic(0.05, 20);
+        nu = std::array{0.0, steel, 0.5}[static_cast<std::size_t>(draw.integer(0, 2))];
+        strips = draw.integer(1, 10);
+        n = draw.integer(1, std::min(12, 2 * strips));
         cosine = !draw.one_in(4);
         // in full adhesion creepages of this size make a force of about the friction limit
         const double size = 0.2 * a_over_b;
-        const auto some = [&](bool none) { return none ? 0 : draw.sign() * size * draw.decades(1e-2, 1e2); };
-        const int kind = draw.count(0, 5);  // spin alone, no spin, one creepage with spin, all together
+        const auto some = [&](bool none) { return none ? 0 : draw.sign() * size * draw.logarithmic(1e-2, 1e2); };
+        const int kind = draw.integer(0, 5);  // spin alone, no spin, one creepage with spin, all together
         creepage = {some(kind == 0 || kind == 3), some(kind == 0 || kind == 2), some(kind == 1) * std::sqrt(a_over_b)};
         const bool steady_creepage = draw.one_in(2), steady_load = draw.one_in(2);
-        double dq = draw.decades(1e-3, 10);
+        double dq = draw.logarithmic(1e-3, 10);
         for (Later& step : later) {
-            if (draw.one_in(3)) dq = draw.decades(1e-3, 10);
+            if (draw.one_in(3)) dq = draw.logarithmic(1e-3, 10);
             step = {dq, 1, creepage};
-            if (!steady_load) step.load = draw.one_in(8) ? 0 : draw.between(0.2, 2);
+            if (!steady_load) step.load = draw.one_in(8) ? 0 : draw.uniform(0.2, 2);
             if (!steady_creepage) {
-                step.creepage = {creepage.longitudinal * draw.between(-2, 2), creepage.lateral * draw.between(-2, 2),
-                                 creepage.spin * draw.between(-2, 2)};
+                step.creepage = {creepage.longitudinal * draw.uniform(-2, 2), creepage.lateral * draw.uniform(-2, 2),
+                                 creepage.spin * draw.uniform(-2, 2)};
             }
         }
         euler = draw.one_in(2);
         varies = draw.one_in(2);
         reshapes = varies && draw.one_in(2);
-        half_length = varies ? draw.decades(0.5, 2) : 1;
-        if (reshapes) narrowing = draw.decades(1 / 1.4, 2);
+        half_length = varies ? draw.logarithmic(0.5, 2) : 1;
+        if (reshapes) narrowing = draw.logarithmic(1 / 1.4, 2);
         for (Later& step : later) {
-            if (varies) step.growth = draw.between(-1.02, 1.02);
-            if (reshapes) step.narrowing = draw.decades(0.75, 1 / 0.75);
+            if (varies) step.growth = draw.uniform(-1.02, 1.02);
+            if (reshapes) step.narrowing = draw.logarithmic(0.75, 1 / 0.75);
         }
     }
 
@@ -102,25 +85,6 @@ struct Scene {
                          : "");
     }
 };
-
-/// Largest violation of Coulomb's law: of the tractions over the largest mu p_n, of the slip over `scale`.
-double violation(const State& state, const VectorXd& bound, const MatrixXd& slip, double scale) {
-    const double largest = std::max(bound.maxCoeff(), 1e-300);
-    double worst = 0;
-    for (Eigen::Index i = 0; i < bound.size(); ++i) {
-        const auto p = state.traction.row(i);
-        const auto s = slip.row(i);
-        worst = std::max(worst, (p.norm() - bound[i]) / largest);
-        if (state.zones[static_cast<std::size_t>(i)] == rollbem::Zone::stick) {
-            worst = std::max(worst, s.norm() / scale);
-        } else {
-            // slip opposes traction, but for the angle by which it is turned, at most 60 degrees
-            worst = std::max({worst, (bound[i] - p.norm()) / largest,
-                              (p.dot(s) / std::max(bound[i], 1e-300) + s.norm() / 2) / scale});
-        }
-    }
-    return worst;
-}
 
 double size(const VectorXd& vector) { return vector.cwiseAbs().maxCoeff(); }
 
@@ -222,8 +186,9 @@ private:
                                  std::abs(step.force.moment - sum[2])});
         if (slip.size() > 0) {
             const MatrixXd own = Eigen::Map<const MatrixXd>(slip.data(), mesh_.size(), 2);
-            error = std::max(
-                {error, violation(next_, bound, own, terms), (own - workspace_.slip()).cwiseAbs().maxCoeff() / terms});
+            const auto law = drawn::violation(next_.traction, own, bound, next_.zones, true);
+            error = std::max({error, law.bound / std::max(bound.maxCoeff(), 1e-300), law.stick / terms,
+                              law.direction / terms, (own - workspace_.slip()).cwiseAbs().maxCoeff() / terms});
         } else {
             error = std::max(error, (next_.traction.rowwise().norm() - bound).maxCoeff() / bound.maxCoeff());
         }

@@ -8,9 +8,9 @@
 #include <rollbem/adhesion/balanced_reduction.hpp>
 #include <rollbem/compiled/adhesion.hpp>
 
+#include "extremes/drawn.hpp"
 #include "support/catch.hpp"
 #include "support/dense.hpp"
-#include "support/draw.hpp"
 #include "support/refusal.hpp"
 
 namespace balanced_reduction_tests {
@@ -51,7 +51,7 @@ double abscissa(const StateSpace<double>& space) { return dense::spectrum(space.
 
 // A dense system that decays, with k inputs and outputs.
 StateSpace<double> drawn(Eigen::Index n, Eigen::Index k, unsigned seed) {
-    support::Draw draw(seed);
+    drawn::Draw draw(seed);
     const auto matrix = [&](Eigen::Index rows, Eigen::Index columns) {
         Eigen::MatrixXd entries(rows, columns);
         for (Eigen::Index i = 0; i < entries.size(); ++i) {

@@ -20,9 +20,9 @@
 #include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/normal/hertz_patch_load.hpp>
 
+#include "extremes/drawn.hpp"
 #include "friction/any_model.hpp"
 #include "support/catch.hpp"
-#include "support/draw.hpp"
 #include "vehicle/creep_force_scene.hpp"
 
 namespace {
@@ -310,7 +310,7 @@ TEST_CASE("The combined solver does not allocate, whether it follows a path or f
     const auto centres = detail::CentreValues<double>::in_strips({-1, 0, 1, -1, 3, 4});
     const std::vector<Zone> zones(n, Zone::stick);
     const ElementVectors<double> start = ElementVectors<double>::Zero(n, 2);
-    support::Draw draw(11);
+    drawn::Draw draw(11);
     int followed = 0, unsolved = 0;
     for (int problem = 0; problem < 300; ++problem) {
         detail::StickSlip<2, double>& solver = problem % 2 == 0 ? uncoupled : coupled;

@@ -6,8 +6,8 @@
 
 #include <rollbem/detail/in_place_lu.hpp>
 
+#include "extremes/drawn.hpp"
 #include "support/catch.hpp"
-#include "support/draw.hpp"
 #include "support/scalars.hpp"
 
 namespace in_place_lu_tests {
@@ -17,7 +17,7 @@ using Index = Eigen::Index;
 TEMPLATE_TEST_CASE("in_place_lu: solution and inverse of a permuted matrix", "", SCALARS) {
     using Matrix = Eigen::Matrix<TestType, Eigen::Dynamic, Eigen::Dynamic>;
     using Vector = Eigen::Matrix<TestType, Eigen::Dynamic, 1>;
-    support::Draw draw(1);
+    drawn::Draw draw(1);
     std::vector<Index> sizes{64, 65, 131};
     for (Index n = 1; n <= 30; ++n) sizes.push_back(n);
     for (const Index n : sizes) {
@@ -51,7 +51,7 @@ TEMPLATE_TEST_CASE("in_place_lu: solution and inverse of a permuted matrix", "",
 TEMPLATE_TEST_CASE("in_place_lu: elimination of the first unknowns leaves the Schur complement", "", SCALARS) {
     using Matrix = Eigen::Matrix<TestType, Eigen::Dynamic, Eigen::Dynamic>;
     using Vector = Eigen::Matrix<TestType, Eigen::Dynamic, 1>;
-    support::Draw draw(2);
+    drawn::Draw draw(2);
     for (Index n = 1; n <= 14; ++n) {
         Matrix A(n, n);
         for (TestType& entry : A.reshaped()) entry = static_cast<TestType>(draw.uniform(-0.5, 0.5));

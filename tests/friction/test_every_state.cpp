@@ -8,15 +8,15 @@
 #include <utility>
 #include <vector>
 
+#include "extremes/drawn.hpp"
 #include "friction/any_model.hpp"
 #include "support/catch.hpp"
-#include "support/draw.hpp"
 #include "support/refusal.hpp"
 
 namespace any_model {
 namespace {
 
-using support::Draw;
+using drawn::Draw;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
 

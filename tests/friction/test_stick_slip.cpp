@@ -12,9 +12,9 @@
 
 #include <rollbem/compiled/friction.hpp>
 
+#include "extremes/drawn.hpp"
 #include "support/catch.hpp"
 #include "support/dense.hpp"
-#include "support/draw.hpp"
 
 namespace stick_slip_tests {
 namespace {
@@ -72,10 +72,10 @@ struct Problem {
 
 enum class Kind { singular, definite, any };
 
-VectorX<double> random_vector(support::Draw& draw, Eigen::Index n) {
+VectorX<double> random_vector(drawn::Draw& draw, Eigen::Index n) {
     return VectorX<double>::NullaryExpr(n, [&] { return draw.normal(); });
 }
-MatrixX<double> random_matrix(support::Draw& draw, Eigen::Index n, Kind kind) {
+MatrixX<double> random_matrix(drawn::Draw& draw, Eigen::Index n, Kind kind) {
     const MatrixX<double> any = MatrixX<double>::NullaryExpr(n, n, [&] { return draw.normal(); });
     if (kind == Kind::any) return any;
     if (kind == Kind::singular) return dense::product(random_vector(draw, n), random_vector(draw, n).transpose());
@@ -85,7 +85,7 @@ MatrixX<double> random_matrix(support::Draw& draw, Eigen::Index n, Kind kind) {
     return result;
 }
 template <int directions>
-Problem<directions> random_problem(support::Draw& draw, Eigen::Index n, Kind kind, bool coupled = false) {
+Problem<directions> random_problem(drawn::Draw& draw, Eigen::Index n, Kind kind, bool coupled = false) {
     Problem<directions> problem{coupled, MatrixX<double>::Zero(directions * n, directions * n), {}, {}};
     if (coupled) {
         problem.matrix = random_matrix(draw, directions * n, kind);
@@ -101,7 +101,7 @@ Problem<directions> random_problem(support::Draw& draw, Eigen::Index n, Kind kin
 
 TEMPLATE_TEST_CASE_SIG("A solution is found whatever the matrix", "[friction]", ((int directions), directions), 1, 2) {
     using Vectors = ElementVectors<double, directions>;
-    support::Draw draw(11);
+    drawn::Draw draw(11);
     int followed = 0, tangents = 0;
     for (int trial = 0; trial < 3000; ++trial) {
         const Kind kind = trial % 3 == 0 ? Kind::singular : trial % 3 == 1 ? Kind::definite : Kind::any;
@@ -163,7 +163,7 @@ bool is_singular_circulant(const VectorX<double>& first) {
 
 TEST_CASE("A solution is found if all elements are alike", "[friction]") {
     // Circulant matrices under one creepage and one bound: every condition is met by several elements at once.
-    support::Draw draw(1);
+    drawn::Draw draw(1);
     int singular = 0;
     for (int trial = 0; trial < 20000; ++trial) {
         const Eigen::Index n = 2 + trial % 9;
@@ -214,7 +214,7 @@ TEST_CASE("A leading element without influence on its own slip is solved", "[fri
 
 TEMPLATE_TEST_CASE_SIG("Slip follows the bounds as the tangent says, for all bounds at once", "[friction]",
                        ((int directions), directions), 1, 2) {
-    support::Draw draw(4);
+    drawn::Draw draw(4);
     int compared = 0;
     for (int trial = 0; trial < 300; ++trial) {
         const Eigen::Index n = 2 + trial % 14;
@@ -273,7 +273,7 @@ VectorX<double> angles(const ElementVectors<double>& slip, const std::vector<Eig
 }
 
 TEST_CASE("Turned slip opposes the traction, at the angles of the solution with slip as it is", "[friction]") {
-    support::Draw draw(3);
+    drawn::Draw draw(3);
     int solved = 0, cut = 0, changed = 0;
     for (int trial = 0; trial < 600; ++trial) {
         const Eigen::Index n = 1 + trial % 14;

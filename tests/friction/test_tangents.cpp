@@ -13,13 +13,13 @@
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 
+#include "extremes/drawn.hpp"
 #include "support/catch.hpp"
-#include "support/draw.hpp"
 
 namespace tangent_tests {
 
 using namespace rollbem;
-using support::Draw;
+using drawn::Draw;
 
 namespace {
 

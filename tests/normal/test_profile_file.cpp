@@ -15,8 +15,8 @@
 #include <rollbem/normal/profile_file.hpp>
 #include <rollbem/normal/standard_profiles.hpp>
 
+#include "extremes/drawn.hpp"
 #include "support/catch.hpp"
-#include "support/draw.hpp"
 #include "support/refusal.hpp"
 
 namespace {
@@ -605,7 +605,7 @@ void read_changed_files(int count) {
         {"f.slcs", "0 1\n3\n3 0\n1\n0 's.csv'\n1 's.csv'\n2.5 's.csv'\n0 0 5 10\n1 -1 5 10\n2.5 0 5 99\n"}};
     const std::string pieces[] = {"0",   "-", ".",  ",", ";", " ",  "\n",   "e9",
                                   "nan", "'", "\"", "%", "=", "\r", "\xff", "7 7\n"};
-    support::Draw draw(std::getenv("ROLLBEM_SEED") != nullptr ? std::stoul(std::getenv("ROLLBEM_SEED")) : 55);
+    drawn::Draw draw(std::getenv("ROLLBEM_SEED") != nullptr ? std::stoul(std::getenv("ROLLBEM_SEED")) : 55);
     int read_count = 0, refused_count = 0;
     for (int k = 0; k < count; ++k) {
         auto [name, text] = files[std::size_t(draw.integer(int(files.size())))];

@@ -11,7 +11,7 @@
 
 #include <Eigen/Core>
 
-#include "support/draw.hpp"
+#include "extremes/drawn.hpp"
 
 namespace drawn_scenes {
 
@@ -20,7 +20,7 @@ inline std::uint64_t from_environment(const char* name, std::uint64_t otherwise)
     return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;
 }
 
-using support::Draw;
+using drawn::Draw;
 
 using Vectors = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 using Matrices = std::array<Eigen::MatrixXd, 2>;

@@ -21,18 +21,15 @@ namespace friction_scenes_tests {
 namespace {
 
 using namespace any_model;
-using drawn_scenes::from_environment, support::Draw;
+using drawn_scenes::from_environment, drawn::Draw;
 
 /// The largest violation of each condition over what rounding allows, 200 (n + 10) units in the last place.
 template <class Scalar>
-struct Violation {
-    Scalar bound = 0;      ///< |p| <= mu p_n, and = where it slips
-    Scalar stick = 0;      ///< no slip of elements that stick
-    Scalar direction = 0;  ///< slip against traction
-    Scalar friction = 0;   ///< mu of its equation; a velocity that is off by rounding is allowed for
-    Scalar mu = 0;         ///< the largest difference of mu, for comparison with a residual
+struct Violation : drawn::Violation<Scalar> {
+    Scalar friction = 0;  ///< mu of its equation; a velocity that is off by rounding is allowed for
+    Scalar mu = 0;        ///< the largest difference of mu, for comparison with a residual
 
-    Scalar worst() const { return std::max({bound, stick, direction, friction}); }
+    Scalar worst() const { return std::max({this->bound, this->stick, this->direction, friction}); }
 };
 
 /// mu of the particle that comes to x/a = `x`: linear between the points, mu_s(0) at the leading edge and ahead of it.
@@ -87,18 +84,14 @@ Violation<Scalar> violation(const Law& law, const FrictionMemory<Scalar>& memory
     const Scalar traction_rounding = rounding * largest * after.normal_pressure.maxCoeff();
     const Scalar velocity_per_slip = half_length / duration;
 
-    Violation<Scalar> worst;
+    Violation<Scalar> worst{drawn::violation(after.traction, slip, mus * after.normal_pressure, after.zones, false)};
+    worst.bound /= traction_rounding;
+    worst.stick /= slip_rounding;
+    worst.direction /= slip_rounding;
     const auto raise = [](Scalar& value, Scalar to) { value = to <= value ? value : to; };  // to what is no number, too
     for (Eigen::Index i = 0; i < n; ++i) {
-        const Scalar mu = mus[i], bound = mu * after.normal_pressure[i];
+        const Scalar mu = mus[i];
         const bool sticks = after.zones[static_cast<std::size_t>(i)] == Zone::stick;
-        const Scalar x = after.traction(i, 0), y = after.traction(i, 1), u = slip(i, 0), w = slip(i, 1);
-        const Scalar traction = std::hypot(x, y), excess = traction - bound, slid = std::hypot(u, w);
-        raise(worst.bound, (sticks ? std::max(excess, Scalar(0)) : abs(excess)) / traction_rounding);
-        if (sticks) raise(worst.stick, slid / slip_rounding);
-        if (!sticks && traction != 0) {
-            raise(worst.direction, std::max(abs(x * w - y * u), x * u + y * w) / (traction * slip_rounding));
-        }
         const auto expected = [&](Scalar v) {
             if (!(after.normal_pressure[i] > 0)) return at_rest;
             if (memory.distance == 0) return Scalar(law(v));
@@ -109,7 +102,8 @@ Violation<Scalar> violation(const Law& law, const FrictionMemory<Scalar>& memory
             const Scalar forgets = time * std::max(v, memory.least_velocity) / memory.distance;
             return (came + forgets * law(v)) / (1 + forgets);
         };
-        const Scalar v = sticks ? Scalar(0) : slid * velocity_per_slip, off = slip_rounding * velocity_per_slip;
+        const Scalar v = sticks ? Scalar(0) : std::hypot(slip(i, 0), slip(i, 1)) * velocity_per_slip,
+                     off = slip_rounding * velocity_per_slip;
         const Scalar middle = expected(v), difference = abs(mu - middle);
         const Scalar spread =
             sticks ? Scalar(0)

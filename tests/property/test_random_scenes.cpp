@@ -143,11 +143,11 @@ public:
     }
 
     double uniform(double low, double high) { return draw_.uniform(low, high); }
-    double logarithmic(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
-    int integer(int low, int high) { return low + draw_.integer(high - low + 1); }
+    double logarithmic(double low, double high) { return draw_.logarithmic(low, high); }
+    int integer(int low, int high) { return draw_.integer(low, high); }
 
 private:
-    support::Draw draw_;
+    drawn::Draw draw_;
 };
 
 /// The mirrored scene: edges interchanged, alphas interchanged with opposite sign.

@@ -15,9 +15,9 @@
 #include <rollbem/reference/bessel.hpp>
 #include <rollbem/spectral/state_space.hpp>
 
+#include "extremes/drawn.hpp"
 #include "support/catch.hpp"
 #include "support/dense.hpp"
-#include "support/draw.hpp"
 #include "support/observed_order.hpp"
 #include "support/scalars.hpp"
 #include "support/strip_instances.hpp"
@@ -218,7 +218,7 @@ TEST_CASE("Steady states in long double have its digits", "[chebyshev]") {
 #endif
 
 TEST_CASE("Chebyshev states of random contacts are stable and within their error estimate", "[chebyshev]") {
-    support::Draw draw(20181);
+    drawn::Draw draw(20181);
     for (int scene = 0; scene < 100; ++scene) {
         const double nu = draw.uniform(0, 1) / 2, aspect = std::pow(10.0, -1 + 4 * draw.uniform(0, 1));
         const Eigen::Index m = 1 + static_cast<Eigen::Index>(40 * draw.uniform(0, 1) * draw.uniform(0, 1));

@@ -14,8 +14,8 @@
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/vehicle/make_creep_force_table.hpp>
 
+#include "extremes/drawn.hpp"
 #include "support/catch.hpp"
-#include "support/draw.hpp"
 #include "support/observed_order.hpp"
 #include "support/refusal.hpp"
 #include "vehicle/creep_force_scene.hpp"
@@ -169,7 +169,7 @@ TEST_CASE("creep_force_table: the order of the interpolation, and full sliding a
     std::vector<double> counts, errors, outside;
     for (const int levels : {6, 10, 16}) {
         const CreepForceTable table = creep_forces::table(levels, levels);
-        support::Draw draw(3);
+        drawn::Draw draw(3);
         double sum = 0, beyond = 0;
         const int count = 300;
         for (int i = 0; i < count; ++i) {
@@ -203,7 +203,7 @@ TEST_CASE("creep_force_table: the order of the interpolation, and full sliding a
 
 TEST_CASE("creep_force_table: tangents are derivatives, and continuous across cells") {
     const CreepForceTable& table = small_table();
-    support::Draw draw(5);
+    drawn::Draw draw(5);
     for (int i = 0; i < 200; ++i) {
         const PatchContact<double> patch = contact(std::exp(0.3 * draw.normal()));
         const double level = std::exp(1.5 * draw.normal());
@@ -408,7 +408,7 @@ TEST_CASE("creep_force_table: that of steel holds the forces of its patches") {
     CHECK(grid.levels() == range.levels);
     CHECK(grid.smallest_a_over_b() == range.smallest_a_over_b);
     CHECK(grid.largest_a_over_b() == range.largest_a_over_b);
-    support::Draw draw(1);
+    drawn::Draw draw(1);
     for (const Eigen::Index shape : {0, 4, 7, 12}) {
         CreepForceSource source(grid.a_over_b(shape), grid.poisson_ratio(), range.n);
         for (int k = 0; k < 6; ++k) {

@@ -10,8 +10,8 @@
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/vehicle/reduced_friction.hpp>
 
+#include "extremes/drawn.hpp"
 #include "support/catch.hpp"
-#include "support/draw.hpp"
 #include "support/refusal.hpp"
 #include "vehicle/creep_force_scene.hpp"
 
@@ -42,7 +42,7 @@ bool same(const TangentialForce<double>& one, const TangentialForce<double>& oth
 }
 
 /// Creepages near saturation times `level`, in a random direction.
-Creepage<double> creepage(const PatchContact<double>& patch, double level, support::Draw& draw) {
+Creepage<double> creepage(const PatchContact<double>& patch, double level, drawn::Draw& draw) {
     const double unit = level * mu_0 * load / (4 * modulus * patch.c() * patch.c());
     return {unit * draw.normal(), unit * draw.normal(), unit / patch.c() * draw.normal()};
 }
@@ -50,7 +50,7 @@ Creepage<double> creepage(const PatchContact<double>& patch, double level, suppo
 }  // namespace
 
 TEST_CASE("reduced_friction: without reduction and fall, the numbers of the table") {
-    support::Draw draw(1);
+    drawn::Draw draw(1);
     for (const ReducedFriction& none : {ReducedFriction({}), ReducedFriction({.fall = 0.7})}) {
         for (int i = 0; i < 50; ++i) {
             const PatchContact<double> patch = ellipse(draw.decades(-0.9, 1.1));
@@ -129,7 +129,7 @@ TEST_CASE("reduced_friction: the initial slope, full sliding, and Polach's share
 
 TEST_CASE("reduced_friction: tangents are derivatives") {
     const ReducedFriction friction(wet);
-    support::Draw draw(4);
+    drawn::Draw draw(4);
     double worst = 0;
     for (int i = 0; i < 200; ++i) {
         const PatchContact<double> patch = ellipse(draw.decades(-0.9, 0.9));
@@ -211,7 +211,7 @@ TEST_CASE("reduced_friction: beside patches whose friction falls with the slip o
     auto state = model.at_rest();
     auto constant_state = constant.at_rest();
     const Eigen::Array3d scale = Eigen::Array3d(1, 1, patch.c()) * mu_0 * load;
-    support::Draw draw(11);
+    drawn::Draw draw(11);
     Eigen::Array3d sum = Eigen::Array3d::Zero(), largest = sum, table_sum = sum, table_largest = sum;
     double fallen = 0, lowest = 1, ignored = 0;
     constexpr int count = 8;
