@@ -32,6 +32,34 @@ rollbem::Contact<double> contact_of(const study::Scene& scene, double half_lengt
                                      .poisson_ratio = scene.contact.poisson_ratio()});
 }
 
+/// Line::title.
+std::string scene_in_title(const study::Options& options) {
+    std::string title;
+    const auto say = [&](const char* name, const std::string& before, const std::string& between = "",
+                         const std::string& after = "") {
+        if (!options.given(name)) return;
+        const std::string value = options.text(name);
+        const std::size_t comma = value.find(',');
+        title += ", " + before + value.substr(0, comma);
+        if (comma != std::string::npos) title += between + value.substr(comma + 1) + after;
+    };
+    if (options.given("pressure")) title += ", pressure of a table";
+    if (options.flag("transient")) {
+        const std::string delta = options.given("lateral-ratio") ? "δ_x = " : "δ = ";
+        say("creepage-ratio", delta);
+        say("sine", delta, " sin(", " q/a)");
+        say("lateral-ratio", "δ_y = ");
+        say("spin-ratio", "δ_φ = ");
+        say("shift", "shift ");
+        say("load-sine", "N/N_0 = 1 + ", " sin(2π q/", ")");
+        if (options.given("load")) title += ", load of a table";
+    }
+    for (const NamedLaw& known : laws()) say(known.option.c_str(), known.before, known.between);
+    say("memory", "memory ", " and ");
+    say("layer", "layer ");
+    return title;
+}
+
 }  // namespace
 
 Pressure make_pressure(const study::Options& options) {
@@ -69,7 +97,8 @@ Line::Line(const study::Options& options)
     : both(options.given("lateral-ratio")),
       pressure(make_pressure(options)),
       layer(read_layer(options)),
-      law(read_law(options)) {}
+      law(read_law(options)),
+      title(scene_in_title(options)) {}
 
 System Line::system(const study::Scene& scene, Direction direction, bool in_time, double half_length) const {
     using Kernel = rollbem::AnyKernel<double>;
@@ -133,33 +162,6 @@ std::string creepage_label(bool falling, const std::string& ratio) {
 }
 std::string force_label(bool falling, const std::string& force, const std::string& load) {
     return force + " / (" + coefficient(falling) + " " + load + ")";
-}
-
-std::string scene_in_title(const study::Options& options) {
-    std::string title;
-    const auto say = [&](const char* name, const std::string& before, const std::string& between = "",
-                         const std::string& after = "") {
-        if (!options.given(name)) return;
-        const std::string value = options.text(name);
-        const std::size_t comma = value.find(',');
-        title += ", " + before + value.substr(0, comma);
-        if (comma != std::string::npos) title += between + value.substr(comma + 1) + after;
-    };
-    if (options.given("pressure")) title += ", pressure of a table";
-    if (options.flag("transient")) {
-        const std::string delta = options.given("lateral-ratio") ? "δ_x = " : "δ = ";
-        say("creepage-ratio", delta);
-        say("sine", delta, " sin(", " q/a)");
-        say("lateral-ratio", "δ_y = ");
-        say("spin-ratio", "δ_φ = ");
-        say("shift", "shift ");
-        say("load-sine", "N/N_0 = 1 + ", " sin(2π q/", ")");
-        if (options.given("load")) title += ", load of a table";
-    }
-    for (const NamedLaw& known : laws()) say(known.option.c_str(), known.before, known.between);
-    say("memory", "memory ", " and ");
-    say("layer", "layer ");
-    return title;
 }
 
 }  // namespace friction

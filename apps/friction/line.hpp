@@ -69,6 +69,7 @@ struct Line {
     Pressure pressure;
     double layer;                ///< compliance [a_0/G]
     std::optional<SlipLaw> law;  ///< nothing where mu is constant
+    std::string title;           ///< pressure, law, layer, load and, in time, creepage as given, each after ", "
 
     /// Whether Carter's closed form holds along the rolling direction.
     bool carter() const { return pressure.hertz && layer == 0 && !law; }
@@ -126,8 +127,5 @@ study::PlotRange force_range(const study::Plot& plot);
 std::string coefficient(bool falling);
 std::string creepage_label(bool falling, const std::string& ratio);
 std::string force_label(bool falling, const std::string& force = "-F", const std::string& load = "N");
-
-/// Options of pressure, law, layer, load and, in the time domain, creepage as given, for a title, each after ", ".
-std::string scene_in_title(const study::Options& options);
 
 }  // namespace friction

@@ -189,7 +189,7 @@ std::vector<study::Plot> draw_tractions(const Tractions& tractions, const Line& 
 study::Plot creep_picture(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
                           const Curve& curve, const Tractions& tractions) {
     const bool falling = curve.line.law.has_value();
-    study::Plot plot{.title = "Creep curve" + scene_in_title(curve.options),
+    study::Plot plot{.title = "Creep curve" + curve.line.title,
                      .x_label = creepage_label(falling, "δ = ξ"),
                      .y_label = force_label(falling),
                      .beside = draw_tractions(tractions, curve.line)};
@@ -231,7 +231,7 @@ study::Plot combined_creep(const std::vector<std::string>& columns, const std::v
         plot.y_range = force_range(plot);
         return plot;
     };
-    study::Plot plot = panel("Longitudinal force" + scene_in_title(curve.options), "-F_x", "force_ratio");
+    study::Plot plot = panel("Longitudinal force" + curve.line.title, "-F_x", "force_ratio");
     plot.beside.push_back(panel("Lateral force", "-F_y", "lateral_force_ratio"));
     return plot;
 }
@@ -263,7 +263,7 @@ std::vector<CreepPoint> read_points(const study::Options& options) {
 std::string creep_help() { return creep_sheet().help(); }
 
 void run_steady(const study::Options& options) {
-    Curve curve{options, Line(options), read_points(options), "", study::has_times(options)};
+    Curve curve{Line(options), read_points(options), "", study::has_times(options)};
     if (options.given("force")) curve.force = options.number("force", study::finite());
     if (options.given("sweep")) curve.sweep = options.choice("sweep", {"up", "down"});
     const std::vector<study::Scene> scenes = study::make_scenes(options, study::Problem::steady, methods);

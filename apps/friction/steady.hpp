@@ -14,7 +14,6 @@
 namespace friction {
 
 struct Curve {
-    const study::Options& options;
     Line line;
     std::vector<CreepPoint> points;
     std::string sweep;  ///< up or down: each point starts from its neighbour; empty: from scratch

@@ -22,6 +22,7 @@ struct Scenario {
     study::RunSettings run;
     study::History imposed;
     bool checked;
+    bool creepage_swept, creepage_constant;
 
     bool load_varies() const { return imposed.has("load_ratio"); }
     bool breathes() const { return load_varies() && run.breathing; }
@@ -46,7 +47,13 @@ Scenario read_scenario(const study::Options& options) {
     }
     study::require_no_first_shift(run, imposed, history_columns);
     study::read_load(options, run, imposed);
-    Scenario scenario{Line(options), run, std::move(imposed), !options.flag("unchecked")};
+    const bool swept = options.given("sine") || options.given("ramp") || imposed.values("creepage_ratio").size() > 1;
+    Scenario scenario{.line = Line(options),
+                      .run = run,
+                      .imposed = std::move(imposed),
+                      .checked = !options.flag("unchecked"),
+                      .creepage_swept = swept,
+                      .creepage_constant = options.given("creepage-ratio") || options.given("step")};
     scenario.line.both = scenario.imposed.has("lateral_ratio");
     if (scenario.imposed.has("spin_ratio") && !scenario.line.both) {
         throw study::BadInput("the column spin_ratio must go with lateral_ratio");
@@ -81,21 +88,20 @@ void require_plane_model(const study::Scene& scene, const study::History& impose
                           " must be positive, or the plane model itself is unstable in time");
 }
 
-rollbem::FrictionContact make_contact(const study::Options& options, const Scenario& scenario,
-                                      const study::Scene& scene) {
+rollbem::FrictionContact make_contact(const Scenario& scenario, const study::Scene& scene) {
     const Line& line = scenario.line;
     const study::History& imposed = scenario.imposed;
     const bool breathes = scenario.breathes(), varies = scenario.load_varies();
     const double half_length = varies && !breathes ? largest_half_length(imposed) : 1;
     System along = line.system(scene, Line::Direction::longitudinal, true, half_length);
     std::optional<System> across = line.lateral_system(scene, true, half_length);
-    study::require_steppable(options, scene, along);
+    if (scenario.checked) study::require_steppable(scene, along);
     if (breathes && !along.log_strength()) {
         throw study::BadInput(
             "--breathing needs equations that hold at points and a kernel without a layer: --method collocation, nodes "
             "or knothe-bc, lambda = 1, no --layer");
     }
-    if (across) study::require_steppable(options, scene, *across);
+    if (scenario.checked && across) study::require_steppable(scene, *across);
     if (breathes && across) require_plane_model(scene, imposed, rollbem::ElementSystem(along, *across), "- nu");
     if (breathes && !across) require_plane_model(scene, imposed, along, "+ nu/(1-nu)");
     // the law is that of the largest load; what a run starts under is in its state
@@ -112,8 +118,8 @@ double least_half_length(const study::History& imposed, const rollbem::Mesh<doub
     return largest_half_length(imposed) * (edges[first + count] - edges[first]) / 2 * (1 - 1e-12);
 }
 
-Rolling make_rolling(const study::Options& options, const Scenario& scenario, const study::Scene& scene) {
-    Rolling rolling{.contact = make_contact(options, scenario, scene),
+Rolling make_rolling(const Scenario& scenario, const study::Scene& scene) {
+    Rolling rolling{.contact = make_contact(scenario, scene),
                     .run = scenario.run,
                     .imposed = scenario.imposed,
                     .of = history_columns,
@@ -220,8 +226,7 @@ const study::Sheet<TimeRow>& time_sheet() {
 // --- pictures ------------------------------------------------------------------------------------------------------
 
 /// The forces over the distance, with the load if it changes; in a second panel over the creepage if that changes.
-study::Plot force_in_time(const std::vector<study::Row>& rows, const Scenario& scenario,
-                          const study::Options& options) {
+study::Plot force_in_time(const std::vector<study::Row>& rows, const Scenario& scenario) {
     const bool lateral = scenario.line.both, load_changes = scenario.load_varies();
     const bool carter = scenario.line.carter() && !lateral && !load_changes;
     const double end = scenario.run.until();
@@ -229,7 +234,7 @@ study::Plot force_in_time(const std::vector<study::Row>& rows, const Scenario& s
                          bool reference = false) {
         time_sheet().draw(plot, rows, {.x = x, .y = y, .prefix = prefix, .markers = false, .reference = reference});
     };
-    study::Plot plot{.title = "Rolling with friction" + scene_in_title(options),
+    study::Plot plot{.title = "Rolling with friction" + scenario.line.title,
                      .x_label = "distance rolled q/a",
                      .y_label = force_label(scenario.line.law.has_value(), "-F", load_changes ? "N_0" : "N"),
                      .x_range = study::PlotRange{0, end}};
@@ -242,10 +247,7 @@ study::Plot force_in_time(const std::vector<study::Row>& rows, const Scenario& s
     add(plot, "q_over_a", "force_ratio", lateral ? "longitudinal" : "computed");
     if (lateral) add(plot, "q_over_a", "lateral_force_ratio", "lateral");
     if (load_changes) add(plot, "q_over_a", "load_ratio", "load N/N_0", true);
-    const bool constant = options.given("creepage-ratio") || options.given("step");
-    const bool swept =
-        options.given("sine") || options.given("ramp") || scenario.imposed.values("creepage_ratio").size() > 1;
-    if (swept) {
+    if (scenario.creepage_swept) {
         study::Plot loop{.x_label = "creepage ratio δ", .y_label = plot.y_label};
         add(loop, "creepage_ratio", "force_ratio", "computed");
         loop.title = "Hysteresis";
@@ -256,7 +258,7 @@ study::Plot force_in_time(const std::vector<study::Row>& rows, const Scenario& s
         if (carter) loop.series.push_back(carter_curve(-most, most));
         if (!load_changes) loop.y_range = force_range(loop);
         plot.beside.push_back(std::move(loop));
-    } else if (carter && constant) {
+    } else if (carter && scenario.creepage_constant) {
         const double force = rollbem::carter_force_ratio(scenario.at(end, false).longitudinal);
         plot.series.push_back(
             {.label = "Carter, steady", .points = {{0, force}, {end, force}}, .markers = false, .reference = true});
@@ -273,7 +275,7 @@ void run_transient(const study::Options& options) {
     const std::vector<study::Scene> scenes = study::make_non_steady_scenes(options, methods);
     const auto prepare = [&](const study::Scene& scene) {
         try {
-            return make_rolling(options, scenario, scene);
+            return make_rolling(scenario, scene);
         } catch (const study::BadInput&) {
             throw;
         } catch (const std::invalid_argument&) {  // all else has been checked with the options
@@ -284,7 +286,7 @@ void run_transient(const study::Options& options) {
     const auto row = [&](const study::Scene& scene, const Moment& moment) {
         return TimeRow{scenario, scenario.line, scene, moment, mu_N * scene.contact.width()};
     };
-    const auto draw = [&](const std::vector<study::Row>& rows) { return force_in_time(rows, scenario, options); };
+    const auto draw = [&](const std::vector<study::Row>& rows) { return force_in_time(rows, scenario); };
     write_rolling(options, time_sheet(), scenes, scenario.run.steps.count, prepare, row, draw);
 }
 

@@ -66,8 +66,7 @@ std::string flaw_in_steady_rolling(const Scene& scene, const rollbem::RollingSys
            "the creepage";
 }
 
-void require_steppable(const Options& options, const Scene& scene, const rollbem::RollingSystem<double>& system) {
-    if (options.flag("unchecked")) return;
+void require_steppable(const Scene& scene, const rollbem::RollingSystem<double>& system) {
     const rollbem::StabilityVerdict verdict = rollbem::judge_stability<double>(system);
     const std::string scheme = "n = " + std::to_string(scene.n()) + ": the scheme ";
     if (verdict.status != rollbem::Status::ok) {

@@ -39,8 +39,8 @@ std::string status_of(rollbem::Status status, const Scene& scene, const rollbem:
 /// none.
 std::string flaw_in_steady_rolling(const Scene& scene, const rollbem::RollingSystem<double>& system);
 
-/// Throws BadInput unless --unchecked is given or steps of the scene's `system` tend to steady rolling: no eigenvalue
+/// Throws BadInput, which names --unchecked, unless steps of the scene's `system` tend to steady rolling: no eigenvalue
 /// is unstable or uncertain, and steady rolling shows no flaw.
-void require_steppable(const Options& options, const Scene& scene, const rollbem::RollingSystem<double>& system);
+void require_steppable(const Scene& scene, const rollbem::RollingSystem<double>& system);
 
 }  // namespace study
