@@ -82,6 +82,10 @@ ROLLBEM_API int rollbem_contact_table_look_up(const rollbem_contact_table *table
                                               const double inputs[11], double force[6], double tangent[66],
                                               double points[40], double *heat);
 
+/* Friction of the zones of one wheel's rail over the coefficient of the look-ups that follow, such as 0.5 for a
+   lubricated gauge face; 1 for each after opening. The order is that of `points`. No look-up may run meanwhile. */
+ROLLBEM_API int rollbem_contact_table_set_friction(rollbem_contact_table *table, int side, const double factors[4]);
+
 /* Where a wheelset stands whose wheels carry vertical loads, left and right [N]: height (positive down) and roll, and
    the derivatives of both with respect to lateral position, yaw and both loads. */
 ROLLBEM_API int rollbem_contact_table_on_rails(const rollbem_contact_table *table, double lateral, double yaw,

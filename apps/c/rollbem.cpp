@@ -95,6 +95,7 @@ struct rollbem_table {
 
 struct rollbem_contact_table {
     ContactTable table;
+    std::array<WheelFriction, 2> friction{};  // left and right
 };
 
 struct rollbem_patch {
@@ -272,9 +273,10 @@ int rollbem_contact_table_look_up(const rollbem_contact_table* table, const roll
                                     inputs[WheelForces::lateral_speed], inputs[WheelForces::vertical_speed],
                                     inputs[WheelForces::roll_rate],     inputs[WheelForces::yaw_rate]};
         const WheelsetSide of = side == ROLLBEM_LEFT ? WheelsetSide::left : WheelsetSide::right;
-        const double mu = inputs[WheelForces::mu];
-        const WheelForces now = tangent == nullptr ? table->table.forces(creep->table, of, at, speeds, load, mu)
-                                                   : table->table.look_up(creep->table, of, at, speeds, load, mu);
+        WheelFriction friction = table->friction[std::size_t(side)];
+        friction.coefficient = inputs[WheelForces::mu];
+        const WheelForces now = tangent == nullptr ? table->table.forces(creep->table, of, at, speeds, load, friction)
+                                                   : table->table.look_up(creep->table, of, at, speeds, load, friction);
         std::copy(now.force.begin(), now.force.end(), force);
         if (tangent != nullptr) std::copy_n(now.tangent.data(), now.tangent.size(), tangent);
         const bool known = detail::is_finite(now.force[0]);
@@ -294,6 +296,20 @@ int rollbem_contact_table_look_up(const rollbem_contact_table* table, const roll
                           detail::to_text(loads.front()) + " to " + detail::to_text(loads.back()) +
                           ": contacts are those of its border",
                       ROLLBEM_OFF_TABLE);
+    });
+}
+
+int rollbem_contact_table_set_friction(rollbem_contact_table* table, int side, const double factors[4]) {
+    return guarded([&] {
+        constexpr const char* who = "rollbem_contact_table_set_friction";
+        require_given(who, {{"table", table}, {"factors", factors}});
+        detail::require(side == ROLLBEM_LEFT || side == ROLLBEM_RIGHT, who, "side", side, "be 0 (left) or 1 (right)");
+        for (std::size_t zone = 0; zone < ContactZones::most; ++zone) {
+            detail::require(detail::is_finite(factors[zone]) && factors[zone] >= 0, who, "factor", factors[zone],
+                            "be finite and not negative");
+        }
+        std::copy_n(factors, ContactZones::most, table->friction[std::size_t(side)].factor.begin());
+        return ROLLBEM_OK;
     });
 }
 

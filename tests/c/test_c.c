@@ -404,6 +404,19 @@ static void test_contact_table(const char *path, const char *creep_path) {
     motion[10] = NAN;
     expect(rollbem_contact_table_look_up(contacts_of_wheels, creep, ROLLBEM_LEFT, motion, other, tangent, NULL, NULL) ==
            ROLLBEM_OK && tangent[60] == 0, "without a roll");
+    const double half[4] = {0.5, 0.5, 0.5, 0.5}, one[4] = {1, 1, 1, 1}, negative[4] = {1, 1, -1, 1};
+    const double mu = motion[9];
+    motion[9] = mu / 2;
+    expect(rollbem_contact_table_look_up(contacts_of_wheels, creep, ROLLBEM_LEFT, motion, force, NULL, NULL, NULL) ==
+           ROLLBEM_OK, "half the friction");
+    motion[9] = mu;
+    expect(rollbem_contact_table_set_friction(contacts_of_wheels, ROLLBEM_LEFT, half) == ROLLBEM_OK &&
+           rollbem_contact_table_look_up(contacts_of_wheels, creep, ROLLBEM_LEFT, motion, other, NULL, NULL, NULL) ==
+           ROLLBEM_OK, "half the friction in all zones");
+    for (int i = 0; i < 6; ++i) expect(other[i] == force[i], "forces with half the friction");
+    expect(rollbem_contact_table_set_friction(contacts_of_wheels, ROLLBEM_LEFT, negative) == ROLLBEM_INVALID,
+           "negative friction");
+    expect(rollbem_contact_table_set_friction(contacts_of_wheels, ROLLBEM_LEFT, one) == ROLLBEM_OK, "as before");
     motion[0] = 1;
     expect(rollbem_contact_table_look_up(contacts_of_wheels, creep, ROLLBEM_LEFT, motion, other, NULL, NULL, NULL) ==
            ROLLBEM_FAILED && is_nan(other[0]), "off the table");
