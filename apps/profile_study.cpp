@@ -46,7 +46,9 @@ Contacts find_contacts(const Settings& settings, const Case& at) {
                 : at.roll ? Free::height
                           : Free::height_and_roll,
         .speeds = {.forward = settings.speed, .pitch_rate = at.pitch_rate.value_or(0)},
-        .free_pitch = !at.pitch_rate};
+        .free_pitch = !at.pitch_rate,
+        .force = settings.force,
+        .friction_carries = settings.friction_carries};
     Contacts contacts;
     if (settings.friction) {
         contacts.of = rolling_forces(settings.wheelset, rolling, *settings.friction, workspace, settings.grid);

@@ -32,8 +32,10 @@ struct Settings {
     double load;  ///< on each wheel [N], unless its height is given
     rollbem::WheelOnRail::Options grid;
     std::optional<rollbem::RollingFriction> friction;
-    double speed;        ///< V [m/s]
-    double shear_yield;  ///< [Pa]
+    double speed;                 ///< V [m/s]
+    double shear_yield;           ///< [Pa]
+    std::optional<double> force;  ///< of friction along x, in place of the pitch rate [N]
+    bool friction_carries;        ///< a part of the loads
 };
 
 /// Declares the options of profile_study.

@@ -48,7 +48,7 @@ and without numbers:
 With --friction further ones, with the forces empty:
   invalid_step        the wheel does not roll, as V and -pitch_rate rolling_radius add up to 0: another --pitch-rate
   assists_creepage    rolling gains energy on these elements: other --strips or --n
-  no_solution         tractions were not found to rounding: other --strips or --n
+  no_solution         tractions were not found to rounding: other --strips or --n; or friction cannot have --force
 
 Profiles: files are cleaned of repeated points, zig-zags and folds at their ends; MiniProf's z is turned where the shape
 says that it points up; what was done stands in the sidecar. A wheel must have its flange at y < 0, |z| < 2 mm on the
@@ -72,8 +72,9 @@ heat in each body; it is empty where the contact passes slowly, V half_length < 
 --hot-friction there is then no result (not_converged). In a FILE of --friction, mu is linear over the angle of the
 rail's surface [rad] or y of its profile [m], as on the right rail, and constant beyond the rows. --wear FILE has, for right rail and right wheel (of left ones in their mirror images) of
 each side, s, the length along the profile, y, z, and work [J/m^2]: frictional work per metre rolled and metre of
-profile, the mean over all positions. The loads are vertical: the normal forces are found together with those of
-friction.
+profile, the mean over all positions. --load-of normal: normal forces carry --load; all: they are found together with
+the vertical share of friction. --force: the pitch rate is found at which friction has this longitudinal force on the
+wheelset, positive along x; no_solution where none has, up to 20 % of creepage. --layer: a third body or roughness.
 --conicity: a row for each amplitude, half of y_max - y_min, between which the wheelset's middle moves: tan_gamma of the
 cone with the same wavelength, by integration of the wave; tan_gamma_linear by harmonic linearisation; the note
 nonlinearity in the sidecar. status is ok, beyond_clearance (the wave leaves what both wheels reach without climbing
@@ -119,6 +120,14 @@ void add_friction_options(study::Options& options) {
     options.add("pitch-rate", "LIST",
                 "with --friction: about the axle, negative when rolling forward [rad/s]; default: that in which the "
                 "longitudinal creepages of the wheels that touch add up to 0");
+    options.add("force", "F",
+                "with --friction: longitudinal force of friction on the wheelset, in place of the pitch rate [N]");
+    options.not_with({"pitch-rate"}, "force");
+    options.add("layer", "L", "with --friction: compliance of a layer between wheel and rail [m/Pa]", "0");
+    options.add("load-of", "NAME",
+                "with --friction: normal, normal forces alone carry --load, or all, with friction's vertical share",
+                "normal");
+    options.not_with({"load-of"}, "height");
     options.add(
         "strips", "M",
         "with --friction: strips of a patch, 1 to 100; fewer where rolling would gain energy; default: 13, up to "
@@ -167,7 +176,8 @@ std::optional<rollbem::Heating> read_heating(const study::Options& options) {
 /// Throws BadInput.
 std::optional<rollbem::RollingFriction> read_friction(const study::Options& options) {
     if (!options.given("friction")) {
-        for (const char* name : {"speed", "pitch-rate", "n", "strips", "slip", "shear-yield", "wear", "temperature"}) {
+        for (const char* name : {"speed", "pitch-rate", "force", "layer", "load-of", "n", "strips", "slip",
+                                 "shear-yield", "wear", "temperature"}) {
             options.ignored(name, "without --friction");
         }
         return {};
@@ -176,7 +186,8 @@ std::optional<rollbem::RollingFriction> read_friction(const study::Options& opti
         .elements = Eigen::Index(options.integer("n", 1, 100)),
         .strips = options.given("strips") ? Eigen::Index(options.integer("strips", 1, 100)) : 0,
         .curved_slip = options.choice("slip", {"curved", "linear"}) == "curved",
-        .heating = read_heating(options)};
+        .heating = read_heating(options),
+        .layer = options.number("layer", study::not_negative())};
     if (study::detail::parse_number<double>(options.text("friction"))) {
         friction.coefficient = options.number("friction", study::positive());
     } else {
@@ -227,7 +238,9 @@ std::vector<Case> read_positions(const study::Options& options) {
         study::read_columns(options, "positions", "shift,yaw", "roll;pitch_rate", check);
     options.require(!columns[0].empty(), "positions", "have a row below its header");
     if (!columns[2].empty()) options.ignored("roll", "with a column roll in --positions");
-    if (!columns[3].empty()) options.ignored("pitch-rate", "with a column pitch_rate in --positions");
+    for (const char* name : {"pitch-rate", "force"}) {
+        if (!columns[3].empty()) options.ignored(name, "with a column pitch_rate in --positions");
+    }
     const auto cell = [](const study::Numbers& column, std::size_t i) {
         return column.empty() ? std::nullopt : std::optional(column[i]);
     };
@@ -320,7 +333,9 @@ Settings read_settings(const study::Options& options, bool several) {
              .interaction = options.choice("interaction", {"on", "off"}) == "on"},
             friction,
             speed,
-            positive("shear-yield")};
+            positive("shear-yield"),
+            options.given("force") ? std::optional(options.number("force", study::finite())) : std::nullopt,
+            options.choice("load-of", {"normal", "all"}) == "all"};
 }
 
 }  // namespace profile

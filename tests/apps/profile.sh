@@ -13,7 +13,7 @@ bad '--smooth = 1 must lie in [0.0001, 0.1]' $profile --length-unit mm --wheel "
 # its grid of 0.2 mm are 2e-2 in areas, more on flanges, 3e-3 in peak pressures, and 9e-3 at most in forces. Its loads
 # are N cos delta of planes, which on flanges differs by 3e-3 from what pressures carry along the normals of the surface.
 awk 'NR < 3 || NR % 2 == 1' "$benchmark/positions.csv" >positions.csv
-at="--length-unit mm --cant 0 --positions positions.csv --side both --load 1e4 --friction 0.3 --speed 2 --slip linear"
+at="--length-unit mm --cant 0 --positions positions.csv --side both --load 1e4 --load-of all --friction 0.3 --speed 2 --slip linear"
 $profile $at --wheel "$benchmark/wheel.csv" --rail "$benchmark/rail.csv" --output table.csv || fail "the benchmark"
 [ "$(wc -l <table.csv)" -eq 24 ] ||
     fail "$(wc -l <table.csv) lines instead of 24: one position has two patches on a wheel"

@@ -1,14 +1,16 @@
-// rollbem/scene/mirror.hpp, vehicle/patch_elements.hpp, vehicle/patch_force.hpp
+// rollbem/scene/mirror.hpp, vehicle/patch_elements.hpp, vehicle/patch_force.hpp, vehicle/wheelset_forces.hpp
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
 #include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/scene/mirror.hpp>
 #include <rollbem/vehicle/patch_elements.hpp>
 #include <rollbem/vehicle/patch_force.hpp>
+#include <rollbem/vehicle/wheelset_forces.hpp>
 
 #include "support/catch.hpp"
 
@@ -205,6 +207,77 @@ TEST_CASE("Strips are taken away until friction is solved, down to 5, or once wh
     CHECK(tried == std::vector<Eigen::Index>{8, 6});
     CHECK_FALSE(until(3, 1));
     CHECK(tried == std::vector<Eigen::Index>{3});
+}
+
+TEST_CASE("A compliant layer between wheel and rail makes a bristle model", "[profiles]") {
+    // far softer than the half-spaces: traction = layer's stiffness times the slip that bristles have gathered
+    const Scene scene(-2e-3);
+    const double layer = 1e-8;
+    RollingFriction friction{.coefficient = 1e6, .elements = 10, .strips = 15};
+    friction.layer = layer;
+    const PatchForce found = patch_force(scene.patch, scene.at, scene.speeds, wheel().dimensions(), friction);
+    REQUIRE(found.status == Status::ok);
+    double square = 0;  // integral of half the squared length
+    const Outline<double>& outline = *scene.patch.outline;
+    constexpr int lines = 2000;
+    for (int k = 0; k < lines; ++k) {
+        const double s = outline.low() + (k + 0.5) / lines * (outline.high() - outline.low()),
+                     length = outline.leading(s) - outline.trailing(s),
+                     slip = found.creepage.longitudinal - found.creepage.spin * s;
+        square += slip * length * length / 2 * (outline.high() - outline.low()) / lines;
+    }
+    CHECK(found.force.longitudinal == Approx(-square / layer).epsilon(2e-2));
+    friction.layer = 0;
+    const PatchForce stiff = patch_force(scene.patch, scene.at, scene.speeds, wheel().dimensions(), friction);
+    CHECK(std::abs(found.force.longitudinal) < 0.05 * std::abs(stiff.force.longitudinal));
+    friction.layer = -1;
+    CHECK_THROWS_AS(patch_force(scene.patch, scene.at, scene.speeds, wheel().dimensions(), friction),
+                    std::invalid_argument);
+}
+
+TEST_CASE("A longitudinal force is had by a pitch rate, or by none", "[profiles]") {
+    const WheelsetOnTrack wheelset(wheel());
+    WheelsetOnTrack::Workspace workspace;
+    const RollingFriction friction{.coefficient = 0.3, .elements = 6, .strips = 7};
+    for (const double forward : {20.0, -20.0}) {
+        WheelsetRolling rolling{.position = {.lateral = -1e-3}, .speeds = {.forward = forward}, .force = 2e4};
+        const WheelsetForces driven = rolling_forces(wheelset, rolling, friction, workspace);
+        CAPTURE(forward, driven.pitch_rate);
+        REQUIRE(driven.contacts.status == Status::ok);
+        CHECK(std::abs(driven.on_wheelset.force[0] - 2e4) < 1);
+        CHECK((driven.pitch_rate < 0) == (forward > 0));
+        rolling.force.reset();
+        rolling.free_pitch = false;
+        rolling.speeds.pitch_rate = driven.pitch_rate;
+        const WheelsetForces given = rolling_forces(wheelset, rolling, friction, workspace);
+        CHECK(std::abs(given.on_wheelset.force[0] - 2e4) < 2);
+    }
+    const WheelsetForces beyond = rolling_forces(
+        wheelset, {.position = {.lateral = -1e-3}, .speeds = {.forward = 20}, .force = 7e4}, friction, workspace);
+    for (const auto& patches : beyond.patches) CHECK(patches.at(0).status == Status::no_solution);
+    CHECK(std::isnan(beyond.on_wheelset.force[0]));
+}
+
+TEST_CASE("Loads are carried by normal forces, or by friction's vertical share too", "[profiles]") {
+    const WheelsetOnTrack wheelset(wheel());
+    WheelsetOnTrack::Workspace workspace;
+    const RollingFriction friction{.coefficient = 0.3, .elements = 6, .strips = 7};
+    WheelsetRolling rolling{.position = {.lateral = 6.1e-3, .roll = 0, .yaw = 5e-3},
+                            .free = WheelsetOnTrack::Free::height,
+                            .friction_carries = false};
+    const WheelsetForces normal = rolling_forces(wheelset, rolling, friction, workspace);
+    WheelsetOnTrack::Workspace other;
+    const auto alone = wheelset.solve(rolling.position, rolling.loads, other, rolling.free);
+    REQUIRE((has_numbers(normal.contacts.status) && has_numbers(alone.status)));
+    CHECK(std::abs(normal.contacts.wheels[1].height - alone.wheels[1].height) < 1e-9);
+    rolling.friction_carries = true;
+    const WheelsetForces all = rolling_forces(wheelset, rolling, friction, workspace);
+    REQUIRE(has_numbers(all.contacts.status));
+    CHECK(all.on_wheel[1].force[2] == Approx(-1e5).epsilon(1e-5));
+    double share = 0;
+    for (const RailPatch& patch : normal.contacts.wheels[1].patches) share += patch.vertical_load() / 1e5;
+    CHECK(share == Approx(1).epsilon(2e-3));
+    CHECK(std::abs(normal.on_wheel[1].force[2] / 1e5 + 1) > 0.02);
 }
 
 }  // namespace

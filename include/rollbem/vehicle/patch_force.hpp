@@ -38,6 +38,7 @@ struct RollingFriction {
     bool curved_slip = false;
     std::optional<RailFriction> rail{};  ///< mu over the rail, in place of the coefficient, one for each strip
     std::optional<Heating> heating{};    ///< for the temperature, and friction that depends on it
+    double layer = 0;  ///< compliance L of a layer between both bodies, which adds L p to the displacement [m/Pa]
 };
 
 /// Friction on one patch of a right wheel, in the axes (x, s, n) of its plane.
@@ -203,8 +204,9 @@ public:
           contact_(contact),
           rolling_(rolling),
           friction_(friction),
-          system_(steady_system(meshes.joined(), NodeDifference{Nodes::chebyshev},
-                                HalfSpace<double>(contact.poisson_ratio()))),
+          system_(steady_system(
+              meshes.joined(), NodeDifference{Nodes::chebyshev},
+              HalfSpace<double>(contact.poisson_ratio(), friction.layer * contact.shear_modulus() / meshes.unit))),
           pressures_(system_.size()) {
         for (std::size_t k = 0; k < meshes.pieces.size(); ++k) {
             pressures_.segment(meshes.first(k), meshes.size(k)) =
@@ -345,7 +347,8 @@ inline std::vector<PatchForce> plane_forces(const std::vector<RailPatch>& pieces
 /// Steady rolling of the patches of a wheel, each on its own outline, under its own pressures, with the slip of both
 /// surfaces; backwards as the mirror image of rolling forward. Patches in one plane displace each other and are solved
 /// together. A patch that does not roll, V = 0, has the status invalid_step, no creepage and no force. The patches must
-/// have numbers; position and speeds are those that the right wheel sees.
+/// have numbers; position and speeds are those that the right wheel sees. Throws std::invalid_argument unless the
+/// compliance of the layer is finite and not negative.
 inline std::vector<PatchForce> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
                                             const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
                                             const RollingFriction& friction) {

@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,11 @@ struct WheelsetRolling {
     /// Whether the pitch rate is that at which the longitudinal creepages of both wheels' largest patches add up to
     /// zero, or that of the only wheel that touches is zero; otherwise that of the speeds.
     bool free_pitch = true;
+    /// In place of a pitch rate: the longitudinal force of friction on the wheelset [N], along x.
+    std::optional<double> force{};
+    /// Whether friction's vertical share counts in the loads, 10 to 20 % of them on a flange, or normal forces alone
+    /// carry them.
+    bool friction_carries = true;
 };
 
 struct WheelsetForces {
@@ -188,7 +194,7 @@ private:
         constexpr double out_of_reach = 5;  // a load of 150 times the one wanted
         const auto k = static_cast<std::size_t>(side);
         Status& status = wheel(side).status;
-        if (!has_numbers(status) || rolling_.free == Free::nothing) return true;
+        if (!has_numbers(status) || rolling_.free == Free::nothing || !rolling_.friction_carries) return true;
         if (carried_[k].settled(wheel(side), result_.patches[k], rolling_.loads[k])) return true;
         const bool last = result_.rounds >= most, lifted = carried_[k].at > out_of_reach;
         if (lifted) status = Status::load_not_reached;
@@ -234,17 +240,56 @@ private:
     WheelsetForces result_;
 };
 
+/// The pitch rate at which friction has the longitudinal force wanted, between -20 and 20 % of creepage.
+inline WheelsetForces roll_at_force(const WheelsetOnTrack& wheelset, WheelsetRolling rolling,
+                                    const RollingFriction& friction, WheelsetOnTrack::Workspace& workspace,
+                                    const WheelOnRail::Options& options) {
+    constexpr double steepest = 100, largest_step = 0.02, most = 0.2, enough = 1e-6;
+    const double wanted = *std::exchange(rolling.force, std::nullopt), forward = rolling.speeds.forward < 0 ? -1 : 1;
+    rolling.free_pitch = true;
+    WheelsetForces result = RollingBalance(wheelset, rolling, friction).solve(workspace, options);
+    rolling.free_pitch = false;
+    const double free = result.pitch_rate;
+    RisingRoot root(steepest, largest_step);
+    double creepage = 0;
+    for (int k = 0; k < 60 && has_numbers(result.contacts.status); ++k) {
+        double load = 0;
+        for (const WheelOnRail::Contact& wheel : result.contacts.wheels) {
+            for (const RailPatch& patch : wheel.patches) load += patch.load;
+        }
+        const double excess = forward * (result.on_wheelset.force[0] - wanted) / load;
+        if (std::abs(excess) < enough) return result;
+        creepage = root.next(creepage, excess);
+        if (!(std::abs(creepage) < most)) break;
+        rolling.speeds.pitch_rate = free * (1 + creepage);
+        result = RollingBalance(wheelset, rolling, friction).solve(workspace, options);
+    }
+    for (std::vector<PatchForce>& patches : result.patches) {
+        for (PatchForce& patch : patches) {
+            if (patch.status == Status::ok) patch.status = Status::no_solution;
+        }
+    }
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const Wrench unknown{{nan, nan, nan}, {nan, nan, nan}};
+    result.on_wheel = {unknown, unknown};
+    result.on_wheelset = unknown;
+    return result;
+}
+
 }  // namespace detail
 
 /// The forces of a rolling wheelset. Loads are vertical, carried by normal forces and friction together: contacts and
 /// friction are found in turn until they carry the loads to 1e-6; if they do not in 40 rounds, the wheel's status is
 /// `unbalanced`, and `load_not_reached` where friction holds the wheel up. A wheel that does not roll (patch_force) has
-/// the forces of its pressures alone and is `unbalanced`, too. Statuses say what failed; allocates.
+/// the forces of its pressures alone and is `unbalanced`, too. With friction_carries = false contacts carry the loads
+/// without friction. A longitudinal force that no creepage of up to 20 % has leaves patches with the status
+/// `no_solution`. Statuses say what failed; allocates.
 template <std::same_as<double> Scalar = double>  // for rollbem::compiled
 WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const WheelsetRolling& rolling,
                               const RollingFriction& friction, WheelsetOnTrack::Workspace& workspace,
                               const WheelOnRail::Options& options = {}) {
     if (!detail::is_finite(rolling.speeds)) return {};
+    if (rolling.force) return detail::roll_at_force(wheelset, rolling, friction, workspace, options);
     return detail::RollingBalance(wheelset, rolling, friction).solve(workspace, options);
 }
 
