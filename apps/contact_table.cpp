@@ -86,18 +86,12 @@ Scene read_scene(const study::Options& options) {
     }
     options.require(!path.empty(), "creep", "be given, as steel.creep is not where it was installed");
     const std::size_t jobs = study::job_count(options);
-    try {
-        CreepForceTable creep = CreepForceTable::read(path);
-        const double own = creep.grid().poisson_ratio();
-        options.require(std::abs(own - dimensions.poisson_ratio) <= 0.01, "poisson",
-                        "be that of the table of creep forces, " + study::Cell(own).text(3) +
-                            ": make another one by creep_table, and give it as --creep");
-        return {std::move(wheelset), std::move(creep), jobs};
-    } catch (const study::BadInput&) {
-        throw;
-    } catch (const std::invalid_argument& error) {
-        throw study::BadInput("--creep: " + std::string(error.what()));
-    }
+    CreepForceTable creep = study::blame("--creep", [&] { return CreepForceTable::read(path); });
+    const double own = creep.grid().poisson_ratio();
+    options.require(std::abs(own - dimensions.poisson_ratio) <= 0.01, "poisson",
+                    "be that of the table of creep forces, " + study::Cell(own).text(3) +
+                        ": make another one by creep_table, and give it as --creep");
+    return {std::move(wheelset), std::move(creep), jobs};
 }
 
 /// Rows must be of the profiles, the track and the material that the options say: heights of the middle and of both ends
@@ -145,23 +139,16 @@ void require_same_profiles(const study::Options& options, const Scene& scene, co
 }
 
 ContactTable read_table(const study::Options& options, const Scene& scene) {
-    const std::string said = options.said("table");
     options.require(options.given("table"), "table", "be the file of a contact table");
-    try {
-        ContactTable table = ContactTable::read(options.text("table"));
-        const auto& dimensions = scene.wheelset.wheel().dimensions();
-        const bool same = table.is_mirrored() == scene.wheelset.is_mirrored() &&
-                          table.side(WheelsetSide::right).radius == dimensions.radius &&
-                          table.shear_modulus() == dimensions.shear_modulus &&
-                          table.poisson_ratio() == dimensions.poisson_ratio;
-        options.require(same, "table", "be of the wheels, radius and material that the other options say");
-        require_same_profiles(options, scene, table);
-        return table;
-    } catch (const study::BadInput&) {
-        throw;
-    } catch (const std::invalid_argument& error) {
-        throw study::BadInput(said + ": " + error.what());
-    }
+    ContactTable table = study::blame(options.said("table"), [&] { return ContactTable::read(options.text("table")); });
+    const auto& dimensions = scene.wheelset.wheel().dimensions();
+    const bool same = table.is_mirrored() == scene.wheelset.is_mirrored() &&
+                      table.side(WheelsetSide::right).radius == dimensions.radius &&
+                      table.shear_modulus() == dimensions.shear_modulus &&
+                      table.poisson_ratio() == dimensions.poisson_ratio;
+    options.require(same, "table", "be of the wheels, radius and material that the other options say");
+    require_same_profiles(options, scene, table);
+    return table;
 }
 
 // --- making ----------------------------------------------------------------------------------------------------------
@@ -217,11 +204,7 @@ std::optional<rollbem::ContactZones> read_zones(const study::Options& options, c
     options.require(numbers.size() % 2 == 0, name, "be pairs of y and half-width");
     std::vector<rollbem::ContactZones::Cut> cuts;
     for (std::size_t k = 0; k < numbers.size(); k += 2) cuts.push_back({numbers[k], numbers[k + 1]});
-    try {
-        return rollbem::ContactZones(cuts);
-    } catch (const std::invalid_argument& error) {
-        throw study::BadInput(options.said(name) + ": " + error.what());
-    }
+    return study::blame(options.said(name), [&] { return rollbem::ContactZones(cuts); });
 }
 
 /// Seconds of processor time that a position takes, from one on the tread and one towards the flange.
@@ -275,17 +258,8 @@ void say_what_was_made(const study::Options& options, const Scene& scene, const 
     }
 }
 
-/// What `make` returns; what it refuses of the grid is bad input.
-template <class Make>
-auto refused_as_input(const study::Options& options, const Make& make) {
-    try {
-        return make();
-    } catch (const study::BadInput&) {
-        throw;
-    } catch (const std::invalid_argument& error) {
-        throw study::BadInput(options.said("shift") + ", " + options.said("yaw") + ", " + options.said("load") + ": " +
-                              error.what());
-    }
+std::string grid_said(const study::Options& options) {
+    return options.said("shift") + ", " + options.said("yaw") + ", " + options.said("load");
 }
 
 /// Cuts between zones must lie over the rail.
@@ -310,8 +284,8 @@ void make_part(const study::Options& options) {
     const ContactTable::Grid grid = making.grid;
     const Scene scene = read_scene(options);
     require_on_rail(options, scene, making);
-    rollbem::ContactTableMaker maker =
-        refused_as_input(options, [&] { return rollbem::ContactTableMaker(scene.wheelset, scene.creep, making); });
+    rollbem::ContactTableMaker maker = study::blame(
+        grid_said(options), [&] { return rollbem::ContactTableMaker(scene.wheelset, scene.creep, making); });
     say_duration(options, scene, making);
     study::write_table(options, contact::node_table(maker, grid));
 }
@@ -329,7 +303,7 @@ void make(const study::Options& options) {
     study::Progress progress(options.program(), making.lines(), study::shows_progress(options) && !reads, "lines");
     std::size_t done = 0;
     making.done = [&] { progress.update(++done); };
-    const rollbem::MadeContactTable made = refused_as_input(options, [&] {
+    const rollbem::MadeContactTable made = study::blame(grid_said(options), [&] {
         if (!reads) return make_contact_table(scene.wheelset, scene.creep, making);
         const rollbem::ContactTableMaker maker(scene.wheelset, scene.creep, making);
         const auto sides = contact::read_sides(options, making.grid, maker.side_count());

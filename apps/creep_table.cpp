@@ -60,11 +60,8 @@ Job make_job(const study::Options& options) {
             " coefficients, which must be at most " + std::to_string(CreepForceGrid::most_coefficients));
     }
     const study::Progress progress(options.program(), 1, study::shows_progress(options), "grids");
-    try {
-        return {range.n, rollbem::make_creep_force_grid(range, study::job_count(options))};
-    } catch (const std::invalid_argument& error) {
-        throw study::BadInput(options.said("a-over-b") + " and --n = " + options.text("n") + ": " + error.what());
-    }
+    return {range.n, study::blame(options.said("a-over-b") + " and " + options.said("n"),
+                                  [&] { return rollbem::make_creep_force_grid(range, study::job_count(options)); })};
 }
 
 // --- rows ----------------------------------------------------------------------------------------------------------

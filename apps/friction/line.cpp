@@ -74,14 +74,12 @@ Pressure make_pressure(const study::Options& options) {
             study::require_order(read[0], "x_over_a", where);
         });
     options.require(!points[0].empty(), "pressure", "have at least one row below its header");
-    try {
-        const rollbem::PressureTable<double> table(study::array(points[0]), study::array(points[1]));
-        const double scale = mu_N / table.integral();
-        return {[=](double x_over_a) { return scale * table(x_over_a); },
-                [=](const rollbem::Mesh<double>& mesh) { return Eigen::ArrayXd(scale * table(mesh)); }, false};
-    } catch (const std::invalid_argument& error) {
-        throw study::BadInput(options.said("pressure") + ": " + error.what());
-    }
+    const auto table = study::blame(options.said("pressure"), [&] {
+        return rollbem::PressureTable<double>(study::array(points[0]), study::array(points[1]));
+    });
+    const double scale = mu_N / table.integral();
+    return {[=](double x_over_a) { return scale * table(x_over_a); },
+            [=](const rollbem::Mesh<double>& mesh) { return Eigen::ArrayXd(scale * table(mesh)); }, false};
 }
 
 double largest_half_length(const study::History& imposed) { return std::sqrt(imposed.largest("load_ratio")); }

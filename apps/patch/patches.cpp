@@ -194,11 +194,8 @@ rollbem::PressureGrid<double> read_grid(const study::Options& options) {
             pressures(i, j) = point->second;
         }
     }
-    try {
-        return {x, y, std::move(pressures)};
-    } catch (const std::invalid_argument& error) {
-        throw study::BadInput(options.said("pressure") + ": " + error.what());
-    }
+    return study::blame(options.said("pressure"),
+                        [&] { return rollbem::PressureGrid<double>(x, y, std::move(pressures)); });
 }
 
 /// Of a grid that the options `said`, which measures an ellipse in a and b, an outline in its own unit.

@@ -121,7 +121,7 @@ rollbem::FrictionContact make_contact(const Scene& scene, const Patch& patch, co
         return rollbem::FrictionModel(contact, std::move(system), verdict, rollbem::Friction<>{1, pressures},
                                       scene.run.integrator);
     };
-    try {
+    return study::blame(patch.label() + " cannot be stepped", [&]() -> rollbem::FrictionContact {
         const auto [least, largest] = scene.shapes();
         if (scene.breathes() && largest > least * (1 + 1e-9)) {
             const double a_over_b = patch.contact.a_over_b(), margin = 1 + 1e-6;
@@ -133,9 +133,7 @@ rollbem::FrictionContact make_contact(const Scene& scene, const Patch& patch, co
         return make(scene.breathes() ? rollbem::breathing_system(contact, mesh, patch.scheme, patch.kernel())
                                      : rollbem::rolling_system(mesh, patch.scheme, patch.kernel()),
                     rollbem::judge_stability(rollbem::patch_parts(mesh, patch.scheme, patch.kernel())));
-    } catch (const std::invalid_argument& error) {
-        throw study::BadInput(patch.label() + " cannot be stepped: " + error.what());
-    }
+    });
 }
 
 Rolling make_rolling(const Scene& scene, const Patch& patch, const Pressure& pressure) {

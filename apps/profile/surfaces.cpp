@@ -45,13 +45,9 @@ auto opened(const study::Options& options, const std::string& source, Use use, c
     if (standard) options.ignored(source + "-mirror", "with a standard profile");
     rollbem::ProfileFileOptions how = file_options(options, source);
     if (standard) how.smooth = 0;  // that of the other one, which is from a file
-    try {
-        auto file = open(options.text(source), how);
-        for (const std::string& note : file.notes) options.note("--" + source + ": " + note);
-        return std::move(file.surface);
-    } catch (const std::invalid_argument& error) {
-        throw study::BadInput("--" + source + ": " + error.what());
-    }
+    auto file = study::blame("--" + source, [&] { return open(options.text(source), how); });
+    for (const std::string& note : file.notes) options.note("--" + source + ": " + note);
+    return std::move(file.surface);
 }
 
 /// A message of the library that names options of the right side, for the left one.

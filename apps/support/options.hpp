@@ -49,6 +49,18 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+/// What call() returns; what the library refuses of it is BadInput that begins with `said`.
+template <class Call>
+auto blame(const std::string& said, const Call& call) {
+    try {
+        return call();
+    } catch (const BadInput&) {
+        throw;
+    } catch (const std::invalid_argument& error) {
+        throw BadInput(said + ": " + error.what());
+    }
+}
+
 // --- what it is asked for
 
 /// A condition on a number, and its wording after "must".

@@ -66,14 +66,7 @@ void write_state_space(const Options& options, OutputFiles& files, std::size_t c
                        std::to_string(count));
     }
     Progress progress(options.program(), 1, shows_progress(options), "state spaces");
-    Space space;
-    try {
-        space = make();
-    } catch (const BadInput&) {
-        throw;
-    } catch (const std::invalid_argument& singular) {
-        throw BadInput(said + " must go with a " + words.one + " that has one: " + singular.what());
-    }
+    Space space = blame(said + " must go with a " + words.one + " that has one", make);
     const std::string meaning =
         options.given("states") ? reduce(options, space, words.bounded) : "# x = " + words.states + "\n";
     progress.clear();
