@@ -94,11 +94,15 @@ public:
     }
 
 protected:
+    void require_points(const char* who) const {
+        detail::require(points().has_value(), who, "number of places", 0,
+                        "equal the number of equations: spin needs them");
+    }
+
     /// The same equations with spin as a second input, `moments` the moment per unknown. Throws std::invalid_argument
     /// if the points are unknown.
     RollingSystem with_spin_by(const char* who, const VectorX<Scalar>& moments) const {
-        detail::require(points().has_value(), who, "number of places", 0,
-                        "equal the number of equations: spin needs them");
+        require_points(who);
         MatrixX<Scalar> inputs(size(), 2), outputs(size(), 2);
         inputs << inputs_, points()->matrix();
         outputs << outputs_, moments;
@@ -165,6 +169,7 @@ public:
     /// equations; outputs F_y over a G and the moment M_z over a^2 G, both per width, of tractions at the centres.
     /// Throws std::invalid_argument where places are not known.
     RollingSystem<Scalar> with_spin() const {
+        this->require_points("ElementSystem");  // which have places of their tractions, too
         return this->with_spin_by("ElementSystem", (elements_.areas * elements_.centre_x).matrix());
     }
 
