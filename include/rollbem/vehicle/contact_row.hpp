@@ -1,4 +1,4 @@
-// What a table knows of a point of contact, and the creepages at which its ellipse has the forces of the patch.
+// The numbers of a point of contact in a table, and the creepages at which its ellipse has the forces of the patch.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace rollbem {
 
-/// Rows of a point of contact. A point stands for the pressures of one zone.
+/// Rows of a point of contact. A point stands for the pressures in one zone.
 struct ContactRow {
     enum Of : Eigen::Index {
         share,   ///< of the wheel's vertical load [-]
@@ -21,13 +21,13 @@ struct ContactRow {
         radius,  ///< rolling radius [m]
         length,  ///< a/N^(1/3) [m/N^(1/3)]
         width,   ///< b/N^(1/3)
-        c11,     ///< of the ellipse; so are the next two
+        c11,     ///< coefficient of the ellipse; so are the next two
         c22,
         c23,
-        kept,        ///< of the correction in full sliding, 0 to 1
-        scale,       ///< of all creepages: the geometric mean of the correction's first two diagonal entries
-        correction,  ///< 3 x 3 by rows, over the scale and minus the identity: of (xi, eta, phi c)
-        correction_by_yaw = correction + 9,  ///< its odd part over the yaw [1/rad]
+        kept,        ///< share of the correction that stays in full sliding, 0 to 1
+        scale,       ///< factor of all creepages: the geometric mean of the correction's first two diagonal entries
+        correction,  ///< 3 x 3 by rows, of (xi, eta, phi c): divided by the scale, minus the identity
+        correction_by_yaw = correction + 9,  ///< odd part of the correction, over the yaw [1/rad]
         peak = correction_by_yaw + 9,        ///< largest pressure over N^(1/3) [Pa/N^(1/3)]
         rail_y,                              ///< place in the rail's profile [m]
         wheel_y,                             ///< place in the wheel's profile [m]
@@ -38,8 +38,8 @@ struct ContactRow {
 
 namespace detail {
 
-/// The creepages at which an ellipse has the forces of the patch that it stands for, from those of the patch: E^-1 L
-/// times them as far as the contact sticks. In full sliding the scale alone stays, which turns no slip, and the share
+/// Creepages at which an ellipse has the forces of the patch that it stands for: the patch's creepages times E^-1 L
+/// while the contact sticks. In full sliding two parts remain: the scale, which does not turn the slip, and the share
 /// `kept` of the rest. `of(row)` are numbers of the point, `bound` is mu N.
 template <class Scalar, class Rows>
 std::array<Scalar, 3> ellipse_creepages(const std::array<Scalar, 3>& creepage, const Scalar& a, const Scalar& b,

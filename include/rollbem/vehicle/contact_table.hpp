@@ -1,5 +1,5 @@
-// ContactTable: where the wheels of a wheelset touch real rails, over lateral shift, yaw and load, as a table; and with
-// a table of creep forces all contact forces of a wheel by look-up, with tangents.
+// ContactTable: the contacts of a wheelset on real rails, over lateral shift, yaw and load, as a table; and with a
+// table of creep forces, all contact forces of a wheel by look-up, with tangents.
 #pragma once
 
 #include "../detail/language.hpp"

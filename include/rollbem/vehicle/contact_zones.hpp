@@ -1,4 +1,4 @@
-// ContactZones: the rail's surface parted into zones by smooth weights, which sum up to 1 everywhere.
+// ContactZones: smooth weights that divide the rail's surface into zones and sum up to 1 everywhere.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace rollbem {
 
 /// Zones along the lateral place y [m] in track axes, as on the right rail, from the smallest y (the flange's side) to
-/// the largest. What belongs to a zone is an integral over the wheel's pressures times the zone's weight, so that it
+/// the largest. A quantity of a zone is an integral over the wheel's pressures times the zone's weight, so that it
 /// changes continuously when patches merge, part, appear or vanish.
 ///
 /// Invariant: at most four zones; half-widths are positive, and cuts ascend and do not overlap.
@@ -21,7 +21,7 @@ class ContactZones {
 public:
     static constexpr Eigen::Index most = 4;
 
-    /// Where one zone goes over into the next, from y - half_width to y + half_width.
+    /// The transition between two zones, from y - half_width to y + half_width.
     struct Cut {
         double y, half_width;  ///< [m]
     };
@@ -44,7 +44,7 @@ public:
     Eigen::Index count() const { return static_cast<Eigen::Index>(cuts_.size()) + 1; }
     const std::vector<Cut>& cuts() const { return cuts_; }
 
-    /// The share of a zone, 0 to 1, in what lies at y; twice continuously differentiable.
+    /// The share of a zone in a quantity at y, 0 to 1; twice continuously differentiable.
     double weight(Eigen::Index zone, double y) const {
         const auto k = static_cast<std::size_t>(zone);
         const double from = k > 0 ? beyond(cuts_[k - 1], y) : 1, to = k < cuts_.size() ? beyond(cuts_[k], y) : 0;

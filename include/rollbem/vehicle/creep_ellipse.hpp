@@ -1,5 +1,5 @@
-// The ellipse for which a table of creep forces comes nearest to friction on a wheel's patches, or on their share in a
-// zone of the rail.
+// Equivalent ellipse: with it, a table of creep forces approximates friction on a wheel's patches, or on their part in
+// a zone of the rail.
 #pragma once
 
 #include <algorithm>
@@ -29,14 +29,14 @@ namespace rollbem {
 
 namespace detail {
 
-/// Linear forces of each strip in full adhesion, reversed [N, N m]: F_x, F_y and M_z about the reference point per xi,
-/// eta, phi there.
+/// Linear forces of each strip in full adhesion, reversed [N, N m]: F_x, F_y and M_z about the reference point, per xi,
+/// eta and phi at that point.
 struct StripLaws {
     std::vector<double> s;  ///< middles of the strips [m]
     std::vector<Eigen::Matrix3d> law;
 };
 
-/// Of a piece, from p/G of all elements in its plane for creepages xi, eta, phi unit.
+/// Laws of the strips of one piece. The responses p/G cover all elements in its plane, for unit xi, eta and phi.
 inline StripLaws strip_laws_of(const PieceMeshes& meshes, std::size_t piece, const MatrixX<double>& unknowns,
                                double shear_modulus) {
     const PatchMesh<double>& mesh = meshes.pieces[piece];
@@ -60,8 +60,8 @@ inline StripLaws strip_laws_of(const PieceMeshes& meshes, std::size_t piece, con
     return laws;
 }
 
-/// Of all patches of a wheel: pieces of one plane stick together. None where there is no outline, or rolling would gain
-/// energy on all meshes.
+/// Laws of the strips of all patches of a wheel: pieces of one plane stick together. A patch has no law if it has no
+/// outline, or if rolling would gain energy on all meshes.
 inline std::vector<StripLaws> strip_laws(const std::vector<RailPatch>& patches, const TrackDimensions& dimensions) {
     std::vector<StripLaws> laws(patches.size());
     const HalfSpace<double> half_space(dimensions.poisson_ratio);
@@ -86,14 +86,14 @@ inline std::vector<StripLaws> strip_laws(const std::vector<RailPatch>& patches, 
     return laws;
 }
 
-/// A patch as zones take their shares of it: with its own linear law, and that of its mirror image across the track,
-/// which the wheel has at the opposite yaw.
+/// A patch with its linear law and the law of its mirror image across the track, which the wheel has at the opposite
+/// yaw. Zones take shares of both.
 struct PatchLaws {
     RailPatch patch;
     StripLaws own, mirrored;
 };
 
-/// Of all patches of a wheel; `symmetric` ones are their own mirror images.
+/// Laws of all patches of a wheel; `symmetric` patches are their own mirror images.
 inline std::vector<PatchLaws> patch_laws(const std::vector<RailPatch>& patches, const TrackDimensions& dimensions,
                                          bool symmetric) {
     const std::vector<StripLaws> own = strip_laws(patches, dimensions);
@@ -108,17 +108,18 @@ inline std::vector<PatchLaws> patch_laws(const std::vector<RailPatch>& patches, 
     return laws;
 }
 
-/// The pressures of a zone: their resultant, and what an ellipse is made of.
+/// The pressures of a zone: their resultant, and the numbers that determine an ellipse.
 struct ZonePressures {
     double load = 0;                    ///< size of the resultant [N]
-    Eigen::Vector3d place;              ///< its point in track axes, as deep as the wheel's undeformed surface [m]
+    Eigen::Vector3d place;              ///< point of the resultant in track axes, as deep as the wheel's undeformed
+                                        ///< surface [m]
     double angle = 0;                   ///< of the mean normal [rad]
     double square_x = 0, square_s = 0;  ///< second moments about the place over the load [m^2]
     double radius = 0, rail_y = 0, wheel_y = 0, peak = 0;
 
     double vertical() const { return load * std::cos(angle); }
     Eigen::Vector3d along_s() const { return {0, std::cos(angle), std::sin(angle)}; }
-    /// How far it lies from the reference point of a patch, in that plane (x, s).
+    /// Distance of the place from the reference point of a patch, in the patch's plane (x, s).
     Eigen::Vector2d from(const RailPatch& patch) const {
         return {place[0] - patch.x,
                 (place[1] - patch.y) * std::cos(patch.angle) + (place[2] - patch.z) * std::sin(patch.angle)};
@@ -177,8 +178,9 @@ inline ZonePressures pressures_of(const std::vector<PatchLaws>& patches, const C
     return found;
 }
 
-/// The linear law of a zone, (xi, eta, phi) at its place and the moment about it, reversed forces [N, N m]. Small
-/// patches without one count as the others; zero if those carry less than nine tenths.
+/// The linear law of a zone at its place, per (xi, eta, phi), with the moment about the place: reversed forces [N, N
+/// m]. Small patches without a law are taken to have the law of the others; zero if the others carry less than nine
+/// tenths.
 inline Eigen::Matrix3d law_of(const std::vector<PatchLaws>& patches, const ContactZones& zones, Eigen::Index zone,
                               const ZonePressures& pressed, bool mirrored) {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
@@ -202,7 +204,7 @@ inline Eigen::Matrix3d law_of(const std::vector<PatchLaws>& patches, const Conta
     return carried / known * sum;
 }
 
-/// An ellipse's rows of c11, c22, c23, and its linear law as law_of has it.
+/// An ellipse's rows of c11, c22, c23, and its linear law in the form of law_of.
 inline Eigen::Matrix3d law_of_ellipse(const PatchContact<double>& contact, double load, const CreepForceTable& creep) {
     const TabulatedForce rest = creep.look_up(contact, 1, load, {0, 0, 0});
     require(rest.status == Status::ok, "creep_ellipse", "status of the table of creep forces", name(rest.status),
@@ -215,7 +217,7 @@ inline Eigen::Matrix3d law_of_ellipse(const PatchContact<double>& contact, doubl
     return law;
 }
 
-/// Rows of a zone from its pressures and laws but for share and arm; `yaw` is that of the position, 0 or positive.
+/// Rows of a zone from its pressures and laws, without share and arm; `yaw` is the position's yaw, 0 or positive.
 inline ContactRow::Values rows_of(const std::vector<PatchLaws>& patches, const ContactZones& zones, Eigen::Index zone,
                                   const ZonePressures& pressed, const TrackDimensions& dimensions,
                                   const CreepForceTable& creep, double yaw) {
@@ -259,13 +261,13 @@ inline ContactRow::Values rows_of(const std::vector<PatchLaws>& patches, const C
 
 }  // namespace detail
 
-/// An ellipse for the creep forces of a patch.
+/// Equivalent ellipse used for the creep forces of a patch.
 struct PatchEllipse {
     double x = 0, s = 0;                     ///< its middle, from the reference point, in the plane [m]
     double half_length = 0, half_width = 0;  ///< [m]
     ContactRow::Values values = ContactRow::Values::Zero();
 
-    /// The forces on the patch under the load N [N], by a table; creepages and moment at the reference point.
+    /// The forces on the patch under the load N [N], from a table; creepages and moment refer to the reference point.
     TangentialForce<double> forces(const CreepForceTable& creep, const TrackDimensions& dimensions, double mu,
                                    double load, const Creepage<double>& at) const {
         const std::array<double, 3> there{at.longitudinal - at.spin * s, at.lateral + at.spin * x, at.spin};
@@ -280,12 +282,16 @@ struct PatchEllipse {
     }
 };
 
-/// The ellipse of a patch for which a table of creep forces comes nearest to friction on its own outline under its own
-/// pressures. Its middle and its semi-axes are those of Hertz's pressures with the same first and second moments, a^2/5
-/// and b^2/5. The linear law is the patch's own: creepages are multiplied by E^-1 L, where L are the forces of the
-/// outline per creepage and E those of the ellipse, as far as the contact sticks, see detail::ellipse_creepages. Where
-/// a/b lies beyond the table, the longer semi-axis stays and the correction is kept in full sliding, too. Throws
-/// std::invalid_argument unless the patch has numbers.
+/// Equivalent ellipse of a patch: with it, a table of creep forces approximates friction on the patch's own outline
+/// under its own pressures.
+///
+/// - Middle and semi-axes: Hertz's pressures have the first and second moments of the patch's pressures (a^2/5 and
+///   b^2/5).
+/// - Linear law: the patch's own. Creepages are multiplied by E^-1 L while the contact sticks
+///   (detail::ellipse_creepages); L are the forces of the outline per creepage, E the forces of the ellipse.
+/// - a/b beyond the table: the longer semi-axis is kept, and the correction also holds in full sliding.
+///
+/// Throws std::invalid_argument unless the patch has numbers.
 inline PatchEllipse creep_ellipse(const RailPatch& patch, const TrackDimensions& dimensions,
                                   const CreepForceTable& creep) {
     using enum ContactRow::Of;

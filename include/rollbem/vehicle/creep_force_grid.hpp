@@ -1,4 +1,4 @@
-// The grid of a table of steady creep forces: at which ellipses, creepages and spins forces must be known.
+// The grid of a table of steady creep forces: the ellipses, creepages and spins at which forces must be known.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -36,7 +36,7 @@ namespace rollbem {
 /// c11, c22, c23, -c32, c33 > 0; (levels + 3)^2 (2 levels + 3) (shapes + 2) <= 1e7.
 class CreepForceGrid {
 public:
-    /// Which ellipses and creepages a table covers, and from how many elements it is made.
+    /// The ellipses and creepages that a table covers, and the number of elements of its patches.
     struct Range {
         double poisson_ratio = 0.28;
         double smallest_a_over_b = 0.1, largest_a_over_b = 10;
@@ -46,15 +46,15 @@ public:
     };
 
     static constexpr double half_way = 1.4;  ///< |X| where |u| = 1/2
-    /// Of coefficient_count().
+    /// Upper bound of coefficient_count().
     static constexpr Eigen::Index most_coefficients = 10'000'000;
-    /// Of the splines of one force.
+    /// Number of coefficients of one force's splines.
     static constexpr Eigen::Index coefficient_count(Eigen::Index levels, Eigen::Index shapes) {
         return (levels + 3) * (levels + 3) * (2 * levels + 3) * (shapes + 2);
     }
 
-    /// `coefficients` of the ellipses a_over_b_of(i, ...), whose number is that of shapes; `levels` nodes lie between
-    /// no creepage and full sliding. Throws std::invalid_argument if the invariant is broken.
+    /// `coefficients` belong to the ellipses a_over_b_of(i, ...), whose number is their count; `levels` nodes lie
+    /// between no creepage and full sliding. Throws std::invalid_argument if the invariant is broken.
     CreepForceGrid(double poisson_ratio, double smallest_a_over_b, double largest_a_over_b, int levels,
                    std::vector<CreepCoefficients<double>> coefficients)
         : nu_(poisson_ratio),
@@ -110,20 +110,20 @@ public:
         return smallest * std::pow(largest / smallest, static_cast<double>(i) / static_cast<double>(shapes - 1));
     }
 
-    /// Creepages times G a b/(mu N) and spin times G a b c/(mu N) of a node of ellipse i. Nodes stand in lines along
+    /// Creepages times G a b/(mu N) and spin times G a b c/(mu N) at a node of ellipse i. The nodes form lines along
     /// which the spin grows.
     Creepage<double> creepage(Eigen::Index i, Eigen::Index node) const {
         const Place& place = nodes_[static_cast<std::size_t>(node)];
         const double size = std::sqrt(double(place.x * place.x + place.y * place.y + place.spin * place.spin));
         return creepage(i, half_way / (levels_ - size) * Eigen::Array3d(place.x, place.y, place.spin));
     }
-    /// The same at X.
+    /// Creepages and spin, scaled as above, at X.
     Creepage<double> creepage(Eigen::Index i, const Eigen::Array3d& X) const {
         const double spin = X[2] / scales_(3, i);
         return {X[0] / scales_(0, i), (X[1] - scales_(2, i) * spin) / scales_(1, i), spin};
     }
 
-    /// How u follows from w = X unit, |w| = size.
+    /// The map from w = X unit, |w| = size, to u.
     struct Stretch {
         double factor;  ///< u/w
         double radial;  ///< du = factor (dw - radial d|w| w/|w|)
@@ -155,7 +155,7 @@ public:
         return slabs;
     }
 
-    /// Of coordinates on the lattice.
+    /// A point in coordinates of the lattice.
     struct Place {
         int x, y, spin;
     };

@@ -1,5 +1,5 @@
-// CreepForceTable: steady forces of elliptic contacts with friction and spin by look-up, for programs that ask for them
-// at every step. Made once from any source of forces, or read from a file that creep_table wrote.
+// CreepForceTable: steady forces of elliptic contacts with friction and spin by look-up, for programs that need them at
+// every step. A table is made once from any source of forces, or read from a file written by creep_table.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -32,16 +32,17 @@
 
 namespace rollbem {
 
-/// What a look-up returns, in the units of the contact.
+/// Result of a look-up, in the units of the contact.
 struct TabulatedForce {
     TangentialForce<double> force;    ///< on body 1 [N], moment about the middle of the contact [N m]; NaN unless ok
-    CreepageTangent<double> tangent;  ///< d force/d creepage, of the interpolation itself; so are the following
+    CreepageTangent<double> tangent;  ///< d force/d creepage: the exact derivative of the interpolation, as are the
+                                      ///< following
     TangentialForce<double> tangent_by_load;                  ///< at constant semi-axes [1], [m]
     TangentialForce<double> tangent_by_friction_coefficient;  ///< [N], [N m]
     TangentialForce<double> tangent_by_half_length;           ///< at constant half-width [N/m], [N]
     TangentialForce<double> tangent_by_half_width;            ///< at constant half-length [N/m], [N]
-    /// a/b lies on the table. If not, forces are those of its nearest ellipse with the same area: they go on without a
-    /// step, but the error is unknown.
+    /// a/b lies on the table. If not, forces belong to its nearest ellipse with the same area: they are continuous, but
+    /// their error is unknown.
     bool a_over_b_on_table = false;
     /// not_finite, invalid_load (mu or N is negative or not finite), or wrong_table
     Status status = Status::not_finite;
@@ -75,7 +76,7 @@ public:
     /// above 100.
     BasicCreepForceTable(CreepForceGrid grid, const Eigen::Ref<const Eigen::Array3Xd>& forces);
 
-    /// From what write() wrote. The stream must be binary; it is read to the end of the table. Throws
+    /// Reads the format of write(). The stream must be binary; it is read to the end of the table. Throws
     /// std::invalid_argument if the stream could not be opened, ends too early or holds something else, another
     /// version, or numbers that do not agree with their checksum.
     static BasicCreepForceTable read(std::istream& stream);
@@ -89,7 +90,7 @@ public:
     void write(std::ostream& stream) const;
 
     const CreepForceGrid& grid() const { return grid_; }
-    /// Whether it is for this Poisson's ratio, to 0.01.
+    /// Whether the table holds for this Poisson's ratio, to 0.01.
     bool fits(double poisson_ratio) const { return std::abs(poisson_ratio - grid_.poisson_ratio()) <= 0.01 + 1e-12; }
 
     /// The forces of an ellipse under the load N [N] with the coefficient of friction mu, in SI units. status is
@@ -99,12 +100,13 @@ public:
                            const Creepage<double>& creepage) const noexcept;
 
     /// The force of look_up() alone, to the rounding of Digits, in less time; not finite where creepages are not.
-    /// Unchecked: semi-axes and G must be those of a PatchContact, and Poisson's ratio must fit.
+    /// Unchecked: semi-axes and G must satisfy the rules of PatchContact, and Poisson's ratio must fit.
     template <std::floating_point Digits = double>
     TangentialForce<double> force(const PatchContact<double>::Parameters& contact, double friction_coefficient,
                                   double load, const Creepage<double>& creepage) const noexcept;
 
-    /// How far a contact that look_up() takes is from rest: full sliding begins at 1 to 3 mu N. Does not allocate.
+    /// The distance of a contact from rest, in forces: full sliding begins at 1 to 3 mu N. The contact must satisfy the
+    /// rules of look_up(). Does not allocate.
     LinearForce linear_force_size(const PatchContact<double>& contact, const Creepage<double>& creepage) const noexcept;
 
 private:
@@ -137,11 +139,11 @@ private:
         Eigen::Array3d value, by_x, by_y, by_spin, by_shape;
     };
     Sample sample(double shape, double x, double y, double spin) const noexcept;
-    /// The value alone, to the rounding of Digits.
+    /// The value without derivatives, to the rounding of Digits.
     template <class Digits>
     Eigen::Array3d value(double shape, double x, double y, double spin) const noexcept;
 
-    /// Where a point lies between nodes.
+    /// The cell of nodes that holds a point, and the place in it.
     struct Cell {
         Eigen::Index s, i, j, k;
         SplineWeights by_shape, by_x, by_y, by_spin;
@@ -159,7 +161,7 @@ private:
             return (std::min)(low + static_cast<Eigen::Index>(u - static_cast<double>(low)), high);  // u >= low
         }
     };
-    /// A node, of whose four numbers the last is not used.
+    /// The four numbers of a node; the last is not used.
     using Quad = Eigen::Map<const Eigen::Array4f, Eigen::Aligned16>;
     /// The first of four neighbours in phi.
     const float* row_of(const Cell& cell, std::size_t p, std::size_t q) const {
@@ -167,24 +169,24 @@ private:
                                          cell.j - 1 + static_cast<Eigen::Index>(q), cell.k - 1);
     }
 
-    /// An ellipse between those of the table.
+    /// An ellipse between the ellipses of the table.
     struct Ellipse {
         bool on_table;
-        double shape;          ///< coordinate of the lattice; beyond the table that of its last ellipse
+        double shape;          ///< coordinate of the lattice; beyond the table its last ellipse's
         double shape_per_log;  ///< its derivative by log(a/b), 0 beyond the table
         Eigen::Index cell;     ///< of the shape
         SplineWeights by_shape;
         Eigen::Array4d linear, linear_by_shape;  ///< the scales of the grid
     };
     Ellipse ellipse(double a_over_b) const noexcept;
-    /// What the splines lack of the linear law where creepage vanishes, by the coordinates of the lattice, and its
-    /// derivative by the shape.
+    /// The difference between the linear law and the splines where creepage vanishes, over the coordinates of the
+    /// lattice, and its derivative by the shape.
     struct Lack {
         Eigen::Matrix3d value, by_shape;
         Eigen::Vector3d moment_by_shape;  ///< of the linear law itself
     };
     Lack lack_at_rest(const Ellipse& on) const noexcept;
-    /// X mu N/(G a b) by scales of the grid.
+    /// X mu N/(G a b) from scales of the grid.
     static Eigen::Array3d linear_law(const Eigen::Array4d& scales, double c, const Creepage<double>& v) noexcept {
         return {scales[0] * v.longitudinal, scales[1] * v.lateral + scales[2] * c * v.spin, scales[3] * c * v.spin};
     }
@@ -195,13 +197,13 @@ private:
     CreepForceGrid grid_;
     Eigen::Index n_;
     Eigen::ArrayXXd scales_;  ///< coefficients of splines in log(a/b)
-    /// Derivatives of the splines where creepage vanishes, of F_x by u_x, F_y by u_y and u_phi, M_z by u_y and u_phi,
-    /// and c32, c33, by which they are put right; coefficients of splines in log(a/b).
+    /// Derivatives of the splines where creepage vanishes (F_x by u_x, F_y by u_y and u_phi, M_z by u_y and u_phi), and
+    /// c32 and c33, which correct them; coefficients of splines in log(a/b).
     Eigen::ArrayXXd at_rest_;
     std::vector<float, Eigen::aligned_allocator<float>> coefficients_;
 };
 
-/// The forces of one ellipse on the whole cube of the lattice, -n-2 ... n+2 in all directions, as it is made.
+/// The forces of one ellipse on the whole cube of the lattice, -n-2 ... n+2 in all directions, during its making.
 template <std::same_as<double> Real>
 class CreepForceCube {
 public:
@@ -212,7 +214,7 @@ public:
 
     Value& at(int x, int y, int spin) { return values_[place(x, y, spin)]; }
 
-    /// A node and its mirror images. What must vanish by symmetry does.
+    /// Sets a node and its mirror images. Components that vanish by symmetry are set to 0.
     void set(int x, int y, int spin, Value force) {
         if (x == 0) force[0] = 0;
         if (y == 0 && spin == 0) force[1] = force[2] = 0;
@@ -221,10 +223,11 @@ public:
         }
     }
 
-    /// Spline coefficients of given nodes inside and of what follows outside: there 1/|X| goes on with the opposite
-    /// sign, f(2 n - |u|) = 2 f_slide - f(|u|), so that the derivative with respect to 1/|X| is continuous in full
-    /// sliding. What lies inside depends on the spline, hence the iteration; a step of 2/3 leaves about a third of the
-    /// error, also at nodes that are nearly their own mirror image, where a whole one would only change its sign.
+    /// Spline coefficients of the given nodes inside and of an extension outside. The extension continues 1/|X| with
+    /// the opposite sign, f(2 n - |u|) = 2 f_slide - f(|u|), so that the derivative with respect to 1/|X| is continuous
+    /// in full sliding. The values inside depend on the spline, hence the iteration. A step of 2/3 leaves about a third
+    /// of the error, also at nodes that are nearly their own mirror image, where a full step would only change the
+    /// error's sign.
     void complete(const CreepForceGrid& grid, Eigen::Index shape) {
         struct Outer {
             int x, y, spin;
@@ -268,7 +271,7 @@ private:
         return static_cast<std::size_t>(((x + m_) * w_ + y + m_) * w_ + spin + m_);
     }
 
-    /// Nodes that only nodes outside need: as the nearest of those.
+    /// Fills nodes that only nodes outside need with the nearest of these.
     void fill_corners() {
         for (int x = -m_; x <= m_; ++x) {
             for (int y = -m_; y <= m_; ++y) {
@@ -418,7 +421,7 @@ auto BasicCreepForceTable<Real>::sample(double shape, double x, double y, double
                                     share[3] * widened(fourth);
                 here += by_spin.value[t] * node;
                 here_spin += by_spin.slope[t] * node;
-                // of differences between ellipses, as the slopes add up to 0
+                // differences between ellipses suffice, as the slopes add up to 0
                 here_shape += single(by_spin.value[t]) *
                               (slope_1 * (second - first) + slope_2 * (third - first) + slope_3 * (fourth - first));
             }
@@ -496,7 +499,7 @@ auto BasicCreepForceTable<Real>::linear_force_size(const PatchContact<double>& c
     if (!(size > 0)) return {0, {}, 0, 0};
     const Eigen::Vector3d along = w * (stiffness / size);
     const Eigen::Vector3d spins(0, on.linear[2] * c, on.linear[3] * c);
-    // by the logarithm of c at constant a/b, and by that of a/b
+    // derivatives by the logarithm of c at constant a/b, and by the logarithm of a/b
     const double by_size = 2 * stiffness * size + along.dot(spins) * creepage.spin;
     const double by_shape = on.shape_per_log * along.dot(linear_law(on.linear_by_shape, c, creepage).matrix());
     return {stiffness * size,
@@ -507,7 +510,7 @@ auto BasicCreepForceTable<Real>::linear_force_size(const PatchContact<double>& c
 
 template <std::same_as<double> Real>
 auto BasicCreepForceTable<Real>::lack_at_rest(const Ellipse& on) const noexcept -> Lack {
-    const double step = CreepForceGrid::half_way / static_cast<double>(n_);  // of X, for one level, at rest
+    const double step = CreepForceGrid::half_way / static_cast<double>(n_);  // step of X for one level, at rest
     Eigen::Array<double, 7, 1> rest = Eigen::Array<double, 7, 1>::Zero(), changed = rest;
     for (Eigen::Index k = 0; k < 4; ++k) {
         const Eigen::Array<double, 7, 1> of = at_rest_.col(on.cell + k).template head<7>();
@@ -588,7 +591,7 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     const double turn = sign_of_pair < 0 ? -1 : 1;
     Sample at = sample(on.shape, std::abs(u[0]), turn * u[1], turn * u[2]);
     // Second differences do not exist where creepage vanishes (forces are like xi - xi |xi|/3), so that the spline
-    // misses the linear law by some percent there. What it lacks, over the first step only.
+    // misses the linear law there. The difference is added over the first step only.
     const double distance = u.matrix().norm();
     const Eigen::Vector3d place(std::abs(u[0]), turn * u[1], turn * u[2]);
     if (distance < 1) {
@@ -622,8 +625,11 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
         const Eigen::Vector3d radial = slope * direction;
         slope -= radial * direction.transpose() * stretch.radial;
     }
-    // Forces over c are homogeneous of degree 1 in mu N and w. By mu N; by the logarithm of c, at constant a/b, in w,
-    // in G a b and in the arm of the moment; and by that of a/b, in w and in the table.
+    // Forces over c are homogeneous of degree 1 in mu N and w. Derivatives are taken
+    //
+    // - by mu N;
+    // - by the logarithm of c at constant a/b: in w, in G a b and in the arm of the moment;
+    // - by the logarithm of a/b: in w and in the table.
     const Eigen::Array3d along = slope * w.matrix(), by_bound = -force - along / (bound > 0 ? bound : 1);
     const Eigen::Vector3d w_by_shape = linear_law(linear_by_shape, c, creepage);
     Eigen::Array3d by_size = slope.rightCols<2>() * Eigen::Vector2d(unit[2] * creepage.spin, w[2]);
@@ -690,11 +696,16 @@ BasicCreepForceTable<Real> BasicCreepForceTable<Real>::read(std::istream& stream
 
 }  // namespace detail
 
-/// Steady creep forces of ellipses under Hertz's pressure by interpolation in log(a/b), xi, eta and phi (see
-/// CreepForceGrid): cubic splines, so that forces have two continuous derivatives, but where creepage and spin vanish
-/// one. There the force is 0, exactly; forces are exactly symmetric, too. For creepages beyond all bounds they tend to
-/// full_sliding(), which the table takes in as the outermost of its levels: there is no outside. The interpolation may
-/// exceed mu N by its error. Immutable: threads may share it.
+/// Steady creep forces of ellipses under Hertz's pressure, interpolated in log(a/b), xi, eta and phi (see
+/// CreepForceGrid) by cubic splines.
+///
+/// - Smoothness: forces have two continuous derivatives, and one where creepage and spin vanish.
+/// - Symmetry: exact; without creepage and spin the force is exactly 0.
+/// - Range: for unbounded creepages forces tend to full_sliding(), the outermost level of the table. No creepage lies
+///   outside.
+/// - Bound: the interpolation may exceed mu N by its error.
+///
+/// Immutable: threads may share it.
 ///
 ///     const CreepForceTable table = CreepForceTable::read("share/rollbem/steel.creep");
 ///     const PatchContact<double> contact({a, b, G, nu});

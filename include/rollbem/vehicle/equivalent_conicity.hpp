@@ -1,5 +1,5 @@
-// Equivalent conicity (EN 15302): the cone with the wave length of a wheelset that rolls freely, from the rolling radii
-// of both wheels over its lateral position. Rigid contact, no roll, no yaw. SI units.
+// Equivalent conicity (EN 15302): the cone on which a free wheelset has the same wave length, from the rolling radii of
+// both wheels over its lateral position. Rigid contact, no roll, no yaw. SI units.
 #pragma once
 
 #include <algorithm>
@@ -22,23 +22,24 @@
 
 namespace rollbem {
 
-/// Where both wheels of a wheelset touch their rails at a lateral position.
+/// The points at which both wheels of a wheelset touch their rails, at one lateral position.
 struct RollingRadii {
     double lateral = 0;                    ///< y_ws [m]
     std::array<RigidContact, 2> wheels{};  ///< left, right, each as on the right wheel
-    Status status = Status::not_finite;    ///< of the worse; beyond_clearance where a wheel climbs over its flange
+    Status status = Status::not_finite;    ///< the worse of both wheels; beyond_clearance where a wheel climbs over its
+                                           ///< flange
 
     /// Delta r = r_right - r_left [m].
     double difference() const { return wheels[1].rolling_radius - wheels[0].rolling_radius; }
-    /// Between both points of contact [m].
+    /// Lateral distance between both points of contact [m].
     double distance() const { return wheels[1].y + wheels[0].y; }
 };
 
 namespace detail {
 
-/// s of a wheel's profile below which it climbs over its flange: the end towards the crown of the flank, which is all
-/// within 2 degrees of its steepest place, as measured flanks are not straight. The flank is the first stretch outside
-/// the crown steeper than 45 degrees; 0 if there is none.
+/// s of a wheel's profile below which the wheel climbs over its flange: the end of the flank towards the crown. The
+/// flank is the first stretch outside the crown steeper than 45 degrees, without the parts less steep than its steepest
+/// place by more than 2 degrees, as measured flanks are not straight; 0 if there is none.
 inline double end_of_flank(const Profile& wheel) {
     constexpr double degree = std::numbers::pi / 180, steep = 45 * degree;
     const auto angle = [&](Eigen::Index i) {
@@ -56,7 +57,7 @@ inline double end_of_flank(const Profile& wheel) {
 
 }  // namespace detail
 
-/// Finds them with the wheelset neither rolled nor yawed. Throws std::invalid_argument unless wheels are round and
+/// Finds the rolling radii of a wheelset without roll and yaw. Throws std::invalid_argument unless wheels are round and
 /// rails straight.
 inline RollingRadii rolling_radii(const WheelsetOnTrack& wheelset, double lateral) {
     RollingRadii radii{.lateral = lateral};
@@ -76,8 +77,9 @@ inline RollingRadii rolling_radii(const WheelsetOnTrack& wheelset, double latera
 /// Delta r over the lateral position, straight between points, and its integral.
 class RadiusDifference {
 public:
-    /// `lateral` grows [m]; `distance` e of the points of contact and mean `radius` r0 [m], for wave lengths. Throws
-    /// std::invalid_argument unless there are two points at least, finite, and the lengths positive.
+    /// `lateral` grows [m]; the distance e between the points of contact and the mean radius r0 [m] determine wave
+    /// lengths. Throws std::invalid_argument unless there are at least two points, all finite, and the lengths are
+    /// positive.
     RadiusDifference(Eigen::ArrayXd lateral, Eigen::ArrayXd difference, double distance, double radius)
         : y_(std::move(lateral)), difference_(std::move(difference)), distance_(distance), radius_(radius) {
         constexpr const char* who = "RadiusDifference";
@@ -127,13 +129,13 @@ private:
     double distance_, radius_;
 };
 
-/// The wave of one amplitude. Numbers mean nothing unless the status is ok.
+/// The wave of one amplitude. Its numbers are valid only if the status is ok.
 struct EquivalentConicity {
     double amplitude = 0;         ///< A [m], half of y_max - y_min
-    double tan_gamma = 0;         ///< of the cone with the wave length of the wave that y'' = -Delta r/(e r0) has
-    double tan_gamma_linear = 0;  ///< by harmonic linearisation of Delta r
-    double wavelength = 0;        ///< [m], of tan_gamma
-    double y_min = 0, y_max = 0;  ///< where the wave turns [m]
+    double tan_gamma = 0;         ///< cone with the same wave length as the solution of y'' = -Delta r/(e r0)
+    double tan_gamma_linear = 0;  ///< cone by harmonic linearisation of Delta r
+    double wavelength = 0;        ///< wave length of tan_gamma [m]
+    double y_min = 0, y_max = 0;  ///< lateral positions where the wave turns [m]
     /// beyond_clearance where the wave does not fit between the ends of Delta r; unstable where no wave of this
     /// amplitude passes the equilibrium, as Delta r falls.
     Status status = Status::not_finite;
@@ -141,18 +143,18 @@ struct EquivalentConicity {
 
 namespace detail {
 
-constexpr double least_conicity = 1e-6;  // below which places of contact are not known
+constexpr double least_conicity = 1e-6;  // places of contact are too inexact for a smaller one
 
 struct WaveMiddle {
     double y;
     Status status;
 };
 
-/// The middle of a wave of this amplitude: where value(middle) [m^2], which rises, is 0; beyond_clearance unless that
-/// is between the ends of Delta r, unstable where it falls from end to end.
+/// The middle of a wave of this amplitude: the zero of value(middle) [m^2], which rises; beyond_clearance unless the
+/// zero lies between the ends of Delta r, unstable where the function falls from end to end.
 template <class Value>
 WaveMiddle middle_of_wave(const RadiusDifference& radii, double amplitude, const Value& value) {
-    constexpr double balanced = 1e-12;  // a wheelset alike on both sides has its wave in the middle
+    constexpr double balanced = 1e-12;  // symmetric wheelsets have their wave in the middle
     double low = radii.low() + amplitude, high = radii.high() - amplitude;
     if (!(low <= high)) return {0, Status::beyond_clearance};
     const bool back_from_low = value(low) <= 0, back_from_high = value(high) >= 0;
@@ -182,10 +184,10 @@ double mean_over_wave(const Function& f) {
 
 }  // namespace detail
 
-/// Both ways of EN 15302: the integral of the kinematic wave, of any shape, and the harmonic wave with the same
-/// amplitude and a middle of its own about which Delta r is balanced. Both are Klingel's on cones; where Delta r is 0
-/// all over the wave, the conicity is 0 and the wave length infinite. Throws std::invalid_argument unless the amplitude
-/// [m] is positive and finite.
+/// Both methods of EN 15302: the integral of the kinematic wave, of any shape, and the harmonic wave with the same
+/// amplitude and a middle of its own about which Delta r is balanced. On cones both are Klingel's wave; where Delta r
+/// is 0 all over the wave, the conicity is 0 and the wave length infinite. Throws std::invalid_argument unless the
+/// amplitude [m] is positive and finite.
 inline EquivalentConicity equivalent_conicity(const RadiusDifference& radii, double amplitude) {
     detail::require_positive("equivalent_conicity", "amplitude", amplitude);
     EquivalentConicity result{.amplitude = amplitude};
@@ -217,7 +219,8 @@ inline EquivalentConicity equivalent_conicity(const RadiusDifference& radii, dou
     return result;
 }
 
-/// The nonlinearity parameter of EN 15302 [1/m]: (tan gamma_e at 4 mm - that at 2 mm)/2 mm; nothing without both.
+/// The nonlinearity parameter of EN 15302 [1/m]: the conicity at 4 mm minus the conicity at 2 mm, over 2 mm; nothing
+/// without both.
 inline std::optional<double> conicity_nonlinearity(const RadiusDifference& radii) {
     const EquivalentConicity small = equivalent_conicity(radii, 2e-3), large = equivalent_conicity(radii, 4e-3);
     if (small.status != Status::ok || large.status != Status::ok) return std::nullopt;
@@ -226,8 +229,8 @@ inline std::optional<double> conicity_nonlinearity(const RadiusDifference& radii
 
 namespace detail {
 
-/// Rolling radii in steps from the middle to one side, the last one where what both wheels can reach ends. Empty if
-/// that is in the middle.
+/// Rolling radii in steps from the middle to one side. The last one lies at the end of the range in which both wheels
+/// have a contact. Empty if this end is the middle.
 inline std::vector<RollingRadii> radii_outwards(const WheelsetOnTrack& wheelset, double step) {
     constexpr double reach = 0.1, precise = 1e-9;  // [m]
     std::vector<RollingRadii> radii;
@@ -253,10 +256,10 @@ inline std::vector<RollingRadii> radii_outwards(const WheelsetOnTrack& wheelset,
 
 }  // namespace detail
 
-/// Delta r in steps [m] from the middle of the track to both ends of what both wheels can reach: none lifted, at an end
-/// of a profile or climbing over its flange. The benchmark of EN 15302 has the same step; a jump of Delta r is smeared
-/// over one. Nothing where a wheel has no contact in the middle, or Delta r does not rise through 0. Throws
-/// std::invalid_argument as rolling_radii() does, and unless the step lies in [1e-6, 1e-3].
+/// Delta r in steps [m] from the middle of the track to both ends of the range in which neither wheel is lifted, at an
+/// end of a profile or climbing over its flange. The benchmark of EN 15302 has the same step; a jump of Delta r is
+/// smeared over one step. Nothing where a wheel has no contact in the middle, or Delta r does not rise through 0.
+/// Throws std::invalid_argument as rolling_radii() does, and unless the step lies in [1e-6, 1e-3].
 inline std::optional<RadiusDifference> radius_difference(const WheelsetOnTrack& wheelset, double step = 1e-4) {
     detail::require(step >= 1e-6 && step <= 1e-3, "radius_difference", "step", step, "lie in [1e-6, 1e-3]");
     std::vector<RollingRadii> radii = detail::radii_outwards(wheelset, -step);

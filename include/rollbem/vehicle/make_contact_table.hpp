@@ -1,4 +1,4 @@
-// make_contact_table: the contact table of a wheelset from its profiles, with zones that fit them.
+// make_contact_table: makes the contact table of a wheelset from its profiles, with zones that fit them.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@
 
 namespace rollbem {
 
-/// Equal steps of shift from minus the largest to the largest, and of yaw from 0; loads are 0.4, 0.65, 1 and 1.6 of the
-/// nominal one.
+/// Grid of equal steps: shifts from minus the largest to the largest, yaws from 0; loads are 0.4, 0.65, 1 and 1.6 times
+/// the nominal load.
 inline ContactTable::Grid contact_table_grid(double nominal_load = 1e5, double largest_shift = 9e-3,
                                              std::size_t shifts = 361, double largest_yaw = 15e-3,
                                              std::size_t yaws = 4) {
@@ -36,21 +36,21 @@ inline ContactTable::Grid contact_table_grid(double nominal_load = 1e5, double l
     return grid;
 }
 
-/// What a contact table is made with.
+/// Input of the making of a contact table.
 struct ContactTableMaking {
     ContactTable::Grid grid = contact_table_grid();
     WheelOnRail::Options contacts{};
-    /// Of the left and of the right wheel; empty: found.
+    /// Zones of the left and of the right wheel; empty: found.
     std::array<std::optional<ContactZones>, 2> zones{};
     std::size_t jobs = 1;
     std::function<void()> done = [] {};  ///< called after each line of positions; must not throw
-    /// Lines of shifts, for each load in turn those of all yaws.
+    /// Number of lines of shifts, one for each load and yaw: all yaws of a load follow one another.
     std::size_t lines() const { return grid.yaws.size() * grid.loads.size(); }
 };
 
-/// One wheel at a node of the grid, in a table's terms.
+/// One wheel at a node of the grid, in the numbers of a table.
 struct ContactNode {
-    bool known = false;                       ///< whether both wheels carry their loads there
+    bool known = false;                       ///< whether both wheels carry their loads at the node
     double support = 0, roll = 0;             ///< as ContactTable::Side::on_rails [m], [rad]
     std::vector<ContactRow::Values> zones{};  ///< a row for each
 };
@@ -61,17 +61,17 @@ struct ContactSide {
     std::vector<ContactNode> nodes;
 };
 
-/// A table, and what is to be known of its making.
+/// A table, and the quality of its making.
 struct MadeContactTable {
     ContactTable table;
-    /// Share of the positions of the grid that wheels do not take under their loads: shifts beyond the first of them on
-    /// either side are not on the table, single ones are filled by those beside them.
+    /// Share of the positions of the grid that the wheels cannot take under their loads. Shifts beyond the first such
+    /// position on either side are not on the table; single ones are filled in from their neighbours.
     double missing = 0;
 };
 
 namespace detail {
 
-/// Nodes of a side, by ContactTable::Grid::node.
+/// Nodes of a side, in the order of ContactTable::Grid::node.
 using WheelNodes = std::vector<WheelNode>;
 
 /// Contacts of both wheels along one line of shifts.
@@ -110,7 +110,7 @@ public:
     }
 
 private:
-    /// The left wheel, a right one at the opposite shift and yaw, is mirrored across the track.
+    /// The node of a wheel. The left wheel, a right one at the opposite shift and yaw, is mirrored across the track.
     WheelNode node_of(const WheelsetOnTrack::Contacts& contacts, WheelsetSide side) const {
         const bool right = side == WheelsetSide::right;
         WheelNode node;
@@ -131,8 +131,8 @@ private:
     const ContactTableMaking& making_;
 };
 
-/// Cuts between zones, one after the other: each as lowers most the error of ellipses beside friction on patches and
-/// the price of more points a wheel.
+/// Finds cuts between zones, one after the other. Each cut minimises the sum of two terms: the error of ellipses
+/// relative to friction on patches, and a price of the additional points.
 class ZoneFinder {
 public:
     ZoneFinder(const std::vector<const WheelNode*>& nodes, const TrackDimensions& dimensions,
@@ -166,7 +166,7 @@ public:
         return best;
     }
 
-    /// The mean of errors over mu Q, which weighs the largest most, and the price.
+    /// The mean of errors over mu Q, which gives the largest errors most weight, plus the price.
     double cost(const ContactZones& zones) const {
         constexpr double price = 0.005;
         double sum = 0;
@@ -228,7 +228,8 @@ private:
     std::vector<Judged> judged_;
 };
 
-/// Odd rows are over the yaw: at yaw 0 they lie on the line in yaw^2 through the first two others that carry.
+/// Fills rows that are odd in the yaw and divided by it: at yaw 0 they lie on the line in yaw^2 through the first two
+/// other nodes that carry.
 inline void fill_odd_rows(const ContactTable::Grid& grid, Eigen::Ref<Eigen::ArrayXXd> points) {
     using enum ContactRow::Of;
     const auto shifts = Eigen::Index(grid.shifts.size());
@@ -255,7 +256,7 @@ inline void fill_odd_rows(const ContactTable::Grid& grid, Eigen::Ref<Eigen::Arra
     }
 }
 
-/// How many shifts from either end are left out, as at them, or at two in a row, some node is not known.
+/// Number of shifts left out at either end, because a node there, or at two neighbouring shifts, is not known.
 inline std::size_t left_out(const ContactTable::Grid& grid, const std::vector<ContactSide>& sides) {
     const std::size_t count = grid.shifts.size(), middle = count / 2;
     const auto known = [&](std::size_t i) {
@@ -274,7 +275,7 @@ inline std::size_t left_out(const ContactTable::Grid& grid, const std::vector<Co
     return count - 1 - last;
 }
 
-/// The numbers of one side on a grid that leaves `out` shifts at either end out.
+/// The numbers of one side on a grid without the `out` outermost shifts at either end.
 inline ContactTable::Side side_of(const ContactTable::Grid& grid, const ContactSide& from, std::size_t out,
                                   double radius) {
     const std::size_t all = grid.shifts.size() + 2 * out;
@@ -295,7 +296,7 @@ inline ContactTable::Side side_of(const ContactTable::Grid& grid, const ContactS
             side.points.col(zone * count + at) = node.zones[std::size_t(zone)];
         }
     }
-    for (Eigen::Index at = 0; at < count; ++at) {  // single ones between known ones
+    for (Eigen::Index at = 0; at < count; ++at) {  // single unknown nodes between known ones
         if (node_at(at).known) continue;
         side.on_rails.col(at) = (side.on_rails.col(at - 1) + side.on_rails.col(at + 1)) / 2;
         for (Eigen::Index zone = 0; zone < zones; ++zone) {
@@ -314,12 +315,12 @@ inline ContactTable::Side side_of(const ContactTable::Grid& grid, const ContactS
 
 }  // namespace detail
 
-/// Makes the table of a wheelset whose wheels carry equal loads, line by line of its grid, so that lines may be divided
-/// between machines. One side, the right one, stands for both where they are mirror images.
+/// Makes the table of a wheelset whose wheels carry equal loads, line by line of its grid, so that several machines may
+/// share the lines. One side, the right one, stands for both where they are mirror images.
 class ContactTableMaker {
 public:
-    /// `creep` is the table that it will be used with; it and `track` must outlive this. Throws std::invalid_argument
-    /// if the grid breaks its invariant, or a wheel is not round or a rail changes along the way.
+    /// The table will be used with `creep`; `creep` and `track` must outlive the maker. Throws std::invalid_argument if
+    /// the grid breaks its invariant, a wheel is not round or a rail changes along the way.
     ContactTableMaker(const WheelsetOnTrack& track, const CreepForceTable& creep, ContactTableMaking making)
         : track_(track), creep_(creep), making_(std::move(making)), is_solved_(making_.lines(), false) {
         for (const WheelsetSide side : WheelsetOnTrack::sides) {
@@ -335,7 +336,8 @@ public:
 
     std::size_t side_count() const { return track_.is_mirrored() ? 1 : 2; }  ///< left and right, or both in one
 
-    /// The lines by whose positions zones are found, every second one along all coordinates; none if all are given.
+    /// The lines whose positions determine the zones, every second one along all coordinates; none if all zones are
+    /// given.
     std::vector<std::size_t> judged_lines() const {
         std::vector<std::size_t> lines;
         const std::size_t yaws = making_.grid.yaws.size();
@@ -347,7 +349,7 @@ public:
         return lines;
     }
 
-    /// Finds the contacts along these lines and, where they are not given, zones.
+    /// Finds the contacts along these lines, and the zones where they are not given.
     void solve(std::vector<std::size_t> lines) {
         for (const std::size_t line : judged_lines()) lines.push_back(line);
         std::sort(lines.begin(), lines.end());
@@ -369,8 +371,8 @@ public:
         return {true, own.support, own.at.roll, detail::zone_rows(own, zones_[side], dimensions(side), creep_)};
     }
 
-    /// The table of all nodes. Throws std::invalid_argument if the wheels do not carry the loads at five shifts about 0.
-    /// Throws it also if there are not all sides, nodes, or rows of a node.
+    /// The table of all nodes. Throws std::invalid_argument if the wheels do not carry the loads at five shifts about
+    /// 0, or if sides, nodes, or rows of a node are missing.
     MadeContactTable table(const std::vector<ContactSide>& sides) const {
         ContactTable::Grid grid = making_.grid;
         require_whole(sides);
@@ -440,7 +442,7 @@ private:
     std::array<ContactZones, 2> zones_;
 };
 
-/// The whole of a table by ContactTableMaker, whose exceptions it throws.
+/// Makes a complete table by ContactTableMaker, whose exceptions it throws.
 inline MadeContactTable make_contact_table(const WheelsetOnTrack& track, const CreepForceTable& creep,
                                            const ContactTableMaking& making = {}) {
     ContactTableMaker maker(track, creep, making);

@@ -1,4 +1,4 @@
-// The patches that tables of creep forces are made from, and the making of a table.
+// The patches from which tables of creep forces are made, and the making of a table.
 #pragma once
 
 #include <algorithm>
@@ -40,8 +40,8 @@ public:
 
     const PatchContact<double>& contact() const { return contact_; }
     const PatchMesh<double>& mesh() const { return patch_.mesh; }  ///< the first of the two
-    /// In full adhesion, of the same elements, whose errors are those of the forces; on long patches other meshes must
-    /// confirm them.
+    /// Response in full adhesion, on the same elements and with the same errors as the forces; on long patches other
+    /// meshes must confirm it.
     Response<double> in_adhesion() const {
         const HalfSpace<double> kernel(contact_.poisson_ratio());
         return contact_.a_over_b() > 10 ? solve_steady(contact_, mesh(), scheme, kernel)
@@ -49,10 +49,11 @@ public:
     }
 
     struct Solution {
-        Eigen::Array3d force;  ///< -F_x, -F_y over mu N, -M_z over mu N c; to be used if the status is ok
+        Eigen::Array3d force;  ///< -F_x, -F_y over mu N, -M_z over mu N c; valid if the status is ok
         FrictionStep<2> step;  ///< of the first mesh; its status and its residual are the worse of the two
     };
-    /// Creepages times G a b/(mu N), spin times G a b c/(mu N), from the tractions of the last solution or from rest.
+    /// Takes creepages times G a b/(mu N), spin times G a b c/(mu N); starts from the tractions of the last solution or
+    /// from rest.
     Solution solve(const Creepage<double>& creepage, bool from_rest) {
         Solution solution = patch_.solve(contact_, creepage, from_rest);
         if (from_rest && shifted_) shifted_->run.now() = shifted_->rest;
@@ -74,8 +75,8 @@ public:
 private:
     static constexpr NodeDifference scheme{Nodes::chebyshev};
 
-    /// The ellipse on one mesh. a = G = 1, mu N = G a b: creepages are the given numbers, a force over mu N is one over
-    /// b.
+    /// The ellipse on one mesh. With a = G = 1 and mu N = G a b, creepages are the given numbers, and a force over mu N
+    /// is the force over b.
     struct Patch {
         using Model = FrictionModel<ConstantFriction<double>, 2>;
 
@@ -106,13 +107,11 @@ private:
         Run<Model> run;
     };
 
-    /// Elements so long that n^2 of them have the least error where spin is large. That error comes from the pole of
-    /// the slip, where one element turns at once, so it falls if strips are equally wide and their number follows the
-    /// ellipse: with 256 elements, by the sum over the elements in full sliding against full_sliding() at a/b = 0.1,
-    /// 0.3, 1, 3, 10, from 5.1e-2, 2.0e-2, 1.2e-2, 1.8e-2, 4.4e-2 (16 x 16, strips graded by the cosine) to 1.0e-2,
-    /// 0.9e-2, 0.8e-2, 1.1e-2, 1.9e-2 (the largest of 300 random directions). Strips are even in number: the pole of a
-    /// lateral force and spin moves on y = 0, and if elements lay there they could slip to either side of it, which
-    /// breaks the symmetry of the discrete problem.
+    /// A mesh whose elements are so long that about n^2 of them have the least error under large spin. The error comes
+    /// from the pole of the slip, where one element turns at once; it is smaller if strips are equally wide and their
+    /// number follows the ellipse (docs/vehicle-measured.md). The number of strips is even: the pole of a lateral force
+    /// and spin moves on y = 0, and elements there could slip to either side of it, which breaks the symmetry of the
+    /// discrete problem.
     PatchMesh<double> first(Eigen::Index n) const {
         detail::require(n >= 2 && n <= 1000, "CreepForceSource", "n", n, "lie in [2, 1000]");
         const double per_strip = std::clamp(std::pow(contact_.a_over_b(), 0.6), 0.25, 2.0),
@@ -122,20 +121,19 @@ private:
         return patch_mesh(contact_, cosine_mesh((std::min)(along, 2 * across)), uniform_mesh(across));
     }
 
-    /// One more element in each strip and one more strip: one mesh has an edge where the other has centres, across at
-    /// y = 0, along each strip at x = 0.
+    /// A mesh with one more element in each strip and one more strip: it has centres where the first mesh has edges,
+    /// across at y = 0 and along each strip at x = 0.
     PatchMesh<double> shifted() const {
         return patch_mesh(contact_, cosine_mesh(mesh().elements_per_strip() + 1),
                           uniform_mesh(mesh().strip_count() + 1));
     }
 
-    /// How much the shifted mesh counts. As the pole of the slip passes from the edge of an element to its centre,
-    /// forces swing about their true value; those of the two meshes swing in opposite directions. They count alike
-    /// where the spin is above 4 and its pole within 1.2 of the ellipse, where all but a few elements slide; below a
-    /// spin of 2 or beyond 1.5 of the ellipse the first mesh counts alone. With n = 18, against n = 32, in 150 random
-    /// scenes with a spin above 2 and its pole inside, the plain mean of both differs by 1.7e-3 of mu N (root of the
-    /// mean square; 6.3e-3 at most), the first alone by 2.4e-3 (8.6e-3); with two strips more instead of one the mean
-    /// would be hardly better.
+    /// Weight of the shifted mesh. As the pole of the slip passes from the edge of an element to its centre, forces
+    /// swing about their true value, on the two meshes in opposite directions (docs/vehicle-measured.md).
+    ///
+    /// - Spin above 4 and pole within 1.2 of the ellipse, where nearly all elements slide: both meshes have equal
+    ///   weight.
+    /// - Spin below 2 or pole beyond 1.5 of the ellipse: the first mesh alone.
     double share_of_shifted(const Creepage<double>& v) const {
         // the pole's distance from the middle in units of the semi-axes, times the spin
         const double a_over_b = contact_.a_over_b(), spin = std::abs(v.spin),
@@ -161,7 +159,7 @@ inline CreepForceGrid make_creep_force_grid(const CreepForceGrid::Range& range, 
                                                             range.smallest_a_over_b, range.largest_a_over_b);
         CreepForceSource source(a_over_b, range.poisson_ratio, range.n);
         const Response<double> found = source.in_adhesion();
-        // with a spin so large that both meshes count
+        // under a spin so large that both meshes count
         const Status sliding = source.solve({0, 0, 10}, true).step.status;
         if (found.status != Status::ok || sliding != Status::ok) {
             throw std::invalid_argument(std::string(who) + ": a/b = " + detail::to_text(a_over_b) +
@@ -175,8 +173,7 @@ inline CreepForceGrid make_creep_force_grid(const CreepForceGrid::Range& range, 
 
 /// A table of steady creep forces, of the ellipses and creepages of `range`. `jobs` threads share the work, and the
 /// result does not depend on their number; progress(done, all) is called as forces become known, by one thread at a
-/// time. The default range takes some 11 minutes with two jobs. Throws std::invalid_argument as make_creep_force_grid,
-/// and std::runtime_error where a patch has no solution.
+/// time. Throws std::invalid_argument as make_creep_force_grid, and std::runtime_error where a patch has no solution.
 inline CreepForceTable make_creep_force_table(
     const CreepForceGrid::Range& range, std::size_t jobs = 1,
     const std::function<void(std::size_t, std::size_t)>& progress = [](std::size_t, std::size_t) {}) {

@@ -1,4 +1,4 @@
-// The elements on which the patches of wheels on rails rub, and the pressures on them.
+// The elements on which friction on wheel-rail patches is solved, and the pressures on them.
 #pragma once
 
 #include <algorithm>
@@ -21,9 +21,9 @@ struct PatchElements {
 
 namespace detail {
 
-/// The width, in steps, of the narrowest lobe of a function over equal steps: of a parabola with the lobe's integral
-/// and maximum. Lobes are parted by minima between two maxima; waves of less than a twentieth of the largest value are
-/// no lobes. Infinite if there is only one.
+/// The width of the narrowest lobe of a function over equal steps, in steps: the width of a parabola with the lobe's
+/// integral and maximum. Lobes are separated by minima between two maxima; waves smaller than a twentieth of the
+/// largest value are not lobes. Infinite if there is only one lobe.
 inline double narrowest_lobe(const Eigen::ArrayXd& values) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const double wave = values.maxCoeff() / 20;
@@ -48,8 +48,8 @@ inline double narrowest_lobe(const Eigen::ArrayXd& values) {
 
 }  // namespace detail
 
-/// The elements that a patch wants: 12 x 13, and where its outline or its pressures have several lobes across the
-/// rolling direction, strips of less than a third of the narrowest, at most 25. The patch must have numbers.
+/// Number of elements for a patch: 12 x 13. If its outline or its pressures have several lobes across the rolling
+/// direction, strips are narrower than a third of the narrowest lobe, at most 25. The patch must have numbers.
 inline PatchElements elements_for(const RailPatch& patch) {
     constexpr Eigen::Index lines = 240, most = 25;
     const Outline<double>& outline = *patch.outline;
@@ -67,8 +67,8 @@ inline PatchElements elements_for(const RailPatch& patch) {
     return elements;
 }
 
-/// Patches of a wheel, by their index, that lie in one plane: pieces of one contact, of which each displaces the
-/// surface below the others. Those without an outline are left out.
+/// Indices of a wheel's patches, grouped by plane: pieces of one contact, each of which displaces the surface below the
+/// others. Patches without an outline are left out.
 inline std::vector<std::vector<std::size_t>> pieces_of_planes(const std::vector<RailPatch>& patches) {
     std::vector<std::vector<std::size_t>> planes;
     for (std::size_t k = 0; k < patches.size(); ++k) {
@@ -87,12 +87,12 @@ inline std::vector<std::vector<std::size_t>> pieces_of_planes(const std::vector<
     return planes;
 }
 
-/// The pieces of one plane, as one mesh for friction with NodeDifference{Nodes::chebyshev}.
+/// The pieces of one plane as one mesh for friction with NodeDifference{Nodes::chebyshev}.
 struct PieceMeshes {
-    double unit;                            ///< of length [m]: half_length() of the first piece's contact
+    double unit;                            ///< unit of length [m]: half_length() of the first piece's contact
     std::vector<PatchMesh<double>> pieces;  ///< in the order of the patches
 
-    /// Elements of piece k, which has its place in those of joined(): the first, and how many.
+    /// Index of the first element of piece k in joined(), and number of its elements.
     Eigen::Index first(std::size_t k) const {
         Eigen::Index sum = 0;
         for (std::size_t before = 0; before < k; ++before) sum += pieces[before].size();
@@ -102,8 +102,9 @@ struct PieceMeshes {
     PatchMesh<double> joined() const { return PatchMesh<double>::joined(pieces); }
 };
 
-/// Calls solve(elements) with those of each piece, then with two strips less of each that has more than 6, until it
-/// returns true: on some flanges rolling would gain energy on many strips. Returns whether it did.
+/// Calls solve(elements) with the elements of each piece until it returns true, each time with two strips less in
+/// pieces with more than 6: on some flanges rolling would gain energy on many strips. Returns whether a call returned
+/// true.
 template <class Solve>
 bool with_fewer_strips(std::vector<PatchElements> elements, const Solve& solve) {
     constexpr Eigen::Index least = 5;
@@ -119,7 +120,7 @@ bool with_fewer_strips(std::vector<PatchElements> elements, const Solve& solve) 
     }
 }
 
-/// Meshes of outlines in one plane. All have the first one's elements along x.
+/// Meshes of outlines in one plane. All have the same number of elements along x as the first one.
 inline PieceMeshes friction_meshes(const std::vector<const RailPatch*>& pieces,
                                    const std::vector<PatchElements>& elements, double unit) {
     PieceMeshes meshes{unit, {}};

@@ -1,4 +1,4 @@
-// Friction on one patch of a wheel that rolls on a rail, and what the patch does to its wheel.
+// Friction on one patch of a wheel that rolls on a rail, and the wrench of the patch on its wheel.
 #pragma once
 
 #include <algorithm>
@@ -31,10 +31,11 @@ namespace rollbem {
 /// Friction parameters for steady rolling.
 struct RollingFriction {
     double coefficient = 0.3;   ///< mu [-]
-    Eigen::Index elements = 0;  ///< of each strip along x; 0: by elements_for
-    Eigen::Index strips = 0;    ///< of a patch; 0: by elements_for; fewer where the scheme would gain energy on these
-    /// Whether slip is that of the curved surfaces (curved_slip_of), or that of three creepages, as in CONTACT's
-    /// planes.
+    Eigen::Index elements = 0;  ///< number in each strip along x; 0: by elements_for
+    Eigen::Index strips = 0;    ///< number of a patch's strips; 0: by elements_for; fewer where the scheme would gain
+                                ///< energy on these
+    /// Whether slip is the slip of the curved surfaces (curved_slip_of), or follows from three creepages, as in
+    /// CONTACT's planes.
     bool curved_slip = false;
     std::optional<RailFriction> rail{};  ///< mu over the rail, in place of the coefficient, one for each strip
     std::optional<Heating> heating{};    ///< for the temperature, and friction that depends on it
@@ -70,7 +71,7 @@ inline PatchForce mirrored(PatchForce friction, const Mirror& mirror) {
 struct Wrench {
     std::array<double, 3> force{}, moment{};
 
-    /// Of a force that acts at the end of an arm [m].
+    /// Wrench of a force that acts at the end of an arm [m].
     static Wrench at(const std::array<double, 3>& arm, const std::array<double, 3>& force) {
         Wrench wrench{.force = force};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -108,8 +109,8 @@ struct RollingPieces {
     Creepage<double> creepage(std::size_t k) const { return creepage_of(*pieces[k], at, speeds, dimensions.radius); }
 };
 
-/// Rigid slip of the elements of all pieces besides that by the creepages of the first: those of the others differ a
-/// little, as they lie at other depths.
+/// Rigid slip of the elements of all pieces in addition to the slip by the first piece's creepages: creepages of other
+/// pieces differ a little, as the pieces lie at other depths.
 inline ElementVectors<double> slip_besides(const PieceMeshes& meshes, const Elements<double>& elements,
                                            const RollingPieces& rolling, const RollingFriction& friction) {
     ElementVectors<double> rows = ElementVectors<double>::Zero(elements.size(), 2);
@@ -129,7 +130,7 @@ inline ElementVectors<double> slip_besides(const PieceMeshes& meshes, const Elem
     return rows;
 }
 
-/// What the tractions [Pa] of a piece's elements do.
+/// Force and moment of the tractions [Pa] on a piece's elements.
 inline TangentialForce<double> force_of(const std::vector<Rectangle<double>>& elements,
                                         const ElementVectors<double>& tractions) {
     TangentialForce<double> force{0, 0, 0};
@@ -161,8 +162,8 @@ inline Eigen::ArrayXd coefficients_on(const PieceMeshes& meshes, const RollingPi
     return Eigen::Map<const Eigen::ArrayXd>(found.data(), Eigen::Index(found.size()));
 }
 
-/// Temperatures above ambient [K] in the middles of a piece's elements, and the largest of those at their trailing
-/// edges, from the heat of each per distance rolled [J/m].
+/// Temperatures above ambient [K] in the middles of a piece's elements, and the largest temperature at their trailing
+/// edges, from the heat of each element per distance rolled [J/m].
 struct PieceTemperatures {
     Eigen::ArrayXd middles;
     double peak = 0;
@@ -195,7 +196,7 @@ struct MeshFriction {
     std::vector<double> peaks{};  ///< of temperatures [K], of each piece; empty: not known
 };
 
-/// What friction does on a mesh, solved for coefficients of its elements.
+/// Solves friction on a mesh for given coefficients of its elements.
 class MeshSolver {
 public:
     MeshSolver(const PieceMeshes& meshes, const PatchContact<double>& contact, const RollingPieces& rolling,
@@ -214,7 +215,7 @@ public:
         }
     }
 
-    /// Friction that depends on the temperature by relaxed steps, as each of them changes the other.
+    /// Alternates friction and temperature, which depend on each other, in relaxed steps.
     MeshFriction solve() const {
         const Eigen::ArrayXd cold = coefficients_on(meshes_, rolling_, friction_);
         MeshFriction found = with(cold);
@@ -366,9 +367,9 @@ inline PatchForce patch_force(const RailPatch& patch, const WheelsetPosition& at
     return patch_forces({patch}, at, speeds, dimensions, friction)[0];
 }
 
-/// What the pressures of a patch do to its wheel, as on the right; the moment is about (0, y, z). They act along the
-/// normals of the rail's surface in each row of cells: where a wheel rolls steadily, they do no work. Normals of the
-/// plane itself would work on the slip across it.
+/// Wrench of a patch's pressures on its wheel, as on the right; the moment is about (0, y, z). Pressures act along the
+/// normals of the rail's surface in each row of cells: where a wheel rolls steadily, they do no work. Along the plane's
+/// normal they would do work on the slip across it.
 inline Wrench pressure_wrench_of(const RailPatch& patch, double y, double z) {
     const CellGrid& grid = patch.grid;
     const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(grid.nx, grid.x(0), grid.x(grid.nx - 1));
@@ -383,8 +384,8 @@ inline Wrench pressure_wrench_of(const RailPatch& patch, double y, double z) {
     return wrench;
 }
 
-/// What pressures and friction of a patch do to its wheel, as on the right; the moment is about (0, y, z). Their power,
-/// in steady rolling, is that of the creep forces on the creepages.
+/// Wrench of a patch's pressures and friction on its wheel, as on the right; the moment is about (0, y, z). In steady
+/// rolling its power equals the power of the creep forces on the creepages.
 inline Wrench wrench_of(const RailPatch& patch, const PatchForce& friction, double y, double z) {
     const auto [force_x, force_s, moment] = friction.force;
     const std::array<double, 3> place = creepage_place(patch);

@@ -1,4 +1,4 @@
-// Friction of a rail that is not the same everywhere: a lubricated gauge face, a treated top.
+// Friction of a rail that varies over the rail's surface: a lubricated gauge face, a treated top.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace rollbem {
 /// constant beyond them.
 class RailFriction {
 public:
-    /// What the nodes are: delta of the surface [rad], or y of the rail's profile [m], both as on the right rail.
+    /// Coordinate of the nodes: delta of the surface [rad], or y of the rail's profile [m], both as on the right rail.
     enum class Over { angle, y };
 
     /// Throws std::invalid_argument unless there is a node, nodes ascend, and coefficients are finite and not negative.

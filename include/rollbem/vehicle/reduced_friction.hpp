@@ -1,5 +1,5 @@
-// ReducedFriction: creep forces on wet or dirty rails, by two factors and a falling coefficient of friction that
-// transform those of a table.
+// ReducedFriction: creep forces on wet or dirty rails, from the forces of a table by two factors and a falling
+// coefficient of friction.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -34,11 +34,10 @@ namespace rollbem {
 ///
 ///     r(eps) = p(eps; k_A, k_S)/p(eps; 1, 1).
 ///
-/// So the part of mu N by which a result differs from Polach's is r times that of the clean table. At rest
-/// r = (k_A + k_S)/2, whatever mu is; in full sliding r = 1 - 2/pi (1/k_S - 1/k_A)/eps, that is, forces rise to mu(w) N
-/// as slowly as his. A factor of the creepages instead could not do that, because the table is in full sliding from a
-/// finite |X| on. r <= 1, so forces oppose slip and remain within mu N as those of the table do.
-///
+/// So r scales the part of mu N by which a result differs from Polach's. At rest r = (k_A + k_S)/2, whatever mu is; in
+/// full sliding r = 1 - 2/pi (1/k_S - 1/k_A)/eps, that is, forces rise to mu(w) N as slowly as his. A factor of the
+/// creepages could not do this, because the table is in full sliding from a finite |X| on. As r <= 1, forces oppose
+/// slip and remain within mu N wherever the table's forces do.
 ///     const ReducedFriction wet({.adhesion_factor = 0.3, .slip_factor = 0.1, .friction_ratio = 0.4, .fall = 0.2});
 ///     const ReducedFriction::Force now = wet.look_up(table, contact, 0.3, load, speed, {xi, eta, phi});
 class ReducedFriction {
@@ -62,8 +61,9 @@ public:
         detail::require_not_negative(name, "fall", p_.fall);
     }
 
-    /// As of the table; tangents by creepage, load, a and b are at constant speed and mu_0, that by the friction
-    /// coefficient is by mu_0. Status not_finite also if the speed is not finite, invalid_step if it is negative.
+    /// Result of a look-up. Tangents by creepage, load, a and b hold at constant speed and mu_0; the tangent by the
+    /// friction coefficient is by mu_0. Status not_finite also if the speed is not finite, invalid_step if it is
+    /// negative.
     struct Force : TabulatedForce {
         TangentialForce<double> tangent_by_speed;                                ///< [N s/m], [N s]
         double friction_coefficient = std::numeric_limits<double>::quiet_NaN();  ///< mu(w) [-]
@@ -71,8 +71,8 @@ public:
 
     const Parameters& parameters() const { return p_; }
 
-    /// As CreepForceTable::look_up, with mu_0 and the speed V [m/s] at which the wheel rolls. Exact tangents; allocates
-    /// nothing.
+    /// Look-up as CreepForceTable::look_up, with mu_0 and the speed V [m/s] at which the wheel rolls. Exact tangents;
+    /// allocates nothing.
     Force look_up(const CreepForceTable& table, const PatchContact<double>& contact, double mu_0, double load,
                   double speed, const Creepage<double>& creepage) const noexcept {
         Force result;
@@ -90,13 +90,13 @@ public:
         result.friction_coefficient = mu;
 
         const CreepForceTable::LinearForce linear = table.linear_force_size(contact, creepage);
-        // where there is no friction, the contact slides; 1e100 is far in full sliding, and 1e-100 is rest
+        // without friction the contact slides; 1e100 is far in full sliding, and 1e-100 is rest
         const double eps = (std::min)(std::numbers::pi / 4 * linear.value / (mu * load), 1e100);
         const bool slides = !(mu * load > 0);
         const Law reduced = law(eps, p_.adhesion_factor, p_.slip_factor), full = law(eps, 1, 1);
         const bool rests = !(eps > 1e-100) && !slides;
         const double r = slides ? 1 : rests ? (p_.adhesion_factor + p_.slip_factor) / 2 : reduced.value / full.value;
-        // of r by log(eps); even in eps, so that at rest there is none
+        // derivative of r by log(eps); even in eps, so that at rest it is 0
         const double bend = slides || rests ? 0 : eps * (reduced.slope - r * full.slope) / full.value;
         const TangentialForce<double> bent = bend * clean.force;
         const auto bent_over = [&](double by) {
@@ -104,7 +104,7 @@ public:
                              : TangentialForce<double>{0, 0, 0};
         };
         const TangentialForce<double> by_mu = r * clean.tangent_by_friction_coefficient + bent_over(-mu);
-        const double by_slip = -p_.fall * speed * mu_0 * left;  // of mu
+        const double by_slip = -p_.fall * speed * mu_0 * left;  // derivative of mu
         const auto tangent = [&](const TangentialForce<double>& by, double of_linear, double of_slip) {
             return r * by + (bend != 0 ? of_linear / linear.value : 0) * bent + (by_slip * of_slip) * by_mu;
         };

@@ -1,5 +1,5 @@
-// FASTSIM (Kalker 1982) and FaStrip (Sichani, Enblom and Berg 2016): creep forces of an ellipse by strips that do not
-// know of each other, as most multibody programs have them.
+// FASTSIM (Kalker 1982) and FaStrip (Sichani, Enblom and Berg 2016): creep forces of an ellipse by independent strips,
+// as in most multibody programs.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 
 namespace rollbem {
 
-/// Largest traction of FASTSIM over the ellipse; both carry mu N.
+/// Largest traction of FASTSIM over the ellipse; both bounds carry mu N.
 enum class TractionBound {
     parabolic,  ///< mu 2N/(pi a b) (1 - x^2/a^2 - y^2/b^2): Kalker's, the pressure of simplified theory
     elliptic    ///< mu times Hertz's pressure
@@ -31,7 +31,7 @@ struct SimplifiedMesh {
     TractionBound bound = TractionBound::parabolic;
 };
 
-/// An element as simplified theory finds it, from the leading to the trailing edge of each strip.
+/// An element in simplified theory; elements are found from the leading to the trailing edge of each strip.
 struct SimplifiedElement {
     int strip;                       ///< from -b to b
     double x, y;                     ///< its centre [m]
@@ -47,14 +47,14 @@ struct SimplifiedForce {
     Status status = Status::not_finite;  ///< or ok
 };
 
-/// FASTSIM and FaStrip on one ellipse under Hertz's pressure, with Kalker's coefficients c11, c22 and c23 of whatever
-/// source. Signs are those of Creepage. Convergence is of first order in the elements of a strip. Nothing allocates.
+/// FASTSIM and FaStrip on one ellipse under Hertz's pressure, with Kalker's coefficients c11, c22 and c23 from any
+/// source. Signs are as in Creepage. Convergence is of first order in the elements of a strip. Nothing allocates.
 ///
 /// Invariant: the contact is an ellipse; c11, c22, c23, mu and N are positive and finite; there are at least 3 strips,
 /// each of at least one element.
 class SimplifiedTheory {
 public:
-    /// Throws std::invalid_argument naming what breaks the invariant.
+    /// Throws std::invalid_argument naming the parameter that breaks the invariant.
     SimplifiedTheory(const PatchContact<double>& contact, const CreepCoefficients<double>& coefficients,
                      double friction_coefficient, double load, const SimplifiedMesh& mesh = {})
         : contact_(contact), c_(coefficients), mesh_(mesh), mu_(friction_coefficient) {
@@ -70,9 +70,9 @@ public:
         peak_ = 3 * load / (2 * std::numbers::pi * contact.half_length() * contact.half_width());
     }
 
-    /// Kalker's: displacement is proportional to traction, by the flexibilities L1 = 8a/(3 c11 G), L2 = 8a/(3 c22 G)
-    /// and L3 = pi a sqrt(a/b)/(4 c23 G), which give the linear law, and particles enter at the leading edge without
-    /// traction. `visit` is called with each SimplifiedElement.
+    /// Kalker's FASTSIM: displacement is proportional to traction, by the flexibilities L1 = 8a/(3 c11 G), L2 = 8a/(3
+    /// c22 G) and L3 = pi a sqrt(a/b)/(4 c23 G), which give the linear law, and particles enter at the leading edge
+    /// without traction. `visit` is called with each SimplifiedElement.
     template <class Visitor>
     SimplifiedForce fastsim(const Creepage<double>& creepage, Visitor&& visit) const {
         return solve(creepage, false, visit);
@@ -81,11 +81,11 @@ public:
         return solve(creepage, false, [](const SimplifiedElement&) {});
     }
 
-    /// Strip theory where strips stick, which is Carter's solution with lateral creepage and spin, scaled to Kalker's
-    /// coefficients; elsewhere mu times Hertz's pressure in the direction of FASTSIM's traction, by one flexibility in
-    /// strips that slip from the leading edge on. The stick zone fulfils the strip's equations at any Poisson's ratio;
-    /// published formulae weight spin beside lateral creepage by 1 - nu. Where |3 c c23 G phi/(2 pi mu p0)| >= 1 strip
-    /// theory knows no stick.
+    /// FaStrip. In strips that stick, strip theory: Carter's solution with lateral creepage and spin, scaled to
+    /// Kalker's coefficients. Elsewhere, mu times Hertz's pressure in the direction of FASTSIM's traction, by one
+    /// flexibility in strips that slip from the leading edge on. The stick zone satisfies the strip's equations at any
+    /// Poisson's ratio; published formulae weight spin beside lateral creepage by 1 - nu. Where |3 c c23 G phi/(2 pi mu
+    /// p0)| >= 1, strip theory has no stick.
     template <class Visitor>
     SimplifiedForce fastrip(const Creepage<double>& creepage, Visitor&& visit) const {
         return solve(creepage, true, visit);
@@ -116,7 +116,7 @@ private:
         return {8 * a / (3 * c_.c11 * G), 8 * a / (3 * c_.c22 * G),
                 std::numbers::pi * a * std::sqrt(contact_.a_over_b()) / (4 * c_.c23 * G)};
     }
-    /// The mean of the three, weighted by the creepages.
+    /// The mean of the three flexibilities, weighted by the creepages.
     Flexibility one_flexibility(const Creepage<double>& at) const {
         const Flexibility L = flexibility();
         const std::array<double, 3> weight{std::abs(at.longitudinal), std::abs(at.lateral),
@@ -143,8 +143,8 @@ private:
         return mu_ * peak_ * 4 / 3 * (half_length * half_length - mean) / (a * a);
     }
 
-    /// Stick needs a constant slope of displacements along x and one that grows with x across it; tractions of the slip
-    /// zone behind it continue those of the stick zone and reach mu p.
+    /// Stick requires displacements with a constant slope along x and a slope that grows with x across it. Tractions of
+    /// the slip zone behind continue the tractions of the stick zone and reach mu p.
     StickZone stick_zone(const Creepage<double>& at, double y) const {
         const double pi = std::numbers::pi, unit = contact_.shear_modulus() / (2 * mu_ * peak_),
                      a = contact_.half_length();
@@ -159,8 +159,8 @@ private:
         return {a * slip, outer, {outer[0], outer[1] - psi}};
     }
 
-    /// One element of FASTSIM, whose traction is given as that of the element ahead. Particles come from the middle of
-    /// that one, into the first from the leading edge.
+    /// One element of FASTSIM. On entry its traction is the traction of the element ahead. Particles come from the
+    /// middle of the element ahead, into the first element from the leading edge.
     void slide(const Creepage<double>& at, const Flexibility& L, double step, double mu_p,
                SimplifiedElement& element) const {
         const std::array<double, 2> compliance{L.longitudinal, L.lateral};
@@ -178,7 +178,7 @@ private:
         }
     }
 
-    /// The same element by strip theory. `ahead` is the x of its front edge.
+    /// One element of strip theory. `ahead` is the x of its front edge.
     void stick_or_slip(const StickZone& zone, const Strip& strip, double ahead, SimplifiedElement& element) const {
         const double behind = 2 * element.x - ahead, p = elliptic(ahead, behind, strip.half_length);
         element.slips = !zone.holds(element.x, strip);

@@ -1,5 +1,5 @@
-// Contacts by the virtual penetration of Kik and Piotrowski, as vehicle codes find them in the time loop: quick, and
-// beside Hertz's and NormalContact's off by some percent at best. SI units.
+// Contacts by the virtual penetration of Kik and Piotrowski, as in the time loop of vehicle codes: quick, and an
+// approximation of the contacts of Hertz and of NormalContact. SI units.
 #pragma once
 
 #include <algorithm>
@@ -20,9 +20,9 @@
 namespace rollbem {
 
 /// A contact by the virtual penetration (J. Piotrowski, W. Kik, Vehicle System Dynamics 46, 2008, without a correction
-/// of its shape): it covers what would interpenetrate if the bodies approached by `share` of the approach, is as long
-/// as the wheel's circle says, and its pressure is p_0 sqrt(x_l(s)^2 - x^2)/x_l(s_0), where s_0 is the deepest place.
-/// Between half-spaces this pressure displaces s_0 by the approach.
+/// of its shape). It covers the region of interpenetration after an approach of `share` times the approach, its length
+/// follows from the wheel's circle, and its pressure is p_0 sqrt(x_l(s)^2 - x^2)/x_l(s_0), where s_0 is the deepest
+/// place. Between half-spaces this pressure displaces s_0 by the approach.
 struct VirtualPenetration {
     double y = 0, z = 0;                     ///< of the deepest place, on the rail, in track axes [m]
     double angle = 0;                        ///< of the plane [rad]
@@ -34,17 +34,17 @@ struct VirtualPenetration {
     Status status = Status::not_finite;      ///< ok; end_of_profile where the surfaces are not known beside it
 };
 
-/// What pressures rest on.
+/// Parameters of the pressures.
 struct VirtualContact {
     double radius;        ///< R of the circle along x: 2 R depth = x_l^2 [m]
     double compliance;    ///< 1/E* [1/Pa]
-    double share = 0.55;  ///< of the approach; the square of what makes circular contacts of the right size is 1/2
+    double share = 0.55;  ///< part of the approach; 1/2 gives circular contacts the right size
 };
 
 namespace detail {
 
-/// A contact in a plane by its depths in rows at first + j step along s: of rows low to high, all deeper than `sunk`,
-/// with rows beside them. Only `y`, `z` and `angle` are left open; y is s of the deepest row.
+/// A contact in a plane from its depths in rows at first + j step along s. Rows low to high, which have neighbours, are
+/// all deeper than `sunk`. Only `y`, `z` and `angle` are left open; y is s of the deepest row.
 inline VirtualPenetration penetrate(const Eigen::ArrayXd& depth, double first, double step, Eigen::Index low,
                                     Eigen::Index high, double sunk, const VirtualContact& contact) {
     static const QuadratureRule<double> rule = gauss_legendre<double>(24);
@@ -53,7 +53,7 @@ inline VirtualPenetration penetrate(const Eigen::ArrayXd& depth, double first, d
     depth.segment(low, high - low + 1).maxCoeff(&deepest);
     deepest += low;
     const double remains = depth[deepest] - sunk;
-    const auto left_over = [&](double s) {  // of the depth at s
+    const auto left_over = [&](double s) {  // depth at s in excess of `sunk`
         const double at = std::clamp((s - first) / step, 0.0, double(depth.size()) - 1.000001);
         const auto j = static_cast<Eigen::Index>(at);
         return (std::max)(depth[j] + (at - double(j)) * (depth[j + 1] - depth[j]) - sunk, 0.0);
@@ -62,7 +62,8 @@ inline VirtualPenetration penetrate(const Eigen::ArrayXd& depth, double first, d
         return first + step * (double(in) + double(out - in) * (depth[in] - sunk) / (depth[in] - depth[out]));
     };
     const double s_0 = first + step * double(deepest), ends[] = {edge(low, low - 1), edge(high, high + 1)};
-    double volume = 0, displacement = 0, area = 0;  // integrals of sqrt(x_l^2 - x^2), the same over the distance, and 1
+    double volume = 0, displacement = 0, area = 0;  // integrals of three functions: sqrt(x_l^2 - x^2), the same over
+                                                    // the distance, and 1
     for (const double end : ends) {
         for (Eigen::Index k = 0; k < rule.nodes.size(); ++k) {
             // the displacement has a logarithm at s_0, the area roots at both ends
@@ -87,7 +88,7 @@ inline VirtualPenetration penetrate(const Eigen::ArrayXd& depth, double first, d
     return found;
 }
 
-/// All contacts of a plane, whose depths are known in rows, NaN where they are not.
+/// All contacts of a plane, from depths in rows; a depth is NaN where it is not known.
 inline std::vector<VirtualPenetration> penetrations(const Eigen::ArrayXd& depth, double first, double step,
                                                     const VirtualContact& contact) {
     std::vector<VirtualPenetration> found;
@@ -109,9 +110,10 @@ inline std::vector<VirtualPenetration> penetrations(const Eigen::ArrayXd& depth,
 
 }  // namespace detail
 
-/// Contacts in one plane of undeformed surfaces whose depths in one another [m] are known in rows `step` [m] apart,
-/// those at rows 0 and last not positive; y is s from row 0, z and angle are 0. Throws std::invalid_argument unless
-/// step, radius and compliance are positive, the share lies in (0, 1] and there are 3 rows.
+/// Contacts in one plane of undeformed surfaces, from their depths in one another [m] in rows `step` [m] apart. Depths
+/// in the first and the last row must not be positive; y is s from row 0, z and angle are 0. Throws
+/// std::invalid_argument unless step, radius and compliance are positive, the share lies in (0, 1] and there are 3
+/// rows.
 inline std::vector<VirtualPenetration> virtual_penetration(const Eigen::ArrayXd& depth, double step,
                                                            const VirtualContact& contact) {
     constexpr const char* who = "virtual_penetration";
@@ -123,10 +125,10 @@ inline std::vector<VirtualPenetration> virtual_penetration(const Eigen::ArrayXd&
     return detail::penetrations(depth, 0, step, contact);
 }
 
-/// Contacts of a wheel at a position, whatever it carries, in the order along its profile, in the planes that
-/// WheelOnRail has; none where it is lifted. Patches do not displace each other. The sections at the middle of each
-/// contact decide, so yaw has no other effect. Throws std::invalid_argument unless the wheel is round and the rail
-/// straight, and the share in (0, 1].
+/// Contacts of a wheel at a position, under any load, in the order along its profile, in the planes of WheelOnRail;
+/// none where the wheel is lifted. Patches do not displace each other. The sections at the middle of each contact
+/// determine it, so yaw has no other effect. Throws std::invalid_argument unless the wheel is round and the rail
+/// straight, and the share lies in (0, 1].
 inline std::vector<VirtualPenetration> virtual_penetration(const WheelOnRail& wheel, const WheelsetPosition& position,
                                                            double share = 0.55) {
     constexpr const char* who = "virtual_penetration";

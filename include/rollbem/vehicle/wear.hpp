@@ -1,5 +1,5 @@
-// What wears and tires wheels and rails that roll, by patches and by table: frictional work, where on a profile it is
-// done, the fatigue index; the quotient that a derailment depends on.
+// Wear and fatigue of wheels and rails that roll, by patches and by table: frictional work and its distribution over a
+// profile, the fatigue index, and the derailment quotient.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace rollbem {
 
 /// T gamma [N], the work of creep forces on creepages per metre rolled [J/m]: -(F_x xi + F_s eta + M_n phi). Wear per
 /// metre is a function of it over the area (British Rail Research; Braghin et al. 2006). It is the heat of friction
-/// (slip_work) up to the errors of the discretisation, where slip is that of the three creepages.
+/// (slip_work) up to the errors of the discretisation, where slip follows from the three creepages.
 inline double t_gamma(const TangentialForce<double>& force, const Creepage<double>& creepage) {
     return -(force.longitudinal * creepage.longitudinal + force.lateral * creepage.lateral +
              force.moment * creepage.spin);
@@ -56,8 +56,9 @@ inline CreepCoefficients<double> creep_coefficients(const CreepForceTable& creep
             at_rest.by_spin.lateral / unit / ellipse.c()};
 }
 
-/// Friction on a point of a table with its work over the strips of its ellipse: the sum is t_gamma, and parts are those
-/// of FASTSIM, or of the load where nothing slips. `mu` is that of the point. Status::no_contact without a load.
+/// Friction on a point of a table, with its work over the strips of its ellipse: the sum is t_gamma, distributed over
+/// the strips as by FASTSIM, or as the load where nothing slips. `mu` is the point's coefficient. Status::no_contact
+/// without a load.
 inline PatchForce strip_work_of(const WheelForces::Point& point, const CreepForceTable& creep, double mu,
                                 const SimplifiedMesh& mesh = {}) {
     PatchForce found;
@@ -85,8 +86,8 @@ inline PatchForce strip_work_of(const WheelForces::Point& point, const CreepForc
     return found;
 }
 
-/// Arc length of the point of a table on a rail's profile [m]: of places of the same y the one of the nearest angle. NaN
-/// beside the profile.
+/// Arc length of the point of a table on a rail's profile [m]: among places with the same y, the one with the nearest
+/// angle. NaN beside the profile.
 inline double arc_length(const Profile& rail, const WheelForces::Point& point) {
     double nearest = std::numeric_limits<double>::infinity(), s = std::numeric_limits<double>::quiet_NaN();
     for (Eigen::Index i = 1; i < rail.size(); ++i) {
@@ -110,7 +111,7 @@ public:
     }
 
     /// Adds `weight` times the work of a patch, whose reference point lies at `s` along the profile [m], uniform in
-    /// each of its strips. What lies beyond the profile's ends counts in the outermost cells. Ignores friction without
+    /// each of its strips. Work beyond the profile's ends counts in the outermost cells. Ignores friction without
     /// result.
     void add(double s, const PatchForce& friction, double weight = 1) {
         for (Eigen::Index k = 0; k < friction.strip_work.size(); ++k) {
@@ -128,7 +129,7 @@ public:
     }
 
     double width() const { return length_ / double(work_.size()); }  ///< of a cell [m]
-    /// Of each cell, per metre rolled and metre of profile [J/m^2].
+    /// Work in each cell, per metre rolled and metre of profile [J/m^2].
     const Eigen::ArrayXd& work() const { return work_; }
 
 private:

@@ -21,14 +21,14 @@
 
 namespace rollbem {
 
-/// What is known of a wheelset's motion and loads.
+/// Motion and loads of a wheelset.
 struct WheelsetRolling {
     WheelsetPosition position;
     std::array<double, 2> loads{1e5, 1e5};  ///< vertical, left and right [N]
     WheelsetOnTrack::Free free = WheelsetOnTrack::Free::height_and_roll;
     WheelsetSpeeds speeds{};
-    /// Whether the pitch rate is that at which the longitudinal creepages of both wheels' largest patches add up to
-    /// zero, or that of the only wheel that touches is zero; otherwise that of the speeds.
+    /// Whether the pitch rate is found instead of taken from the speeds: the longitudinal creepages of both wheels'
+    /// largest patches add up to zero, or, if only one wheel touches, its creepage is zero.
     bool free_pitch = true;
     /// In place of a pitch rate: the longitudinal force of friction on the wheelset [N], along x.
     std::optional<double> force{};
@@ -40,9 +40,9 @@ struct WheelsetRolling {
 struct WheelsetForces {
     WheelsetOnTrack::Contacts contacts;
     double pitch_rate = std::numeric_limits<double>::quiet_NaN();  ///< [rad/s]; NaN if no wheel touches
-    std::array<std::vector<PatchForce>, 2> patches;                ///< those of the contacts
-    /// Of the rails on each wheel and on both, in track axes; moments are about the middle of the axle. Zero where
-    /// there is no contact; NaN if friction has no result.
+    std::array<std::vector<PatchForce>, 2> patches;                ///< in the order of the contacts
+    /// Wrenches of the rails on each wheel and on both, in track axes; moments are about the middle of the axle. Zero
+    /// where there is no contact; NaN if friction has no result.
     std::array<Wrench, 2> on_wheel;
     Wrench on_wheelset;
     int rounds = 0;  ///< of contacts and friction in turn
@@ -50,13 +50,14 @@ struct WheelsetForces {
 
 namespace detail {
 
-/// At which the longitudinal creepages of the largest patches of all wheels that touch add up to zero [rad/s]: slip is
-/// linear in the rate, and the velocity of rolling by which it is divided changes little from one round to the next.
+/// Pitch rate at which the longitudinal creepages of the largest patches of all wheels that touch add up to zero
+/// [rad/s]. Slip is linear in the rate, and the velocity of rolling by which it is divided changes little from one
+/// round to the next.
 inline double free_pitch_rate(const WheelsetOnTrack& wheelset, const WheelsetOnTrack::Contacts& contacts,
                               WheelsetSpeeds speeds) {
     speeds.pitch_rate = 0;
     for (int round = 0; round < 20; ++round) {
-        double sum = 0, growth = 0;  // of creepages, and its derivative at constant velocities of rolling
+        double sum = 0, growth = 0;  // sum of creepages, and its derivative at constant velocities of rolling
         for (const WheelsetOnTrack::Side side : WheelsetOnTrack::sides) {
             const WheelOnRail::Contact& wheel = contacts.wheels[std::size_t(side)];
             if (!has_numbers(wheel.status)) continue;
@@ -78,7 +79,7 @@ inline double free_pitch_rate(const WheelsetOnTrack& wheelset, const WheelsetOnT
     return speeds.pitch_rate;
 }
 
-/// All forces of a wheel times a factor.
+/// Multiplies all forces of a wheel by a factor.
 inline void scale(WheelOnRail::Contact& wheel, std::vector<PatchForce>& forces, double factor) {
     for (RailPatch& patch : wheel.patches) {
         for (double* of : {&patch.load, &patch.peak_pressure}) *of *= factor;
@@ -91,14 +92,14 @@ inline void scale(WheelOnRail::Contact& wheel, std::vector<PatchForce>& forces, 
     }
 }
 
-/// The vertical load of a wheel's normal forces with which it carries, with friction, the load wanted. Logarithms of
-/// loads over the one wanted.
+/// Searches for the vertical load of a wheel's normal forces with which normal forces and friction carry the wanted
+/// load. `at` is the logarithm of the load over the wanted load.
 class CarriedLoad {
 public:
     double at = 0;
 
-    /// Whether normal forces and friction carry the one wanted to 1e-6, or the wheel does not touch; else another
-    /// load. Contacts jump a little where grids change: there all forces are scaled.
+    /// Whether normal forces and friction carry the wanted load to 1e-6, or the wheel does not touch; otherwise sets
+    /// another load. Contacts jump a little where grids change: there all forces are scaled.
     bool settled(WheelOnRail::Contact& wheel, std::vector<PatchForce>& forces, double wanted) {
         double carried = 0;
         for (std::size_t i = 0; i < forces.size(); ++i)
@@ -109,13 +110,13 @@ public:
         constexpr double jump = 1e-2;
         if (root_.width() > 1e-6) return false;
         if (std::abs(excess) > jump) {
-            root_ = RisingRoot(1, largest);  // the bounds were those of another state of the other wheel
+            root_ = RisingRoot(1, largest);  // the bounds belonged to another state of the other wheel
             return false;
         }
         scale(wheel, forces, wanted / carried);
         return true;
     }
-    /// A load nearer to the last one.
+    /// Returns towards the previous load.
     void retreat() { at = (at + before_) / 2; }
 
 private:
@@ -165,7 +166,7 @@ private:
         if (has_numbers(result_.contacts.status)) position_.roll = result_.contacts.position.roll;
     }
 
-    /// Whether a wheel has no numbers that had some under the loads before: then loads go back towards these.
+    /// Whether a wheel has lost the numbers that it had under the previous loads; then loads return towards these.
     bool retreats() {
         constexpr int most = 4;
         bool lost = false;
@@ -187,8 +188,8 @@ private:
                              WheelsetOnTrack::seen_from(side, speeds_), wheelset_.wheel(side).dimensions(), friction_);
     }
 
-    /// Whether a wheel needs no further round: it carries its load, it has none, or the search ends, which its status
-    /// says.
+    /// Whether a wheel needs no further round: it carries its load, it has none, or its search has ended with another
+    /// status.
     bool is_balanced(Side side) {
         constexpr int most = 40;
         constexpr double out_of_reach = 5;  // a load of 150 times the one wanted
@@ -205,7 +206,7 @@ private:
         return last || lifted;
     }
 
-    /// Statuses of wheels by those of their patches, and of the contacts.
+    /// Sets statuses of wheels by the statuses of their patches, and the status of the contacts.
     void judge() {
         for (const Side side : WheelsetOnTrack::sides) {
             Status& status = wheel(side).status;

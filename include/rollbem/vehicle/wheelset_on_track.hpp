@@ -1,4 +1,4 @@
-// A wheelset on real rails: the position in which both wheels carry their loads, creepages, and what acts on it.
+// A wheelset on real rails: the position in which both wheels carry their loads, creepages, and normal contacts.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@
 namespace rollbem {
 
 /// The place, in track axes, at which the creepages of a patch are taken and the force and moment of its friction act:
-/// the wheel's at the reference point, which lies below the rail's surface.
+/// the wheel's surface at the reference point, below the rail's surface.
 inline std::array<double, 3> creepage_place(const RailPatch& patch) { return patch.place(0, 0, patch.approach); }
 
 namespace detail {
@@ -61,8 +61,8 @@ inline double rolling_velocity_of(const RailPatch& patch, const WheelsetSpeeds& 
 
 /// The rigid slip of the wheel on the rail at the reference point of a patch, over |V| of rolling_velocity_of, in the
 /// axes (x, s, n) of its plane [-, -, 1/m]: a wheel braked while it rolls forward has a positive longitudinal creepage.
-/// Not finite where V = 0. Forces by it act on the wheel. CONTACT's CKSI, CETA and CPHI are the same with the opposite
-/// sign, and its forces act on the rail.
+/// Not finite where V = 0. Its forces act on the wheel. CONTACT's CKSI, CETA and CPHI have the opposite sign, and
+/// CONTACT's forces act on the rail.
 inline Creepage<double> creepage_of(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
                                     double radius) {
     const Creepage<double> slip = detail::SlipVelocity(patch, at, speeds, radius).at_reference();
@@ -70,9 +70,9 @@ inline Creepage<double> creepage_of(const RailPatch& patch, const WheelsetPositi
     return {slip.longitudinal / speed, slip.lateral / speed, slip.spin / speed};
 }
 
-/// The rigid slip that curved surfaces have at points (x, s) of the plane besides that of creepage_of, a row each,
-/// along x and s [-]: of the wheel's undeformed surface in each row of cells, along the tangent midway between both
-/// surfaces. Where arcs of a rail join, a patch is so wide that its rolling radii differ by 1e-3.
+/// The rigid slip of curved surfaces at points (x, s) of the plane in addition to creepage_of, a row for each point,
+/// along x and s [-]: slip of the wheel's undeformed surface in each row of cells, along the tangent midway between
+/// both surfaces. It matters where arcs of a rail join: a patch is so wide there that its rolling radii differ by 1e-3.
 inline Eigen::MatrixX2d curved_slip_of(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
                                        double radius, const Eigen::ArrayXd& x, const Eigen::ArrayXd& s) {
     const detail::SlipVelocity slip(patch, at, speeds, radius);
@@ -92,13 +92,13 @@ inline Eigen::MatrixX2d curved_slip_of(const RailPatch& patch, const WheelsetPos
     return rows;
 }
 
-/// The contact patch as friction takes it: its outline in the axes (x, s) of its plane.
+/// The contact patch in the form for friction: its outline in the axes (x, s) of its plane.
 inline PatchContact<double> contact_of(const RailPatch& patch, const TrackDimensions& dimensions) {
     detail::require(patch.outline.has_value(), "contact_of", "status of the patch", name(patch.status), "be ok");
     return {*patch.outline, dimensions.shear_modulus, dimensions.poisson_ratio};
 }
 
-/// Its pressures, bilinear between the centres of the cells.
+/// The pressures of a patch, bilinear between the centres of the cells.
 inline PressureGrid<double> pressure_of(const RailPatch& patch) {
     const CellGrid& grid = patch.grid;
     return {Eigen::ArrayXd::LinSpaced(grid.nx, grid.x(0), grid.x(grid.nx - 1)),
@@ -111,23 +111,23 @@ public:
     using Side = WheelsetSide;
     static constexpr std::array<Side, 2> sides{Side::left, Side::right};
 
-    /// Mirror images of each other.
+    /// Both wheels on both rails, as mirror images of each other.
     explicit WheelsetOnTrack(const WheelOnRail& both) : WheelsetOnTrack(both, both) { is_mirrored_ = true; }
-    /// The left one as its mirror image, a right wheel on a right rail. Where radii of tape circles differ, heights of
-    /// the wheelset are for that of the right wheel, those of a wheel for its own.
+    /// The left wheel is given as its mirror image, a right wheel on a right rail. If radii of tape circles differ,
+    /// heights of the wheelset refer to the right wheel's radius, heights of a wheel to its own.
     WheelsetOnTrack(WheelOnRail left, WheelOnRail right) : wheels_{std::move(left), std::move(right)} {}
 
-    /// Whether the left wheel and rail are mirror images of the right ones, known by how the wheelset was made.
+    /// Whether the left wheel and rail are mirror images of the right ones, which the choice of constructor determines.
     bool is_mirrored() const { return is_mirrored_; }
     const WheelOnRail& wheel(Side side = Side::right) const { return wheels_[std::size_t(side)]; }
-    /// By how much a wheel's height exceeds that of the wheelset [m].
+    /// Height of a wheel minus height of the wheelset [m].
     double height_above(Side side) const { return wheel(side).dimensions().radius - wheel().dimensions().radius; }
 
     struct Workspace {
         std::array<WheelOnRail::Workspace, 2> wheels;
     };
 
-    /// What follows from the loads; the rest is that of the position.
+    /// Unknowns that follow from the loads; the rest is given by the position.
     enum class Free {
         height_and_roll,  ///< a wheelset on its rails
         height,           ///< of each wheel for itself, at the given roll
@@ -139,9 +139,9 @@ public:
         /// Left, right, each as on the right wheel: y, angle, roll, yaw and lateral quantities of the left one
         /// reversed.
         std::array<WheelOnRail::Contact, 2> wheels;
-        Status status = Status::not_finite;  ///< of the worse
+        Status status = Status::not_finite;  ///< the worse of both wheels
 
-        /// The position as a wheel sees it.
+        /// The position in the sense of one wheel.
         WheelsetPosition seen(Side side) const {
             WheelsetPosition at = seen_from(side, position);
             at.height = wheels[std::size_t(side)].height;
@@ -149,7 +149,7 @@ public:
         }
     };
 
-    /// A position as the wheel of one side sees it: reversed for the left one.
+    /// A position in the sense of the wheel of one side: reversed for the left one.
     static WheelsetPosition seen_from(Side side, const WheelsetPosition& position) {
         return mirrored(position, Mirror::of(side));
     }
@@ -157,7 +157,8 @@ public:
         return mirrored(speeds, Mirror::of(side));
     }
 
-    /// Where normal forces carry the wheels' vertical loads [N], left and right, at this lateral position and yaw.
+    /// Position and contacts in which normal forces carry the wheels' vertical loads [N], left and right, at this
+    /// lateral position and yaw.
     Contacts solve(WheelsetPosition position, const std::array<double, 2>& loads, Workspace& workspace,
                    Free free = Free::height_and_roll, const WheelOnRail::Options& options = {}) const;
     [[deprecated("solve")]] Contacts carry(const WheelsetPosition& position, const std::array<double, 2>& loads,
@@ -174,7 +175,7 @@ private:
 inline auto WheelsetOnTrack::solve(WheelsetPosition position, const std::array<double, 2>& loads, Workspace& workspace,
                                    Free free, const WheelOnRail::Options& options) const -> Contacts {
     Contacts contacts;
-    // by how much the right wheel's height exceeds the left one's; a roll lowers the right wheel, so that it falls
+    // height of the right wheel minus height of the left one; a roll lowers the right wheel, so that the gap falls
     const auto gap = [&](double roll) {
         position.roll = roll;
         for (const Side side : sides) {

@@ -1,4 +1,4 @@
-// ContactTable: its numbers, how they are interpolated, and files. Internal; include vehicle/contact_table.hpp.
+// ContactTable: its numbers, their interpolation, and files. Internal; include vehicle/contact_table.hpp.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -40,17 +40,16 @@ namespace rollbem {
 /// Friction of one wheel.
 struct WheelFriction {
     double coefficient = 0.3;                                   ///< mu [-]
-    std::array<double, ContactZones::most> factor{1, 1, 1, 1};  ///< of mu in each zone [-]
-    const ReducedFriction* reduced = nullptr;                   ///< that of wet or dirty rails, if any
+    std::array<double, ContactZones::most> factor{1, 1, 1, 1};  ///< factor of mu in each zone [-]
+    const ReducedFriction* reduced = nullptr;                   ///< reduced friction of wet or dirty rails, if any
 
     WheelFriction(double mu = 0.3) : coefficient(mu) {}  // NOLINT: a number is friction
 };
 
-/// What a wheel carries.
+/// The load of a wheel.
 struct WheelLoad {
-    double vertical;  ///< Q [N], of normal forces and friction
-    /// Roll of the wheelset [rad], by ContactTable::on_rails. Empty: that of equal loads, which each wheel takes by its
-    /// own.
+    double vertical;  ///< Q [N], carried by normal forces and friction
+    /// Roll of the wheelset [rad], from ContactTable::on_rails. Empty: each wheel takes the roll of equal loads.
     std::optional<double> roll{};
 
     WheelLoad(double Q, std::optional<double> rolled = {}) : vertical(Q), roll(rolled) {}  // NOLINT: a number is a load
@@ -58,7 +57,7 @@ struct WheelLoad {
 
 /// Forces of the rail on one wheel.
 struct WheelForces {
-    /// What a wheel does in one zone of the rail, as on the right wheel.
+    /// Contact of a wheel in one zone of the rail, as on the right wheel.
     struct Point {
         double load_share = 0;        ///< of the wheel's vertical load, without friction [-]; 0: no contact, no numbers
         std::array<double, 3> arm{};  ///< of the point from the middle of the axle, in track axes [m]
@@ -66,14 +65,14 @@ struct WheelForces {
         double rolling_radius = 0;    ///< [m]
         double rail_y = 0, wheel_y = 0;              ///< of the point in both profiles [m]
         double normal_load = 0;                      ///< N [N]
-        double peak_pressure = 0;                    ///< of the zone [Pa]
+        double peak_pressure = 0;                    ///< largest pressure in the zone [Pa]
         PatchContact<double> ellipse{{1, 1, 1, 0}};  ///< equivalent ellipse used for the creep forces
         Creepage<double> creepage{};                 ///< wheel minus rail, as creepage_of
         TangentialForce<double> force{};             ///< on the wheel, in the plane [N], [N m]
-        double heat = 0;                             ///< that friction makes [W]
+        double heat = 0;                             ///< heat of friction [W]
     };
 
-    /// What a derivative of the forces is taken with respect to.
+    /// Inputs by which the forces are differentiated.
     enum Input : Eigen::Index {
         lateral,
         yaw,
@@ -89,23 +88,27 @@ struct WheelForces {
         inputs
     };
 
-    /// In track axes F_x, F_y, F_z [N], and M_x, M_y, M_z [N m] about the middle of the axle. Those of normal forces
-    /// alone if the status is invalid_step, else NaN unless ok.
+    /// In track axes F_x, F_y, F_z [N], and M_x, M_y, M_z [N m] about the middle of the axle. If the status is
+    /// invalid_step, normal forces alone; otherwise NaN unless ok.
     Eigen::Matrix<double, 6, 1, Eigen::DontAlign> force =
         Eigen::Matrix<double, 6, 1, Eigen::DontAlign>::Constant(std::numeric_limits<double>::quiet_NaN());
-    /// Their derivatives, a column for each Input in SI units; exact, to the digits of single precision, but at jumps of
-    /// higher derivatives.
+    /// Derivatives of the force, a column for each Input in SI units; exact, to the digits of single precision, except
+    /// at jumps of higher derivatives.
     Eigen::Matrix<double, 6, inputs, Eigen::DontAlign> tangent =
         Eigen::Matrix<double, 6, inputs, Eigen::DontAlign>::Zero();
     std::array<Point, ContactZones::most> points;
-    double heat = 0;  ///< of all points [W]
-    /// The load lies between those of the table. If not, places and shares are those of its border, with an unknown
-    /// error.
+    double heat = 0;  ///< heat of friction at all points [W]
+    /// The load lies between the loads of the table. If not, places and shares are taken at the table's border, with an
+    /// unknown error.
     bool load_on_table = false;
-    /// wrong_table (the position, or the shift that a roll amounts to, lies beyond the table, no zone carries there, or
-    /// Poisson's ratios differ), invalid_load (load or mu is negative), invalid_step (the wheel does not roll: the mean
-    /// of its speed and the circumferential one is 0), not_finite, no_solution (the rail cannot carry the load: friction
-    /// holds the wheel up)
+    /// Status of the look-up, other than ok:
+    ///
+    /// - wrong_table: the position, or the shift equivalent to the roll, lies beyond the table, no zone carries there,
+    ///   or Poisson's ratios differ;
+    /// - invalid_load: load or mu is negative;
+    /// - invalid_step: the wheel does not roll, as the mean of its speed and its circumferential speed is 0;
+    /// - not_finite;
+    /// - no_solution: the rail cannot carry the load, as friction holds the wheel up.
     Status status = Status::not_finite;
 
     auto derivative(Input input) const { return tangent.col(input); }
@@ -115,15 +118,15 @@ namespace detail {
 class WheelLookUp;
 }
 
-/// Geometry of contact by look-up. The rail is parted into zones; for each of them the table has the place, mean
-/// normal, rolling radius and share of the load of the pressures in it, and an ellipse for their creep forces. A left
-/// wheel that is the mirror image of the right one has no numbers of its own.
+/// Geometry of contact by look-up. The rail is divided into zones. For each zone the table has the place, mean normal,
+/// rolling radius and load share of the pressures in it, and an ellipse for their creep forces. A left wheel that is
+/// the mirror image of the right wheel has no numbers of its own.
 ///
-/// Along the shift and the cube root of the load values follow local cubics, over the yaw polynomials in yaw^2, as
-/// straight rails make the contact at -yaw the mirror image, across the track, of the one at yaw. All are C1, and
-/// shares of the load do not overshoot. Zones have integrals of the pressures, so that forces stay continuous where
-/// patches merge, part or vanish. Beyond its loads the table has the geometry of its border, and ellipses that grow
-/// with N^(1/3). Immutable: threads may share it.
+/// Values are interpolated by local cubics along the shift and the cube root of the load, and by polynomials in yaw^2
+/// along the yaw: on straight rails the contact at -yaw is the mirror image, across the track, of the contact at yaw.
+/// All are C1, and shares of the load do not overshoot. Zones have integrals of the pressures, so that forces stay
+/// continuous where patches merge, part or vanish. Beyond its loads the table keeps the geometry of its border, and
+/// ellipses grow with N^(1/3). Immutable: threads may share it.
 class ContactTable {
 public:
     /// Coordinates of the nodes.
@@ -136,21 +139,22 @@ public:
         std::vector<double> loads;   ///< vertical, of each wheel [N]
 
         Eigen::Index nodes() const { return Eigen::Index(shifts.size() * yaws.size() * loads.size()); }
-        /// For each load in turn all yaws, for each yaw all shifts.
+        /// Index of a node. Shifts follow one another fastest, then yaws, then loads.
         Eigen::Index node(std::size_t load, std::size_t yaw, std::size_t shift) const {
             return Eigen::Index((load * yaws.size() + yaw) * shifts.size() + shift);
         }
     };
     static constexpr std::size_t most_yaws = 8, most_loads = 8;
 
-    /// Of the right wheel, or of the left one as a right wheel.
+    /// Numbers of the right wheel, or of the left wheel as a right wheel.
     struct Side {
-        double radius = 0;  ///< of the tape circle [m]
+        double radius = 0;  ///< radius of the tape circle [m]
         ContactZones zones{};
-        /// Height of the wheel, z_ws + support_y roll, and roll of the wheelset, of equal loads [m], [rad]: 2 x nodes.
+        /// Height of the wheel, z_ws + support_y roll [m], and roll of the wheelset [rad], under equal loads: 2 x
+        /// nodes.
         Eigen::ArrayXXd on_rails{};
-        /// ContactRow, for each zone all nodes; where a zone carries nothing its share is 0 and the rest does not
-        /// count.
+        /// ContactRow, for each zone all nodes; where a zone carries nothing, its share is 0 and its other rows are not
+        /// used.
         Eigen::ArrayXXd points{};
     };
     struct Material {
@@ -172,14 +176,14 @@ public:
         Status status = Status::not_finite;  ///< or wrong_table: the position lies beyond it, or it has one load
     };
 
-    /// Half the distance of the points at which heights of wheels are taken [m].
+    /// Half the distance between the points at which heights of wheels are taken [m].
     static constexpr double support_y = 0.75;
 
-    /// `sides` are left and right, or one that is both. Throws std::invalid_argument if the grid breaks its invariant,
+    /// `sides` are left and right, or one side for both. Throws std::invalid_argument if the grid breaks its invariant,
     /// numbers of nodes differ, or a value is not finite.
     ContactTable(Grid grid, Material material, std::vector<Side> sides);
 
-    /// From what write() wrote; throws as CreepForceTable::read does.
+    /// Reads the format of write(); throws as CreepForceTable::read does.
     static ContactTable read(std::istream& stream);
     static ContactTable read(const std::filesystem::path& path) { return detail::read_file<ContactTable>(path, name); }
 
@@ -204,27 +208,27 @@ public:
         return std::abs(lateral) <= largest_shift() * (1 + 1e-12) && std::abs(yaw) <= largest_yaw() * (1 + 1e-12);
     }
 
-    /// Where both wheels carry their loads, left and right, which must be positive, with normal forces. The position
-    /// must be covered.
+    /// Height and roll at which both wheels carry their loads, left and right, by normal forces. Loads must be
+    /// positive. The position must be covered.
     OnRails on_rails(double lateral, double yaw, const std::array<double, 2>& loads) const noexcept;
-    /// Under equal loads, the middle one of the table.
+    /// Height and roll under equal loads, the middle load of the table.
     OnRails on_rails(double lateral, double yaw) const noexcept {
         const double load = grid_.loads[grid_.loads.size() / 2];
         return on_rails(lateral, yaw, {load, load});
     }
-    /// What a wheel carries at a height of its own, z_ws + support_y roll (left: minus), by normal forces. Profiles are
-    /// taken to meet as they do under equal loads.
+    /// Load that a wheel carries by normal forces at a height of its own, z_ws + support_y roll (left: minus). Profiles
+    /// are assumed to meet as they do under equal loads.
     Support support(WheelsetSide side, double lateral, double yaw, double height) const noexcept;
 
-    /// The forces of one wheel. Lateral shift and yaw of `position` count; vertical speed and roll rate are those that
-    /// the vehicle has, for one that follows its rails those of on_rails(). Normal forces follow from the load, sum of
-    /// N cos delta - F_s sin delta, by Newton's method. Below 1e-100 N a wheel carries nothing; above 1e150 N the
-    /// status is invalid_load. Does not allocate.
+    /// The forces of one wheel. Lateral shift and yaw of `position` count. Vertical speed and roll rate are the
+    /// vehicle's; for a vehicle that follows its rails they follow from on_rails(). Normal forces follow from the load,
+    /// the sum of N cos delta - F_s sin delta, by Newton's method. Below 1e-100 N a wheel carries nothing; above 1e150
+    /// N the status is invalid_load. Does not allocate.
     template <std::same_as<double> Scalar = double>  // for rollbem::compiled
     WheelForces look_up(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
                         const WheelsetSpeeds& speeds, const WheelLoad& load,
                         const WheelFriction& friction) const noexcept;
-    /// The same without tangents, whose matrix is zero, in less time.
+    /// Forces without tangents (the matrix is zero), in less time.
     template <std::same_as<double> Scalar = double>
     WheelForces forces(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
                        const WheelsetSpeeds& speeds, const WheelLoad& load,
@@ -237,17 +241,17 @@ private:
     static constexpr const char* magic = "rollbem contact geometry";
     static constexpr std::uint32_t version = 2;
 
-    /// Whole packets of four numbers.
+    /// Number of rows in whole packets of four numbers.
     static constexpr int packed_rows = (static_cast<int>(ContactRow::rows) + 3) / 4 * 4;
-    /// Numbers as they are looked up: rows of points over their means in single precision, which halves the memory that
-    /// a look-up touches, filled where zones carry nothing; slopes by the shift.
+    /// Numbers in the form used by look-ups: rows of points over their means in single precision, which halves the
+    /// memory that a look-up touches, filled in where zones carry nothing; and slopes by the shift.
     struct Stored {
         Side given;
         ContactRow::Values means;
         Eigen::Array<float, packed_rows, Eigen::Dynamic> points, slopes;
         Eigen::ArrayXXd on_rails_slopes;
-        /// Whether a zone carries a load at any node on either side of an interval between shifts, for each zone all of
-        /// them.
+        /// Whether a zone carries a load at any node on either side of an interval between shifts: all intervals of a
+        /// zone, then the next zone.
         std::vector<char> carrying;
 
         bool carries(Eigen::Index zone, std::size_t interval) const {
@@ -257,7 +261,7 @@ private:
     std::size_t index_of(WheelsetSide side) const { return is_mirrored() ? 0 : std::size_t(side); }
     Stored stored(Side side) const;
 
-    /// A place on the grid but for the load.
+    /// A place on the grid, without the load.
     struct Cell {
         std::size_t shift;
         detail::HermiteWeights along;
@@ -271,16 +275,16 @@ private:
     struct Sample {
         Eigen::Array<double, Rows, 1, Eigen::DontAlign> value, by_shift, by_yaw;
     };
-    /// Rows of a field with slopes, at the nodes of one load from `first` on.
+    /// Rows of a field with slopes, at the nodes of one load, which begin at `first`.
     template <int Rows, class Field>
     Sample<Rows> sample(const Cell& at, const Field& values, const Field& slopes, Eigen::Index row,
                         Eigen::Index first) const noexcept;
-    /// Rows of a point over their means, at the place under one load of the table.
+    /// Rows of a point over their means, at the place, under one load of the table.
     struct LoadedRows {
         Eigen::Array<double, packed_rows, 1> value, by_shift, by_yaw;
     };
     using RowsByLoad = std::array<LoadedRows, most_loads>;
-    /// Without derivatives their numbers are left as they are.
+    /// Without `derivatives`, the derivatives in `found` are left unchanged.
     template <bool derivatives>
     void sample_rows(const Cell& at, const Stored& side, Eigen::Index zone, RowsByLoad& found) const noexcept;
     Eigen::Index first_node(std::size_t load) const { return grid_.node(load, 0, 0); }
@@ -337,8 +341,8 @@ inline ContactTable::ContactTable(Grid grid, Material material, std::vector<Side
 
 namespace detail {
 
-/// Where a zone carries nothing, its rows but the share are those of the nearest node of its line that carries; lines
-/// without any have those of the nearest line. `points` are the nodes of one zone.
+/// Where a zone carries nothing, its rows except the share are copied from the nearest node on its line that carries;
+/// lines without such a node are copied from the nearest line. `points` are the nodes of one zone.
 inline void fill_zone(const ContactTable::Grid& grid, Eigen::Ref<Eigen::ArrayXXd> points) {
     const auto shifts = Eigen::Index(grid.shifts.size()), yaws = Eigen::Index(grid.yaws.size()),
                loads = Eigen::Index(grid.loads.size());
@@ -368,7 +372,7 @@ inline void fill_zone(const ContactTable::Grid& grid, Eigen::Ref<Eigen::ArrayXXd
     for (Eigen::Index line = 0; line < yaws * loads; ++line) {
         if (first[std::size_t(line)]) continue;
         Eigen::Index nearest = -1;
-        const auto apart = [&](Eigen::Index other) {  // a load nearer first
+        const auto apart = [&](Eigen::Index other) {  // a nearer load is preferred
             return std::abs(other / yaws - line / yaws) + yaws * std::abs(other % yaws - line % yaws);
         };
         for (Eigen::Index other = 0; other < yaws * loads; ++other) {
@@ -378,7 +382,7 @@ inline void fill_zone(const ContactTable::Grid& grid, Eigen::Ref<Eigen::ArrayXXd
     }
 }
 
-/// Slopes by the shift of each row of each line; of row 0, the share, limited where `limit` is set.
+/// Slopes by the shift of each row of each line; the slopes of row 0, the share, are limited where `limit` is set.
 inline Eigen::ArrayXXd slopes_of(const ContactTable::Grid& grid, const Eigen::ArrayXXd& values, bool limit) {
     const auto shifts = Eigen::Index(grid.shifts.size());
     Eigen::ArrayXXd slopes(values.rows(), values.cols());
@@ -503,7 +507,7 @@ inline auto ContactTable::wheel_on_rails(const Stored& side, double lateral, dou
 
 inline auto ContactTable::on_rails(double lateral, double yaw, const std::array<double, 2>& loads) const noexcept
     -> OnRails {
-    // heights of both wheels at the roll of unequal loads, whose profiles meet the rails as after another shift
+    // heights of both wheels at the roll of unequal loads: profiles meet the rails as at another shift
     struct Wheel {
         double height, by_lateral, by_yaw, by_load, by_roll;
     };
@@ -551,7 +555,7 @@ inline auto ContactTable::support(WheelsetSide side, double lateral, double yaw,
     const auto result = [&](double load, double by_load, double by_lateral, double by_yaw) -> Support {
         return {load, 1 / by_load, -mirror * by_lateral / by_load, -mirror * by_yaw / by_load, Status::ok};
     };
-    // below the first load heights grow with the square of its cube root, from where the wheel touches
+    // below the first load the height depends on the square of the load's cube root, starting where the wheel touches
     const double least = grid_.loads.front();
     const auto first = at(least);
     if (height < first[0]) {
@@ -562,7 +566,7 @@ inline auto ContactTable::support(WheelsetSide side, double lateral, double yaw,
         return result(load, 2 * (height - touch) / (3 * load), first[1], first[2]);
     }
     double low = least, high = grid_.loads.back();
-    if (height >= at(high)[0]) {  // beyond the last one as stiff as there
+    if (height >= at(high)[0]) {  // beyond the last load, the stiffness at the last load
         const auto last = at(high * (1 - 1e-9));
         return result(high + (height - last[0]) / last[3], last[3], last[1], last[2]);
     }

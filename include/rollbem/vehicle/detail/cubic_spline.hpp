@@ -9,7 +9,7 @@
 
 namespace rollbem::detail {
 
-/// Of the four B-splines that overlap an interval, at t = 0 ... 1 in it.
+/// Weights of the four B-splines that overlap an interval, at t = 0 ... 1 in it.
 struct SplineWeights {
     std::array<double, 4> value, slope;  ///< slope by t
 
@@ -19,8 +19,8 @@ struct SplineWeights {
           slope{-(1 - t) * (1 - t) / 2, t * (1.5 * t - 2), 0.5 + t * (1 - 1.5 * t), t * t / 2} {}
 };
 
-/// Turns values at `count` >= 4 nodes, `stride` apart, into the coefficients of the spline that passes through them. At
-/// both ends its second derivative is that of the cubic through four nodes. Value: double, or an array of them.
+/// Turns values at `count` >= 4 nodes, `stride` apart, into the coefficients of the interpolating spline. At both ends
+/// its second derivative is taken from the cubic through four nodes. Value: double, or an array of them.
 template <class Value>
 void to_spline_coefficients(Value* values, std::ptrdiff_t count, std::ptrdiff_t stride, std::vector<double>& factors) {
     const auto at = [&](std::ptrdiff_t i) -> Value& { return values[i * stride]; };

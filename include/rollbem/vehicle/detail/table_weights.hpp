@@ -17,14 +17,15 @@ Value slope_between(const Value& before, double step_before, const Value& after,
     return (before * step_after + after * step_before) * (1 / (step_before + step_after));
 }
 
-/// At most three times the smaller difference, and 0 at extrema: no overshoot (Fritsch and Carlson 1980).
+/// The slope, limited to three times the smaller difference and to 0 at extrema: no overshoot (Fritsch and Carlson
+/// 1980).
 inline double limited(double slope, double before, double after) {
     if (!(before * after > 0)) return 0;
     const double most = 3 * (std::min)(std::abs(before), std::abs(after));
     return std::clamp(slope, -most, most);
 }
 
-/// Cubic Hermite in one interval: of both values, then both slopes; and the derivatives.
+/// Weights of cubic Hermite interpolation in one interval: of both values, then both slopes; and their derivatives.
 struct HermiteWeights {
     std::array<double, 4> value, rate;
 
@@ -36,7 +37,7 @@ struct HermiteWeights {
     }
 };
 
-/// The interval of ascending nodes that holds a place; the first or last one beyond them.
+/// The interval of ascending nodes that holds a place; beyond the nodes, the first or last interval.
 inline std::size_t interval_of(const std::vector<double>& nodes, double at) {
     const auto above = std::upper_bound(nodes.begin() + 1, nodes.end() - 1, at);
     return static_cast<std::size_t>(above - nodes.begin()) - 1;
@@ -48,7 +49,7 @@ struct RowWeights {
     std::array<double, most> value{}, rate{};
 };
 
-/// Polynomials in yaw^2 through all nodes, which are not negative and begin with 0.
+/// Weights of the polynomial in yaw^2 through all nodes, which are not negative and begin with 0.
 template <std::size_t most>
 RowWeights<most> even_weights(const std::vector<double>& yaws, double yaw) {
     RowWeights<most> weights;
@@ -67,7 +68,7 @@ RowWeights<most> even_weights(const std::vector<double>& yaws, double yaw) {
     return weights;
 }
 
-/// Cubic Hermite with slopes by parabolas through three nodes; beyond the nodes constant.
+/// Weights of cubic Hermite interpolation with slopes of parabolas through three nodes; beyond the nodes constant.
 template <std::size_t most>
 RowWeights<most> hermite_weights(const std::vector<double>& nodes, double at) {
     RowWeights<most> weights;
@@ -79,7 +80,7 @@ RowWeights<most> hermite_weights(const std::vector<double>& nodes, double at) {
     const std::size_t i = interval_of(nodes, at);
     const HermiteWeights own(at, nodes[i], nodes[i + 1]);
     const auto step = [&](std::size_t k) { return nodes[k + 1] - nodes[k]; };
-    const auto add_difference = [&](std::size_t k, double value, double rate) {  // of nodes k, k + 1
+    const auto add_difference = [&](std::size_t k, double value, double rate) {  // difference of nodes k, k + 1
         weights.value[k] -= value / step(k);
         weights.value[k + 1] += value / step(k);
         weights.rate[k] -= rate / step(k);

@@ -17,7 +17,7 @@
 
 namespace rollbem::detail {
 
-/// One look-up. Lengths and loads are those of the right wheel; a left one, and rolling backwards, are mirror images.
+/// One look-up. Lengths and loads refer to the right wheel; a left wheel, and rolling backwards, are mirror images.
 class WheelLookUp {
 public:
     WheelLookUp(const ContactTable& table, const CreepForceTable& creep, const WheelFriction& friction, bool tangents)
@@ -41,11 +41,11 @@ public:
     }
 
 private:
-    static constexpr double least_load = 1e-100, most_load = 1e150;  // [N]; under more an ellipse has no size
+    static constexpr double least_load = 1e-100, most_load = 1e150;  // [N]; under a larger load an ellipse has no size
     static constexpr double least_share = 1e-3;
 
-    // A number with its derivatives by all of WheelForces::Input, where tangents are asked for, and, last, by the sum
-    // of the vertical normal loads; or with none.
+    // A number with its derivatives: by all of WheelForces::Input if tangents are asked for, and last by the sum of the
+    // vertical normal loads; or without derivatives.
     template <int partials>
     using Gradient = Eigen::Matrix<double, partials, 1>;
     template <int partials>
@@ -66,7 +66,7 @@ private:
         return constant<partials>(value);
     }
 
-    // --- what is asked
+    // --- inputs
 
     Status take(WheelsetSide side, const WheelsetPosition& position, const WheelsetSpeeds& speeds,
                 const WheelLoad& load) {
@@ -96,9 +96,9 @@ private:
         return table_.covers(position.lateral, position.yaw) ? Status::ok : Status::wrong_table;
     }
 
-    // --- where it is
+    // --- position
 
-    /// The shift at which the profiles meet, the cell, and whether the wheel rolls forward.
+    /// Finds the shift at which the profiles meet, the cell, and whether the wheel rolls forward.
     Status locate() {
         const double radius = side_->given.radius;
         along_ = inputs_[WheelForces::forward] - inputs_[WheelForces::pitch_rate] * radius < 0 ? -1 : 1;
@@ -108,7 +108,7 @@ private:
         }
         shift_ = input<all>(WheelForces::lateral);
         if (has_roll_ && inputs_[WheelForces::load] > 0) {
-            // a roll beyond that of equal loads moves the wheel's profile on the rail
+            // a roll beyond the roll of equal loads moves the wheel's profile on the rail
             const auto table = table_
                                    .wheel_on_rails(*side_, inputs_[WheelForces::lateral], inputs_[WheelForces::yaw],
                                                    inputs_[WheelForces::load])
@@ -130,7 +130,7 @@ private:
             zones_[std::size_t(zone)].carries = side_->carries(zone, cell_.shift);
         }
         if (carry_count() == 0) return Status::wrong_table;
-        if (carry_count() == 1) return Status::ok;  // all of the load
+        if (carry_count() == 1) return Status::ok;  // the only zone carries the whole load
         for (Eigen::Index zone = 0; zone < zones; ++zone) {
             Zone& of = zones_[std::size_t(zone)];
             if (!std::exchange(of.carries, false)) continue;
@@ -157,7 +157,7 @@ private:
         return std::count_if(zones_.begin(), zones_.end(), [](const Zone& of) { return of.carries; });
     }
 
-    /// The rows of a zone at a sum of loads. Odd parts are over the yaw.
+    /// The rows of a zone at a sum of loads. Odd parts are divided by the yaw.
     template <int partials>
     void interpolate(Zone& of, Eigen::Index zone, const RowWeights<ContactTable::most_loads>& weights, double root) {
         using enum ContactRow::Of;
@@ -209,7 +209,8 @@ private:
         return found;
     }
 
-    /// The share of a zone, not negative, before they are divided by their sum: by limited cubics over the loads.
+    /// The share of a zone before normalisation (division by the sum of shares), not negative: by limited cubics over
+    /// the loads.
     template <int partials>
     Dual<partials> share(const Zone& of, double root) const {
         using Number = Dual<partials>;
@@ -268,7 +269,7 @@ private:
     /// All zones at one sum of loads.
     template <int partials>
     struct Pass {
-        Dual<partials> excess;  // of what the zones carry over the load
+        Dual<partials> excess;  // load carried by the zones minus the wheel's load
         bool stands = false;
         std::optional<WheelsetVelocity<Dual<partials>>> velocity;
         std::array<Contact<partials>, ContactZones::most> contacts;
@@ -364,7 +365,7 @@ private:
         return now.status;
     }
 
-    /// The wheel's motion; the roll is that of the position, or of equal loads.
+    /// The wheel's motion; the roll is given, or follows from equal loads.
     template <int partials>
     void move(Pass<partials>& pass, const RowWeights<ContactTable::most_loads>& weights, double root) const {
         using Number = Dual<partials>;
@@ -392,11 +393,11 @@ private:
 
     // --- balance
 
-    /// Vertical normal loads sum up to the one that carries, with friction, the load: Newton's method, whose last step
-    /// is taken along the tangents.
+    /// Finds the sum of vertical normal loads with which normal forces and friction carry the load: Newton's method,
+    /// whose last step is taken along the tangents.
     template <int partials>
     void balance() {
-        // errors are as the square of the last step: in values, but in tangents as the step
+        // errors of values are as the square of the last step, errors of tangents as the step
         constexpr double settled = by_inputs<partials> ? 1e-7 : 1e-5;
         Pass<partials> pass;
         Pass<none> values;
@@ -412,7 +413,7 @@ private:
         result_.status = Status::no_solution;
     }
 
-    /// Without tangents.
+    /// The balance without tangents.
     void balance_values() {
         Pass<none> pass;
         if (!secants(pass)) return balance<one>();
@@ -420,12 +421,12 @@ private:
         finish(pass, 0);
     }
 
-    /// The sum of vertical normal loads by secants on values alone, in single precision and, where no tangents follow,
-    /// then in double; nothing where that is not found at once.
+    /// The sum of vertical normal loads by secants on values alone, first in single precision and, if no tangents
+    /// follow, then in double precision; nothing if the secants do not converge at once.
     std::optional<double> secants(Pass<none>& pass) {
         constexpr double settled = 1e-8, known = 1e-5;
         const double load = inputs_[WheelForces::load], missed = tangents_ ? 3e-8 : settled / 2;
-        double sum = load, last = 0, before = -load, rate = 0;  // nothing carries nothing
+        double sum = load, last = 0, before = -load, rate = 0;  // without normal loads nothing is carried
         is_rough_ = true;
         for (int round = 0; round < 10; ++round) {
             if (at_sum(pass, sum) != Status::ok) break;
@@ -434,7 +435,7 @@ private:
             const double change = excess / rate;
             if (!(std::abs(change) < sum / 2)) break;
             if (!is_rough_ && std::abs(change) <= settled * sum) return sum - change;
-            // friction is nearly a power of the load, so that a secant misses as its curvature over both steps
+            // friction is nearly a power of the load, so that the error of a secant is its curvature over both steps
             if (is_rough_ && std::abs(change * (1 - rate)) * step <= missed * sum * sum) {
                 if (tangents_) return sum - change;
                 is_rough_ = false;
@@ -445,7 +446,7 @@ private:
         return std::nullopt;
     }
 
-    /// Forces of all zones whose vertical normal loads sum up to `sum`, and what they carry beyond the load.
+    /// Forces of all zones whose vertical normal loads sum up to `sum`, and their excess over the load.
     template <int partials>
     Status at_sum(Pass<partials>& pass, double sum) {
         using Number = Dual<partials>;
@@ -480,7 +481,7 @@ private:
         return Status::ok;
     }
 
-    /// A number when the sum has fallen by `change`.
+    /// Value of a number after the sum has fallen by `change`.
     template <int partials>
     static double after(const Dual<partials>& number, double change) {
         if constexpr (partials == none) {
@@ -490,7 +491,7 @@ private:
         }
     }
 
-    /// A point after the last step, so that its numbers agree with the wrench.
+    /// Writes a point as after the last step, so that its numbers agree with the wrench.
     template <int partials>
     void settle(std::size_t zone, const Contact<partials>& of, double change) {
         const auto settled = [&](const Dual<partials>& number) { return after(number, change); };
@@ -512,8 +513,8 @@ private:
                       point.force.lateral * point.creepage.lateral + point.force.moment * point.creepage.spin);
     }
 
-    /// The wrench, with the sum of normal loads as that function of the inputs which keeps the excess at 0; it falls by
-    /// `change`.
+    /// The wrench. The sum of normal loads, which falls by `change`, is the function of the inputs that keeps the
+    /// excess at 0.
     template <int partials>
     void finish(const Pass<partials>& pass, double change) {
         using Number = Dual<partials>;
@@ -555,7 +556,7 @@ private:
             result_.tangent.setZero();
         }
     }
-    /// Of an input in the mirror images.
+    /// Sign of an input in the mirror images.
     double sign_of(Eigen::Index input) const {
         switch (input) {
             case WheelForces::lateral:
@@ -581,7 +582,7 @@ private:
     Dual<all> shift_;
     ContactTable::Cell cell_{0, {0, 0, 1}, {}};
     std::size_t loads_ = 0;
-    std::array<ContactTable::Sample<1>, ContactTable::most_loads> rolls_;  // of equal loads
+    std::array<ContactTable::Sample<1>, ContactTable::most_loads> rolls_;  // rolls of equal loads
     std::array<Zone, ContactZones::most> zones_;
 };
 

@@ -1,4 +1,4 @@
-// One wheel at a node of a contact table: its patches with their laws, friction on them, and what zones make of them.
+// One wheel at a node of a contact table: its patches with their laws, friction on them, and the rows of its zones.
 #pragma once
 
 #include <algorithm>
@@ -19,9 +19,9 @@ namespace rollbem::detail {
 /// A right wheel on its rail.
 struct WheelNode {
     WheelsetPosition at;             ///< as the wheel sees it, with its own height
-    double support = 0;              ///< height of the wheelset plus support_y times the roll [m]
-    double pitch_per_metre = 0;      ///< of the wheelset that rolls freely straight on [rad/m]
-    std::vector<PatchLaws> patches;  ///< none: not found
+    double support = 0;              ///< height of the wheelset, z_ws, plus support_y times the roll [m]
+    double pitch_per_metre = 0;      ///< pitch of the wheelset that rolls freely straight on [rad/m]
+    std::vector<PatchLaws> patches;  ///< empty: not found
 
     double vertical() const { return pressures_of(patches, {}, 0).vertical(); }
 };
@@ -29,7 +29,7 @@ struct WheelNode {
 /// Friction of one wheel in track axes: F_x, F_y [N], and M_z over support_y [N] about the middle of the axle.
 using RollingForces = Eigen::Array3d;
 
-/// Three motions by which zones are judged: straight on, in a curve, and with small creepages.
+/// Three motions by which zones are assessed: straight on, in a curve, and with small creepages.
 inline std::array<WheelsetSpeeds, 3> judged_motions(const WheelNode& node) {
     constexpr double speed = 20, curve = 300, slight = 2e-4;
     const double rolling = speed * node.pitch_per_metre, yaw = node.at.yaw;
@@ -38,7 +38,7 @@ inline std::array<WheelsetSpeeds, 3> judged_motions(const WheelNode& node) {
             {.forward = speed, .pitch_rate = rolling * (1 + slight), .lateral = speed * (yaw + slight)}};
 }
 
-/// By friction on the patches; not finite where there is no result.
+/// Forces of friction on the patches; not finite without a result.
 inline RollingForces forces_of_patches(const WheelNode& node, const WheelsetSpeeds& speeds,
                                        const TrackDimensions& dimensions, double mu) {
     RollingForces sum = RollingForces::Zero();
@@ -46,7 +46,7 @@ inline RollingForces forces_of_patches(const WheelNode& node, const WheelsetSpee
     for (const PatchLaws& of : node.patches) patches.push_back(of.patch);
     const std::vector<PatchForce> forces = patch_forces(patches, node.at, speeds, dimensions, {.coefficient = mu});
     for (std::size_t k = 0; k < patches.size(); ++k) {
-        const PatchForce& own = forces[k];  // none for a patch without an outline
+        const PatchForce& own = forces[k];  // no force of its own for a patch without an outline
         if (own.status != Status::ok) return RollingForces::Constant(std::nan(""));
         const std::array<double, 3> place = creepage_place(patches[k]);
         const double across = own.force.lateral * std::cos(patches[k].angle);
@@ -58,7 +58,7 @@ inline RollingForces forces_of_patches(const WheelNode& node, const WheelsetSpee
     return sum;
 }
 
-/// Rows of all zones; those that carry nothing have a share of 0.
+/// Rows of all zones; zones that carry nothing have a share of 0.
 inline std::vector<ContactRow::Values> zone_rows(const WheelNode& node, const ContactZones& zones,
                                                  const TrackDimensions& dimensions, const CreepForceTable& creep) {
     using enum ContactRow::Of;
@@ -75,7 +75,7 @@ inline std::vector<ContactRow::Values> zone_rows(const WheelNode& node, const Co
         v[arm_y] = pressed.place[1] - node.at.lateral;
         v[arm_z] = pressed.place[2] - node.at.height + dimensions.radius;
     }
-    constexpr double crumb = 1e-5;  // of the load: shares of such zones have no numbers to speak of
+    constexpr double crumb = 1e-5;  // share of the load below which a zone has no meaningful numbers
     for (ContactRow::Values& v : found) {
         v[share] /= carried;
         if (v[share] < crumb) v.setZero();
@@ -83,7 +83,7 @@ inline std::vector<ContactRow::Values> zone_rows(const WheelNode& node, const Co
     return found;
 }
 
-/// By the ellipses of zones.
+/// Forces of friction on the ellipses of the zones.
 inline RollingForces forces_of_zones(const std::vector<ContactRow::Values>& points, const WheelNode& node,
                                      double vertical, const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
                                      const CreepForceTable& creep, double mu) {

@@ -12,7 +12,7 @@ namespace rollbem::detail {
 template <class Number>
 class WheelsetVelocity {
 public:
-    /// As WheelsetSpeeds.
+    /// Speeds in the sense of WheelsetSpeeds.
     struct Speeds {
         Number forward, pitch_rate, lateral, vertical, roll_rate, yaw_rate;
     };
@@ -20,22 +20,23 @@ public:
     WheelsetVelocity(const Speeds& speeds, const Number& roll, const Number& yaw)
         : middle_{speeds.forward, speeds.lateral, speeds.vertical} {
         using std::cos, std::sin;
-        const Number level = speeds.pitch_rate * cos(yaw);  // of the pitch rate, across the track
+        const Number level = speeds.pitch_rate * cos(yaw);  // component of the pitch rate that is level, across the
+                                                            // track
         turn_ = {speeds.roll_rate - speeds.pitch_rate * sin(yaw), level * cos(roll),
                  speeds.yaw_rate + level * sin(roll)};
     }
 
-    const std::array<Number, 3>& middle() const { return middle_; }  ///< of the middle of the axle [m/s]
-    const std::array<Number, 3>& turn() const { return turn_; }      ///< about x, y, z [rad/s]
+    const std::array<Number, 3>& middle() const { return middle_; }  ///< velocity at the middle of the axle [m/s]
+    const std::array<Number, 3>& turn() const { return turn_; }      ///< angular velocity about x, y, z [rad/s]
 
-    /// At a point by its arm from the middle of the axle [m/s].
+    /// Velocity at a point given by its arm from the middle of the axle [m/s].
     std::array<Number, 3> at(const std::array<Number, 3>& arm) const {
         const auto& [r_x, r_y, r_z] = arm;
         const auto& [w_x, w_y, w_z] = turn_;
         return {middle_[0] + w_y * r_z - w_z * r_y, middle_[1] + w_z * r_x - w_x * r_z,
                 middle_[2] + w_x * r_y - w_y * r_x};
     }
-    /// Slip along x and along s = (0, cosine, sine) [m/s], turning about n = (0, -sine, cosine) [rad/s].
+    /// Slip along x and along s = (0, cosine, sine) [m/s], and angular velocity about n = (0, -sine, cosine) [rad/s].
     std::array<Number, 3> slip(const std::array<Number, 3>& arm, const Number& sine, const Number& cosine) const {
         const std::array<Number, 3> v = at(arm);
         return {v[0], v[1] * cosine + v[2] * sine, turn_[2] * cosine - turn_[1] * sine};

@@ -7,7 +7,7 @@
 
 namespace rollbem::detail {
 
-/// Eigen's cast would part the packets of the expression around it.
+/// Converts by packets; Eigen's cast would break up the packets of the expression around it.
 inline Eigen::Array4d widened(const Eigen::Array4f& single) {
     Eigen::Array4d wide;
     for (Eigen::Index i = 0; i < 4; ++i) wide[i] = static_cast<double>(single[i]);
