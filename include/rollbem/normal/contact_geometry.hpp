@@ -1,4 +1,4 @@
-// A wheel and a rail in their places: surfaces, dimensions of the track, origins. SI units.
+// A wheel and a rail in place: surfaces, dimensions of the track, origins. SI units.
 #pragma once
 
 #include <algorithm>
@@ -15,11 +15,11 @@
 
 namespace rollbem {
 
-/// Where profiles are. Track axes: x forward, y to the right, z down, the origin between the rails at the height of
-/// their tops.
+/// Dimensions that place profiles in the track. Track axes: x forward, y to the right, z down, the origin between the
+/// rails at the height of their tops.
 struct TrackDimensions {
     double gauge = 1.435,
-           gauge_depth = 0.014;     ///< between the rails: the least down to this depth below their tops [m]
+           gauge_depth = 0.014;     ///< least distance between the rails down to this depth below their tops [m]
     double flange_back = 1.36;      ///< between the backs of both flanges [m]
     double tape_offset = 0.07;      ///< of the tape circle from the flange's back [m]
     double radius = 0.46;           ///< of the tape circle r0 [m]
@@ -28,15 +28,15 @@ struct TrackDimensions {
     struct Origin {
         double y, z;
     };
-    /// Of the right rail's profile in track axes [m], in place of the gauge: for rollers, rails that change along the
-    /// track, and profiles without an inner side.
+    /// Origin of the right rail's profile in track axes [m], in place of the gauge: for rollers, rails that change
+    /// along the track, and profiles without an inner side.
     std::optional<Origin> rail_origin{};
 };
 
 namespace detail {
 
-/// The place of the rail in the track: where its inner side is narrowest down to gauge_depth below its top, the gauge
-/// is; the top is at z = 0 (EN 13848-1).
+/// The place of the rail in the track: the gauge is measured where the rail's inner side is narrowest down to
+/// gauge_depth below its top; the top is at z = 0 (EN 13848-1).
 inline TrackDimensions::Origin origin_by_gauge(const Profile& rail, const TrackDimensions& d) {
     const auto root = [](double low, double high, const auto& rises) {
         for (int k = 0; k < 60; ++k) (rises((low + high) / 2) ? low : high) = (low + high) / 2;
@@ -103,8 +103,11 @@ public:
     const RailSurface& rail() const { return rail_; }
     const TrackDimensions& dimensions() const { return dimensions_; }
     double compliance() const { return (1 - dimensions_.poisson_ratio) / dimensions_.shear_modulus; }  ///< 1/E* [1/Pa]
-    TrackDimensions::Origin rail_origin() const { return origin_; }  ///< of the right rail in track axes [m]
-    double wheel_origin() const { return wheel_origin_; }  ///< of the right wheel's from the middle of the axle [m]
+    TrackDimensions::Origin rail_origin() const { return origin_; }  ///< origin of the right rail in track axes [m]
+    double wheel_origin() const {
+        return wheel_origin_;
+    }  ///< origin of the right wheel, from the middle of the axle
+       ///< [m]
 
     /// Whether neither the wheel nor the rail changes along the way: contacts are then found on the wheel's silhouette.
     bool is_plain() const { return wheel_.is_round() && rail_.is_straight(); }

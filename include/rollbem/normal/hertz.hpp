@@ -131,15 +131,15 @@ struct UnitStretch {
     Scalar width;
 };
 
-/// Integrals over a part of the interval of sqrt(1 - x^2) and of 1/sqrt(1 - x^2); the latter is the angle of the part,
-/// of pi in total.
+/// Integrals over a part of the interval of sqrt(1 - x^2) and of 1/sqrt(1 - x^2); the second is the angle of the part,
+/// pi in total.
 template <class Scalar>
 struct SemicircleIntegrals {
     Scalar area, angle;
 };
 
-/// Without cancellation at the edges: with x = -cos(theta), mean m and half difference h of theta, the area is (h - sin
-/// h) + sin(h) (1 - cos(h) cos(2m)), a sum of positive terms.
+/// The integrals without cancellation at the edges: with x = -cos(theta), mean m and half difference h of theta, the
+/// area is (h - sin h) + sin(h) (1 - cos(h) cos(2m)), a sum of positive terms.
 template <class Scalar>
 SemicircleIntegrals<Scalar> integrate_semicircle(const UnitStretch<Scalar>& stretch) {
     // sines and cosines of theta/2 at both ends are square roots of half the distances from the ends of the contact

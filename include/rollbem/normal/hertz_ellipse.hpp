@@ -38,7 +38,7 @@ struct EllipticIntegrals {
 
     /// 0 < kappa <= 1, kappa = b/a of an ellipse with the longer semi-axis a.
     explicit EllipticIntegrals(Scalar kappa) {
-        // 1 - E/K = sum of 2^(n-1) c_n^2, c_0 = e; half_sum is what follows the first term, over e^4
+        // 1 - E/K = sum of 2^(n-1) c_n^2, c_0 = e; half_sum is the sum without its first term, over e^4
         Scalar mean = (1 + kappa) / 2, geometric = std::sqrt(kappa), c = (1 - kappa) / 2;
         Scalar term = 1 / (4 * (1 + kappa) * (1 + kappa)), sum = term;
         while (c > std::numeric_limits<Scalar>::epsilon() * mean) {
@@ -91,7 +91,7 @@ std::array<Scalar, 2> integrate_hemisphere(const Rectangle<Scalar>& unit) {
         const Scalar width = ends[part + 1] - ends[part];
         if (!(width > 0)) continue;
         for (Eigen::Index k = 0; k < rule.nodes.size(); ++k) {
-            // with y = 3 u^2 - 2 u^3 the root that the integrand has at a cut becomes smooth
+            // with y = 3 u^2 - 2 u^3 the root of the integrand at a cut becomes smooth
             const Scalar u = (1 + rule.nodes[k]) / 2;
             const Scalar y = ends[part] + width * u * u * (3 - 2 * u);
             const Scalar weight = rule.weights[k] / 2 * width * 6 * u * (1 - u);
@@ -107,7 +107,7 @@ std::array<Scalar, 2> integrate_hemisphere(const Rectangle<Scalar>& unit) {
     return integrals;
 }
 
-/// The share of a Hertzian load that an element carries, and the load times its derivative with respect to the load.
+/// The share of a Hertzian load on an element, and the load times its derivative with respect to the load.
 template <class Scalar>
 std::array<Scalar, 2> hertz_share(Scalar a, Scalar b, const Rectangle<Scalar>& element) {
     const auto [height, inverse] =
@@ -183,7 +183,7 @@ public:
         Scalar load;                 ///< N [N], positive
         Radii radii_1;               ///< of the wheel
         Radii radii_2;               ///< of the rail
-        Scalar angle = 0;            ///< by which the planes of radii_2 are turned about z, from x to y [rad]
+        Scalar angle = 0;            ///< turn of the planes of radii_2 about z, from x to y [rad]
         ElasticBody<Scalar> body_1;  ///< wheel
         ElasticBody<Scalar> body_2;  ///< rail
     };
@@ -197,14 +197,14 @@ public:
     Scalar load() const { return load_; }          ///< N [N]
     Scalar half_length() const { return a_; }      ///< a [m], the semi-axis within 45 degrees of the rolling direction
     Scalar half_width() const { return b_; }       ///< b [m]
-    Scalar approach() const { return approach_; }  ///< of distant points of both bodies [m]
+    Scalar approach() const { return approach_; }  ///< approach of distant points of both bodies [m]
     /// Angle by which the axis a is turned from the rolling direction x towards y [rad], in [-pi/4, pi/4]; 0 if the
     /// principal planes of both bodies agree, or for a circle.
     Scalar turn() const { return turn_; }
     Scalar peak_pressure() const { return 3 * load_ / (2 * std::numbers::pi_v<Scalar> * a_ * b_); }  ///< p0 [Pa]
 
-    /// The ellipse of the same load, area and pressures that rolls along its axis a, which takes the place of a turned
-    /// one in contact(), HertzPatchLoad and CreepForceTable: see rolling_ellipse(), which has its derivatives.
+    /// The ellipse of the same load, area and pressures that rolls along its axis a. It replaces a turned ellipse in
+    /// contact(), HertzPatchLoad and CreepForceTable; see rolling_ellipse(), which has its derivatives.
     HertzEllipse along_rolling() const {
         HertzEllipse other = *this;
         const SemiAxes<Scalar> axes = rolling_ellipse<Scalar>({a_, b_}, turn_).axes;
@@ -215,7 +215,7 @@ public:
     }
 
     /// The contact that rolls along a, with the combined constants of HertzLine::contact. Throws std::invalid_argument
-    /// if the ellipse is turned from the rolling direction: then take that of along_rolling().
+    /// if the ellipse is turned from the rolling direction: then use along_rolling().
     PatchContact<Scalar> contact() const {
         detail::require(std::abs(turn_) <= std::sqrt(std::numeric_limits<Scalar>::epsilon()), "HertzEllipse", "turn",
                         turn_, "be 0: a PatchContact rolls along one of its axes; take along_rolling()");
@@ -312,7 +312,7 @@ ArrayX<Scalar> hertz_pressures(const PatchContact<Scalar>& contact, const std::v
     return detail::ellipse_pressures(contact.half_length(), contact.half_width(), load, elements).mean;
 }
 
-/// The same for the elements of the patch's mesh.
+/// The mean pressures [Pa] of the elements of the patch's mesh.
 template <class Scalar>
 ArrayX<Scalar> hertz_pressures(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh,
                                std::type_identity_t<Scalar> load) {

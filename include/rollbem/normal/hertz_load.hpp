@@ -96,7 +96,8 @@ private:
     // For a contact of half-length a on a fixed mesh. At constant x, dp_n/dP = 1/(pi sqrt(a^2 - x^2)).
     void cover(Scalar load_per_width, Scalar a, NormalLoad<Scalar>& load) const noexcept {
         const Scalar radius = a / *fixed_,
-                     beside = 1 - radius;  // of the contact and of the mesh beyond it, over that of the mesh
+                     beside = 1 - radius;  // half-length of the contact, and length of the mesh beyond it, over the
+                                           // mesh's half-length
         const Scalar peak_times_a = 2 / std::numbers::pi_v<Scalar> * load_per_width;
         const auto& trailing = mesh_.edges_from_trailing();
         const auto& leading = mesh_.edges_from_leading();
@@ -112,7 +113,8 @@ private:
         }
     }
 
-    // For a contact of zero length in the middle of the mesh: it lies in one element, or on the edge between two.
+    // Integrals of a contact of zero length in the middle of the mesh: it lies in one element, or on the edge between
+    // two.
     static detail::SemicircleIntegrals<Scalar> integrate_beginning(const detail::UnitStretch<Scalar>& element) {
         const auto angle = [](Scalar trailing, Scalar leading) {
             const Scalar pi = std::numbers::pi_v<Scalar>;
@@ -121,8 +123,8 @@ private:
         return {0, angle(element.trailing_2, element.leading_2) - angle(element.trailing_1, element.leading_1)};
     }
 
-    // Over the part of an element inside a contact of half-length `radius`. The distances are measured from the ends of
-    // the contact, and negative where the element extends beyond it.
+    // Integrals over the part of an element inside a contact of half-length `radius`. The distances are measured from
+    // the ends of the contact, and negative where the element extends beyond it.
     static detail::SemicircleIntegrals<Scalar> integrate_covered(const detail::UnitStretch<Scalar>& element,
                                                                  Scalar radius) {
         if (element.trailing_2 <= 0 || element.leading_1 <= 0) return {0, 0};

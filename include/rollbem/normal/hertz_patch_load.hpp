@@ -20,8 +20,7 @@
 namespace rollbem {
 
 /// The smallest ellipse [m] that the fixed mesh of a contact resolves, three strips wide and three elements long in the
-/// middle of the mesh. On a narrower one forces are too large, by 15 % at this limit: with 12 x 12 elements at constant
-/// load, b from that of the mesh to 0.38 of it; to 0.05 they double.
+/// middle of the mesh. On narrower ellipses forces are too large (docs/patch.md).
 template <class Scalar>
 SemiAxes<Scalar> least_resolved(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh) {
     const auto half_of_three = [](const auto& lower, const auto& upper) {
@@ -35,8 +34,8 @@ SemiAxes<Scalar> least_resolved(const PatchContact<Scalar>& contact, const Patch
             a * rounding * half_of_three(mesh.lower(), mesh.upper())};
 }
 
-/// Makes the NormalLoad of a load N [N] for the bodies of a HertzEllipse, whose axes must lie along x and y, as those
-/// of HertzEllipse::along_rolling() do.
+/// Makes the NormalLoad of a load N [N] for the bodies of a HertzEllipse, whose axes must lie along x and y, as after
+/// HertzEllipse::along_rolling().
 ///
 ///     const HertzPatchLoad<double> hertz = HertzPatchLoad<double>::breathing(ellipse, contact, mesh);
 ///     NormalLoad<double> load = hertz.at(ellipse.load());
@@ -84,7 +83,8 @@ public:
     /// element.
     Status set(Scalar load, NormalLoad<Scalar>& result) const noexcept { return set(load, semi_axes(load), result); }
 
-    /// The same for other bodies, radii or load; also invalid_load if their axes do not lie along x and y.
+    /// Sets pressures for other bodies, radii or load; the status is also invalid_load if their axes do not lie along x
+    /// and y.
     Status set(const HertzEllipse<Scalar>& ellipse, NormalLoad<Scalar>& result) const noexcept {
         const Scalar load = ellipse.turn() == 0 ? ellipse.load() : std::numeric_limits<Scalar>::quiet_NaN();
         return set(load, {ellipse.half_length(), ellipse.half_width()}, result);
@@ -136,7 +136,7 @@ private:
     }
 
     Status cover(Scalar load, const SemiAxes<Scalar>& ellipse, NormalLoad<Scalar>& result) const noexcept {
-        // without load, a contact far smaller than any element: it begins in the middle
+        // without load, a contact far smaller than any element in the middle
         const Scalar beginning = std::numeric_limits<Scalar>::epsilon();
         const Scalar a = (std::max)(ellipse.half_length, beginning * axes_.half_length),
                      b = (std::max)(ellipse.half_width, beginning * axes_.half_width);
@@ -151,8 +151,8 @@ private:
     }
 
     HertzEllipse<Scalar> ellipse_;
-    SemiAxes<Scalar> axes_;   // for which the mesh was made
-    SemiAxes<Scalar> least_;  // resolved by a fixed mesh
+    SemiAxes<Scalar> axes_;   // semi-axes for which the mesh was made
+    SemiAxes<Scalar> least_;  // smallest semi-axes that a fixed mesh resolves
     std::vector<Rectangle<Scalar>> elements_;
     ArrayX<Scalar> shape_;  // pressures for N = a b = 1
     bool fixed_;

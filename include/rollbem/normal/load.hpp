@@ -20,7 +20,7 @@ bool all_pressures(const ArrayX<Scalar>& values) noexcept {
 
 }  // namespace detail
 
-/// Kept and overwritten by its user, so that no step allocates. Elements without pressure carry no traction: contact
+/// The user keeps and overwrites it, so that no step allocates. Elements without pressure carry no traction: contact
 /// may come and go element by element, and all pressures may be zero.
 template <class Scalar_ = double>
 struct NormalLoad {
@@ -31,13 +31,13 @@ struct NormalLoad {
     ArrayX<Scalar> normal_pressure;
     Scalar half_length = 0;  ///< a [m] of the contact that the mesh covers, positive and finite
     /// d p_n / d load of each element at constant half-length, for the tangent with respect to the load, in any unit of
-    /// load. May be empty if that tangent is not needed.
+    /// load. May be empty if this tangent is not needed.
     ArrayX<Scalar> pressure_rate;
-    /// b [m] of an elliptic patch, positive and finite. 0 stands for that of the state: only where it cannot have
-    /// changed, which is on a line contact, and on a patch if its half-length is that of the state.
+    /// b [m] of an elliptic patch, positive and finite. 0 stands for the state's half-width, only where it cannot have
+    /// changed: on a line contact, and on a patch whose half-length equals the state's.
     Scalar half_width = 0;
 
-    /// Whether it can be the load of a mesh of `element_count` elements: ok or invalid_load.
+    /// Whether the load fits a mesh of `element_count` elements: ok or invalid_load.
     Status check(Eigen::Index element_count) const noexcept {
         const bool sized = normal_pressure.size() == element_count &&
                            (pressure_rate.size() == 0 || pressure_rate.size() == element_count);

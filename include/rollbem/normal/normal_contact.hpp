@@ -36,7 +36,7 @@ public:
 
     struct Solution {
         double load = 0;      ///< [N]
-        double approach = 0;  ///< of the bodies from where h is the gap [m]
+        double approach = 0;  ///< approach of the bodies from the position where h is the gap [m]
         double residual = 0;  ///< the largest |w| where there is pressure, over the approach from the least h
         int steps = 0;
         Status status = Status::not_finite;
@@ -48,21 +48,25 @@ public:
         detail::require_positive("NormalContact", "compliance", compliance);
     }
 
-    /// Carrying `load` [N]. `h` [m] is the gap before deformation in each cell, nx x ny; steps end when no gap where
-    /// there is pressure exceeds `tolerance` times the approach from the least h. If `warm` is set, the present
-    /// pressures, of whatever grid, are the first guess. Otherwise the status is not_converged, or, with all pressures
-    /// 0, no_contact (no load, or one without a displacement in double precision) or not_finite (so are inputs, or
-    /// results would be). Throws std::invalid_argument unless h has the size of the grid, with at least one cell.
+    /// Solves for a load [N]. `h` [m] is the gap before deformation in each cell, nx x ny. Steps end when no gap under
+    /// pressure exceeds `tolerance` times the approach from the least h. If `warm` is set, the present pressures, on
+    /// any grid, are the first guess. Statuses other than ok:
+    ///
+    /// - not_converged;
+    /// - no_contact, with all pressures 0: no load, or a load without a displacement in double precision;
+    /// - not_finite, with all pressures 0: inputs are not finite, or results would not be.
+    ///
+    /// Throws std::invalid_argument unless h has the size of the grid, with at least one cell.
     Solution carry(const CellGrid& grid, const Grid& h, double load, double tolerance = 1e-6, bool warm = false) {
         return solve(grid, h, load, 0, tolerance, warm);
     }
-    /// The same at a given approach [m].
+    /// Solves for a given approach [m].
     Solution approach(const CellGrid& grid, const Grid& h, double approach, double tolerance = 1e-6,
                       bool warm = false) {
         return solve(grid, h, std::nullopt, approach, tolerance, warm);
     }
 
-    const Grid& pressure() const { return p_; }  ///< of the last solution [Pa], nx x ny
+    const Grid& pressure() const { return p_; }  ///< pressures of the last solution [Pa], nx x ny
     double compliance() const { return compliance_; }
 
 private:
@@ -77,7 +81,7 @@ private:
         return none;
     }
 
-    // pressures of another grid, linear between the centres of its cells
+    // moves pressures from another grid, linear between the centres of its cells
     void move_to(const CellGrid& grid) {
         const CellGrid from = std::exchange(grid_, grid);
         if (from.nx == grid.nx && from.ny == grid.ny && from.dx == grid.dx && from.dy == grid.dy) return;
@@ -103,9 +107,9 @@ private:
     }
 
     struct Step {
-        bool grown = false, shrunk = false;  // of the cells that touch
+        bool grown = false, shrunk = false;  // changes of the set of cells in contact
     };
-    // Pressures change by -tau t; cells that no longer push open, and those that overlap touch.
+    // Pressures change by -tau t; cells under tension open, and cells that overlap come into contact.
     Step project(double tau) {
         Step step;
         for (Eigen::Index k = 0; k < p_.size(); ++k) {
@@ -125,7 +129,7 @@ private:
 
     double compliance_;
     detail::GridConvolution convolution_;
-    CellGrid grid_{};  // of p_
+    CellGrid grid_{};  // grid of p_
     Grid p_, h_, u_, g_, t_, q_;
 };
 
@@ -143,7 +147,7 @@ inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const 
     none.status = Status::no_contact;
     if (vanishes(load ? *load : approach - least)) return without(none, grid);
     // Units in which one cell that carries the load, or reaches the approach, has a pressure and a displacement of 1:
-    // the contact has no larger approach, so that gaps above do not close.
+    // the contact has no larger approach, so that gaps above it do not close.
     convolution_.prepare(grid.nx, grid.ny, 1, grid.dy / grid.dx);
     const double softness = compliance_ / std::numbers::pi * grid.dx * convolution_.own();
     const double pressure = load ? *load / cell : (approach - least) / softness;
@@ -161,7 +165,7 @@ inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const 
     return vanishes(result.load) ? without(none, grid) : result;
 }
 
-// The first guess, over `unit`.
+// The first guess, in units of `unit`.
 inline void NormalContact::begin(const CellGrid& grid, bool by_load, bool warm, double unit) {
     if (warm && p_.size() > 0) {
         move_to(grid);
@@ -169,7 +173,7 @@ inline void NormalContact::begin(const CellGrid& grid, bool by_load, bool warm, 
     }
     grid_ = grid;
     if (!warm || p_.size() == 0 || !detail::all_finite(p_) || !(p_ > 0).any()) {
-        // where surfaces overlap, like Hertz's pressure; with a load over all cells, but on a plane gap uniform
+        // like Hertz's pressure where surfaces overlap; with a load, over all cells, and uniform on a plane gap
         const double most = h_.maxCoeff(), level = by_load && most > 0 ? (std::min)(most, 1.0) : 1;
         p_ = (level - h_).cwiseMax(0).sqrt();
         const double area = double((p_ > 0).count()) * grid.dy / grid.dx;
@@ -178,8 +182,8 @@ inline void NormalContact::begin(const CellGrid& grid, bool by_load, bool warm, 
     if (by_load) p_ /= p_.sum();
 }
 
-// Conjugate gradients with projection from the first guess, in units of the load of a cell or of the approach, which is
-// 1; its approach is over the unit of length.
+// Conjugate gradients with projection from the first guess. Units: the load of a cell, or the approach, is 1; the
+// approach of the result is in the unit of length.
 inline NormalContact::Solution NormalContact::iterate(bool by_load, double tolerance) {
     Solution result;
     const auto displace = [&](const Grid& p, Grid& u) {
@@ -189,7 +193,7 @@ inline NormalContact::Solution NormalContact::iterate(bool by_load, double toler
     };
     t_ = Grid::Zero(p_.rows(), p_.cols());
     double last = 1;
-    bool grown = true, known = false;  // whether u_ is that of p_
+    bool grown = true, known = false;  // known: whether u_ belongs to p_
     constexpr int most = 300;
     result.status = Status::not_converged;
     for (result.steps = 1; result.steps <= most; ++result.steps) {
@@ -215,7 +219,7 @@ inline NormalContact::Solution NormalContact::iterate(bool by_load, double toler
         const double bend = ((q_ - level) * t_).sum();
         double tau = bend > 0 ? (g_ * t_).sum() / bend : 0;
         if (!(tau > 0)) {
-            // the direction is used up: from the gradient anew; then each cell that overlaps for itself
+            // the direction is used up: restart from the gradient, then correct each overlapping cell by itself
             if (!std::exchange(grown, true)) continue;
             if (!outside) break;
             t_.setZero();
@@ -223,7 +227,8 @@ inline NormalContact::Solution NormalContact::iterate(bool by_load, double toler
         }
         const Step step = project(tau);
         grown = step.grown;
-        known = !step.grown && !step.shrunk;  // displacements are linear in pressures while the same cells touch
+        known = !step.grown && !step.shrunk;  // displacements are linear in pressures while the set of cells in contact
+                                              // does not change
         if (known) u_ -= tau * q_;
         if (by_load) {
             const double sum = p_.sum();

@@ -56,8 +56,8 @@ public:
     }
 
 private:
-    /// Weights of the values at the knots in the integral from `low` to `high` of what is linear between them; `first`
-    /// belongs to the first weight.
+    /// Weights of the values at the knots in the integral of their linear interpolation from `low` to `high`; `first`
+    /// is the index of the first weight's knot.
     struct Weights {
         Eigen::Index first;
         std::vector<Scalar> values;

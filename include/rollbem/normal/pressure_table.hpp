@@ -1,5 +1,5 @@
 // A normal pressure given at points of the contact, and its mean over elements, for friction problems whose pressure is
-// not that of Hertz.
+// not Hertz's.
 #pragma once
 
 #include <algorithm>
@@ -43,7 +43,7 @@ public:
         return sum;
     }
 
-    /// The pressure at x/a [-], in the unit of the pressures; at a jump, that ahead of it.
+    /// The pressure at x/a [-], in the unit of the pressures; at a jump, the pressure ahead of it.
     Scalar operator()(Scalar x_over_a) const {
         if (detail::is_nan(x_over_a)) return x_over_a;
         const Scalar* const end = x_.data() + x_.size();

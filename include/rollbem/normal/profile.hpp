@@ -1,4 +1,4 @@
-// Profile: the section of a wheel or a rail, a curve through points, smooth but at corners.
+// Profile: the section of a wheel or a rail, a curve through points, smooth except at corners.
 #pragma once
 
 #include <algorithm>
@@ -17,16 +17,20 @@
 
 namespace rollbem {
 
-/// A curve (y(s), z(s)) [m] by the length s along the polygon of its points; y to the right, z down. Of a wheel: the
-/// right one, z = 0 on the tape circle and the flange at negative y. Of a rail: z = 0 at its highest point, and the
-/// inner side of the right one at negative y. It is a cubic spline in both, broken at corners: points where the polygon
-/// turns by more than 30 degrees, and by at most 6 at every other point within 2 mm.
+/// A curve (y(s), z(s)) [m] over the length s along the polygon of its points; y to the right, z down.
+///
+/// - Wheel: the right one, z = 0 on the tape circle and the flange at negative y.
+/// - Rail: z = 0 at its highest point, and the inner side of the right rail at negative y.
+///
+/// It is a cubic spline in both, broken at corners: points where the polygon turns by more than 30 degrees, and by at
+/// most 6 at every other point within 2 mm.
 ///
 /// Invariant: at least 4 points, finite, from 1e-100 to 1e100 from one to the next, and the polygon turns by at most
 /// 150 degrees at each; y grows from the first to the last (moved() keeps their order).
 class Profile {
 public:
-    /// What the curve is: a whole wheel, a whole rail, or a piece that shows neither, as rollers and cut-outs do.
+    /// The use of the curve: a whole wheel, a whole rail, or a piece that need not look like either, such as rollers
+    /// and cut-outs.
     enum class Use { wheel, rail, piece };
 
     struct Point {
@@ -34,12 +38,12 @@ public:
         std::array<double, 2> slope, bend;  ///< d(y, z)/ds [-] and d2(y, z)/ds2 [1/m]
     };
 
-    /// In the order of the curve, from either end. Throws std::invalid_argument if they break the invariant, naming the
-    /// point by its number from 1.
+    /// Takes points in the order of the curve, from either end. Throws std::invalid_argument if they break the
+    /// invariant, naming the point by its number from 1.
     Profile(Eigen::ArrayXd y, Eigen::ArrayXd z, Use use = Use::rail)
         : values_{std::move(y), std::move(z)}, piece_(use == Use::piece) {
         const Eigen::Index n = values_[0].size();
-        constexpr double least = 1e-100;  // of distances: their squares and inverses are numbers
+        constexpr double least = 1e-100;  // least distance: squares and inverses of distances stay numbers
         detail::require(n >= 4, "Profile", "number of points", n, "be at least 4");
         detail::require(values_[1].size() == n, "Profile", "number of z", values_[1].size(), "equal that of y");
         for (Eigen::Index i = 0; i < n; ++i) {
@@ -63,14 +67,15 @@ public:
 
     double length() const { return knots_[knots_.size() - 1]; }
     Eigen::Index size() const { return knots_.size(); }     ///< number of points
-    const Eigen::ArrayXd& s() const { return knots_; }      ///< of the points
-    const Eigen::ArrayXd& y() const { return values_[0]; }  ///< of the points
-    const Eigen::ArrayXd& z() const { return values_[1]; }  ///< of the points
+    const Eigen::ArrayXd& s() const { return knots_; }      ///< s of the points
+    const Eigen::ArrayXd& y() const { return values_[0]; }  ///< y of the points
+    const Eigen::ArrayXd& z() const { return values_[1]; }  ///< z of the points
     /// The numbers of the points at corners, from 0 and growing.
     const std::vector<Eigen::Index>& corners() const { return corners_; }
     bool is_piece() const { return piece_; }
 
-    /// At 0 <= s <= length(), beyond a corner if s is there; outside, the spline of the last interval goes on.
+    /// The point at 0 <= s <= length(), beyond a corner if s is at one; outside, the spline of the last interval goes
+    /// on.
     Point at(double s) const noexcept {
         const double* const inner = knots_.data() + 1;
         const Eigen::Index i = std::upper_bound(inner, inner + knots_.size() - 2, s) - inner;
@@ -99,7 +104,7 @@ public:
         return result;
     }
 
-    /// The mirror image at y = 0: of a left profile, the right one.
+    /// The mirror image at y = 0: the right profile of a left one.
     Profile mirrored() const {
         Profile result = *this;
         result.values_[0] *= -1;
@@ -108,8 +113,8 @@ public:
         return result;
     }
 
-    /// Without the noise of measurement: waves of `wave_length` [m] are halved, shorter ones less remains of (by the
-    /// fourth power of the length), longer ones stay; so do corners. A smoothing spline in y and z. Throws
+    /// The profile without the noise of measurement, by a smoothing spline in y and z. Waves of `wave_length` [m] are
+    /// halved, shorter waves are damped more (by the fourth power of the length), longer waves and corners stay. Throws
     /// std::invalid_argument unless the wave length is positive and finite.
     Profile smoothed(double wave_length) const {
         detail::require_positive("Profile::smoothed", "wave_length", wave_length);
@@ -145,7 +150,7 @@ private:
 
 namespace detail {
 
-/// s of a profile's highest point, where z' = 0, between the points beside its highest one.
+/// s of a profile's highest point, where z' = 0, between the neighbours of its highest given point.
 inline double highest_place(const Profile& profile) {
     Eigen::Index top = 0;
     profile.z().minCoeff(&top);

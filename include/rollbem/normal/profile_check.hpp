@@ -1,4 +1,4 @@
-// Whether a profile can be meant as a wheel or a rail.
+// Checks whether a profile can be a wheel or a rail.
 #pragma once
 
 #include <cmath>
@@ -16,8 +16,8 @@ namespace rollbem {
 
 namespace detail {
 
-/// What is wrong with a profile as a wheel, with its quantity and value; "" if nothing is. `tape` is y of the tape
-/// circle, 70 mm from the flange's back.
+/// The fault of a profile as a wheel, with its quantity and value; "" if there is none. `tape` is y of the tape circle,
+/// 70 mm from the flange's back.
 inline std::string fault_of_wheel(const Eigen::ArrayXd& y, const Eigen::ArrayXd& z, double tape) {
     const auto text = [](const char* quantity, double value, const char* rule) {
         return std::string(quantity) + " = " + to_text(std::round(1e6 * value) / 1e6) + " m must " + rule;
@@ -32,7 +32,7 @@ inline std::string fault_of_wheel(const Eigen::ArrayXd& y, const Eigen::ArrayXd&
         return text("y of the flange's crown (largest z)", y[crown],
                     ("lie in " + to_text(tape - 65e-3) + " to " + to_text(tape - 25e-3) + " m").c_str());
     }
-    // where the curve passes the tape circle, nearest to z = 0
+    // the height where the curve passes the tape circle, nearest to z = 0
     std::optional<double> height;
     for (Eigen::Index i = 1; i < y.size(); ++i) {
         const double from = y[i - 1] - tape, to = y[i] - tape;
@@ -45,7 +45,7 @@ inline std::string fault_of_wheel(const Eigen::ArrayXd& y, const Eigen::ArrayXd&
     return "";
 }
 
-/// What is wrong with a profile as a rail.
+/// The fault of a profile as a rail; "" if there is none.
 inline std::string fault_of_rail(const Eigen::ArrayXd& y, const Eigen::ArrayXd& z) {
     const auto text = [](const char* quantity, double value, const char* rule) {
         return std::string(quantity) + " = " + to_text(std::round(1e6 * value) / 1e6) + " m must " + rule;
@@ -70,7 +70,7 @@ inline std::string look_of_unit(double width, double least, double most) {
     return "";
 }
 
-/// What seems to be wrong, and the options that mend it.
+/// The presumed cause, and the options that correct it.
 inline std::string wheel_remedy(bool mirror_y, bool mirror_z, std::optional<double> offset) {
     std::string seems, options;
     const auto add = [&](const char* what, const std::string& option) {
@@ -89,9 +89,12 @@ inline std::string wheel_remedy(bool mirror_y, bool mirror_z, std::optional<doub
 
 }  // namespace detail
 
-/// Throws std::invalid_argument, with what was found and the remedy, unless the profile can be a whole right wheel: 90
-/// to 180 mm wide, the crown of its flange (largest z) 25 to 65 mm inside the tape circle and at z >= 10 mm, |z| < 2 mm
-/// on the tape circle. This is 70 mm from the flange's back, and the profile's origin `tape_offset` [m]. Pieces pass.
+/// Throws std::invalid_argument, with the fault and its remedy, unless the profile can be a whole right wheel. Pieces
+/// pass.
+///
+/// - Width: 90 to 180 mm.
+/// - Flange: its crown (largest z) lies 25 to 65 mm inside the tape circle, at z >= 10 mm.
+/// - Tape circle: |z| < 2 mm there; it lies 70 mm from the flange's back, and the profile's origin `tape_offset` [m].
 inline void require_wheel(const Profile& wheel, double tape_offset) {
     if (wheel.is_piece()) return;
     const Eigen::ArrayXd &y = wheel.y(), &z = wheel.z();
@@ -113,8 +116,8 @@ inline void require_wheel(const Profile& wheel, double tape_offset) {
                                 ", or --any-shape (Profile::Use::piece) for a piece");
 }
 
-/// Throws std::invalid_argument, with what was found and the remedy, unless the profile can be a whole rail: 30 to 200
-/// mm wide, its top (least z) within 10 mm of z = 0 and higher than both ends. Pieces pass.
+/// Throws std::invalid_argument, with the fault and its remedy, unless the profile can be a whole rail: 30 to 200 mm
+/// wide, its top (least z) within 10 mm of z = 0 and higher than both ends. Pieces pass.
 inline void require_rail(const Profile& rail) {
     if (rail.is_piece()) return;
     const std::string fault = detail::fault_of_rail(rail.y(), rail.z());

@@ -31,12 +31,12 @@ struct ProfileFileOptions {
     double per_metre = 1;                     ///< units of length in a metre, of files with two columns: 1 or 1000
     bool mirror_y = false, mirror_z = false;  ///< the sign of y or z changes
     double smooth = 0;                        ///< wave length [m] as in Profile::smoothed; 0: the points as they are
-    double tape_offset = 0.07;                ///< of the tape circle from a wheel's flange back [m]
+    double tape_offset = 0.07;                ///< distance of the tape circle from a wheel's flange back [m]
 };
 
 struct ProfileFile {
     std::variant<Profile, Sections> curve;
-    std::vector<std::string> notes;  ///< what was cleaned, turned and mirrored, and where, a line each
+    std::vector<std::string> notes;  ///< a line for each cleaning, turn and mirroring, with its place
 };
 
 namespace detail {
@@ -81,7 +81,7 @@ public:
         }
     }
 
-    bool turned() const { return turned_; }      ///< z, by what the shape says
+    bool turned() const { return turned_; }      ///< whether z was turned because the shape demands it
     bool reversed() const { return reversed_; }  ///< whether the profile's first point is the file's last
 
 private:
@@ -162,10 +162,16 @@ inline Sections read_sections(const std::filesystem::path& path, Profile::Use us
 
 }  // namespace detail
 
-/// Reads a profile in any of the formats, which the ending decides: .prr and .prw (SIMPACK), .ban and .whl (MiniProf),
-/// .slcs and .slcw (sections along the track and round the wheel), else two columns. In this order it is cleaned of
-/// artefacts of measurement, mirrored, smoothed and checked by require_wheel or require_rail; sections and pieces are
-/// not checked. Throws std::invalid_argument with the file, the line and what was expected.
+/// Reads a profile in any of the formats. The file's ending decides:
+///
+/// - .prr and .prw: SIMPACK;
+/// - .ban and .whl: MiniProf;
+/// - .slcs and .slcw: sections along the track and round the wheel;
+/// - else two columns.
+///
+/// In this order the profile is cleaned of artefacts of measurement, mirrored, smoothed and checked by require_wheel or
+/// require_rail; sections and pieces are not checked. Throws std::invalid_argument with the file, the line and the
+/// expected content.
 inline ProfileFile read_profile(const std::filesystem::path& path, Profile::Use use,
                                 const ProfileFileOptions& options = {}) {
     detail::require_positive("read_profile", "per_metre", options.per_metre);

@@ -1,4 +1,4 @@
-// One patch of a wheel on a rail, and how it is made of the pressures in a plane.
+// One patch of a wheel on a rail, and how it follows from the pressures in a plane.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace rollbem {
 
 namespace detail {
 
-/// The vertical load that pressures carry [N] in a plane turned by `angle`, along the normals of a surface whose rows
+/// The vertical load [N] of pressures in a plane turned by `angle`, which act along the normals of a surface whose rows
 /// have the slopes dn/ds.
 inline double vertical_load(const Eigen::ArrayXXd& pressure, const CellGrid& grid, const Eigen::ArrayXd& slope,
                             double angle) {
@@ -35,28 +35,28 @@ inline double vertical_load(const Eigen::ArrayXXd& pressure, const CellGrid& gri
 /// patch and pressures are in the axes (x, s) from there.
 struct RailPatch {
     double x = 0, y = 0, z = 0;              ///< reference point, on the rail, in track axes [m]
-    double rail_y = 0, wheel_y = 0;          ///< of it in both profiles [m]
-    double rail_s = 0, wheel_s = 0;          ///< lengths along them up to it [m]
+    double rail_y = 0, wheel_y = 0;          ///< reference point in both profiles [m]
+    double rail_s = 0, wheel_s = 0;          ///< arc lengths of both profiles up to it [m]
     double angle = 0;                        ///< delta of the plane [rad]: s = (0, cos delta, sin delta)
-    double rolling_radius = 0;               ///< r0 + z of the wheel there [m]
+    double rolling_radius = 0;               ///< r0 + z of the wheel at the reference point [m]
     double load = 0;                         ///< integral of the pressures over the plane [N]
     double approach = 0;                     ///< the largest of wheel_n - rail_n over the cells, undeformed [m]
     double peak_pressure = 0;                ///< [Pa]
     double area = 0;                         ///< [m^2]
     double half_length = 0, half_width = 0;  ///< half the extents [m]
-    int steps = 0;                           ///< of the normal problem, the last time
-    double residual = 0;                     ///< of gaps where there is pressure, over the approach
+    int steps = 0;                           ///< number of steps of the last normal problem
+    double residual = 0;                     ///< largest gap under pressure, over the approach
     Status status = Status::not_finite;
-    CellGrid grid{};           ///< of the pressures
+    CellGrid grid{};           ///< grid of the pressures
     Eigen::ArrayXXd pressure;  ///< [Pa], nx x ny
-    /// Of each row of cells, ny: n of the rail's surface, and of the wheel's where it lies deepest, undeformed [m].
+    /// n of the rail's surface in each row of cells (ny), and of the wheel's where it lies deepest, undeformed [m].
     Eigen::ArrayXd rail_n, wheel_n;
-    /// Of each row of cells, ny: dn/ds of the rail's surface [-]. Pressures act along its normals (0, -dn/ds, 1).
+    /// dn/ds of the rail's surface in each row of cells (ny) [-]. Pressures act along its normals (0, -dn/ds, 1).
     Eigen::ArrayXd rail_slope;
     std::optional<Outline<double>> outline;
     bool has_numbers() const { return rollbem::has_numbers(status); }
 
-    /// A vector of the plane's axes in track axes, and the place (x, s, n).
+    /// A vector given in the plane's axes, in track axes, and the place (x, s, n).
     std::array<double, 3> in_track(double along, double across, double normal) const {
         const double sine = std::sin(angle), cosine = std::cos(angle);
         return {along, across * cosine - normal * sine, across * sine + normal * cosine};
@@ -71,11 +71,11 @@ struct RailPatch {
         return angle + std::atan(rail_slope[std::clamp<Eigen::Index>(Eigen::Index(row), 0, grid.ny - 1)]);
     }
     double surface_y(double s) const { return rail_y + s * std::cos(angle); }
-    /// The vertical load that the pressures carry [N].
+    /// The vertical load of the pressures [N].
     double vertical_load() const { return detail::vertical_load(pressure, grid, rail_slope, angle); }
 };
 
-/// Lengths along the profiles stay as they are.
+/// The mirror image of a patch. Lengths along the profiles stay as they are.
 inline RailPatch mirrored(RailPatch patch, const Mirror& mirror) {
     const auto [x, y, z] = mirror.of_vector();
     patch.x *= x;
@@ -96,7 +96,7 @@ inline RailPatch mirrored(RailPatch patch, const Mirror& mirror) {
 
 namespace detail {
 
-/// The pressures of one plane, with the wheel lower than the gaps say.
+/// The pressures of one plane, with the wheel lower than its gaps assume.
 struct PlanePressures {
     const ContactPlane& plane;
     const CellGrid& grid;
@@ -106,7 +106,7 @@ struct PlanePressures {
     double lower;  ///< along n [m]
 };
 
-/// Why pressures cannot be told from what is not known: cells beside them where a surface has no point.
+/// The reason why pressures are doubtful: cells beside them where a surface has no point.
 inline Status border_of(const Gaps& gaps, const Eigen::ArrayXXd& pressure) {
     Status worst = Status::ok;
     if (gaps.all_known) return worst;
@@ -123,7 +123,7 @@ inline Status border_of(const Gaps& gaps, const Eigen::ArrayXXd& pressure) {
     return worst;
 }
 
-/// Extents and area of an outline.
+/// Sets the extents and the area of an outline.
 inline void measure(RailPatch& patch) {
     const Outline<double>& outline = *patch.outline;
     patch.area = outline.area();
@@ -136,7 +136,7 @@ inline void measure(RailPatch& patch) {
     patch.half_length = (ahead - behind) / 2;
 }
 
-/// How far the rail's surface turns across the outline [rad].
+/// The turn of the rail's surface across the outline [rad].
 inline double turn_across(const ContactGeometry& geometry, const ContactPlane& plane, double track_x,
                           const Outline<double>& outline) {
     const auto angle = [&](double s) {
@@ -149,7 +149,7 @@ inline double turn_across(const ContactGeometry& geometry, const ContactPlane& p
 /// The largest depth of the undeformed surfaces over the cells of a piece: where they are smooth, the vertex of the
 /// parabolas through the deepest cell and its neighbours.
 inline double largest_depth(const NormalContact::Grid& h, const Eigen::ArrayXXd& piece) {
-    constexpr double smooth = 0.1;  // across edges of profiles parabolas mean nothing
+    constexpr double smooth = 0.1;  // across edges of profiles parabolas are meaningless
     Eigen::Index i = 0, j = 0;
     double least = (piece > 0).select(h, h.maxCoeff()).minCoeff(&i, &j);
     const auto vertex = [&](double before, double after) {
@@ -161,7 +161,7 @@ inline double largest_depth(const NormalContact::Grid& h, const Eigen::ArrayXXd&
     return -least;
 }
 
-/// What is the same for all pieces of a plane.
+/// The common part of all pieces of a plane.
 inline RailPatch patch_on(const ContactGeometry& geometry, const WheelsetPosition& at, const PlanePressures& of) {
     const ContactPlane& plane = of.plane;
     const PlacedWheel placed = geometry.placed(at);
@@ -186,8 +186,8 @@ inline RailPatch patch_on(const ContactGeometry& geometry, const WheelsetPositio
     return patch;
 }
 
-/// Pressures as patches that every row cuts in one interval. Crumbs, pieces too small for an outline that carry less
-/// than `crumb` [N], are dropped.
+/// Divides pressures into patches that every row cuts in one interval. Crumbs (pieces too small for an outline that
+/// carry less than `crumb` [N]) are dropped.
 inline void add_patches(const ContactGeometry& geometry, const WheelsetPosition& at, const PlanePressures& of,
                         double crumb, std::vector<RailPatch>& patches) {
     constexpr double doubtful = 0.2;  // [rad]

@@ -26,15 +26,18 @@ struct Section {
 };
 
 /// The surface y(s, u), z(s, u), in parts, each between two neighbouring features. Points at equal shares of a part's
-/// length belong together; along u they are joined by cubics. A part is interrupted where a section lacks one of its
+/// length correspond; along u they are joined by cubics. A part is interrupted where a section lacks one of its
 /// features.
 ///
 /// Invariant: at least 2 sections, u grows, and each part is there in at least two neighbouring sections.
 class Sections {
 public:
-    /// How sections are joined: through them, with slopes in u from parabolas through three neighbouring sections
-    /// (one-sided at ends and interruptions); or as the control points of a cubic B-spline with knots u, which has
-    /// another section beyond each end and interruption, by linear extrapolation.
+    /// Interpolation between sections, of one of two kinds:
+    ///
+    /// - through: through the sections, with slopes in u from parabolas through three neighbouring sections (one-sided
+    ///   at ends and interruptions);
+    /// - spline: sections are the control points of a cubic B-spline with knots u, which has another section beyond
+    ///   each end and interruption, by linear extrapolation.
     enum class Interpolation { through, spline };
 
     struct Point {
@@ -57,16 +60,17 @@ public:
     double first() const { return sections_.front().u; }  ///< u of the first section
     double last() const { return sections_.back().u; }
 
-    /// Mean length of a part over the sections that have it [m]; the parameter s runs from 0 to this.
+    /// Mean length of a part over the sections that have it [m]; the parameter s runs from 0 to this length.
     double length(std::size_t part) const { return parts_[part].length; }
 
-    /// Whether a part is there at u: within the sections, and neither of both neighbouring sections lacks it.
+    /// Whether a part exists at u: u lies within the sections, and neither of both neighbouring sections lacks the
+    /// part.
     bool covers(std::size_t part, double u) const noexcept {
         return u >= first() && u <= last() && intervals_with(part, u);
     }
 
-    /// The point of a part at 0 <= s <= length(part); s runs at about unit speed. Where the part is not covered: the
-    /// point at the nearest u where it is, and by_u = 0.
+    /// The point of a part at 0 <= s <= length(part); s runs at about unit speed. Where the part is not covered, the
+    /// point at the nearest u where it is covered, and by_u = 0.
     Point at(std::size_t part, double s, double u) const noexcept {
         const Part& of = parts_[part];
         const std::size_t k = of.nearest[interval(u)];
@@ -74,7 +78,7 @@ public:
         return value(of, k, s, (std::min)((std::max)(t, 0.0), 1.0), t >= 0 && t <= 1 ? 1 / step : 0);
     }
 
-    /// Every section turned and moved, as Profile::moved does.
+    /// The surface with every section turned and moved by Profile::moved.
     Sections moved(double angle, double dy, double dz) const {
         Sections result = *this;
         for (Section& section : result.sections_) section.profile = section.profile.moved(angle, dy, dz);
@@ -87,9 +91,9 @@ public:
 private:
     struct Part {
         double length = 0;
-        std::vector<double> from, lengths;  // in each section; no length: not there
-        std::vector<std::size_t> nearest;   // to each interval between sections, the interval that is covered
-        // weights of the sections before, at both ends of and after an interval: cubics in its share t
+        std::vector<double> from, lengths;  // in each section; a missing part has no length
+        std::vector<std::size_t> nearest;   // for each interval between sections, the nearest interval that is covered
+        // weights of the four sections around an interval (before it, at both ends, after it): cubics in its share t
         std::vector<std::array<std::array<double, 4>, 4>> weights;
     };
 
@@ -149,7 +153,7 @@ private:
 
     static bool covers(const Part& part, std::size_t k) { return part.lengths[k] > 0 && part.lengths[k + 1] > 0; }
 
-    // The interval [u_k, u_{k+1}) of u, or the first or last one.
+    // The interval [u_k, u_{k+1}) that contains u, or the first or last one.
     std::size_t interval(double u) const noexcept {
         const auto after = std::upper_bound(sections_.begin() + 1, sections_.end() - 1, u,
                                             [](double at, const Section& section) { return at < section.u; });
@@ -220,7 +224,7 @@ private:
 
     // The basis functions of the interval, by de Boor's recursion on polynomials in t.
     std::array<std::array<double, 4>, 4> b_spline(const Part& part, std::size_t k) const {
-        std::array<double, 6> u;  // the knots -2 .. 3 from the interval's first
+        std::array<double, 6> u;  // the knots -2 .. 3 counted from the interval's first
         for (int j = 0; j < 6; ++j) u[static_cast<std::size_t>(j)] = knot(part, k, j - 1);
         const double h = u[3] - u[2];
         std::array<std::array<double, 4>, 4> w{};
@@ -228,7 +232,8 @@ private:
         for (std::size_t degree = 1; degree <= 3; ++degree) {
             std::array<std::array<double, 4>, 4> next{};
             for (std::size_t j = 3 - degree; j < 4; ++j) {
-                // N_j of the knots u[j - 1 ...]: the share that rises from its first knot, the next that falls
+                // N_j of the knots u[j - 1 ...]: the rising share of its own first knot, and the falling share of the
+                // next
                 const auto add = [&](std::size_t from, double constant, double slope) {
                     for (std::size_t m = 0; m < 4; ++m) {
                         next[j][m] += constant * w[from][m];

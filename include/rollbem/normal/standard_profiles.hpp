@@ -40,19 +40,19 @@ inline double s1002_height(double y) {
     return 9.519259302 + arc(-49.5, 20.5);
 }
 
-/// The head of a rail before it is canted [mm]: from the middle outwards arcs of radius 300, 80 and 13 that touch at
-/// the joints, and a side 1:20 that touches the last.
+/// The head of a rail before it is canted [mm]. From the middle outwards: arcs of radius 300, 80 and 13, tangent to
+/// each other at the joints, and a side 1:20 tangent to the last arc.
 class RailHead {
 public:
     struct Arc {
-        double y, z, radius;  // of the centre
+        double y, z, radius;  // centre, and radius
         double height(double at) const { return z - std::sqrt(radius * radius - (at - y) * (at - y)); }
     };
 
     RailHead(const Arc& arc_80, const Arc& arc_13)
         : arc_80_(arc_80), arc_13_(arc_13), joint_80_(joint(crown, arc_80)), joint_13_(joint(arc_80, arc_13)) {}
 
-    /// By half the widths at both joints.
+    /// The head of a rail from the half-widths at both joints.
     static RailHead joined_at(double joint_80, double joint_13) {
         const Arc arc_80 = beyond(crown, joint_80, 80);
         return {arc_80, beyond(arc_80, joint_13, 13)};
@@ -68,7 +68,7 @@ public:
     }
 
 private:
-    // Where arcs touch, their centres and the joint lie on one line.
+    // Where arcs are tangent, their centres and the joint lie on one line.
     static double joint(const Arc& in, const Arc& out) {
         return in.y + in.radius * (out.y - in.y) / std::hypot(out.y - in.y, out.z - in.z);
     }
@@ -80,7 +80,8 @@ private:
     static constexpr Arc crown{0, 300, 300};
     Arc arc_80_, arc_13_;
     double joint_80_, joint_13_;
-    double side_ = arc_13_.y + 13 * std::cos(std::atan(0.05));  // where the arc has the slope of the side
+    double side_ = arc_13_.y + 13 * std::cos(std::atan(0.05));  // y of the point where the arc has the slope of the
+                                                                // side
 };
 
 /// The curve z(y) by points at most `step` apart along it; mm in, m out.

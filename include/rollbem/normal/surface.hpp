@@ -1,5 +1,5 @@
-// Surfaces of rail and wheel: curves swept along the track, about a roller's axle or about the wheel's, alike
-// everywhere or changing along the way. Each is known by its curves at constant x, with derivatives along them.
+// Surfaces of rail and wheel: curves swept along the track, about a roller's axle or about the wheel's axle, constant
+// or changing along the way. Each is given by its curves at constant x, with derivatives along them.
 #pragma once
 
 #include <algorithm>
@@ -43,8 +43,8 @@ public:
 
     bool is_straight() const { return radius_ == 0 && !has_sections(); }
     bool has_sections() const { return std::holds_alternative<Sections>(curve_); }
-    double roller_radius() const { return radius_; }  ///< [m], 0 of a rail that is none
-    /// Of a straight rail or a roller.
+    double roller_radius() const { return radius_; }  ///< [m]; 0 if the rail is no roller
+    /// The profile of a straight rail or a roller.
     const Profile& profile() const { return std::get<Profile>(curve_); }
 
     std::size_t parts() const { return has_sections() ? std::get<Sections>(curve_).parts() : 1; }
@@ -70,7 +70,7 @@ public:
         return {p.y, p.z + x * sine / (1 + cosine), {p.slope[0], p.slope[1] / cosine}, true};
     }
 
-    /// sin f up to which a roller is looked at.
+    /// Largest sin f at which a roller is searched.
     static constexpr double steepest = 0.5;
 
 private:
@@ -78,8 +78,8 @@ private:
     double radius_ = 0;
 };
 
-/// A wheel: a curve turned about the axle, (r0 + z(s)) from it at y(s), or curves that change with the angle from the
-/// lowest point towards +x, less the pitch; the same after a turn.
+/// A wheel: a curve turned about the axle, at the distance r0 + z(s) and the place y(s); or curves that change with the
+/// angle from the lowest point towards +x, less the pitch, with a period of one turn.
 class WheelSurface {
 public:
     struct Point {
@@ -91,7 +91,7 @@ public:
     WheelSurface(Sections sections) : curve_(std::move(sections)) {}  // NOLINT: the same
 
     bool is_round() const { return std::holds_alternative<Profile>(curve_); }
-    /// Of a round wheel.
+    /// The profile of a round wheel.
     const Profile& profile() const { return std::get<Profile>(curve_); }
 
     std::size_t parts() const { return is_round() ? 1 : std::get<Sections>(curve_).parts(); }
@@ -114,8 +114,8 @@ private:
     std::variant<Profile, Sections> curve_;
 };
 
-/// A wheel in its place on the track, with the wheelset at height 0: curves at constant x, and the silhouette that a
-/// round wheel shows to a straight rail, where its normal has no component along x.
+/// A wheel in its place on the track, with the wheelset at height 0: curves at constant x, and the silhouette of a
+/// round wheel against a straight rail, where its normal has no component along x.
 class PlacedWheel {
 public:
     /// `origin` [m]: of the profile from the middle of the axle; `radius`: r0 [m].
@@ -130,7 +130,7 @@ public:
           sin_yaw_(std::sin(at.yaw)),
           cos_yaw_(std::cos(at.yaw)) {}
 
-    /// sin theta up to which the wheel is looked at.
+    /// Largest sin theta at which the wheel is searched.
     static constexpr double steepest = 0.5;
 
     struct Place {
@@ -141,10 +141,11 @@ public:
     const WheelSurface& surface() const { return *surface_; }
     double radius() const { return radius_; }
     double middle_x() const { return -sin_yaw_ * origin_; }  ///< x of the tape circle's lowest point [m]
-    /// How far from there contacts are looked for along x [m]: flanks of 4 in 1 touch ahead by the yaw.
+    /// Distance along x from middle_x() within which contacts are searched [m]: flanks of 4 in 1 touch ahead because of
+    /// the yaw.
     double reach_x() const { return 0.1 + radius_ * (std::min)(4 * std::abs(sin_yaw_), steepest); }
 
-    /// Of a round wheel.
+    /// A place on the silhouette of a round wheel.
     Place silhouette(double s) const {
         const Profile::Point p = surface_->profile().at(s);
         const double across = sin_yaw_ * p.slope[1], sine = across == 0 ? 0 : -across / (cos_yaw_ * p.slope[0]);
@@ -152,7 +153,7 @@ public:
         return place(p.y, p.z, sine);
     }
 
-    /// The point s of the curve at x [m], of the wheel's surface before it is placed; nothing where there is none.
+    /// The point s of the curve at x [m], on the wheel's surface before it is placed; nothing where there is none.
     std::optional<WheelSurface::Point> unplaced(std::size_t part, double s, double x) const {
         if (surface_->is_round()) return surface_->at(part, s, 0);
         double sine = x / radius_;
@@ -166,7 +167,7 @@ public:
         }
         return p;
     }
-    /// The same in track axes, the wheelset at height 0.
+    /// The point s of the curve at x [m] in track axes, the wheelset at height 0.
     CurvePoint section(std::size_t part, double s, double x) const {
         const auto p = unplaced(part, s, x);
         return p ? section_of(*p, x) : CurvePoint{0, 0, {0, 0}, false};

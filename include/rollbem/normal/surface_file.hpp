@@ -18,20 +18,20 @@ namespace rollbem {
 
 struct WheelFile {
     WheelSurface surface;
-    std::vector<std::string> notes;  ///< of ProfileFile
+    std::vector<std::string> notes;  ///< notes of ProfileFile
 };
 
 struct RailFile {
     RailSurface surface;
-    std::vector<std::string> notes;  ///< of ProfileFile
+    std::vector<std::string> notes;  ///< notes of ProfileFile
 };
 
-/// How a rail lies in its track.
+/// The position of a rail in its track.
 struct RailPlacing {
-    double cant = detail::usual_cant;  ///< by which it is turned inwards [rad]; 0 for a profile that is canted already
+    double cant = detail::usual_cant;  ///< inward turn [rad]; 0 for a profile that is canted already
     double roller_radius = 0;          ///< [m] from the axle to the profile's z = 0; 0: a rail
-    /// Whether the profile is turned about its origin, as TrackDimensions::rail_origin has it. Else a standard rail has
-    /// its origin at its highest point, turned or not.
+    /// Whether the profile is turned about its origin, in the sense of TrackDimensions::rail_origin. Otherwise a
+    /// standard rail has its origin at its highest point, turned or not.
     bool by_origin = false;
 };
 
@@ -56,7 +56,8 @@ inline void require_no_changes(const std::filesystem::path& name, const ProfileF
 
 }  // namespace detail
 
-/// The right wheel s1002, or one from a file by read_profile, of any shape or checked. Throws std::invalid_argument.
+/// The right wheel s1002, or a wheel from a file by read_profile, of any shape or checked. Throws
+/// std::invalid_argument.
 inline WheelFile open_wheel(const std::filesystem::path& name, const ProfileFileOptions& options = {},
                             bool any_shape = false) {
     if (is_standard_profile(name, Profile::Use::wheel)) {
@@ -68,7 +69,7 @@ inline WheelFile open_wheel(const std::filesystem::path& name, const ProfileFile
     return {std::visit([](auto& curve) { return WheelSurface(std::move(curve)); }, file.curve), std::move(file.notes)};
 }
 
-/// The right rail 60e1, uic60 or 54e1, or one from a file by read_profile, of any shape or checked, canted; as a roller
+/// The right rail 60e1, uic60 or 54e1, or a rail from a file by read_profile, of any shape or checked, canted; a roller
 /// if it has a radius. Throws std::invalid_argument.
 inline RailFile open_rail(const std::filesystem::path& name, const ProfileFileOptions& options = {},
                           const RailPlacing& placing = {}, bool any_shape = false) {

@@ -1,5 +1,4 @@
-// Where a wheel touches a rail and how hard: the patches at a height, and the height at which they carry a load. SI
-// units.
+// Contacts of a wheel on a rail: the patches at a height, and the height at which they carry a load. SI units.
 #pragma once
 
 #include <algorithm>
@@ -42,26 +41,28 @@ public:
         : geometry_(std::move(wheel), std::move(rail), dimensions) {}
 
     struct Options {
-        Eigen::Index cells_x = 40, cells_s = 20;  ///< across what touches; more in patches with two lobes
-        double tolerance = 1e-6;                  ///< of the load, and of gaps over the approach
-        /// If positive, instead: the side [m] of square cells, one centred on the reference point, as CONTACT has.
+        Eigen::Index cells_x = 40, cells_s = 20;  ///< number of cells across the contact; more in patches with two
+                                                  ///< lobes
+        double tolerance = 1e-6;                  ///< relative error of the load, and of gaps over the approach
+        /// If positive, the side [m] of square cells, one centred on the reference point, as in CONTACT; replaces the
+        /// numbers of cells.
         double cell_size = 0;
         /// Whether patches of one wheel displace each other.
         bool interaction = true;
     };
 
-    /// Memory of a solution, and where the search for the next one starts.
+    /// Memory of a solution, and the start of the search for the next one.
     class Workspace {
         friend class WheelOnRail;
-        double approach_ = 0;  // vertical, of the last solution [m]; 0: none
+        double approach_ = 0;  // vertical approach of the last solution [m]; 0: none
         detail::ContactParts parts_;
     };
 
     struct Contact {
-        double height = 0;                   ///< z_ws [m] at which the load is carried
+        double height = 0;                   ///< z_ws at which the load is carried [m]
         std::vector<RailPatch> patches;      ///< by decreasing load
-        double dropped = 0;                  ///< vertical load of crumbs that are no patches [N]
-        Status status = Status::not_finite;  ///< that of the worst patch
+        double dropped = 0;                  ///< vertical load of crumbs too small for patches [N]
+        Status status = Status::not_finite;  ///< status of the worst patch
     };
 
     /// The contact whose pressures carry the vertical load [N] (RailPatch::vertical_load) at this lateral position,
@@ -73,8 +74,8 @@ public:
     Contact solve_for_load(const WheelsetPosition& position, double load, Workspace& workspace) const {
         return solve_for_load(position, load, workspace, Options{});
     }
-    /// The contact at this position and height, whatever it carries; no_contact where the wheel is lifted, too_deep
-    /// where it lies more than a millimetre within the rail.
+    /// The contact at this position and height, under any load; no_contact where the wheel is lifted, too_deep where it
+    /// lies more than a millimetre within the rail.
     template <std::same_as<double> Scalar = double>
     Contact solve_at_height(const WheelsetPosition& position, Workspace& workspace, const Options& options) const;
 
@@ -93,11 +94,14 @@ public:
 
     const ContactGeometry& geometry() const { return geometry_; }
     const TrackDimensions& dimensions() const { return geometry_.dimensions(); }
-    double compliance() const { return geometry_.compliance(); }          ///< 1/E* [1/Pa]
-    double rail_origin() const { return geometry_.rail_origin().y; }      ///< y of the right rail's [m]
-    double wheel_origin() const { return geometry_.wheel_origin(); }      ///< of the right wheel's from the middle [m]
-    const Profile& wheel() const { return geometry_.wheel().profile(); }  ///< of a round wheel
-    const Profile& rail() const { return geometry_.rail().profile(); }    ///< of a straight rail or a roller
+    double compliance() const { return geometry_.compliance(); }      ///< 1/E* [1/Pa]
+    double rail_origin() const { return geometry_.rail_origin().y; }  ///< y of the right rail's origin [m]
+    double wheel_origin() const {
+        return geometry_.wheel_origin();
+    }                                                                     ///< origin of the right wheel, from the
+                                                                          ///< middle [m]
+    const Profile& wheel() const { return geometry_.wheel().profile(); }  ///< profile of a round wheel
+    const Profile& rail() const { return geometry_.rail().profile(); }    ///< profile of a straight rail or a roller
 
 private:
     using Parts = detail::ContactParts;
@@ -114,9 +118,9 @@ private:
     static detail::ContactSettings settings(const Options& options) {
         return {options.cells_x, options.cells_s, options.tolerance, options.cell_size, options.interaction};
     }
-    // Height on coarse grids, to some percent.
+    // Finds the height on coarse grids, roughly.
     static Status approach_load(Parts& parts, double load, double& approach);
-    // The same on fine grids, the wheel lower by `lower` than the gaps say.
+    // Finds the height on fine grids, the wheel lower by `lower` than its gaps assume.
     static Status settle_height(Parts& parts, double load, bool first, double& approach, double& lower);
     static void collect(const Parts& parts, double lower, Contact& contact);
 

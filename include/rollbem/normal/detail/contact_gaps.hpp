@@ -14,20 +14,19 @@ namespace rollbem::detail {
 
 /// Gaps before deformation [m], positive where the surfaces are apart.
 struct Gaps {
-    NormalContact::Grid h;  ///< nx x ny; large where there is none
-    /// n of the rail's surface in each row and its derivative by s, in the middle column where the rail changes along
-    /// x.
+    NormalContact::Grid h;  ///< gaps, nx x ny; a large number where there is none
+    /// n of the rail's surface in each row and its derivative by s; in the middle column if the rail changes along x.
     Eigen::ArrayXd rail_n, rail_slope;
-    /// ok, or why a cell has no gap: end_of_profile, undefined_section, or doubtful_plane where the rail belongs to
-    /// another region.
+    /// ok, or the reason why a cell has no gap: end_of_profile, undefined_section, or doubtful_plane where the rail
+    /// belongs to another region.
     Eigen::Array<Status, Eigen::Dynamic, Eigen::Dynamic> known;
     bool all_known = true;
 };
 
-/// Finds them by Newton's method, each cell from its neighbour; keeps memory from one grid to the next.
+/// Finds gaps by Newton's method, each cell from its neighbour; keeps memory from one grid to the next.
 class GapFinder {
 public:
-    /// `track_x`: of the rail's curve at x = 0; the wheel at `height`.
+    /// `track_x`: the place along the track of the rail's curve at x = 0; the wheel stands at `height`.
     void find(const ContactGeometry& geometry, const PlacedWheel& wheel, double height, double track_x,
               const ContactPlane& plane, const CellGrid& grid, Gaps& gaps) {
         geometry_ = &geometry;
@@ -52,7 +51,7 @@ public:
         for (Eigen::Index j = row; j-- > 0;) find_row(grid, j, gaps, false);
     }
 
-    /// The wheel's s where the plane's origin lies below it.
+    /// s of the wheel's point above the plane's origin.
     static double wheel_place(const PlacedWheel& wheel, double height, const ContactPlane& plane) {
         double s = plane.wheel_s;
         for (int k = 0; k < most; ++k) {
@@ -68,8 +67,8 @@ private:
     static constexpr int most = 12;                     // steps of Newton's method
     static constexpr double tiny = 1e-8, apart = 1e-2;  // [m]
 
-    // ds in the plane along the curve. Surfaces may be steeper than 84 degrees in the plane for a while, not where they
-    // are found.
+    // ds in the plane along the curve. In intermediate steps surfaces may be steeper than 84 degrees in the plane, at
+    // the final point they may not.
     static double rate(const ContactPlane& plane, const CurvePoint& p) {
         return (std::max)(p.slope[0] * plane.cosine + p.slope[1] * plane.sine, 0.1);
     }
@@ -78,8 +77,8 @@ private:
         return std::clamp(off / rate(plane, p), -largest, largest);
     }
 
-    // One step to s at the point p of a curve: n there by the curve's tangent, so that its error is of the second order
-    // in what the place was off, which is returned.
+    // One step to s from the point p of a curve: n at s follows from the curve's tangent, so that its error is of
+    // second order in the distance of p from s, which is returned.
     double approach(const CurvePoint& p, double z, double s, double& place, double& n) const {
         const double off = plane_->s(p.y, z) - s, by = step(*plane_, p, off);
         n = plane_->n(p.y, z) - by * (p.slope[1] * plane_->cosine - p.slope[0] * plane_->sine);

@@ -1,5 +1,5 @@
-// The parts of one contact: regions, each with a plane, a grid over what touches and gaps that hold for a height, and
-// their pressures with the wheel a little lower or higher than that.
+// The parts of one contact: regions, each with a plane, a grid over the cells that may touch and gaps that hold for a
+// height, and their pressures with the wheel a little lower or higher than that height.
 #pragma once
 
 #include <algorithm>
@@ -22,11 +22,11 @@
 
 namespace rollbem::detail {
 
-/// How much of the displacement under one patch another one sees whose normal differs by an angle: 1 in one plane.
-/// Fitted to finite elements of rail and wheel (docs/profiles.md).
+/// The share of the displacement under one patch that acts on another one whose normal differs by an angle: 1 in one
+/// plane. Fitted to finite elements of rail and wheel (docs/profiles.md).
 inline double interaction(double angle) { return (std::max)(0.0, 1 - 1.4 * (1 - std::cos(angle))); }
 
-/// What a contact is solved with.
+/// Settings of a contact's solution.
 struct ContactSettings {
     Eigen::Index cells_x, cells_s;
     double tolerance, cell_size;
@@ -37,9 +37,9 @@ struct ContactSettings {
 struct ContactPart {
     ContactPlane plane{};
     CellGrid grid{};
-    Gaps gaps{};  // at the height of the plane
+    Gaps gaps{};  // gaps at the height of the plane
     NormalContact::Solution solution{};
-    double vertical = 0;  // what the pressures carry of a vertical load [N]
+    double vertical = 0;  // vertical load of the pressures [N]
 };
 
 class ContactParts {
@@ -58,10 +58,10 @@ public:
     bool is_too_deep() const { return geometry_->is_plain() ? silhouette_.is_too_deep() : slices_.is_too_deep(); }
     double height() const { return at_.height; }
 
-    /// As many cells as usual in both directions, times this, from the next refine() on.
+    /// Multiplies the usual number of cells in both directions by this factor, from the next refine() on.
     void set_cells(Eigen::Index times) { cells_ = times; }
 
-    /// Parts at a height, and their loads on coarse grids.
+    /// Divides the contact into parts at a height, and finds their loads on coarse grids.
     void divide(double height) {
         at_.height = height;
         parts_.clear();
@@ -75,9 +75,9 @@ public:
         settle(0, 1e-3, false);
     }
 
-    /// Fine grids over what touches, and planes at a height: in rounds, of which the first follows divide() and the
-    /// first two make grids anew. Where regions have joined or parted meanwhile and `divides` is set, parts are divided
-    /// again; returns the round that this has become.
+    /// Makes fine grids over the cells that may touch, and planes, at a height. Rounds: the first follows divide(), and
+    /// the first two make grids anew. If regions have joined or parted meanwhile and `divides` is set, parts are
+    /// divided again; returns the resulting number of the round.
     int refine(double height, int round, bool divides, bool anew) {
         std::vector<Region> found = regions(height);
         if (found.size() != parts_.size() && divides) {
@@ -109,7 +109,8 @@ public:
         return round;
     }
 
-    /// Loads with the wheel lower than the gaps say, in rounds, as each displaces the surface below the others.
+    /// Finds loads with the wheel lower than its gaps assume, in rounds, as each part displaces the surface below the
+    /// others.
     void settle(double lower, double tolerance, bool warm) {
         const int rounds = parts_.size() > 1 && settings_.interaction ? 4 : 1;
         for (int round = 0; round < rounds; ++round) {
@@ -123,12 +124,12 @@ public:
         }
     }
 
-    /// By how much the wheel is to be lower than the gaps say to carry a vertical load [N]; nothing if that was not
-    /// found.
+    /// The distance by which the wheel must be lower than its gaps assume to carry a vertical load [N]; nothing if it
+    /// was not found.
     std::optional<double> lower_until(double load) {
         if (parts_.empty()) return std::nullopt;
         if (parts_.size() == 1) {
-            constexpr double wall = 1e-3;  // a cosine: what stands so steep carries nothing
+            constexpr double wall = 1e-3;  // a cosine: surfaces as steep as this carry nothing
             ContactPart& part = parts_[0];
             if (!(part.plane.cosine > wall)) return std::nullopt;
             // normals turn across the patch, so that the vertical share of the pressures depends a little on the load
@@ -164,7 +165,7 @@ public:
         return std::nullopt;
     }
 
-    /// The vertical load [N].
+    /// The vertical load of all parts [N].
     double carried() const {
         double sum = 0;
         for (const ContactPart& part : parts_) sum += part.vertical;
@@ -184,9 +185,9 @@ public:
         return false;
     }
 
-    /// By decreasing load, with the wheel lower than the gaps say.
+    /// Patches by decreasing load, with the wheel lower than its gaps assume.
     std::vector<RailPatch> patches(double lower) const {
-        constexpr double crumb = 1e-3;  // of the normal forces
+        constexpr double crumb = 1e-3;  // share of the normal forces
         double load = 0;
         for (const ContactPart& part : parts_) load += part.solution.load;
         std::vector<RailPatch> found;
@@ -218,7 +219,7 @@ private:
         finder_.find(*geometry_, *placed_, at_.height, at_.along, part.plane, part.grid, part.gaps);
     }
 
-    // The gaps of part k with what the loads of the other parts displace, as if each acted at its plane's origin.
+    // The gaps of part k plus displacements by the loads of the other parts, as if each acted at its plane's origin.
     const NormalContact::Grid& displaced(std::size_t k) {
         const ContactPart& part = parts_[k];
         const ContactPlane& here = part.plane;
@@ -247,7 +248,7 @@ private:
         return {cells, cells, middle - half + dx / 2, (plane.low + plane.high - height + dy) / 2, dx, dy};
     }
 
-    // Cells over what touches, with two cells of margin.
+    // Grid over the cells that may touch, with a margin of two cells.
     CellGrid finer(std::size_t k) {
         const auto [left, right, bottom, top] = extents(parts_[k].grid, normal_[k].pressure());
         constexpr Eigen::Index margin = 2, most = 60;
@@ -263,14 +264,14 @@ private:
         // lines across the track end where profiles have edges
         constexpr double line = 10;
         const bool lobes = top - bottom > line * (right - left) || has_lobes(parts_[k].plane);
-        // pieces with too few cells are those that few lines across the track cut
+        // pieces with too few cells are cut by few lines across the track
         const Eigen::Index cells_x = settings_.cells_x * cells_, nx = lobes ? (std::max)(cells_x, most) : cells_x,
                            ny = (lobes ? (std::max)(settings_.cells_s, most) : settings_.cells_s) * cells_;
         const double dx = (right - left) / double(nx - 2 * margin), dy = (top - bottom) / double(ny - 2 * margin);
         return {nx, ny, left + (0.5 - margin) * dx, bottom + (0.5 - margin) * dy, dx, dy};
     }
 
-    // Whether cells are too few for the narrowest lobe of the gap, or there are several.
+    // Whether cells are too few for the narrowest lobe of the gap, or there are several lobes.
     bool has_lobes(const ContactPlane& plane) {
         constexpr Eigen::Index count = 80, least_cells = 10;
         const double ds = (plane.high - plane.low) / count;
@@ -278,14 +279,14 @@ private:
         finder_.find(*geometry_, *placed_, at_.height, at_.along, plane, {1, count, 0, plane.low + ds / 2, ds, ds},
                      row_);
         const Eigen::ArrayXd h = row_.h.row(0);
-        // across the deepest lobe: where the gap has risen by a quarter, a parabola has half its width
+        // across the deepest lobe: a parabola has half its width where the gap has risen by a quarter
         Eigen::Index deepest = 0;
         const double least = h.minCoeff(&deepest);
         Eigen::Index low = deepest, high = deepest;
         while (low > 0 && h[low - 1] < 0.75 * least) --low;
         while (high + 1 < count && h[high + 1] < 0.75 * least) ++high;
         if (double(high - low + 1) / count * 2 * double(settings_.cells_s * cells_) < least_cells) return true;
-        // another valley, deeper than what parts it from this one
+        // another valley, deeper than the ridge between the two
         for (const Eigen::Index step : {-1, 1}) {
             double ridge = least;
             for (Eigen::Index j = deepest + step; j >= 0 && j < count; j += step) {
@@ -296,7 +297,7 @@ private:
         return false;
     }
 
-    // Only parts with a load, and the memory of their pressures.
+    // Keeps only parts with a load, and the memory of their pressures.
     void keep_touching() {
         std::vector<ContactPart> touching;
         for (std::size_t k = 0; k < parts_.size(); ++k) {
@@ -307,7 +308,7 @@ private:
         parts_ = std::move(touching);
     }
 
-    // Regions in the order of the parts that they are nearest to.
+    // Sorts regions in the order of the parts nearest to them.
     void match(std::vector<Region>& found) const {
         for (std::size_t k = 0; k + 1 < parts_.size(); ++k) {
             std::size_t nearest = k;
@@ -338,7 +339,7 @@ private:
     Gaps row_;
     NormalContact::Grid displaced_;
     std::vector<ContactPart> parts_;
-    std::vector<NormalContact> normal_;  // of the parts
+    std::vector<NormalContact> normal_;  // normal problems of the parts
     Eigen::Index cells_ = 1;
 };
 

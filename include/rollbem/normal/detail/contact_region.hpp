@@ -1,4 +1,4 @@
-// Regions where a wheel lies below the surface of its rail, and the plane in which each is solved.
+// Regions where a wheel lies below the surface of its rail, and the planes in which they are solved.
 #pragma once
 
 #include <algorithm>
@@ -16,17 +16,18 @@ namespace rollbem::detail {
 /// The point of the rail nearest to a point of the wheel.
 struct Foot {
     double s, y, z;
-    double depth;                 ///< of the wheel's point below the rail's surface, along its normal [m]
-    std::array<double, 2> slope;  ///< of the curve there
-    bool inside;                  ///< not beyond an end of the curve
+    double depth;                 ///< depth of the wheel's point below the rail's surface, along the surface's normal
+                                  ///< [m]
+    std::array<double, 2> slope;  ///< slope of the curve at the foot
+    bool inside;                  ///< false beyond an end of the curve
 
-    double angle() const { return std::atan2(slope[1], slope[0]); }  ///< of the surface [rad]
+    double angle() const { return std::atan2(slope[1], slope[0]); }  ///< angle of the surface [rad]
 };
 
-/// From a first guess of its place; `x` along the track.
+/// Finds the foot from a first guess of its place; `x` along the track.
 inline Foot foot_on_rail(const ContactGeometry& geometry, std::size_t part, double s, double x, double y, double z) {
     const double length = geometry.rail().length(part);
-    constexpr double enough = 1e-7;  // the depth is of the second order in it
+    constexpr double enough = 1e-7;  // error of the place; the error of the depth is of second order in it
     Foot foot{.s = s, .y = 0, .z = 0, .depth = 0, .slope = {1, 0}, .inside = true};
     for (int k = 0; k < 10; ++k) {
         const CurvePoint p = geometry.rail_at(part, foot.s, x);
@@ -49,43 +50,43 @@ inline Foot foot_on_rail(const ContactGeometry& geometry, std::size_t part, doub
 struct SurfaceCut {
     double wheel_s, x, y, z;
     Foot foot;
-    double width;  ///< the part of the track's y that it stands for [m], times that of x between slices
+    double width;  ///< the cut's share of the track's y [m], times its share of x between slices
 };
 
-/// From and to along the rail's curve [m].
+/// Ends of a stretch of the rail's curve [m].
 struct RailStretch {
     double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
 
     bool contains(double s) const { return s >= low && s < high; }
 };
 
-/// Cuts of one region, those beside the rail's surface with a depth of 0.
+/// Cuts of one region; cuts beside the rail's surface have a depth of 0.
 struct Region {
     std::size_t wheel_part = 0, rail_part = 0;
     std::vector<SurfaceCut> cuts;
-    double x_low = 0, x_high = 0;  ///< of what lies below the rail [m]
-    double power = 2.5;            ///< of the depth in the weights of cuts
-    RailStretch rail{};            ///< what is beyond belongs to other regions
+    double x_low = 0, x_high = 0;  ///< ends of the overlap along x [m]
+    double power = 2.5;            ///< power of the depth in the weights of cuts
+    RailStretch rail{};            ///< the region's stretch; cuts beyond it belong to other regions
 };
 
 /// The plane of contact: its origin on the rail, s along y turned by the angle, n into the rail; and the region in it.
 struct ContactPlane {
     double x = 0, y = 0, z = 0, angle = 0, sine = 0, cosine = 1;
     std::size_t wheel_part = 0, rail_part = 0;
-    double wheel_s = 0, rail_s = 0;  ///< of both curves at the origin
+    double wheel_s = 0, rail_s = 0;  ///< s of both curves at the origin
     double deepest = 0;              ///< the largest depth [m]
     double low = 0, high = 0;        ///< ends of the region along s [m]
     double x_low = 0, x_high = 0;    ///< and along x, from the origin
-    RailStretch rail{};              ///< that of the region
+    RailStretch rail{};              ///< stretch of the region
 
     double s(double y_track, double z_track) const { return (y_track - y) * cosine + (z_track - z) * sine; }
     double n(double y_track, double z_track) const { return (z_track - z) * cosine - (y_track - y) * sine; }
-    /// The distance between the origins.
+    /// The distance between the origins of two planes.
     double distance(const ContactPlane& other) const { return std::hypot(x - other.x, y - other.y, z - other.z); }
 };
 
-/// The rail's surface below a cut, where its reference point is taken: z and angle at the cut's y; on a wall, at its
-/// foot.
+/// The point of the rail's surface below a cut that serves as reference point: z and angle at the cut's y; on a wall,
+/// at the cut's foot.
 struct Below {
     double depth, angle, s;
 };
@@ -103,8 +104,8 @@ inline Below below(const ContactGeometry& geometry, const Region& region, const 
     return at_foot;
 }
 
-/// Means over the region, weighted by widths along the track's y and powers of the depth; `track_x`: of the rail's
-/// curve at x = 0. Nothing of the region may be all of depth 0.
+/// The plane of a region, by means over the region, weighted by widths along the track's y and powers of the depth;
+/// `track_x`: the place along the track of the rail's curve at x = 0. Nothing if all depths of the region are 0.
 inline ContactPlane plane_of(const ContactGeometry& geometry, const Region& region, double track_x) {
     ContactPlane plane;
     double sum = 0, rail_s = 0;
@@ -130,7 +131,7 @@ inline ContactPlane plane_of(const ContactGeometry& geometry, const Region& regi
     plane.wheel_part = region.wheel_part;
     plane.rail_part = region.rail_part;
     plane.rail = region.rail;
-    // the rail's point at y, but on a wall
+    // the rail's point at y, except on a wall
     CurvePoint on_rail = geometry.rail_at(region.rail_part, rail_s, track_x + plane.x);
     for (int k = 0; k < 8 && on_rail.slope[0] > 0.05; ++k) {
         const double step = (plane.y - on_rail.y) / on_rail.slope[0];
@@ -154,7 +155,7 @@ inline ContactPlane plane_of(const ContactGeometry& geometry, const Region& regi
     return plane;
 }
 
-/// Whether two regions share a plane: less than 4 mm along the surface part them, and their normals differ by less than
+/// Two regions share a plane if they are less than 4 mm apart along the surface, and their normals differ by less than
 /// 20 degrees.
 constexpr double joined_distance = 4e-3, joined_angle = 20 * std::numbers::pi / 180;
 
@@ -170,12 +171,13 @@ double mean_angle(Iterator first, Iterator last, double power) {
     return sum > 0 ? angle / sum : 0;
 }
 
-/// Where a run of depths, of cuts or samples in the order of the wheel's curve, holds two contacts: at the least deep
-/// one between two maxima whose surroundings have different normals, if it is that much less deep than both; `last` if
-/// nowhere. Where a wheel yaws, contacts with different normals lie far apart along x, but one run holds them.
+/// The place where a run of depths, of cuts or samples in the order of the wheel's curve, parts into two contacts;
+/// `last` if it holds one. It parts at the minimum between two maxima whose surroundings have different normals, if the
+/// minimum is much less deep than both, by `edge`. Where a wheel yaws, contacts with different normals lie far apart
+/// along x, but one run holds them.
 template <class Iterator>
 Iterator parting(Iterator first, Iterator last) {
-    // depth over the largest at the long edges of an ellipse twelve times as long as wide, as flanges have
+    // depth over the largest depth at the long edges of an ellipse twelve times as long as wide, as on flanges
     constexpr double edge = 0.75;
     const auto deeper = [](const auto& one, const auto& other) { return one.foot.depth < other.foot.depth; };
     const double power = Region{}.power;
@@ -195,8 +197,8 @@ Iterator parting(Iterator first, Iterator last) {
     return found;
 }
 
-/// The height at which the wheel's deepest point is on the rail's surface, from a first guess; deepest(height) returns
-/// its foot, or nullptr if no point is near the rail, where the search ends.
+/// The height at which the wheel's deepest point lies on the rail's surface, from a first guess; deepest(height)
+/// returns the point's foot, or nullptr if no point is near the rail, where the search ends.
 template <class Deepest>
 double touching_height(double height, const Deepest& deepest) {
     constexpr double enough = 1e-8, steepest = 0.05;

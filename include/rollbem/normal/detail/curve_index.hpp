@@ -1,5 +1,5 @@
-// The points of a rail's curves at one x, sorted into square cells, so that the one that faces a point of the wheel is
-// found in a time that does not depend on their number.
+// The points of a rail's curves at one x, sorted into square cells, so that the time to find the point that faces a
+// point of the wheel does not depend on their number.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -13,8 +13,8 @@
 
 namespace rollbem::detail {
 
-/// A point of a curve of a surface in track axes [m], its unit normal, of the rail into it, of the wheel out of it, and
-/// where it lies on the curve.
+/// A point of a curve of a surface in track axes [m], its unit normal (into the rail, out of the wheel), and its place
+/// on the curve.
 struct SurfaceSample {
     double y, z, normal_y, normal_z;
     std::size_t part;
@@ -23,7 +23,7 @@ struct SurfaceSample {
 
 class CurveIndex {
 public:
-    /// How far a sample may lie from the point that asks for it [m].
+    /// Largest distance of a sample from the point for which it is searched [m].
     static constexpr double reach = 2e-3;
 
     void build(std::vector<SurfaceSample> samples) {
@@ -71,7 +71,7 @@ public:
         return found;
     }
 
-    /// z of the highest point above y, to the distance of samples; infinite beside the rail.
+    /// z of the highest point above y, with the resolution of the samples; infinite beside the rail.
     double top(double y) const {
         const double at = (y - low_y_) / column_;
         if (!(at >= 0 && at <= double(tops_.size()) - 1)) return std::numeric_limits<double>::infinity();
@@ -88,7 +88,7 @@ private:
         return std::size_t(std::ptrdiff_t((y - low_y_) / reach) * rows_ + std::ptrdiff_t((z - low_z_) / reach));
     }
 
-    // the highest points on lines of constant y, by the chords between neighbouring samples of a part
+    // Finds the highest points on lines of constant y, by the chords between neighbouring samples of a part.
     void find_tops(double high_y) {
         tops_.assign(std::size_t((high_y - low_y_) / column_) + 2, std::numeric_limits<double>::infinity());
         for (std::size_t k = 1; k < samples_.size(); ++k) {

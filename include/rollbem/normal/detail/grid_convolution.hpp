@@ -20,7 +20,7 @@ public:
     using Grid = Eigen::ArrayXXd;
     using Complex = std::complex<double>;
 
-    /// Another grid; its memory only grows.
+    /// Prepares for another grid; the memory only grows.
     void prepare(Eigen::Index nx, Eigen::Index ny, double dx, double dy) {
         if (nx == nx_ && ny == ny_ && dx == dx_ && dy == dy_) return;
         nx_ = nx;
@@ -34,7 +34,7 @@ public:
         if (column_.size() < (std::max)(height_, half_)) column_.resize((std::max)(height_, half_));
         if (spectrum_.size() < half_ * height_) spectrum_.resize(half_ * height_);
         fft_.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-        Grid corners(nx + 1, ny + 1);  // at ((i - 1/2) dx, (j - 1/2) dy)
+        Grid corners(nx + 1, ny + 1);  // corners at ((i - 1/2) dx, (j - 1/2) dy)
         for (Eigen::Index j = 0; j <= ny; ++j) {
             for (Eigen::Index i = 0; i <= nx; ++i) {
                 corners(i, j) = corner((double(i) - 0.5) * dx, (double(j) - 0.5) * dy);
@@ -78,13 +78,13 @@ public:
     double own() const { return own_; }  ///< the displacement of a cell by a unit pressure on itself
 
 private:
-    // of cells of one quadrant, from corners at x, y that may be negative
+    // value at a corner of cells in one quadrant; x, y may be negative
     static double corner(double x, double y) {
         const double r = std::hypot(x, y);
         return x * std::log((y + r) / std::abs(x)) + y * std::log((x + r) / std::abs(y));
     }
 
-    // no prime factor above 5
+    // smallest size from `least` on without a prime factor above 5
     static Eigen::Index good_size(Eigen::Index least) {
         for (Eigen::Index n = least;; ++n) {
             Eigen::Index rest = n;
@@ -95,12 +95,13 @@ private:
         }
     }
 
-    // row j of the grid, from row_
+    // transforms row j of the grid, from row_
     void transform_row(Eigen::Index j) {
         fft_.fwd(column_.data(), row_.data(), width_);
         spectrum_.segment(j * half_, half_) = column_.head(half_);
     }
-    // frequency k of the rows, of which the first `count` may differ from zero; with the kernel, there and back
+    // transforms frequency k of the rows, of which the first `count` may differ from zero; with the kernel, there and
+    // back
     void transform_column(Eigen::Index k, Eigen::Index count, bool convolve) {
         if (in_.size() < height_) in_.resize(height_);
         if (out_.size() < height_) out_.resize(height_);

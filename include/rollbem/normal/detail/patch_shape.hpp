@@ -19,22 +19,22 @@
 
 namespace rollbem::detail {
 
-/// Where an edge lies, in cells from the centre of cell 0, and whether the pressures tell: not where they are few, nor
-/// where their course has no zero nearby, as across joints of a profile's arcs.
+/// Place of an edge, in cells from the centre of cell 0, and whether the pressures determine it. They do not if they
+/// are few, or if their course has no zero nearby, as across joints of a profile's arcs.
 struct Edge {
     double place;
     bool known;
 };
 
-/// A polynomial by least squares at the centres of cells with pressure along a line, counted from its edge inwards:
-/// what lines of as many cells have in common.
+/// A polynomial by least squares at the centres of cells with pressure along a line, counted from its edge inwards: the
+/// factors common to all lines with the same number of cells.
 struct EdgeFit {
     using Vector = Eigen::Matrix<double, 5, 1>;
     using Matrix = Eigen::Matrix<double, 5, 5>;
-    Eigen::Index skip, used, terms;  // cells left out at both ends, and those that are not
+    Eigen::Index skip, used, terms;  // number of cells left out at both ends; used cells; terms
     double middle, scale;
-    std::vector<double> weights;          // of cells
-    Matrix factors = Matrix::Identity();  // of the normal equations
+    std::vector<double> weights;          // weights of the cells
+    Matrix factors = Matrix::Identity();  // factors of the normal equations
     std::array<Eigen::Index, 5> swaps{};
     Vector of_inverse = Vector::Zero();  // the polynomial of 1 over the distance
 
@@ -75,13 +75,13 @@ struct EdgeFit {
                 c[r] += weights[std::size_t(i)] * values[std::size_t(r)] * squares(i);
             }
         }
-        Matrix own = factors;  // as they are solved by reference
+        Matrix own = factors;  // a copy, as the solution by reference overwrites it
         solve_in_place<double>(own, swaps.data(), c);
         return c;
     }
 };
 
-/// Those of lines on usual grids.
+/// Fits of lines on usual grids.
 inline const std::vector<EdgeFit>& usual_edge_fits() {
     static const std::vector<EdgeFit> fits = [] {
         std::vector<EdgeFit> made;
@@ -91,11 +91,12 @@ inline const std::vector<EdgeFit>& usual_edge_fits() {
     return fits;
 }
 
-/// Along a line of cells the square of the pressure is nearly a polynomial that vanishes at the edge. Cells touch as a
-/// whole or not, wherever the edge runs through them. Where a straight contact ends by d beyond its edge, p^2 at the
-/// distance t from it is A^2 (t + d + d^2/(4 t)); steps of an oblique border add half of the last term, as Hertz's
-/// areas show. `squares` are those of the `count` cells with pressure, counted from the edge inwards. The result is the
-/// distance of the edge behind the centre of the first, between -1/2 (inside) and 1.
+/// Place of the edge on a line of cells: distance of the edge behind the centre of the first cell with pressure,
+/// between -1/2 (inside) and 1. The square of the pressure is nearly a polynomial that vanishes at the edge, but a cell
+/// is either in contact or not; the edge inside it must be reconstructed. If a straight contact ends by d beyond its
+/// edge, p^2 at the distance t from it is A^2 (t + d + d^2/(4 t)); steps of an oblique border add half of the last
+/// term, as the areas of Hertz's contacts confirm. `squares` are the squares of the pressure in the `count` cells with
+/// pressure, counted from the edge inwards.
 template <class Squares>
 Edge edge_distance(const Squares& squares, Eigen::Index count) {
     constexpr double inside = -0.5, outside = 1;
@@ -106,7 +107,7 @@ Edge edge_distance(const Squares& squares, Eigen::Index count) {
     if (!fit.is_known()) return {0.5, false};
     const double middle = fit.middle, scale = fit.scale;
     EdgeFit::Vector c = fit.polynomial(squares);
-    const auto value = [&](double from) {  // of the polynomial, at the distance `from` behind the centre of cell 0
+    const auto value = [&](double from) {  // value of the polynomial at the distance `from` behind the centre of cell 0
         const double t = (-from - middle) / scale;
         return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4])));
     };
@@ -118,14 +119,14 @@ Edge edge_distance(const Squares& squares, Eigen::Index count) {
         }
         return low;
     };
-    const double off = zero() - 0.5;  // of the edge behind that of cell 0
+    const double off = zero() - 0.5;  // distance of the edge behind the edge of cell 0
     c -= (value(inside) - value(-inside)) * off * off / 8 * fit.of_inverse;
     if (!(value(inside) > 0)) return {inside, false};
     if (!(value(outside) < 0)) return {outside, false};
     return {zero(), fit.used > fit.terms};
 }
 
-/// Neighbouring cells of a line with pressure, from the first to the last, and its edges.
+/// Neighbouring cells of a line with pressure, from the first to the last, and the edges of the contact there.
 struct Interval {
     Eigen::Index first, last;
     Edge low, high;
@@ -133,7 +134,7 @@ struct Interval {
     bool contains(Eigen::Index cell) const { return low.place <= double(cell) && double(cell) <= high.place; }
 };
 
-/// Those of a line of `count` cells.
+/// Intervals on a line of `count` cells.
 template <class Pressures>
 std::vector<Interval> intervals(const Pressures& p, Eigen::Index count) {
     std::vector<Interval> found;
@@ -158,7 +159,7 @@ inline std::vector<Interval> column_intervals(const Eigen::ArrayXXd& p, Eigen::I
     return intervals([&](Eigen::Index j) { return p(i, j); }, p.cols());
 }
 
-/// The rectangle about all pressures: x from and to, y from and to.
+/// The rectangle around all pressures: x from and to, y from and to.
 inline std::array<double, 4> extents(const CellGrid& grid, const Eigen::ArrayXXd& p) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     double left = infinite, right = -left, bottom = infinite, top = -bottom;
@@ -204,7 +205,7 @@ public:
     }
 
 private:
-    // three points, but no overshoot
+    // The slope at an end from three points, without overshoot.
     static double end(double first, double second, double h, double k) {
         const double slope = ((2 * h + k) * first - h * second) / (h + k);
         if (!(slope * first > 0)) return 0;
@@ -214,8 +215,8 @@ private:
     std::vector<double> x_, y_, slope_;
 };
 
-/// Pressures as pieces that every row y = const cuts in one interval, heaviest first: each is the chain of intervals in
-/// neighbouring rows that touch which carries most of what is left.
+/// Divides pressures into pieces that every row y = const cuts in one interval, heaviest first: each piece is the chain
+/// of touching intervals in neighbouring rows that carries most of the remaining load.
 inline std::vector<Eigen::ArrayXXd> pieces(Eigen::ArrayXXd p) {
     struct Cut {
         Eigen::Index row, first, last;
@@ -255,12 +256,12 @@ inline std::vector<Eigen::ArrayXXd> pieces(Eigen::ArrayXXd p) {
     }
 }
 
-/// Of the cells with pressure, which every row y = const cuts in one interval; nothing otherwise, or if fewer than 3
-/// rows have any. Where the border runs along the rows, columns tell better where it is.
+/// Outline of the cells with pressure, which every row y = const must cut in one interval; nothing otherwise, or if
+/// fewer than 3 rows have any. Where the border runs along the rows, it is determined by columns.
 inline std::optional<Outline<double>> contact_outline(const CellGrid& grid, const Eigen::ArrayXXd& p) {
     std::vector<std::vector<Interval>> columns;
     for (Eigen::Index i = 0; i < grid.nx; ++i) columns.push_back(column_intervals(p, i));
-    // the interval of column i that touches the cells first ... last, at best that which contains cell j
+    // the interval of column i that touches the cells first ... last, preferably one that contains cell j
     const auto touching = [&](Eigen::Index i, Eigen::Index first, Eigen::Index last, Eigen::Index j) {
         const Interval* found = nullptr;
         if (i < 0 || i >= grid.nx) return found;
@@ -270,8 +271,8 @@ inline std::optional<Outline<double>> contact_outline(const CellGrid& grid, cons
         }
         return found;
     };
-    // where row j, from its cell i by steps of 1 or -1, crosses the border, as the row itself and columns tell: each
-    // counts by the square of the cosine between it and the border's normal
+    // place where row j, from its cell i by steps of 1 or -1, crosses the border: a mean of the places by the row
+    // itself and by columns, weighted by the square of the cosine between each and the border's normal
     const auto crossing = [&](Eigen::Index i, Eigen::Index j, int step, const Edge& row) {
         const Interval *here = nullptr, *next = touching(i, j, j, j);
         for (i -= step; next != nullptr && next->contains(j); i += step) {
@@ -302,7 +303,7 @@ inline std::optional<Outline<double>> contact_outline(const CellGrid& grid, cons
         middle.push_back(grid.x_0 + (x_1 + x_2) / 2 * grid.dx);
     }
     if (rows.size() < 3) return std::nullopt;
-    // the end in y beyond row j, that of the column that reaches farthest; where that does not tell, by the lengths of
+    // the end in y beyond row j, from the column that reaches farthest; if no column determines it, from the lengths of
     // the outermost rows, whose squares are nearly linear there
     const auto end = [&](const Interval& row, Eigen::Index j, int side, double last, double before) {
         Edge farthest{-1, false};

@@ -1,4 +1,4 @@
-// Polylines of a section: how sharply they turn, where they have corners, and curves through noisy points.
+// Polylines of a section: their turns and corners, and curves through noisy points.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -18,7 +18,7 @@ namespace rollbem::detail {
 
 inline constexpr double degrees = std::numbers::pi / 180;
 
-/// A polyline that turns by more is folded back [rad].
+/// Largest turn of a polyline that is not folded back [rad].
 inline constexpr double fold = 150 * degrees;
 
 /// The angle by which a polyline turns from the step a to the step b [rad], positive from y towards z.
@@ -26,14 +26,14 @@ inline double turn(std::array<double, 2> a, std::array<double, 2> b) {
     return std::atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]);
 }
 
-/// Lengths from the first point to each [m].
+/// Lengths from the first point to each point [m].
 inline Eigen::ArrayXd lengths_along(const Eigen::ArrayXd& y, const Eigen::ArrayXd& z) {
     Eigen::ArrayXd s = Eigen::ArrayXd::Zero(y.size());
     for (Eigen::Index i = 1; i < y.size(); ++i) s[i] = s[i - 1] + std::hypot(y[i] - y[i - 1], z[i] - z[i - 1]);
     return s;
 }
 
-/// The angle at each point [rad]; 0 at both ends.
+/// The turn at each point [rad]; 0 at both ends.
 inline Eigen::ArrayXd turns_at(const Eigen::ArrayXd& y, const Eigen::ArrayXd& z) {
     Eigen::ArrayXd turns = Eigen::ArrayXd::Zero(y.size());
     for (Eigen::Index i = 1; i + 1 < y.size(); ++i) {
@@ -42,8 +42,8 @@ inline Eigen::ArrayXd turns_at(const Eigen::ArrayXd& y, const Eigen::ArrayXd& z)
     return turns;
 }
 
-/// The numbers of points at corners, growing: the polyline turns by more than 30 degrees there, and by at most 6 at
-/// every other point within 2 mm of it; what is rounder or rougher is no corner. (The rule of CONTACT.)
+/// The numbers of points at corners, growing. At a corner the polyline turns by more than 30 degrees, and by at most 6
+/// at every other point within 2 mm of it; rounder or rougher places are not corners. (The rule of CONTACT.)
 inline std::vector<Eigen::Index> corners_of(const Eigen::ArrayXd& s, const Eigen::ArrayXd& turns) {
     const auto alone = [&](Eigen::Index i, Eigen::Index step) {
         for (Eigen::Index k = i + step; k > 0 && k + 1 < s.size(); k += step) {
@@ -103,16 +103,16 @@ inline Eigen::ArrayXd spline_bends(const Eigen::ArrayXd& s, const Eigen::ArrayXd
     return m;
 }
 
-/// The curve f(s) between corners that makes the sum of w_i (f(s_i) - f_i)^2 and lambda times the integral of f''^2
-/// least, w_i the length that belongs to a point and lambda = (wave_length/2 pi)^4, so that waves of this length are
-/// halved; for each of both coordinates, at the points (Reinsch 1967).
+/// The curve f(s) between corners that minimises the sum of w_i (f(s_i) - f_i)^2 and lambda times the integral of
+/// f''^2, for each of both coordinates, at the points (Reinsch 1967). w_i is the length that belongs to a point, and
+/// lambda = (wave_length/2 pi)^4, so that waves of this length are halved.
 inline std::array<Eigen::ArrayXd, 2> smooth_curve(const Eigen::ArrayXd& s, const std::vector<Eigen::Index>& corners,
                                                   const std::array<Eigen::ArrayXd, 2>& curve, double wave_length) {
     using Sparse = Eigen::SparseMatrix<double>;
     const Eigen::Index n = s.size();
     const double lambda = std::pow(wave_length / (2 * std::numbers::pi), 4);
-    // f'' is linear between the points that are no corners: a column of Q and a row of R for each; f = values -
-    // lambda W^-1 Q f'', (R + lambda Q^T W^-1 Q) f'' = Q^T values
+    // f'' is linear between the points that are not corners, each of which has a column of Q and a row of R: f = values
+    // - lambda W^-1 Q f'', (R + lambda Q^T W^-1 Q) f'' = Q^T values
     std::vector<Eigen::Triplet<double>> q, r;
     Eigen::Index column = 0, before = 0;
     for (Eigen::Index i = 1; i + 1 < n; ++i) {

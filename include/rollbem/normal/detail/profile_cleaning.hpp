@@ -1,5 +1,5 @@
-// What measured points need before they are a curve: artefacts of measurement removed with a note of each, and what
-// folds back, crosses itself or has gaps found.
+// Cleaning of measured points before they become a curve: artefacts of measurement are removed with a note for each,
+// and folds, self-intersections and gaps are refused.
 #pragma once
 
 #include <algorithm>
@@ -24,12 +24,12 @@ inline std::string in_mm(double length, const char* unit = " mm") {
     return std::string(text) + unit;
 }
 
-/// Cleans the points of a file, which the notes and refusals name.
+/// Cleans the points of a file; notes and refusals name the file.
 class ProfileCleaning {
 public:
     ProfileCleaning(const TextFile& file, std::vector<std::string>& notes) : file_(file), notes_(notes) {}
 
-    /// Without repeated points, zig-zags and folded ends.
+    /// The points without repeated points, zig-zags and folded ends.
     CurvePoints operator()(const CurvePoints& points) {
         return without_folded_end(without_folded_end(without_zigzags(without_repeated(points)), true), false);
     }
@@ -75,8 +75,8 @@ private:
         return " at y = " + in_mm(p.y[i], "") + ", z = " + in_mm(p.z[i]);
     }
 
-    // How far the curve goes back beyond point i, seen in the order of the points (way 1) or against it (-1); at least
-    // `enough` if it is more.
+    // Length by which the curve goes back beyond point i, in the order of the points (way 1) or against it (-1); at
+    // least `enough` if it is more.
     static double length_back(const CurvePoints& p, std::size_t i, int way, double enough = 1e300) {
         const auto at = [&](std::size_t k) { return way > 0 ? k : k - 1; };
         const auto [y, z] = direction(p, way > 0 ? i - 1 : i);
@@ -109,7 +109,7 @@ private:
         return kept;
     }
 
-    // Two turns in a row that fold back over less than 0.5 mm: their points become their mean.
+    // Replaces two successive turns that fold back over less than 0.5 mm: their points become their mean.
     CurvePoints without_zigzags(const CurvePoints& points) {
         CurvePoints kept;
         std::size_t count = 0;
@@ -141,7 +141,7 @@ private:
         return kept;
     }
 
-    // A fold of less than 0.5 mm within 3 mm of an end is cut off with what lies beyond it.
+    // Cuts off a fold of less than 0.5 mm within 3 mm of an end, and all points beyond it.
     CurvePoints without_folded_end(CurvePoints p, bool first) {
         if (!first) reverse(p);
         std::size_t cut = 0;
@@ -196,7 +196,7 @@ private:
             }
         }
 
-        /// The first that is found, the earlier one first.
+        /// The first pair of segments found, the earlier segment first.
         Segments find() const {
             const std::size_t n = p_.size() - 1;
             for (std::size_t k = n - 1; k > 0; --k) {

@@ -1,4 +1,4 @@
-// Which way up a wheel's or a rail's points stand, as far as their shape says.
+// The direction of a wheel's or a rail's points, up or down, as far as their shape determines it.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace rollbem::detail {
 
-/// The height over the tread of the highest point, in the direction sign z, that is no end of the curve [m]: of the
-/// flange, if this is its side. The tread is where most of the width is.
+/// The height over the tread of the highest point, in the direction sign z, that is not an end of the curve [m]: the
+/// flange, if this is its side. The tread is the height at which most of the width lies.
 inline double crest(const Eigen::ArrayXd& y, const Eigen::ArrayXd& z, double sign) {
     Eigen::Index top = 0;
     (sign * z).maxCoeff(&top);
@@ -34,8 +34,7 @@ inline double crest(const Eigen::ArrayXd& y, const Eigen::ArrayXd& z, double sig
     return 0;
 }
 
-/// Whether a wheel's flange is at negative z: a crest of at least 10 mm, twice as high as what there is on the other
-/// side.
+/// Whether a wheel's flange is at negative z: a crest of at least 10 mm, twice as high as the crest on the other side.
 inline bool flange_points_up(const Eigen::ArrayXd& y, const Eigen::ArrayXd& z) {
     const double up = crest(y, z, -1);
     return up > 10e-3 && up > 2 * crest(y, z, 1);
@@ -54,7 +53,7 @@ inline bool has_side(const Eigen::ArrayXd& y, const Eigen::ArrayXd& z, double si
     return std::abs(z[i] - z[top]) > std::abs(y[i] - y[top]);
 }
 
-/// Whether a rail's sides go to negative z. Grooved and guarded rails may have no side that says so.
+/// Whether a rail's sides go to negative z. Grooved and guarded rails may have no side that shows it.
 inline bool sides_point_up(const Eigen::ArrayXd& y, const Eigen::ArrayXd& z) {
     return has_side(y, z, -1) && !has_side(y, z, 1);
 }

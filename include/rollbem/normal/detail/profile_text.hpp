@@ -69,13 +69,13 @@ public:
     std::size_t size() const { return lines_.size(); }
     std::string_view line(std::size_t i) const { return lines_[i]; }  ///< number i + 1
 
-    /// Without what a comment's sign begins, and without blanks at both ends.
+    /// The line without comment, which begins with one of the signs, and without blanks at both ends.
     std::string_view content(std::size_t i, const char* comment_signs = "%#!") const {
         const std::string_view text = line(i);
         return trimmed(text.substr(0, text.find_first_of(comment_signs)));
     }
 
-    /// Throws std::invalid_argument("<path>, line <i + 1> (<its text>): <what was expected>").
+    /// Throws std::invalid_argument("<path>, line <i + 1> (<its text>): <expectation>").
     [[noreturn]] void refuse(std::size_t i, const std::string& expected) const {
         std::string text(trimmed(line(i)));
         if (text.size() > 60) text = text.substr(0, 57) + "...";
@@ -95,7 +95,7 @@ private:
     std::vector<std::string> lines_;
 };
 
-/// Cells between semicolons, else between commas, else between blanks.
+/// Cells separated by semicolons, else by commas, else by blanks.
 inline std::vector<std::string_view> cells_of(std::string_view text) {
     std::vector<std::string_view> cells;
     for (const char* separator : {";", ",", " \t"}) {
@@ -111,7 +111,7 @@ inline std::vector<std::string_view> cells_of(std::string_view text) {
     return cells;
 }
 
-/// Points of a curve [m] and the lines that they stand in, from 0.
+/// Points of a curve [m] and the numbers of their lines, from 0.
 struct CurvePoints {
     std::vector<double> y, z;
     std::vector<std::size_t> line;
@@ -127,7 +127,7 @@ struct CurvePoints {
 inline constexpr const char* two_numbers_expected =
     "y and z are expected, two numbers with decimal points, separated by a comma, a semicolon, a tab or blanks";
 
-/// y and z in the cells with these numbers. Throws std::invalid_argument if they are no numbers.
+/// y and z in the cells with these numbers. Throws std::invalid_argument if the cells are not numbers.
 inline std::array<double, 2> point_in(const TextFile& file, std::size_t line, std::string_view content,
                                       const std::array<std::size_t, 2>& places = {0, 1}) {
     const std::vector<std::string_view> cells = cells_of(content);
@@ -140,7 +140,7 @@ inline std::array<double, 2> point_in(const TextFile& file, std::size_t line, st
     return point;
 }
 
-/// The places of columns named y and z: "y", "Y [mm]", "\"z\"".
+/// The numbers of the columns named y and z: "y", "Y [mm]", "\"z\"".
 inline std::array<std::size_t, 2> places_in_header(const TextFile& file, std::size_t line, std::string_view content) {
     std::array<std::optional<std::size_t>, 2> found;
     std::size_t place = 0;
@@ -184,10 +184,10 @@ inline CurvePoints read_columns(const TextFile& file, double per_metre) {
     return points;
 }
 
-/// What the lines "name = value" above the points of SIMPACK's text say of them.
+/// The settings "name = value" above the points of SIMPACK's text.
 class SimpackSettings {
 public:
-    /// Throws std::invalid_argument if a setting that changes points has no number, or one that cannot be obeyed.
+    /// Throws std::invalid_argument if a setting that changes points has no number or an unsupported one.
     void read(const TextFile& file, std::size_t line, std::string_view key, std::string_view text) {
         const auto setting = values_.find(std::string(key));
         if (setting == values_.end()) return;
@@ -212,7 +212,7 @@ public:
     }
 
 private:
-    // what changes points; the rest does not, or only with values other than 0
+    // settings that change points; others do not, or only with values other than 0
     std::map<std::string, double> values_{
         {"mirror.y", 0},    {"mirror.z", 0},    {"shift.y", 0},       {"shift.z", 0},        {"units.len.f", 1000},
         {"inversion", 0},   {"rotate", 0},      {"approx.smooth", 0}, {"point.dist.min", 0}, {"bound.y.min", 1},
@@ -252,8 +252,8 @@ inline bool ends_in(std::string_view text, std::string_view end) {
     return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
-/// Where the points of MiniProf's text begin: after the header's last line with `=` or `:` or "(Sd/Sh/qR)" at its end,
-/// or after the first blank line, whichever is later; the header ends before four lines of points.
+/// Index of the first line of points in MiniProf's text: after the header's last line with `=` or `:` or "(Sd/Sh/qR)"
+/// at its end, or after the first blank line, whichever is later; the header ends before four lines of points.
 inline std::size_t first_point_of_miniprof(const TextFile& file) {
     std::size_t begin = 0, in_a_row = 0, blank = file.size();
     bool any = false, free = false;  // lines of text, and some that are neither points nor keys after the last key

@@ -1,4 +1,4 @@
-// The text of .slcs and .slcw: where sections stand, their files and features.
+// The text of .slcs and .slcw: the places of sections, their files and features.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace rollbem::detail {
 
-/// A section as its file says.
+/// A section in the terms of its file.
 struct SectionLine {
     double u;  ///< [m] or [rad]
     std::filesystem::path profile;
@@ -27,7 +27,7 @@ struct SectionsText {
     Sections::Interpolation interpolation;
 };
 
-/// Reads one from start to end; what is missing or cannot be obeyed throws std::invalid_argument with the line.
+/// Reads a text from start to end; missing or unsupported content throws std::invalid_argument with the line.
 class SectionsReader {
 public:
     /// u is divided by `per_unit`: 1000 for mm along the track, 1 for rad round the wheel.
@@ -125,7 +125,7 @@ private:
                                      " lengths of features are expected";
         std::vector<double> found = numbers(expected, 1);
         while (static_cast<double>(found.size()) < count + 1) {
-            const std::vector<double> more = numbers(expected, 1);  // on the next line
+            const std::vector<double> more = numbers(expected, 1);  // the numbers continue on the next line
             found.insert(found.end(), more.begin(), more.end());
         }
         if (static_cast<double>(found.size()) > count + 1) refuse(expected);
@@ -138,7 +138,7 @@ private:
     }
 
     const TextFile& file_;
-    std::size_t line_ = 0;  // those that are read
+    std::size_t line_ = 0;  // number of lines read
 };
 
 }  // namespace rollbem::detail

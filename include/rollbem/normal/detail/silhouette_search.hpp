@@ -1,4 +1,5 @@
-// Where a round wheel touches a straight rail: on its silhouette, as all curves of the rail along x are straight lines.
+// Contacts of a round wheel on a straight rail: on the wheel's silhouette, as all curves of the rail along x are
+// straight lines.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace rollbem::detail {
 /// A search at one lateral position, roll and yaw: locate() first, then regions() at any height near the touching one.
 class SilhouetteSearch {
 public:
-    /// Where the wheel touches first when it is lowered.
+    /// Finds the height at which the wheel, lowered, touches first.
     Status locate(const ContactGeometry& geometry, const WheelsetPosition& at) {
         geometry_ = &geometry;
         placed_.emplace(geometry.placed(at));
@@ -30,7 +31,7 @@ public:
         }
         if (lowest == nullptr) return is_whole_ ? Status::no_contact : Status::undefined_section;
         if (lowest->at_border) return Status::undefined_section;
-        // the highest points of the rail are known to the distance of its samples
+        // the highest points of the rail are known with the resolution of its samples
         touch_ = touching_height(touch_, [this](double height) {
             find_feet(height);
             const Sample* const sample = deepest();
@@ -41,7 +42,7 @@ public:
 
     double touch() const { return touch_; }  ///< the height at which the wheel begins to touch [m]
 
-    /// Where the wheel touches first: a point of the wheel at that height, and of the rail; nothing where a curve ends
+    /// The point of first touch: a point of the wheel at that height, and of the rail; nothing where a curve ends
     /// there. Follows locate().
     std::optional<SurfaceCut> first_point() const {
         const Sample* const sample = deepest();
@@ -94,7 +95,7 @@ public:
     }
 
 private:
-    // A point of the wheel's silhouette at height 0 and, at the last height asked for, its foot if that is near.
+    // A point of the wheel's silhouette at height 0 and, if near, its foot at the last height asked for.
     struct Sample {
         double s, y, z, normal_y, normal_z;
         bool at_border, close;
@@ -140,8 +141,8 @@ private:
         return found;
     }
 
-    // Both points of a cut at the touching height; returns what has the sign of the rail's slope less the wheel's,
-    // NaN where the silhouette is not defined.
+    // Sets both points of a cut at the touching height; returns a number with the sign of the rail's slope minus the
+    // wheel's, NaN where the silhouette is not defined.
     double place(SurfaceCut& cut, double rail_s) const {
         constexpr double beside = 1e-7;  // [m]
         const PlacedWheel::Place one = placed_->silhouette(cut.wheel_s - beside),
@@ -157,7 +158,7 @@ private:
 
     void find_feet(double height) {
         height_ = height;
-        // Samples that were far above the rail stay so while the height changes by less.
+        // Samples that were far above the rail remain so while the height changes by less than this.
         constexpr double out_of_reach = 4e-4;
         const bool anew = !(std::abs(height - searched_at_) < out_of_reach);
         if (anew) searched_at_ = height;
@@ -210,7 +211,7 @@ private:
         }
     }
 
-    // How far along x the wheel lies below the rail about a point of the silhouette.
+    // Extent along x of the wheel's part below the rail about a point of the silhouette.
     double reach_along(const Foot& foot) const {
         constexpr double steepest = 0.05;
         return std::sqrt(2 * foot.depth * placed_->radius() / (std::max)(std::cos(foot.angle()), steepest));

@@ -1,5 +1,5 @@
-// Where a wheel touches a rail when one of them changes along the way: the smallest gaps over slices of constant x, and
-// the regions about them.
+// Contacts of a wheel on a rail of which at least one changes along the way: the smallest gaps over slices of constant
+// x, and the regions about them.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace rollbem::detail {
 
-/// A search at one lateral position, roll, yaw, pitch and place along the track, as SilhouetteSearch.
+/// A search at one lateral position, roll, yaw, pitch and place along the track; used as SilhouetteSearch.
 class SliceSearch {
 public:
     Status locate(const ContactGeometry& geometry, const WheelsetPosition& at) {
@@ -67,7 +67,7 @@ public:
 
     std::vector<Region> regions(double height) {
         height_ = height;
-        // what lay too high above the rail to be a valley may touch now
+        // points that lay too high above the rail to be valleys may touch now
         if (height - valleys_at_ > seen_above / 2) {
             find_valleys(height);
             for (Point& valley : valleys_) descend(valley, height);
@@ -85,7 +85,7 @@ public:
 
 private:
     static constexpr double slice_distance = 4e-3;  // along x [m]
-    static constexpr double seen_above = 1e-3;      // the rail, by valleys [m]
+    static constexpr double seen_above = 1e-3;      // largest height of valleys above the rail [m]
 
     struct Slice {
         double x;
@@ -122,8 +122,8 @@ private:
         }
     }
 
-    // Points of slices that lie as deep as their neighbours on the wheel and in both slices beside, or deeper, and not
-    // above the rail by a millimetre at this height.
+    // Finds points of slices that lie at least as deep as their neighbours on the wheel and in both adjacent slices,
+    // and less than a millimetre above the rail at this height.
     void find_valleys(double height) {
         constexpr double none = -std::numeric_limits<double>::infinity();
         valleys_at_ = height;
@@ -147,7 +147,7 @@ private:
             for (std::size_t i = 0; i < points[k].size(); ++i) {
                 const Point& p = points[k][i];
                 if (!(p.foot.depth > -seen_above)) continue;
-                // on a plateau, the first
+                // on a plateau, the first point
                 const auto deeper = [&](const Point& other) {
                     const bool first = other.x < p.x || (other.x == p.x && other.s < p.s);
                     return other.foot.depth > p.foot.depth + (first ? -1e-12 : 1e-12) &&
@@ -166,7 +166,7 @@ private:
                   [](const Point& one, const Point& two) { return one.foot.depth > two.foot.depth; });
     }
 
-    // One of valleys that have met.
+    // Keeps one of the valleys that have met.
     void keep_different() {
         std::vector<Point> kept;
         for (const Point& valley : valleys_) {
@@ -193,7 +193,7 @@ private:
         return p;
     }
 
-    // To the deepest point nearby, by parabolas along the wheel's curve and along x.
+    // Moves a point to the deepest point nearby, by parabolas along the wheel's curve and along x.
     void descend(Point& p, double height) const {
         p = point_at(p, p.x, p.s, height);
         double step_s = 2e-4, step_x = 2e-3;
@@ -238,9 +238,9 @@ private:
         return false;
     }
 
-    // The cuts at x about a point of the region, outwards along the wheel until nothing lies below the rail for a
-    // while, or what does beyond a gap has another normal; how far it does, from and to on the wheel's curve, nothing
-    // if nowhere. `step` [m] is that between cuts.
+    // Adds the cuts at x about a point of the region, outwards along the wheel, until the wheel stays above the rail
+    // for a while, or the part below the rail beyond a gap has another normal. Returns the ends of the part below the
+    // rail on the wheel's curve, nothing if there is none. `step` [m] is the distance between cuts.
     std::optional<std::array<double, 2>> cut_slice(const Point& about, double step, double height,
                                                    std::vector<SurfaceCut>& cuts) const {
         const double length = placed_->surface().length(about.part);
@@ -277,11 +277,11 @@ private:
         return range;
     }
 
-    // The regions about a point: one, or those of contacts that it holds.
+    // The regions about a point: one, or one for each of several contacts.
     std::vector<Region> explore(const Point& seed, double height) const {
         Region region{.wheel_part = seed.part, .rail_part = seed.rail_part, .cuts = {}, .x_low = 0, .x_high = 0};
         region.power = 2;
-        // A tenth of the half-length, as far as the wheel's radius tells, and a fortieth of the width.
+        // A tenth of the half-length, as estimated from the wheel's radius, and a fortieth of the width.
         const double step_x = std::clamp(std::sqrt(2 * seed.foot.depth * placed_->radius()) / 10, 2e-6, 1e-3);
         double step_s = 5e-5;
         for (int k = 0; k < 2; ++k) {
@@ -306,7 +306,7 @@ private:
         return parts;
     }
 
-    // `step_x` [m] is that between cuts.
+    // Parts a region; `step_x` [m] is the distance between cuts.
     static void part(Region region, double step_x, std::vector<Region>& parts) {
         const std::vector<SurfaceCut> ridge = ridge_of(region.cuts);
         const auto at = parting(ridge.begin(), ridge.end());
@@ -327,7 +327,7 @@ private:
         parts.push_back(std::move(region));
     }
 
-    // Along the wheel's curve, the deepest cut of each tenth of a millimetre.
+    // The deepest cut of each tenth of a millimetre along the wheel's curve.
     static std::vector<SurfaceCut> ridge_of(std::vector<SurfaceCut> cuts) {
         constexpr double distance = 1e-4;
         const auto place = [](const SurfaceCut& cut) { return std::floor(cut.wheel_s / distance); };
@@ -345,7 +345,7 @@ private:
         return mean_angle(region.cuts.begin(), region.cuts.end(), region.power);
     }
 
-    // To one that is near and has nearly the same normal, else as another.
+    // Joins a region to one that is near and has nearly the same normal, or adds it.
     static void join(std::vector<Region>& found, Region region) {
         for (Region& other : found) {
             if (other.wheel_part != region.wheel_part || other.rail_part != region.rail_part) continue;
@@ -368,7 +368,7 @@ private:
     const ContactGeometry* geometry_ = nullptr;
     std::optional<PlacedWheel> placed_;
     double track_x_ = 0, touch_ = 0, height_ = 0;
-    double valleys_at_ = 0;  // the height at which valleys were looked for
+    double valleys_at_ = 0;  // height at which valleys were searched
     std::vector<Slice> slices_;
     std::vector<Point> valleys_;
 };
