@@ -1,7 +1,11 @@
 // rollbem: tangential rolling contact by boundary elements, on lines and on contact patches. Includes every header that
-// needs Eigen alone; what a program does not use costs next to nothing to compile. Not included are rollbem/reference/,
-// which needs GSL, rollbem/compiled/, which needs the library rollbem::compiled, rollbem/studies/, and the making of
-// tables, vehicle/make_creep_force_table.hpp, and of patches from profiles, vehicle/wear.hpp.
+// needs Eigen alone; unused parts cost next to nothing to compile. Not included:
+//
+// - rollbem/reference/, which needs GSL;
+// - rollbem/compiled/, which needs the library rollbem::compiled;
+// - rollbem/studies/;
+// - vehicle/make_creep_force_table.hpp, which makes tables;
+// - vehicle/wear.hpp and the making of patches from profiles, which it includes.
 #pragma once
 
 #include "accuracy/distance_tangent.hpp"

@@ -6,7 +6,7 @@
 
 namespace rollbem {
 
-/// Whether what was computed can be used, and if not, why.
+/// Whether a result can be used, and if not, why.
 enum class Status {
     ok,
     ill_conditioned,   ///< the matrix is singular to working precision, or the residual is far above rounding
@@ -16,19 +16,21 @@ enum class Status {
     order_differs,     ///< values to be extrapolated do not converge with the given order
 
     // of a step, or of a solution with friction that starts from a state
-    /// Friction: no solution was found to rounding; the complementarity residual tells how far off this one is. With
-    /// finite bounds a solution always exists, so this happens only with matrices that are singular to rounding, and
-    /// with friction that depends on slip without a memory.
+    /// Friction: no solution was found to rounding; the complementarity residual is the distance from one. With finite
+    /// bounds a solution always exists, so this happens only with matrices that are singular to rounding, and with
+    /// friction that depends on slip without a memory.
     no_solution,
     invalid_step,  ///< the distance rolled is not positive and finite, or below 1e-292 (for a rigid shift: negative or
                    ///< not finite), or the model's system has G' alone, which knows steady rolling only
     wrong_state,   ///< a state or workspace of another system, or the same object as `from` and `to`
-    invalid_load,  ///< a pressure is negative or not finite, their number is not that of the elements, or the
+    invalid_load,  ///< a pressure is negative or not finite, their number differs from the number of elements, or the
                    ///< half-length is not positive and finite
-    /// The half-length differs from what the mesh can follow: it changes by at least the distance that the step rolls,
-    /// or the system knows only one half-length (the strip kernel, Galerkin, ready matrices), or the contact has grown
-    /// so long (a > 2.4b) that the plane kernel is unstable, Lambda <= 0. Use a fixed mesh on the largest contact,
-    /// whose elements gain and lose pressure, in the last case with the strip kernel.
+    /// The mesh cannot follow the half-length. Use a fixed mesh on the largest contact, whose elements gain and lose
+    /// pressure, in the last case with the strip kernel. Either
+    ///
+    /// - the half-length changes by at least the distance that the step rolls;
+    /// - the system knows only one half-length (the strip kernel, Galerkin, ready matrices); or
+    /// - the contact has grown so long (a > 2.4b) that the plane kernel is unstable, Lambda <= 0.
     needs_fixed_mesh,
     needs_places,  ///< spin other than zero, although the system does not know the points of its equations (ready
                    ///< matrices)
@@ -36,14 +38,14 @@ enum class Status {
     unresolved,   ///< the contact on a fixed mesh is narrower than three of its strips or elements: forces are too
                   ///< rough
 
-    // contact of profiles, the worse the later
+    // contact of profiles, from the mildest to the worst
     doubtful_plane,     ///< numbers, but surfaces turn by more than 0.2 rad over the contact: a plane is an assumption
     unbalanced,         ///< numbers, but normal forces and friction did not settle, or a wheel does not roll
     no_contact,         ///< the surfaces do not touch: a wheel is lifted, or beside the rail
     end_of_profile,     ///< contact reaches the end of a profile, which is not known beyond
     beyond_clearance,   ///< a wheel would climb over its flange, or a motion would leave the rails
     undefined_section,  ///< the wheel's section is not a function there: yaw is too large
-    too_deep,           ///< the wheel lies more than a millimetre within the rail: a position that cannot be meant
+    too_deep,           ///< the wheel lies more than a millimetre within the rail: a position that cannot be intended
     load_not_reached,   ///< no height was found at which the contact carries the load
     not_converged,  ///< pressures did not settle; the order of a polynomial is too low, or monomials have broken down
                     ///< by cancellation; other meshes of a long patch give other coefficients

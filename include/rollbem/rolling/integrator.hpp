@@ -29,16 +29,20 @@ constexpr const char* name(Integrator integrator) {
 
 namespace detail {
 
-/// What a row that does not compile calls: not constexpr.
+/// Called by a row that must not compile, as it is not constexpr.
 void a_scheme_has_one_stage_of_the_whole_step_or_two_with_a_part_from_1_minus_1_over_sqrt_2_to_1();
 
-/// The stages of a step, solved one by one, each of which takes `part` of it, gamma of Hairer & Wanner (II, IV.6). The
-/// last one ends with the step; the one before it, if there are two, ends after its own part, and the last one starts
-/// from U + (1 - part)/part (U_1 - U). A step's slip is that ratio times the slip of the first plus that of the second.
+/// The stages of a step, solved one by one. Each stage takes `part` of the step, gamma of Hairer & Wanner (II, IV.6).
+/// The last stage ends with the step; a stage before it ends after its own part, and the last one then starts from U +
+/// (1 - part)/part (U_1 - U). A step's slip is this ratio times the slip of the first stage plus the slip of the
+/// second.
 ///
-/// Invariant: one stage has part = 1, and two have 1 - 1/sqrt(2) <= part < 1. So tractions at the end of a step are
-/// those of a stage, which friction bounds, every slip counts with a positive weight, loads and lengths are never
-/// extrapolated, and e^w becomes 1/(1 - w) or (1 + (1 - 2 part) w)/(1 - part w)^2, which are L-stable.
+/// Invariant: one stage has part = 1, and two have 1 - 1/sqrt(2) <= part < 1. It follows that
+///
+/// - tractions at the end of a step are a stage's tractions, which friction bounds;
+/// - every slip counts with a positive weight;
+/// - loads and lengths are never extrapolated;
+/// - e^w becomes 1/(1 - w) or (1 + (1 - 2 part) w)/(1 - part w)^2, which are L-stable.
 template <class Scalar>
 class StageTable {
 public:
@@ -52,7 +56,7 @@ public:
 
     int count() const { return count_; }
     Scalar part() const { return part_; }
-    /// Of a stage, counted from 1.
+    /// The place of a stage, counted from 1.
     StagePlace<Scalar> place(int stage) const { return {part_, stage == count_ ? Scalar(1) : part_, stage == 2}; }
 
 private:
@@ -64,7 +68,7 @@ private:
 template <class Scalar>
 inline constexpr StageTable<Scalar> single_stage(1, 1);
 
-/// Of an integrator that solves stages; empty of matrix_exponential.
+/// The stages of an integrator; empty for matrix_exponential, which has none.
 template <class Scalar>
 std::optional<StageTable<Scalar>> stage_table(Integrator integrator) {
     switch (integrator) {

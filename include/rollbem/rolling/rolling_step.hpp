@@ -1,11 +1,11 @@
-// RollingStep: what a step or steady rolling is asked for, the same for all models.
+// RollingStep: the input of a step or of steady rolling, the same for all models.
 #pragma once
 
 #include "../scene/rigid_motion.hpp"
 
 namespace rollbem {
 
-/// A load that a step refers to, or none: that of the state.
+/// The load of a step, or none: the state's load then remains.
 template <class Load_>
 class GivenLoad {
 public:
@@ -23,9 +23,9 @@ private:
     const Load* load_ = nullptr;
 };
 
-/// One step: how far the contact rolls, the motion of the bodies meanwhile, and the load at its end, towards which that
-/// of the state varies linearly. Without a load that of the state remains. A model's `Load` is a GivenLoad with
-/// friction, the half-length or the semi-axes in full adhesion. Written in braces:
+/// One step: the distance rolled, the motion of the bodies meanwhile, and the load at its end. The load varies linearly
+/// from the state's load; without one the state's load remains. A model's `Load` is a GivenLoad with friction, the
+/// half-length or the semi-axes in full adhesion. Written in braces:
 ///
 ///     model.advance(now, {dq, creepage}, next, workspace);
 ///     model.advance(now, {{dq, duration}, Motion::linear(start, end), load}, next, workspace);

@@ -1,4 +1,4 @@
-// Run: a model with all that a time loop keeps of one contact, its present state, the next one and a workspace.
+// Run: a model with the data of one contact in a time loop: its present state, the next one and a workspace.
 #pragma once
 
 #include <utility>
@@ -24,7 +24,7 @@ public:
     using Workspace = typename Model::Workspace;
     using RollingStep = typename Model::RollingStep;
 
-    /// From rest, or from a state of the model.
+    /// Starts from rest, or from a state of the model.
     explicit Run(const Model& model) : Run(model, model.at_rest()) {}
     Run(const Model& model, State from)
         : model_(&model), now_(std::move(from)), next_(model.at_rest()), workspace_(model.workspace()) {}

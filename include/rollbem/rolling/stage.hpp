@@ -15,12 +15,14 @@ namespace rollbem::detail {
 /// A semi-axis at the end of a step, by which derivatives are taken.
 enum class Axis { half_length, half_width };
 
-/// A stage in its step. What varies linearly during the step has gone `progress` of its way.
+/// The place of a stage in its step. Quantities that vary linearly during the step have covered the share `progress` of
+/// their change.
 template <class Scalar>
 struct StagePlace {
-    Scalar part;             ///< share of the step that the stage takes
-    Scalar progress;         ///< share of the step that is done at the end of the stage
-    bool is_second = false;  ///< it starts from U + ratio() (U_1 - U), the first one from U and leads to U_1
+    Scalar part;             ///< share of the step taken by the stage
+    Scalar progress;         ///< share of the step completed at the end of the stage
+    bool is_second = false;  ///< whether it starts from U + ratio() (U_1 - U); the first stage starts from U and leads
+                             ///< to U_1
 
     Scalar ratio() const { return (1 - part) / part; }
     bool is_last() const { return progress == 1; }
@@ -29,11 +31,11 @@ struct StagePlace {
 /// Motion and growth of the contact in a stage. Lengths in a_0, the half-length for which the system was assembled.
 template <class Scalar>
 struct RollingStage {
-    Scalar distance = 0;                  ///< rolled in the stage
-    Scalar half_length = 1;               ///< a at its end
-    Scalar growth = 0;                    ///< change of the half-length that belongs to the stage, |growth| < distance
-    Scalar half_width = 1, widening = 0;  ///< the same of the half-width of a patch, in that of the contact
-    bool steady = false;                  ///< steady rolling, where tractions do not change: no distance
+    Scalar distance = 0;                  ///< distance rolled in the stage
+    Scalar half_length = 1;               ///< a at the end of the stage
+    Scalar growth = 0;                    ///< change of the half-length in the stage, |growth| < distance
+    Scalar half_width = 1, widening = 0;  ///< half-width of a patch and its change, in the half-width of the contact
+    bool steady = false;                  ///< steady rolling, in which tractions do not change: no distance
 
     /// A stage of a step that rolls by `dq` while the semi-axes vary linearly.
     static RollingStage of(const StagePlace<Scalar>& place, Scalar dq, const SemiAxes<Scalar>& from,
@@ -46,7 +48,7 @@ struct RollingStage {
                 at(from.half_width, to.half_width), part * (to.half_width - from.half_width)};
     }
 
-    /// No step, at these semi-axes.
+    /// A state without a step, at these semi-axes.
     static RollingStage resting(const SemiAxes<Scalar>& axes) {
         return {.distance = 0, .half_length = axes.half_length, .half_width = axes.half_width};
     }
@@ -62,9 +64,9 @@ struct RollingStage {
     friend bool operator==(const RollingStage&, const RollingStage&) = default;
 };
 
-/// What the half-length makes of the kernel: linear G - logarithmic S 1 w^T. M(a) is `at`: with x = a zeta and the
-/// kernel C - S ln|x|, U = M(a) p = a (G - S ln(a) 1 w^T) p: the length adds a constant to the logarithm, which
-/// displaces the whole contact uniformly and has no slope, dU/dx = G' p.
+/// Dependence of the kernel's matrix on the half-length: linear G - logarithmic S 1 w^T. M(a) is `at`: with x = a zeta
+/// and the kernel C - S ln|x|, U = M(a) p = a (G - S ln(a) 1 w^T) p. The length adds a constant to the logarithm, which
+/// displaces the whole contact uniformly and has no slope: dU/dx = G' p.
 template <class Scalar>
 struct LengthScale {
     Scalar linear, logarithmic;
@@ -79,7 +81,7 @@ struct LengthScale {
     }
 };
 
-/// What tractions along one direction cause along one.
+/// Matrices from tractions along one direction to displacement and slope along one direction.
 template <class Scalar>
 struct Influence {
     using Array = Eigen::Map<const ArrayX<Scalar>>;
@@ -104,14 +106,14 @@ struct Influence {
         }
     }
 
-    /// The displacement that tractions p cause at this scale.
+    /// The displacement by tractions p at this scale.
     template <class Traction, class Displacement>
     void find_displacement(const LengthScale<Scalar>& scale, const Traction& p, Displacement&& U) const {
         U.noalias() = G * p;
         rescale(scale, p, U);
     }
 
-    /// The same from G p in `U`.
+    /// The displacement by tractions p, with G p given in `U`.
     template <class Traction, class Displacement>
     void rescale(const LengthScale<Scalar>& scale, const Traction& p, Displacement&& U) const {
         if (scale.linear == 1 && scale.logarithmic == 0) return;
@@ -126,7 +128,7 @@ Eigen::Map<const ArrayX<Scalar>> array_map(const ArrayX<Scalar>& array) {
     return {array.data(), array.size()};
 }
 
-/// Of a system of one creepage.
+/// The block of a system of one creepage.
 template <class Scalar>
 Influence<Scalar> influence(const RollingSystem<Scalar>& system) {
     const auto& points = system.points();

@@ -1,5 +1,5 @@
 // The equations of one stage of rolling of any system: one direction or both, on a line or a patch, at constant
-// semi-axes or while they vary. What problems in the time domain share, with friction and without.
+// semi-axes or while they vary. Problems in the time domain share them, with friction and without.
 #pragma once
 
 #include <array>
@@ -43,7 +43,7 @@ bool is_coupled(const ElementSystem<Scalar, 2>& system) {
     return system.coupled();
 }
 
-/// What tractions along direction e cause along d.
+/// The block from tractions along direction e to direction d.
 template <class Scalar>
 Influence<Scalar> influence(const RollingSystem<Scalar>& system, std::size_t, std::size_t) {
     return influence(system);
@@ -57,10 +57,10 @@ Influence<Scalar> influence(const ElementSystem<Scalar, 2>& system, std::size_t 
 
 /// The equations of a stage where the length alone may vary, as in LengthScale. They refer to the system.
 ///
-/// For Chebyshev states the unknowns are the coefficients of u for a = 1, and represent the traction that causes it,
-/// whatever a is. Their equations are again those of the tau method: both sides of the equation are polynomials of
-/// degree at most m, and the tau method lets them differ by a multiple of T_m, which vanishes at the m Chebyshev
-/// points; m equations at these points allow exactly that difference. The T_m in U itself also vanishes there.
+/// Chebyshev states: the unknowns are the coefficients of u for a = 1, and represent the traction that causes it,
+/// whatever a is. Their equations are again the equations of the tau method: both sides of the equation are polynomials
+/// of degree at most m, and the tau method lets them differ by a multiple of T_m, which vanishes at the m Chebyshev
+/// points; m equations at these points allow exactly this difference. The T_m in U itself also vanishes there.
 template <class System>
 class LineEquations {
 public:
@@ -92,7 +92,7 @@ public:
             }
         }
     }
-    /// What find_growth needs of the start of the step.
+    /// Input of find_growth from the start of the step.
     template <class Tractions, class Result>
     void find_start(const SemiAxes<Scalar>&, const Tractions& old, Result&& start) const {
         start.noalias() = system_.G() * old;
@@ -147,9 +147,9 @@ private:
 ///
 ///     slip = rigid slip - (dq + da zeta) G' p - db upsilon G_y p + change of U,   U = c G p,   c = sqrt(a b)
 ///
-/// with G, G' and G_y (rows of du/dy) those of the present a/b in units of c. Semi-axes are in those of a contact, for
-/// which a/b is `a_over_b`, all lengths in the half-length of that contact. Tractions and displacements have a column
-/// for each direction. Refers to the set.
+/// G, G' and G_y (rows of du/dy) belong to the present a/b, in units of c. Semi-axes are in the semi-axes of a contact
+/// with a/b = `a_over_b`, all lengths in the half-length of this contact. Tractions and displacements have a column for
+/// each direction. Refers to the set.
 template <class Scalar>
 class ShapeEquations {
 public:
@@ -169,8 +169,8 @@ public:
     bool coupled() const { return set_.coupled; }
     bool is_single() const { return set_.is_single(); }
 
-    /// c G - (distance + growth zeta) G' - widening upsilon G_y, or -G' in steady rolling, of tractions along e and slip
-    /// along d.
+    /// c G - (distance + growth zeta) G' - widening upsilon G_y, or -G' in steady rolling, from tractions along e to
+    /// slip along d.
     void fill(std::size_t d, std::size_t e, Eigen::Ref<MatrixX<Scalar>> M) const {
         if (stage.steady) return fill_slope(-1, d, e, M);
         const Scalar widening = stage.widening * per_width_;
@@ -189,7 +189,7 @@ public:
         }
     }
 
-    /// `factor` G' of tractions along e and slip along d.
+    /// `factor` G' from tractions along e to slip along d.
     void fill_slope(Scalar factor, std::size_t d, std::size_t e, Eigen::Ref<MatrixX<Scalar>> M) const {
         M.setZero();
         for (std::size_t k = 0; k < weights_.count; ++k) {
@@ -204,7 +204,7 @@ public:
         add(&ShapeNode<Scalar>::G, weights_.values, c_, p, U);
     }
 
-    /// Those at the start of the step, and their change since then at constant unknowns.
+    /// Displacements at the start of the step, and their change since then at constant unknowns.
     template <class Tractions, class Result>
     void find_start(const SemiAxes<Scalar>& from, const Tractions& old, Result&& start) const {
         ShapeEquations(set_, a_over_b_, Stage::resting(from)).find_displacements(old, start);
@@ -258,7 +258,7 @@ private:
         if (axis == Axis::half_width) return set_.is_single() ? 0 : c_ / (2 * stage.half_width);
         return c_ / stage.half_length / (set_.is_single() ? 1 : 2);
     }
-    // Of ln(a/b).
+    // Rate of ln(a/b).
     Scalar rate_of_log(Axis axis) const {
         return axis == Axis::half_length ? 1 / stage.half_length : -1 / stage.half_width;
     }
@@ -299,7 +299,7 @@ private:
     ShapeWeights<Scalar> weights_;
 };
 
-/// Calls use(equations) with those of a stage of the system.
+/// Calls use(equations) with the equations of a stage of the system.
 template <class System, class Scalar, class Use>
 void with_equations(const System& system, const RollingStage<Scalar>& stage, const Use& use) {
     if constexpr (columns_of<System> == 2) {
@@ -318,11 +318,11 @@ void find_displacements(const System& system, const SemiAxes<Scalar>& axes, cons
                    [&](const auto& equations) { equations.find_displacements(p, U); });
 }
 
-/// The semi-axes of a contact in its own.
+/// The semi-axes of a contact, in its own semi-axes.
 template <class Scalar>
 inline constexpr SemiAxes<Scalar> contact_axes{1, 1};
 
-/// The ellipses of a patch whose semi-axes may vary, else null.
+/// The ellipses of a patch whose semi-axes may vary; null for other systems.
 template <class Scalar>
 const ShapeSet<Scalar>* shapes_of(const RollingSystem<Scalar>&) {
     return nullptr;
@@ -331,7 +331,7 @@ template <class Scalar>
 const ShapeSet<Scalar>* shapes_of(const ElementSystem<Scalar, 2>& system) {
     return system.shapes().get();
 }
-/// Whether the a/b of a patch may change, or may not although its size may.
+/// Whether the a/b of a patch may change; keeps_shape: whether its size alone may.
 template <class System>
 bool changes_shape(const System& system) {
     return shapes_of(system) != nullptr && !shapes_of(system)->is_single();
@@ -350,10 +350,10 @@ bool can_breathe(const ElementSystem<Scalar, 2>& system) {
     return system.shapes() || (system.log_strength(0) && system.log_strength(1) && !system.coupled());
 }
 
-/// Whether the semi-axes of a contact can change from `from` to `to`, in its own, while it rolls by `distance` in a_0:
-/// ok or needs_fixed_mesh. Where the half-length changes by `distance` or more an edge overtakes the particles, and the
-/// equations of elements that move with the edge are no longer upwind. On a line the half-width is 1. `shapes` unless
-/// null are those of a patch whose a/b is `a_over_b` at its own semi-axes.
+/// Whether the semi-axes of a contact, in its own, can change from `from` to `to` while it rolls by `distance` in a_0:
+/// ok or needs_fixed_mesh. Where the half-length changes by `distance` or more, an edge overtakes the particles, and
+/// the equations of elements that move with the edge are no longer upwind. On a line the half-width is 1. `shapes`,
+/// unless null, belong to a patch whose a/b is `a_over_b` at its own semi-axes.
 template <class Scalar>
 Status check_growth(bool can_breathe, Scalar half_length_limit, const ShapeSet<Scalar>* shapes, Scalar a_over_b,
                     Scalar distance, const SemiAxes<Scalar>& from, const SemiAxes<Scalar>& to) {

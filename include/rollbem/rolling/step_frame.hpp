@@ -1,4 +1,5 @@
-// StepFrame: what a problem in the time domain, with friction or without, knows of a step before it solves its stages.
+// StepFrame: the data of a step that a problem in the time domain, with friction or without, has before it solves its
+// stages.
 #pragma once
 
 #include "../scene/creepage.hpp"
@@ -11,8 +12,8 @@
 
 namespace rollbem::detail {
 
-/// The growth of force and moment with a semi-axis at constant tractions: the force is a power of the semi-axis, and
-/// the moment of tractions with arms along either semi-axis grows by one of `arms` times that power.
+/// The growth of force and moment with a semi-axis at constant tractions: the force is a power of the semi-axis; the
+/// moment by tractions with arms along either semi-axis grows by one of `arms` times this power.
 template <class Scalar>
 struct OwnGrowth {
     Scalar power;
@@ -25,7 +26,7 @@ struct OwnGrowth {
     }
 };
 
-/// A creepage or shift between two, after `progress` of the way.
+/// A creepage or shift between two others, after `progress` of the way.
 template <class Scalar>
 Scalar between(Scalar start, Scalar end, Scalar progress) {
     return start + progress * (end - start);
@@ -36,8 +37,8 @@ Creepage<Scalar> between(const Creepage<Scalar>& start, const Creepage<Scalar>& 
             between(start.spin, end.spin, progress)};
 }
 
-/// A step, or steady rolling as its only stage. Lengths in a_0 = `unit` [m], semi-axes in those of the contact. A
-/// stage's equation for the slip is s = factor() motion() - (what the tractions cause). Refers to the motion.
+/// A step, or steady rolling as its only stage. Lengths in a_0 = `unit` [m], semi-axes in the contact's. A stage's
+/// equation for the slip is s = factor() motion() - (slip by the tractions). Refers to the motion.
 template <class Value_, class Scalar_>
 class StepFrame {
 public:
@@ -75,14 +76,15 @@ public:
 
     /// Creepage or shift at the end of the present stage.
     Value moved() const { return between(motion.start(), motion.end(), place.progress); }
-    /// Of the motion in the slip of a stage: its share of the step times the distance rolled, but 1 for steady rolling.
+    /// Factor of the motion in the slip of a stage: its share of the step times the distance rolled, but 1 for steady
+    /// rolling.
     Scalar factor() const {
         if (stage.steady) return 1;
         return motion.is_shift() ? table.part() / unit : table.part() * dq;
     }
     /// d(factor() motion)/d motion at the end of the step.
     Scalar per_end() const { return motion.is_linear() ? place.progress * factor() : factor(); }
-    /// The share of a stage's slip in that of the step.
+    /// The share of a stage's slip in the slip of the step.
     Scalar weight() const { return place.is_last() ? Scalar(1) : place.ratio(); }
 
     /// Calls problem.solve_stage(frame) for one stage after the other, and problem.carry(frame) between two.
@@ -111,8 +113,8 @@ Result failed(Status status) noexcept {
     return result;
 }
 
-/// The first reason, if any, why a step by dq [m] is impossible: a state or workspace of another model, then the
-/// motion, then the load, whose check with that of the state is `belongs`, then grows(), the check of its semi-axes.
+/// The first reason, if any, why a step by dq [m] is impossible. The order is: a state or workspace of another model;
+/// the motion; the load, with `belongs`, its check with the state's load; and grows(), the check of its semi-axes.
 template <class Motion, class Scalar, class Grows>
 Status check_step(Status belongs, const Motion& motion, Scalar dq, Eigen::Index size, const Grows& grows) noexcept {
     if (belongs == Status::wrong_state) return belongs;

@@ -46,7 +46,7 @@ public:
 
     Scalar half_length() const { return parameters_.half_length; }
     Scalar half_width() const { return parameters_.half_width; }
-    /// 2b, the width of which friction's results are totals; 1 where b is infinite: they are then per metre.
+    /// 2b, the width over which friction's results are totals; 1 where b is infinite: results are then per metre.
     Scalar width() const { return detail::is_finite(half_width()) ? 2 * half_width() : Scalar(1); }
     Scalar shear_modulus() const { return parameters_.shear_modulus; }
     Scalar poisson_ratio() const { return parameters_.poisson_ratio; }

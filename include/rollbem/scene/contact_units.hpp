@@ -16,18 +16,19 @@ class PatchContact;
 
 namespace rollbem::detail {
 
-/// Systems have lengths in `length` and tractions in `shear_modulus`. Their areas are in length * width: widths of a
-/// line contact of width 2b, areas of a patch.
+/// The units of a system: lengths in `length`, tractions in `shear_modulus`, areas in length * width (widths of a line
+/// contact of width 2b, areas of a patch).
 template <class Scalar>
 struct ContactUnits {
     Scalar length;         ///< a [m]
-    Scalar width;          ///< Contact::width() [m]; of a patch a
+    Scalar width;          ///< Contact::width() [m]; a for a patch
     Scalar half_width;     ///< b [m]
     Scalar shear_modulus;  ///< G [Pa]
     std::uint64_t fingerprint;
-    bool line;  ///< not a patch
+    bool line;  ///< false for a patch
 
-    /// Semi-axes in those of the contact; on a line the half-width is 1. A division counts in a step of a few states.
+    /// Semi-axes in the semi-axes of the contact; on a line the half-width is 1, without a division, whose time counts
+    /// in a step of a few states.
     template <class Placed>
     SemiAxes<Scalar> axes(const Placed& placed) const {
         if (placed.half_length == length && (line || placed.half_width == half_width)) return {1, 1};

@@ -12,8 +12,9 @@ template <class Scalar>
 struct TangentialForce {
     Scalar longitudinal = std::numeric_limits<Scalar>::quiet_NaN();
     Scalar lateral = std::numeric_limits<Scalar>::quiet_NaN();
-    /// About the normal through the middle of the contact (the origin of an outline), of tractions at the centres of
-    /// their elements [N m], per unit width [N]. NaN if the system does not know them (ready matrices).
+    /// Moment about the normal through the middle of the contact (the origin of an outline), of tractions at the
+    /// centres of their elements [N m], per unit width [N]. NaN if the system does not know the centres (ready
+    /// matrices).
     Scalar moment = std::numeric_limits<Scalar>::quiet_NaN();
 
     friend TangentialForce operator*(Scalar factor, const TangentialForce& force) {

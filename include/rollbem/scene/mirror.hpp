@@ -1,5 +1,5 @@
-// Mirror: reflections of a wheelset, its motion and its forces, by which a left wheel is a right one, and rolling
-// backwards is rolling forward.
+// Mirror: reflections of a wheelset, its motion and its forces, which turn a left wheel into a right one, and rolling
+// backwards into rolling forward.
 #pragma once
 
 #include <array>
@@ -12,20 +12,20 @@
 
 namespace rollbem {
 
-/// A reflection that reverses x, y, both or neither of the track's axes, and so x and s of planes of contact. It is its
-/// own inverse. mirrored(value, mirror) is the image of a value.
+/// A reflection that reverses x, y, both or neither of the track's axes, and with them x and s of planes of contact. It
+/// is its own inverse. mirrored(value, mirror) is the image of a value.
 class Mirror {
 public:
-    constexpr Mirror() = default;  ///< of which everything is its own image
+    constexpr Mirror() = default;  ///< the identity: everything is its own image
 
-    static constexpr Mirror along_track() { return {-1, 1}; }   ///< reverses x, and so the direction of rolling
+    static constexpr Mirror along_track() { return {-1, 1}; }   ///< reverses x, and with it the direction of rolling
     static constexpr Mirror across_track() { return {1, -1}; }  ///< reverses y: left and right
-    /// In which a wheel is a right one.
+    /// The reflection in which the wheel of this side is a right one.
     static constexpr Mirror of(WheelsetSide side) { return side == WheelsetSide::left ? across_track() : Mirror(); }
 
     /// Signs of the components along x, y, z of a place, velocity or force, and
     constexpr std::array<double, 3> of_vector() const { return {x_, y_, 1}; }
-    /// of the turns, rates and moments about them, which are those of a product of two vectors.
+    /// of turns, rates and moments about them, which behave as a product of two vectors.
     constexpr std::array<double, 3> of_turn() const { return {y_, x_, x_ * y_}; }
 
 private:

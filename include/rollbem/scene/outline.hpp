@@ -1,5 +1,5 @@
 // Outline: a contact area that each line along the rolling direction cuts in one interval, given by its trailing and
-// leading edge at some y, and straight between them.
+// leading edges at some y, and straight between these.
 #pragma once
 
 #include <algorithm>

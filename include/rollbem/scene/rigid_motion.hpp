@@ -1,4 +1,4 @@
-// How far the contact rolls in a step, and the relative rigid-body motion of the two bodies meanwhile.
+// Distance rolled in a step, and the relative rigid-body motion of the two bodies meanwhile.
 #pragma once
 
 #include <limits>
@@ -44,9 +44,9 @@ struct Travel {
     constexpr Scalar speed() const { return dq / duration; }  ///< V [m/s]
 };
 
-/// Motion during one step. Value_ is a number for creepage in one direction (the direction is that of the kernel), and
-/// Creepage<Scalar> for both. With friction each element may have a rigid slip of its own besides: where surfaces are
-/// curved, rigid slip is not linear in x and y.
+/// Motion during one step. Value_ is a number for creepage in one direction (the kernel's), and Creepage<Scalar> for
+/// both. With friction each element may also have a rigid slip of its own: on curved surfaces, rigid slip is not linear
+/// in x and y.
 template <class Value_>
 class RigidMotion {
 public:
@@ -69,10 +69,10 @@ public:
     /// may vanish, and dq = 0 is allowed.
     static RigidMotion shift(Value shift) { return {shift, shift, Kind::shift}; }
 
-    /// The same motion with a rigid slip [-], of a shift [m], of each element added to that of the creepage, at the
-    /// point of the element's equation (Elements::x, y): constant over the step, or linear from `start` to `end`.
-    /// Refers to the rows, which a temporary cannot be. Steps that have no rows, or have another number of elements,
-    /// refuse it (Status::invalid_step).
+    /// The same motion with an additional rigid slip [-], of a shift [m], for each element, at the point of the
+    /// element's equation (Elements::x, y): constant over the step, or linear from `start` to `end`. Refers to the
+    /// rows, which a temporary cannot be. Steps that take no rows, or have another number of elements, refuse the
+    /// motion (Status::invalid_step).
     RigidMotion with_rows(const Rows& rows) const { return with_rows(rows, rows); }
     RigidMotion with_rows(const Rows& start, const Rows& end) const {
         return with_rows(RowsView(start.data(), start.rows(), start.cols()),
@@ -99,14 +99,14 @@ public:
     RowsView start_rows() const { return {start_rows_, row_count_, Rows::ColsAtCompileTime}; }  ///< if it has rows
     RowsView end_rows() const { return {end_rows_, row_count_, Rows::ColsAtCompileTime}; }
 
-    /// Whether it can be used with a distance rolled dq, in any unit, and, if it has rows, with this number of
+    /// Whether the motion can be used with a distance rolled dq, in any unit, and, if it has rows, with this number of
     /// elements: ok, invalid_step or not_finite.
     Status check(Scalar dq, Eigen::Index row_count = 0) const noexcept {
         const bool possible = is_shift() ? dq >= 0 : dq >= detail::negligible<Scalar>;
         if (!detail::is_finite(dq) || !possible) return Status::invalid_step;
         return check_rows(row_count);
     }
-    /// The same of steady rolling.
+    /// Whether the motion can be used in steady rolling.
     Status check_rows(Eigen::Index row_count) const noexcept {
         if (has_rows() && row_count_ != row_count) return Status::invalid_step;
         const bool finite = detail::is_finite(start_) && detail::is_finite(end_) &&

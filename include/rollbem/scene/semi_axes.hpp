@@ -5,7 +5,7 @@
 
 namespace rollbem {
 
-/// In metres, or in those of a contact.
+/// Semi-axes in metres, or in the semi-axes of a contact.
 template <class Scalar_ = double>
 struct SemiAxes {
     using Scalar = Scalar_;

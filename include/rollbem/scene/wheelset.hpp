@@ -14,15 +14,15 @@ struct WheelsetPosition {
     double height = 0;   ///< z_ws [m], positive down; 0 where profiles with z = 0 at the tape circle and the top touch
     double roll = 0;     ///< phi [rad]
     double yaw = 0;      ///< psi [rad]
-    double along = 0;    ///< of the middle of the axle along the track [m], for rails that change along it
+    double along = 0;    ///< place of the middle of the axle along the track [m], for rails that change along it
     double pitch = 0;    ///< turn about the axle [rad], for wheels that are not round; negative when rolling forward
 };
 
 /// Speeds of a wheelset: the middle of its axle moves by `forward` along x.
 struct WheelsetSpeeds {
     double forward = 1;                  ///< V [m/s]
-    double pitch_rate = 0;               ///< about the axle [rad/s], negative when rolling forward
-    double lateral = 0, vertical = 0;    ///< of the middle [m/s]
+    double pitch_rate = 0;               ///< rate of the turn about the axle [rad/s], negative when rolling forward
+    double lateral = 0, vertical = 0;    ///< velocity of the middle of the axle [m/s]
     double roll_rate = 0, yaw_rate = 0;  ///< [rad/s]
 };
 

@@ -1,4 +1,4 @@
-// Whether a system was made for a contact.
+// Checks whether a system was made for a contact.
 #pragma once
 
 #include <cmath>
@@ -29,7 +29,7 @@ void require_same_aspect(const char* who, const Contact<Scalar>& contact, const 
     require_same_aspect(who, contact, std::optional<Scalar>(system.aspect()));
 }
 
-/// Throws std::invalid_argument unless the a/b of a system, if known, is that of an elliptic patch.
+/// Throws std::invalid_argument unless the a/b of a system, if known, equals the a/b of an elliptic patch.
 template <class AnyContact, class System>
 void require_same_shape(const char* who, const AnyContact& contact, const System& system) {
     if (system.a_over_b() == 0 || contact.outline()) return;

@@ -1,5 +1,5 @@
-// Whether a scheme's forces can be right: the proof that its equations dissipate energy, and, where that fails, whether
-// tractions of steady rolling oppose the creepage.
+// Checks whether a scheme's forces can be right: the proof that its equations dissipate energy, and, where it fails,
+// whether tractions of steady rolling oppose the creepage.
 #pragma once
 
 #include <algorithm>
@@ -17,10 +17,9 @@ namespace rollbem {
 
 /// Whether S = -(W A + (W A)^T)/2 is positive definite beyond rounding, W the elements' areas (widths on a line). A is
 /// G' with the unknowns of each direction one after the other, or any matrix of a step with this sign.
-///
 /// In steady rolling, G' p = creepage, p^T S p is the work of the creepage: if S is positive definite, the force
-/// opposes the creepage. Friction, slip = creepage - A p with |p_i| bounded, then has exactly one solution whatever the
-/// bounds, as it is strongly monotone in the inner product of the areas. The converse does not hold: patches 20 times
+/// opposes the creepage. Friction, slip = creepage - A p with |p_i| bounded, then has exactly one solution for any
+/// bounds, as it is strongly monotone in the inner product of the areas. The converse does not hold: patches much
 /// longer than wide may have the right force though S is indefinite. One Cholesky decomposition.
 template <class Scalar>
 bool is_dissipative(MatrixX<Scalar> A, const ArrayX<Scalar>& areas) {
@@ -43,14 +42,14 @@ bool is_dissipative(MatrixX<Scalar> A, const ArrayX<Scalar>& areas) {
 
 namespace rollbem::detail {
 
-/// If a larger share of the traction assists the creepage, a solution is not an approximation. Schemes whose tractions
-/// converge stay at 0, except for oscillations at alpha_T below 0.1 on coarse meshes; others reach 0.3 to 1 as the
-/// number of elements grows. In between, at 0.14 to 0.27, lies alpha_T = 0 with alpha_L > 0: oscillations that average
-/// out in c11.
+/// Largest share of the traction that may assist the creepage; with a larger share, a solution is not an approximation.
+/// Schemes whose tractions converge stay at 0, except for oscillations at alpha_T below 0.1 on coarse meshes; the share
+/// of others grows with the number of elements. alpha_T = 0 with alpha_L > 0 lies in between, by oscillations that
+/// average out in c11 (docs/measured.md).
 inline constexpr double largest_assisting_share = 0.05;
 
-/// The same of a patch: elements many times longer than wide let tractions oscillate, to 0.18 where forces are right
-/// within 1 %, from 0.4 on where they are wrong by 8 % and more.
+/// Largest assisting share for a patch: elements many times longer than wide let tractions oscillate, where forces are
+/// still right (docs/measured.md).
 inline constexpr double largest_assisting_share_of_patch = 0.25;
 
 /// Share, in [0, 1], of the traction that assists a positive creepage: the positive part of the sum of |p| dx. With

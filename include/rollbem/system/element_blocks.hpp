@@ -27,7 +27,7 @@ namespace rollbem {
 
 namespace detail {
 
-/// ElementSystem<Scalar, 2>::Blocks.
+/// Blocks of ElementSystem<Scalar, 2>.
 template <class Scalar>
 using DirectionBlocks = std::array<std::array<MatrixX<Scalar>, 2>, 2>;
 
@@ -44,7 +44,7 @@ void require_blocks(const char* who, const char* name, const DirectionBlocks<Sca
     }
 }
 
-/// The blocks of directions that do not couple.
+/// The blocks of uncoupled directions.
 template <class Scalar>
 DirectionBlocks<Scalar> uncoupled(const MatrixX<Scalar>& longitudinal, const MatrixX<Scalar>& lateral) {
     DirectionBlocks<Scalar> blocks;
@@ -76,7 +76,7 @@ void add_blocks(const DirectionBlocks<Scalar>& blocks, Fingerprint& fingerprint)
 
 /// Rigid slip of 2n equations, longitudinal ones first, per longitudinal creepage, lateral creepage and spin (times the
 /// unit of length): columns (1, 0), (0, 1), (-y, x) at the points of the equations. 2n x 3; the third column is zero
-/// where places are not known.
+/// where the points are not known.
 template <class Scalar>
 MatrixX<Scalar> rigid_slip(const Elements<Scalar>& elements) {
     const Eigen::Index n = elements.size();
@@ -91,7 +91,7 @@ MatrixX<Scalar> rigid_slip(const Elements<Scalar>& elements) {
 }
 
 /// F_x, F_y and the moment about the origin M_z = int (x p_y - y p_x), per traction: 2n x 3, by areas and centres. The
-/// moment is zero where places are not known.
+/// moment is zero where the centres are not known.
 template <class Scalar>
 MatrixX<Scalar> force_weights(const Elements<Scalar>& elements) {
     const Eigen::Index n = elements.size();
@@ -107,20 +107,20 @@ MatrixX<Scalar> force_weights(const Elements<Scalar>& elements) {
 
 }  // namespace detail
 
-/// Elements with tractions in both directions, of a line (two systems that do not couple) or of a patch:
-/// s/V = rigid slip - G' p + G dp/dq. Dimensionless: lengths in a (outlines: c), tractions in G.
+/// Elements with tractions in both directions, of a line (two uncoupled systems) or of a patch: s/V = rigid slip - G' p
+/// + G dp/dq. Dimensionless: lengths in a (outlines: c), tractions in G.
 ///
-/// Invariant: that of Elements; all blocks are n x n and finite, and G and G' couple the directions both or not at all.
-/// As in RollingSystem, G may be empty.
+/// Invariant: the invariant of Elements; all blocks are n x n and finite, and G and G' couple the directions both or
+/// not at all. As in RollingSystem, G may be empty.
 template <class Scalar_>
 class ElementSystem<Scalar_, 2> {
 public:
     using Scalar = Scalar_;
-    /// Of G or G': entry [d][e] is n x n, what tractions along e cause along d; 0 is longitudinal (x), 1 lateral (y).
+    /// Blocks of G or G': entry [d][e] is n x n, from tractions along e to d; 0 is longitudinal (x), 1 lateral (y).
     /// Blocks with d != e are empty (0 x 0) where the directions do not couple.
     using Blocks = detail::DirectionBlocks<Scalar>;
 
-    /// From ready blocks. Throws std::invalid_argument if they break the invariant.
+    /// Takes ready blocks. Throws std::invalid_argument if they break the invariant.
     ElementSystem(Blocks G, Blocks G_prime, Elements<Scalar> elements)
         : G_(std::move(G)),
           G_prime_(std::move(G_prime)),
@@ -133,8 +133,8 @@ public:
                         G_[0][1].rows(), "be that of G_prime_xy");
     }
 
-    /// The same for a patch of the given a/b; unless null, `shapes` cover it, and the patch may change its size and
-    /// shape.
+    /// Takes ready blocks of a patch of the given a/b; unless null, `shapes` cover it, and the patch may change its
+    /// size and shape.
     ElementSystem(Blocks G, Blocks G_prime, Elements<Scalar> elements,
                   std::shared_ptr<const detail::ShapeSet<Scalar>> shapes, Scalar a_over_b)
         : ElementSystem(std::move(G), std::move(G_prime), std::move(elements)) {
@@ -142,7 +142,7 @@ public:
         a_over_b_ = a_over_b;
     }
 
-    /// From the systems of both directions on one mesh. Throws std::invalid_argument if their elements differ.
+    /// Joins the systems of both directions on one mesh. Throws std::invalid_argument if their elements differ.
     ElementSystem(const ElementSystem<Scalar>& longitudinal, const ElementSystem<Scalar>& lateral)
         : G_(longitudinal.has_G() ? detail::uncoupled(longitudinal.G(), lateral.G()) : Blocks{}),
           G_prime_(detail::uncoupled(longitudinal.G_prime(), lateral.G_prime())),
@@ -165,11 +165,14 @@ public:
         if (!aspect_) aspect_ = lateral.aspect();
     }
 
-    Eigen::Index size() const { return elements_.size(); }         ///< n, number of unknown elements
-    Eigen::Index element_count() const { return element_count_; }  ///< of the mesh, as in one direction
+    Eigen::Index size() const { return elements_.size(); }  ///< n, number of unknown elements
+    Eigen::Index element_count() const {
+        return element_count_;
+    }  ///< number of elements of the mesh, as in one
+       ///< direction
     const Elements<Scalar>& elements() const { return elements_; }
     bool has_G() const { return G_[0][0].size() > 0; }
-    /// What tractions along e cause along d, 0 longitudinal and 1 lateral; empty if the directions do not couple. G
+    /// The block from tractions along e to d, 0 longitudinal and 1 lateral; empty if the directions do not couple. G
     /// throws std::invalid_argument if there is none.
     const MatrixX<Scalar>& G(std::size_t d, std::size_t e) const {
         detail::require_G("ElementSystem", *this);
@@ -184,9 +187,9 @@ public:
     std::optional<Scalar> log_strength(std::size_t direction) const { return log_strength_[direction]; }
     Scalar half_length_limit() const { return half_length_limit_; }
 
-    /// Of a patch that may change its size or shape, and null of any other: see breathing_system and PatchShapes.
+    /// Shapes of a patch that may change its size or shape, otherwise null: see breathing_system and PatchShapes.
     const std::shared_ptr<const detail::ShapeSet<Scalar>>& shapes() const { return shapes_; }
-    Scalar a_over_b() const { return a_over_b_; }  ///< of a patch, for which the blocks hold; 0 where not known
+    Scalar a_over_b() const { return a_over_b_; }  ///< a/b of the patch for which the blocks hold; 0 where not known
 
     /// All 2n equations, longitudinal ones first, with inputs (xi, eta, phi) and outputs (F_x, F_y, M_z).
     RollingSystem<Scalar> whole() const {
@@ -194,7 +197,7 @@ public:
                 detail::force_weights(elements_)};
     }
 
-    /// As in RollingSystem.
+    /// Fingerprint as in RollingSystem.
     std::uint64_t fingerprint() const {
         detail::Fingerprint fingerprint;
         detail::add_blocks(G_, fingerprint);

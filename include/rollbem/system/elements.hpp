@@ -1,4 +1,4 @@
-// Elements: the places of a system's elements and equations, which friction, moments and spin need, on a line and on a
+// Elements: the coordinates of a system's elements and equations for friction, moments and spin, on a line and on a
 // patch alike.
 #pragma once
 
@@ -13,17 +13,17 @@
 
 namespace rollbem {
 
-/// Places of n elements and of their equations, in the system's unit of length (a; for outlines c). Elements are
+/// Coordinates of n elements and of their equations, in the system's unit of length (a; for outlines c). Elements are
 /// numbered from trailing to leading, strip by strip from small to large y; equation i belongs to element i.
 ///
-/// Invariant: all areas are positive and finite; the other arrays have as many entries, or none where places are not
+/// Invariant: all areas are positive and finite; the other arrays have as many entries, or none if coordinates are not
 /// known, as for ready matrices.
 template <class Scalar>
 struct Elements {
-    ArrayX<Scalar> x, y;                ///< the point of each equation: the rigid slip is that of this point
-    ArrayX<Scalar> centre_x, centre_y;  ///< of each element: moments are those of tractions at the centres
-    ArrayX<Scalar> areas;               ///< of each element; on a line contact its width
-    /// Length along x of the interval, about its point, in which each equation holds: for a difference of u the
+    ArrayX<Scalar> x, y;                ///< the point of each equation, at which the rigid slip is taken
+    ArrayX<Scalar> centre_x, centre_y;  ///< the centre of each element, at which its traction acts in moments
+    ArrayX<Scalar> areas;               ///< area of each element; on a line contact its width
+    /// Length along x of the interval, about its point, in which each equation holds; for a difference of u, the
     /// distance between its two points. Empty where it is not known.
     ArrayX<Scalar> intervals;
     std::vector<Eigen::Index> behind;  ///< the equation behind in the same strip; -1 for a trailing element
@@ -42,7 +42,7 @@ struct Elements {
         return behind;
     }
 
-    /// Elements of one strip at unknown places.
+    /// Elements of one strip at unknown coordinates.
     static Elements unplaced(const ArrayX<Scalar>& areas) {
         Elements elements;
         elements.areas = areas;
@@ -50,7 +50,8 @@ struct Elements {
         return elements;
     }
 
-    /// Throws std::invalid_argument if the invariant does not hold; `area` is what `who` calls it.
+    /// Throws std::invalid_argument if the invariant does not hold; `area` is the name of the areas in the terms of
+    /// `who`.
     void require_valid(const char* who, const char* area) const;
 };
 

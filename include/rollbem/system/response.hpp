@@ -1,5 +1,5 @@
-// What a linear problem in full adhesion has found, steady, G' p = inputs, Eq. (15), or under creepages e^{st}, Eq.
-// (16). Lines, patches and Chebyshev states, real or complex, have this one result, and one rule for when to trust it.
+// Response: the result of a linear problem in full adhesion, steady, G' p = inputs, Eq. (15), or under creepages
+// e^{st}, Eq. (16). Lines, patches and Chebyshev states, real or complex, share it and one rule of its validity.
 #pragma once
 
 #include <limits>
@@ -20,12 +20,17 @@ template <class Value>
 struct Response {
     using Scalar = typename Eigen::NumTraits<Value>::Real;
 
-    /// n x k: of elements p / (G creepage) on body 1, trailing to leading, against the creepage; of a patch p_x, then
-    /// p_y; of solve_steady(Chebyshev, kernel) the coefficients of a ChebyshevTraction. Empty in sweeps.
+    /// Unknowns, n x k:
+    ///
+    /// - elements: p / (G creepage) on body 1, trailing to leading, against the creepage;
+    /// - a patch: p_x, then p_y;
+    /// - solve_steady(Chebyshev, kernel): the coefficients of a ChebyshevTraction.
+    ///
+    /// Empty in sweeps.
     MatrixX<Value> unknowns{};
     MatrixX<Value> coefficients{};  ///< k x k: entry (i, j) is minus force i per creepage j
-    /// k x k: estimates of the relative errors of the coefficients of Chebyshev states, and of patches that were solved
-    /// on other meshes besides; otherwise empty.
+    /// k x k: estimates of the relative errors of the coefficients, for Chebyshev states and for patches that were also
+    /// solved on other meshes; otherwise empty.
     MatrixX<Scalar> error_estimates{};
     Scalar residual = 0;  ///< |A p - inputs| / (|A| |p| + |inputs|) in the maximum norm, A = G' - s G [-]
     Scalar rcond = 0;     ///< estimate of 1 / (|A| |A^-1|) in the 1-norm [-]
@@ -36,7 +41,7 @@ struct Response {
     Value c11() const {
         return coefficients.size() > 0 ? coefficients(0, 0) : Value(std::numeric_limits<Scalar>::quiet_NaN());
     }
-    /// Of c11; NaN if there is none.
+    /// The error estimate of c11; NaN if there is none.
     Scalar error_estimate() const {
         return error_estimates.size() > 0 ? error_estimates(0, 0) : std::numeric_limits<Scalar>::quiet_NaN();
     }
@@ -60,7 +65,7 @@ Status trust(Eigen::Index n, Scalar rcond, Scalar residual, int allowed) {
     return trusted ? Status::ok : Status::ill_conditioned;
 }
 
-/// The response of a whole whose parts have not been added yet.
+/// The empty response of a system to which its subsystems will be added.
 template <class Value>
 Response<Value> response_without_parts(Eigen::Index inputs) {
     Response<Value> whole;
@@ -70,7 +75,8 @@ Response<Value> response_without_parts(Eigen::Index inputs) {
     return whole;
 }
 
-/// Adds all but the unknowns of a part, whose first creepage is number `first` of the whole: the worse of both numbers.
+/// Adds all of a subsystem's response but the unknowns. Its first creepage is number `first` of the system; the worse
+/// of both residuals and conditions is kept.
 template <class Value>
 void add_part(const Response<Value>& part, Eigen::Index first, Response<Value>& whole) {
     const Eigen::Index count = part.coefficients.cols();

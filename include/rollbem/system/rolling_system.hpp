@@ -1,5 +1,6 @@
 // RollingSystem: G' p - (1/V) G dp/dt = inputs . v, Eq. (12), and the outputs that turn its unknowns into forces. All
-// problems that are not steady start from it; it knows no mesh, scheme or kernel. Steady friction needs G' alone.
+// problems that are not steady start from it; it does not depend on mesh, scheme or kernel. Steady friction needs G'
+// alone.
 #pragma once
 
 #include <cstdint>
@@ -30,41 +31,41 @@ void require_G(const char* who, const System& system) {
 /// G' p - G dp/dq = inputs v, q = V t/a, with k creepages v; the forces over a G are outputs^T p. One creepage, the
 /// same in every equation, and one force unless said otherwise: F_bar/(a G) = weights . p. Dimensionless: G in units of
 /// a/G, G' in units of 1/G. The meaning of the unknowns p depends on the discretisation.
-///
 /// Invariant: n >= 1 and k >= 1; G and G' are n x n, inputs and outputs n x k, and all numbers are finite. G may be
-/// empty (0 x 0), as steady_system() leaves it: the system is then for FrictionModel::steady alone, and whatever else
-/// needs G throws std::invalid_argument when it is made.
+/// empty (0 x 0), as after steady_system(): the system then serves FrictionModel::steady alone, and constructors that
+/// need G throw std::invalid_argument.
 template <class Scalar_>
 class RollingSystem {
 public:
     using Scalar = Scalar_;
 
-    /// What is known of a system beyond its matrices; nothing of ready ones.
+    /// Properties of a system besides its matrices; unknown for ready matrices.
     struct Origin {
-        bool unknowns_are_tractions = false;     ///< of elements: only then can their signs reveal a scheme that fails
+        bool unknowns_are_tractions = false;     ///< true for elements: only then can their signs reveal a scheme that
+                                                 ///< fails
         std::optional<Scalar> aspect{};          ///< b/a of the kernel; empty for kernels without a half-width
         std::optional<ArrayX<Scalar>> points{};  ///< x/a of the point of each equation
         /// S, if the kernel is C - S ln|x| and nothing else (the plane's) and each equation follows its point: then G
         /// and G' of any half-length follow from these matrices, and the contact may breathe.
         std::optional<Scalar> log_strength{};
-        /// 2 exp(C/S) of that kernel, in half-lengths of the contact: Lambda = 0 there, and a mode of a longer contact
+        /// 2 exp(C/S) of this kernel, in half-lengths of the contact: there Lambda = 0, and a mode of a longer contact
         /// grows in time. Infinite for other systems.
         Scalar half_length_limit = std::numeric_limits<Scalar>::infinity();
     };
 
-    /// From ready matrices, for one creepage. Throws std::invalid_argument if they break the invariant.
+    /// Takes ready matrices, for one creepage. Throws std::invalid_argument if they break the invariant.
     RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& weights, Origin origin = {})
         : RollingSystem(std::move(G), std::move(G_prime), MatrixX<Scalar>::Ones(weights.size(), 1), weights.matrix(),
                         std::move(origin)) {}
 
-    /// The same for k creepages, a column each in `inputs`, and their forces, a column each in `outputs`.
+    /// Takes ready matrices for k creepages, a column each in `inputs`, and their forces, a column each in `outputs`.
     RollingSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, MatrixX<Scalar> inputs, MatrixX<Scalar> outputs,
                   Origin origin = {});
 
     Eigen::Index size() const { return outputs_.rows(); }        ///< n, number of unknowns
     Eigen::Index input_count() const { return inputs_.cols(); }  ///< k, number of creepages and of forces
     bool has_G() const { return G_.size() > 0; }
-    /// [a/G]. Throws std::invalid_argument if there is none.
+    /// G [a/G]. Throws std::invalid_argument if there is none.
     const MatrixX<Scalar>& G() const {
         detail::require_G("RollingSystem", *this);
         return G_;
@@ -149,25 +150,25 @@ public:
     using Scalar = Scalar_;
     using Origin = typename RollingSystem<Scalar>::Origin;
 
-    /// From ready matrices and the widths of the elements; for steady friction alone G may be empty. Throws
+    /// Takes ready matrices and the widths of the elements; for steady friction alone G may be empty. Throws
     /// std::invalid_argument if they break the invariant, or if the signs of both diagonals show that G and G' have
     /// been exchanged.
     ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths)
         : ElementSystem(std::move(G), std::move(G_prime), Elements<Scalar>::unplaced(widths), widths.size(), {}) {}
 
-    /// The same with the places of the elements, on a mesh of `element_count`.
+    /// Takes ready matrices with the coordinates of the elements, on a mesh of `element_count`.
     ElementSystem(MatrixX<Scalar> G, MatrixX<Scalar> G_prime, Elements<Scalar> elements, Eigen::Index element_count,
                   Origin origin);
 
     /// Number of elements of the mesh; more than unknowns if the scheme leaves leading elements without traction.
     Eigen::Index element_count() const { return element_count_; }
 
-    /// The places of the unknown elements and of their equations.
+    /// The coordinates of the unknown elements and of their equations.
     const Elements<Scalar>& elements() const { return elements_; }
 
-    /// For the lateral direction: inputs lateral creepage and spin times a, whose rigid slip is x at the points of the
-    /// equations; outputs F_y over a G and the moment M_z over a^2 G, both per width, of tractions at the centres.
-    /// Throws std::invalid_argument where places are not known.
+    /// The lateral system with spin. Inputs: lateral creepage, and spin times a, whose rigid slip is x at the points of
+    /// the equations. Outputs: F_y over a G and the moment M_z over a^2 G, both per width, by tractions at the centres.
+    /// Throws std::invalid_argument where coordinates are not known.
     RollingSystem<Scalar> with_spin() const {
         this->require_points("ElementSystem");  // which have places of their tractions, too
         return this->with_spin_by("ElementSystem", (elements_.areas * elements_.centre_x).matrix());
@@ -191,15 +192,14 @@ ElementSystem<Scalar, directions>::ElementSystem(MatrixX<Scalar> G, MatrixX<Scal
       elements_(std::move(elements)) {
     elements_.require_valid("ElementSystem", "width");
     if (!this->has_G()) return;
-    // an element is displaced in the direction of its own traction, and what lies ahead of it less than the element
-    // itself
+    // an element is displaced in the direction of its own traction, and points ahead of it less than the element itself
     const bool swapped = (this->G().diagonal().array() < 0).all() && (this->G_prime().diagonal().array() > 0).all();
     detail::require(!swapped, "ElementSystem", "first diagonal entry of G", this->G()(0, 0),
                     "be positive, and that of G_prime negative: have they changed places?");
 }
 
-/// Two systems that do not couple as one: inputs and outputs of the first, then those of the second. With spin in the
-/// lateral one, AdhesionModel<3> takes the result. Throws std::invalid_argument if their kernels differ in b/a.
+/// Two uncoupled systems as one: inputs and outputs of the first, then of the second. With spin in the lateral one,
+/// AdhesionModel<3> takes the result. Throws std::invalid_argument if their kernels differ in b/a.
 template <class Scalar>
 RollingSystem<Scalar> both_directions(const RollingSystem<Scalar>& longitudinal, const RollingSystem<Scalar>& lateral) {
     const std::optional<Scalar>& aspect = longitudinal.aspect() ? longitudinal.aspect() : lateral.aspect();

@@ -12,7 +12,7 @@
 
 namespace rollbem::detail {
 
-/// What tractions of elements cause in rows, along both directions; by reciprocity xy of the kernel is its yx.
+/// Rows of influence of tractions on elements, along both directions; by reciprocity xy of the kernel is its yx.
 template <class Scalar>
 struct InfluenceRows {
     MatrixX<Scalar> xx, xy, yy;
@@ -41,24 +41,24 @@ struct ShapeWeights {
     std::array<Scalar, 4> values{1, 0, 0, 0}, rates{};
 };
 
-/// Ellipses whose meshes differ by stretching alone, a constant factor in a/b from one to the next: the entries of
-/// others are interpolated over ln(a/b), by cubics. A single node serves its own a/b alone.
+/// Ellipses whose meshes differ by stretching alone, a constant factor in a/b from one to the next. Entries of other
+/// ellipses are interpolated over ln(a/b), by cubics. A single node serves its own a/b alone.
 template <class Scalar>
 struct ShapeSet {
-    std::vector<ShapeNode<Scalar>> nodes;  ///< one, or at least four
-    Scalar first = 0, step = 0;            ///< ln(a/b) of the first, and from node to node
+    std::vector<ShapeNode<Scalar>> nodes;  ///< one node, or at least four
+    Scalar first = 0, step = 0;            ///< ln(a/b) of the first node, and its difference from node to node
     ArrayX<Scalar> zeta, upsilon;          ///< x/a and y/b of the points of the equations
     bool coupled = false;                  ///< whether xy differs from zero
 
     bool is_single() const { return nodes.size() == 1; }
 
-    /// Whether a/b lies in the range of the nodes; a single one's to half the digits.
+    /// Whether a/b lies in the range of the nodes; the a/b of a single node must agree to half the digits.
     bool covers(Scalar a_over_b) const noexcept {
         const Scalar place = std::log(a_over_b) - first, slack = std::sqrt(std::numeric_limits<Scalar>::epsilon());
         return place >= -slack && place <= static_cast<Scalar>(nodes.size() - 1) * step + slack;
     }
 
-    /// Of an a/b that is covered.
+    /// Weights of an a/b that is covered.
     ShapeWeights<Scalar> weights(Scalar a_over_b) const noexcept {
         if (is_single()) return {};
         const Scalar place = (std::log(a_over_b) - first) / step, last = static_cast<Scalar>(nodes.size() - 4);

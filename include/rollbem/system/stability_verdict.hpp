@@ -1,4 +1,4 @@
-// StabilityVerdict: what a time integrator needs to know about the eigenvalues of G' p = nu G p. A small value type,
+// StabilityVerdict: the facts that a time integrator needs about the eigenvalues of G' p = nu G p. A small value type,
 // separate from the headers that compute it.
 #pragma once
 
@@ -13,26 +13,27 @@ namespace rollbem {
 /// Signs of the real parts of the n eigenvalues nu a of G' p = nu G p; a mode grows like e^{nu V t}.
 ///
 /// An eigenvalue is uncertain if rounding of G and G' alone could change the sign of its real part, to first order;
-/// otherwise its sign is settled. Infinite eigenvalues are uncertain. Where eigenvalues are too ill-conditioned for
-/// that, all of them together may be proved to decay.
+/// otherwise its sign is settled. Infinite eigenvalues are uncertain. Eigenvalues too ill-conditioned for this may be
+/// proved to decay all together.
 struct StabilityVerdict {
     Eigen::Index n = 0;
     Eigen::Index unstable_count = 0;          ///< real part > 0 as computed
-    Eigen::Index settled_unstable_count = 0;  ///< those of them whose sign is settled
-    Eigen::Index uncertain_count = 0;         ///< of either sign
+    Eigen::Index settled_unstable_count = 0;  ///< eigenvalues among these whose sign is settled
+    Eigen::Index uncertain_count = 0;         ///< with either sign
     double spectral_abscissa = 0;             ///< largest real part of the finite eigenvalues, times a [-]
-    bool decay_proved = false;                ///< of all modes, although some signs are uncertain one by one
+    bool decay_proved = false;                ///< whether all modes are proved to decay, although some signs are
+                                              ///< uncertain one by one
     Status status = Status::not_finite;       ///< unless ok, the eigenvalues were not found
     bool checked = true;                      ///< when a model is made, see `unchecked`
 
-    /// No mode grows, whatever rounding does.
+    /// No mode grows, whatever the rounding.
     bool stable() const {
         return status == Status::ok && unstable_count == 0 && (uncertain_count == 0 || decay_proved);
     }
     /// At least one mode certainly grows.
     bool certainly_unstable() const { return status == Status::ok && settled_unstable_count > 0; }
 
-    /// The verdict on two systems that do not couple, which together have the eigenvalues of both.
+    /// The verdict on two uncoupled systems, which together have the eigenvalues of both.
     friend StabilityVerdict operator+(const StabilityVerdict& one, const StabilityVerdict& other) {
         return {.n = one.n + other.n,
                 .unstable_count = one.unstable_count + other.unstable_count,
@@ -44,7 +45,7 @@ struct StabilityVerdict {
     }
 };
 
-/// In place of a verdict: builds a model whatever its eigenvalues, and whether or not the scheme converges.
+/// Replaces a verdict: builds a model for any eigenvalues, and whether or not the scheme converges.
 inline constexpr StabilityVerdict unchecked{.checked = false};
 
 }  // namespace rollbem

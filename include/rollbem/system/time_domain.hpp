@@ -1,4 +1,4 @@
-// What every model in the time domain requires of its scheme: eigenvalues that do not grow, and convergence to full
+// Requirements of every model in the time domain on its scheme: eigenvalues that do not grow, and convergence to full
 // adhesion.
 #pragma once
 
@@ -19,7 +19,7 @@
 namespace rollbem::detail {
 
 /// The tractions of steady rolling at unit creepage, G' p = 1, by an LU that needs no Eigen header; with several
-/// directions, the n unknowns of this one begin at `first`.
+/// directions, the n unknowns of this direction begin at `first`.
 template <class Scalar>
 VectorX<Scalar> steady_tractions(MatrixX<Scalar> G_prime, Eigen::Index first, Eigen::Index n) {
     std::vector<Eigen::Index> swaps(static_cast<std::size_t>(G_prime.rows()));
@@ -55,8 +55,8 @@ void require_convergent(const char* who, const VectorX<Scalar>& steady, const Ar
 }
 
 /// True if G' is dissipative. Otherwise false if the tractions of full adhesion at unit creepages, G' p = inputs,
-/// assist the creepage by more than the `allowed` share. True also if G' is so nearly singular that nothing follows
-/// from them. The first n unknowns are tractions along the first input, and so on.
+/// assist the creepage by more than the `allowed` share. True also if G' is so nearly singular that the tractions are
+/// meaningless. The first n unknowns are tractions along the first input, and so on.
 template <class Scalar>
 bool converges(MatrixX<Scalar> G_prime, const ArrayX<Scalar>& areas, double allowed = largest_assisting_share) {
     if (is_dissipative(G_prime, areas)) return true;
@@ -68,7 +68,7 @@ bool converges(MatrixX<Scalar> G_prime, const ArrayX<Scalar>& areas, double allo
         VectorX<Scalar> p = VectorX<Scalar>::Zero(G_prime.rows());
         p.segment(d * n, n).setOnes();
         solve_in_place<Scalar>(G_prime, swaps.data(), p);
-        const Scalar condition = norm * p.cwiseAbs().maxCoeff();  // at most the true one
+        const Scalar condition = norm * p.cwiseAbs().maxCoeff();  // not greater than the true condition
         const Scalar rounding = static_cast<Scalar>(G_prime.rows()) * std::numeric_limits<Scalar>::epsilon();
         if (!all_finite(p) || !(condition * rounding * 100 < 1)) return true;
         const VectorX<Scalar> along = p.segment(d * n, n);
@@ -92,7 +92,7 @@ void require_usable_in_time(const char* who, const RollingSystem<Scalar>& system
     require_convergent<Scalar>(who, steady_tractions(system.G_prime(), 0, system.size()), system.weights());
 }
 
-/// The same in two directions, with a verdict on all 2n eigenvalues.
+/// The requirements in two directions, with a verdict on all 2n eigenvalues.
 template <class Scalar>
 void require_usable_in_time(const char* who, const ElementSystem<Scalar, 2>& system, const StabilityVerdict& verdict) {
     require_G(who, system);
