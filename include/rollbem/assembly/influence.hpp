@@ -25,7 +25,7 @@ MatrixX<Scalar> assemble_G_prime(const Mesh<Scalar>& mesh, const Scheme& scheme,
                                             detail::KernelView<Scalar>(kernel), Quantity::slope);
 }
 
-/// G of Eq. (13), for Galerkin of Eq. (14), of the same shape, in units of a/G: the displacement u instead of its
+/// G of Eq. (13), for Galerkin of Eq. (14), with the shape of G', in units of a/G: the displacement u instead of its
 /// slope. The kernel's half-width must be finite. Throws std::invalid_argument if the scheme does not fit the mesh or G
 /// is not finite.
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>

@@ -27,7 +27,7 @@ namespace rollbem {
 
 namespace detail {
 
-/// G, G' and G_y of a mesh in units of `c`, in which that of the mesh is 1; `over_width` as in patch_rows.
+/// G, G' and G_y of a mesh in units of `c`; the mesh has c = 1; `over_width` as in patch_rows.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 ShapeNode<Scalar> shape_node(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel, Scalar c,
                              bool over_width) {
@@ -77,9 +77,9 @@ ElementSystem<Scalar, 2> system_of(std::shared_ptr<const ShapeSet<Scalar>> set, 
 
 }  // namespace detail
 
-/// The system of a patch that may change its size but not its shape: a(t)/b(t) remains that of the contact (ellipses),
-/// or the outline grows evenly about its origin. Its mesh follows. Throws std::invalid_argument unless
-/// the scheme takes differences of u and fits the strips' mesh, and all entries are finite.
+/// The system of a patch that may change its size but not its shape: a(t)/b(t) remains the contact's a/b (ellipses), or
+/// the outline grows evenly about its origin. Its mesh follows. Throws std::invalid_argument unless the scheme takes
+/// differences of u and fits the strips' mesh, and all entries are finite.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 ElementSystem<Scalar, 2> breathing_system(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh,
                                           const Scheme& scheme, const Kernel& kernel) {
@@ -95,8 +95,8 @@ ElementSystem<Scalar, 2> breathing_system(const PatchContact<Scalar>& contact, c
 }
 
 /// Ellipses of every a/b in a range, for steps in which an ellipse changes its size and its shape, and for steady
-/// rolling of any: systems at nodes a constant factor in a/b apart, made once, between which entries are interpolated
-/// over ln(a/b) by cubics. Copies share the systems. Immutable: threads may share it.
+/// rolling of any of them. Systems at nodes a constant factor in a/b apart are made once; between the nodes entries are
+/// interpolated over ln(a/b) by cubics. Copies share the systems. Immutable: threads may share it.
 ///
 ///     const PatchShapes<double> shapes(12, 12, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(0.28));
 ///     const FrictionModel model(contact, shapes.system(contact.a_over_b()), judge_stability(shapes), friction);
@@ -108,7 +108,8 @@ public:
 
     struct Range {
         Scalar least = Scalar(0.1), largest = 10;  ///< a/b
-        /// From node to node, at most. 1.25 leaves an error of 1e-5 to 1e-4 in creep coefficients, 1.5 of 2e-4 to 9e-4.
+        /// Largest factor from node to node; a smaller one interpolates creep coefficients more exactly
+        /// (docs/measured.md).
         Scalar factor = Scalar(1.25);
     };
 
@@ -119,7 +120,7 @@ public:
     PatchShapes(Eigen::Index n, Eigen::Index m, const Scheme& scheme, const Kernel& kernel, const Range& range = {})
         : PatchShapes(cosine_mesh<Scalar>(n), cosine_mesh<Scalar>(m), scheme, kernel, range) {}
 
-    /// Any mesh along each strip, and across them.
+    /// Takes any mesh along each strip, and across them.
     template <RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
     PatchShapes(const Mesh<Scalar>& along, const Mesh<Scalar>& across, const Scheme& scheme, const Kernel& kernel,
                 const Range& range = {})
@@ -137,7 +138,7 @@ public:
             (std::max)(4, static_cast<int>(std::ceil(length / std::log(range.factor) - Scalar(1e-6))) + 1);
         set->first = std::log(range.least);
         set->step = length / static_cast<Scalar>(count - 1);
-        // of all alike, as entries of the two kinds cannot be interpolated
+        // the same kind for all, as entries of the two kinds cannot be interpolated
         const bool over_width = detail::has_wide_strips(ellipse_mesh<Scalar>(range.least, along, across));
         for (int k = 0; k < count; ++k) {
             const Scalar a_over_b = std::exp(set->first + static_cast<Scalar>(k) * set->step);
@@ -150,21 +151,21 @@ public:
         set_ = std::move(set);
     }
 
-    Eigen::Index size() const { return circle_.size(); }  ///< elements
+    Eigen::Index size() const { return circle_.size(); }  ///< number of elements
     std::size_t node_count() const { return set_->nodes.size(); }
-    /// Of the matrices [bytes].
+    /// Memory of the matrices [bytes].
     std::size_t memory() const { return node_count() * 9 * static_cast<std::size_t>(size() * size()) * sizeof(Scalar); }
     bool covers(Scalar a_over_b) const noexcept { return set_->covers(a_over_b); }
 
-    /// The system of one a/b, which may become that of any other in the range. Throws std::invalid_argument unless the
-    /// range covers it.
+    /// The system of one a/b, which may change to any other in the range. Throws std::invalid_argument unless the range
+    /// covers it.
     ElementSystem<Scalar, 2> system(std::type_identity_t<Scalar> a_over_b) const;
 
-    /// The system at a node in independent parts, as patch_parts.
+    /// The system at a node as uncoupled subsystems, see patch_parts.
     std::vector<RollingSystem<Scalar>> parts(std::size_t node) const;
 
 private:
-    // At semi-axes 1 and 1/a_over_b.
+    // Elements at semi-axes 1 and 1/a_over_b.
     Elements<Scalar> elements(Scalar a_over_b) const {
         Elements<Scalar> elements = circle_;
         for (ArrayX<Scalar>* along_y : {&elements.y, &elements.centre_y, &elements.areas}) *along_y /= a_over_b;
@@ -172,7 +173,7 @@ private:
     }
 
     std::shared_ptr<const detail::ShapeSet<Scalar>> set_;
-    Elements<Scalar> circle_;  // for a = b = 1
+    Elements<Scalar> circle_;  // elements for a = b = 1
     bool mirrored_;
     Eigen::Index strips_;
 };

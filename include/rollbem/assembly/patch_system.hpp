@@ -1,5 +1,5 @@
-// The system of a contact patch: G and G' between all its elements, and its independent parts where strips at y and -y
-// are mirror images.
+// The system of a contact patch: G and G' between all its elements, and its uncoupled subsystems where strips at y and
+// -y are mirror images.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@
 
 namespace rollbem {
 
-/// The places of the elements of a patch and of their equations. The scheme is that of each strip, stretched to its
-/// length. Throws std::invalid_argument unless the scheme takes differences of u and fits the strips' mesh.
+/// The coordinates of the elements of a patch and of their equations. Each strip has the scheme, stretched to the
+/// strip's length. Throws std::invalid_argument unless the scheme takes differences of u and fits the strips' mesh.
 template <class Scalar, RollingScheme<Scalar> Scheme>
 Elements<Scalar> patch_elements(const PatchMesh<Scalar>& mesh, const Scheme& scheme) {
     const detail::StripRows<Scalar> rows = detail::strip_rows(mesh.along(), scheme, Quantity::slope);
@@ -44,8 +44,8 @@ Elements<Scalar> patch_elements(const PatchMesh<Scalar>& mesh, const Scheme& sch
 
 namespace detail {
 
-/// Rows of all strips from those of the strips at y <= 0, which `given` counts; their mirror images have entries `sign`
-/// times as large.
+/// Rows of all strips from the rows of the strips at y <= 0, of which there are `given`; their mirror images have
+/// entries `sign` times as large.
 template <class Scalar>
 MatrixX<Scalar> unfolded(const MatrixX<Scalar>& given, Eigen::Index n, Eigen::Index m, Scalar sign) {
     const Eigen::Index computed = given.rows() / n;
@@ -80,8 +80,8 @@ ElementSystem<Scalar, 2> system_of(const PatchMesh<Scalar>& mesh, const Scheme& 
     return {std::move(G), std::move(G_prime), patch_elements(mesh, scheme), nullptr, 2 / mesh.height()};
 }
 
-/// What tractions of the strips at y <= 0 and their mirror images cause in the strips at y <= 0: `count` strips of rows
-/// and columns, tractions at -y `sign` times those at y.
+/// Influence of tractions on the strips at y <= 0 and their mirror images in the strips at y <= 0: `count` strips of
+/// rows and columns, tractions at -y `sign` times the tractions at y.
 template <class Scalar>
 MatrixX<Scalar> folded(const MatrixX<Scalar>& rows, Eigen::Index n, Eigen::Index m, Eigen::Index row_strips,
                        Eigen::Index column_strips, Scalar sign) {
@@ -92,21 +92,25 @@ MatrixX<Scalar> folded(const MatrixX<Scalar>& rows, Eigen::Index n, Eigen::Index
     return result;
 }
 
-/// One of the two problems into which mirrored strips fall, on those at y <= 0: p_x even in y and p_y odd (sign = 1, of
-/// xi), or p_x odd and p_y even (sign = -1, of eta and phi). The odd one vanishes on a strip in the middle, so that
-/// there are always n m unknowns: p_x, then p_y, on `x` and `y` strips.
+/// One of the two uncoupled problems of mirrored strips, posed on the strips at y <= 0:
+///
+/// - sign = 1, of xi: p_x even in y and p_y odd;
+/// - sign = -1, of eta and phi: p_x odd and p_y even.
+///
+/// The odd traction vanishes on a strip in the middle, so that there are always n m unknowns: p_x, then p_y, on `x` and
+/// `y` strips.
 template <class Scalar>
 struct MirroredHalf {
     Eigen::Index n, m;  ///< elements in a strip, strips
     Scalar sign;
     Eigen::Index x = sign > 0 ? (m + 1) / 2 : m / 2, y = m - x;
-    Eigen::Index first = sign > 0 ? 0 : 1, count = sign > 0 ? 1 : 2;  ///< of its creepages
+    Eigen::Index first = sign > 0 ? 0 : 1, count = sign > 0 ? 1 : 2;  ///< numbers of its creepages
 
     static std::array<MirroredHalf, 2> both(Eigen::Index n, Eigen::Index m) {
         return {{{.n = n, .m = m, .sign = 1}, {.n = n, .m = m, .sign = -1}}};
     }
 
-    /// G or G'.
+    /// The matrix of G or G'.
     MatrixX<Scalar> matrix(const InfluenceRows<Scalar>& rows) const {
         MatrixX<Scalar> result(m * n, m * n);
         result.topLeftCorner(x * n, x * n) = folded(rows.xx, n, m, x, x, sign);
@@ -124,7 +128,7 @@ struct MirroredHalf {
         return result;
     }
 
-    /// The same of the weights of forces, those of strips at y > 0 included.
+    /// The rows and columns of the weights of forces, including strips at y > 0.
     MatrixX<Scalar> outputs(const MatrixX<Scalar>& whole) const {
         MatrixX<Scalar> result = inputs(whole);
         const Eigen::Index pairs = (m / 2) * n;  // without a strip in the middle
@@ -133,7 +137,7 @@ struct MirroredHalf {
         return result;
     }
 
-    /// Writes the unknowns into those of the whole, 2N x 3.
+    /// Writes the unknowns into the unknowns of the whole patch, 2N x 3.
     void unfold(const MatrixX<Scalar>& half, MatrixX<Scalar>& whole) const {
         const auto write = [&](Eigen::Index strips, Eigen::Index from, Eigen::Index to, Scalar parity) {
             for (Eigen::Index j = 0; j < strips; ++j) {
@@ -183,8 +187,8 @@ ElementSystem<Scalar, 2> rolling_system(const PatchMesh<Scalar>& mesh, const Sch
                              assemble_G_prime(mesh, scheme, kernel));
 }
 
-/// A patch as independent systems for linear problems: if the strips are mirrored, one of xi and one of eta with phi,
-/// each with N = n m unknowns (the tractions p_x, then p_y, of the strips at y <= 0); otherwise the whole. Throws
+/// A patch as uncoupled subsystems for linear problems. If the strips are mirrored, there are two, xi; eta and phi,
+/// each with N = n m unknowns (the tractions p_x, then p_y, of the strips at y <= 0); otherwise one. Throws
 /// std::invalid_argument unless the scheme takes differences of u and fits the strips' mesh, and all entries are
 /// finite.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>

@@ -1,4 +1,4 @@
-// The system of a line: G and G', or G' alone, of a mesh, scheme and kernel, and the places of its elements.
+// The system of a line: G and G', or G' alone, of a mesh, scheme and kernel, and the coordinates of its elements.
 #pragma once
 
 #include <utility>
@@ -20,7 +20,7 @@ namespace rollbem {
 
 namespace detail {
 
-/// The rows of a scheme of both matrices.
+/// The rows of a scheme for both matrices.
 template <class Scalar>
 struct BothRows {
     SchemeRows<Scalar> slope, displacement;
@@ -50,7 +50,7 @@ struct BothRows {
     }
 };
 
-/// The places of the unknown elements of a line and of their equations, in units of a.
+/// The coordinates of the unknown elements of a line and of their equations, in units of a.
 template <class Scalar>
 Elements<Scalar> line_elements(const Mesh<Scalar>& mesh, const BothRows<Scalar>& both) {
     const SchemeRows<Scalar>& rows = both.slope;
@@ -90,8 +90,8 @@ ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& sch
             std::move(origin)};
 }
 
-/// G' alone, which costs half as much, for steady friction; the half-width may be infinite. Throws
-/// std::invalid_argument if assemble_G_prime refuses the scheme.
+/// G' alone, at half the cost, for steady friction; the half-width may be infinite. Throws std::invalid_argument if
+/// assemble_G_prime refuses the scheme.
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 ElementSystem<Scalar> steady_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     Elements<Scalar> elements = detail::line_elements(mesh, detail::BothRows<Scalar>(scheme, mesh));

@@ -1,4 +1,4 @@
-// AnyScheme: a scheme that is chosen at run time, so that templates that take a scheme are compiled once.
+// AnyScheme: a scheme chosen at run time, so that templates that take a scheme are compiled once.
 #pragma once
 
 #include <concepts>
@@ -12,8 +12,8 @@
 
 namespace rollbem {
 
-/// Any RollingScheme, itself a scheme: AnyScheme scheme = Galerkin{}. A user's own scheme has rows in double only;
-/// those in other scalars throw std::invalid_argument.
+/// Any RollingScheme, itself a scheme: AnyScheme scheme = Galerkin{}. A user's own scheme has rows in double only; rows
+/// in other scalars throw std::invalid_argument.
 class AnyScheme {
 public:
     AnyScheme() = default;  ///< Collocation{}

@@ -31,7 +31,7 @@ public:
     using Scalar = Scalar_;
     using Array = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
 
-    /// What defines a mesh, each number in closed form rather than as a difference of others.
+    /// The data of a mesh, each number in closed form rather than as a difference of others.
     struct Data {
         Array widths;               ///< n element widths dx/a
         Array edges_from_trailing;  ///< n+1 values 1 + x of the edges, increasing from 0 to 2
@@ -83,7 +83,7 @@ Mesh<Scalar>::Mesh(Data data) : data_(std::move(data)) {
     }
 }
 
-// Tests all values at once, which is fast; one by one only to name the first that is not finite.
+// Tests all values at once, which is fast, and one by one only to name the first that is not finite.
 template <class Scalar>
 void Mesh<Scalar>::require_finite(const Array& values, const char* quantity, const char* rule) {
     if (detail::all_finite(values)) return;
@@ -107,17 +107,17 @@ void Mesh<Scalar>::check_edges(const Array& trailing, const Array& leading) {
     }
 }
 
-/// How the elements of a mesh are laid out; each has a maker below.
+/// The layout of the elements of a mesh; each has a maker below.
 enum class Topology { uniform, geometric, knothe, modified_knothe, cosine };
 
-/// A number besides n that graded meshes take [-].
+/// A number besides n that determines graded meshes [-].
 struct GradingInfo {
     const char* name;  ///< as in the programs' columns; in their options with a dash
     const char* meaning;
-    double usual;  ///< of the programs
+    double usual;  ///< default of the programs
 };
 
-/// All such numbers.
+/// All grading numbers.
 inline constexpr std::array<GradingInfo, 2> gradings{{
     {"size_ratio", "dx_trailing / dx_leading", 2},
     {"epsilon", "size of the end element over that of an inner one", 0.4},
@@ -272,8 +272,8 @@ Mesh<Scalar> make_mesh(Topology topology, Eigen::Index n, double parameter = 1) 
     return uniform_mesh<Scalar>(n);
 }
 
-/// Any mesh from its n+1 edges x/a, strictly increasing from -1 to 1. Throws std::invalid_argument naming the first
-/// edge that violates this.
+/// A mesh from its n+1 edges x/a, strictly increasing from -1 to 1. Throws std::invalid_argument naming the first edge
+/// that violates this.
 template <class Scalar, class Derived>
 Mesh<Scalar> mesh_from_edges(const Eigen::DenseBase<Derived>& edges) {
     const Eigen::Index n = edges.size() - 1;
@@ -291,7 +291,7 @@ Mesh<Scalar> mesh_from_edges(const Eigen::DenseBase<Derived>& edges) {
         [&](Eigen::Index i) { return edges(i + 1) - edges(i); }));
 }
 
-/// The same in the scalar type of the edges.
+/// A mesh in the scalar type of its n+1 edges.
 template <class Derived>
 Mesh<typename Derived::Scalar> mesh_from_edges(const Eigen::DenseBase<Derived>& edges) {
     return mesh_from_edges<typename Derived::Scalar>(edges);

@@ -54,8 +54,8 @@ public:
         check();
     }
 
-    /// Pieces of one plane, in one unit and with the same elements along x, as one mesh: the strips of all in turn,
-    /// whether they touch or not. Throws std::invalid_argument if there are none, or the elements along x differ.
+    /// Joins pieces of one plane, in one unit and with the same elements along x, to one mesh: the strips of all in
+    /// turn, whether they touch or not. Throws std::invalid_argument if there are none, or the elements along x differ.
     static PatchMesh joined(const std::vector<PatchMesh>& pieces) {
         detail::require(!pieces.empty(), "PatchMesh", "number of pieces", pieces.size(), "be at least 1");
         PatchMesh whole = pieces.front();
@@ -86,9 +86,9 @@ public:
     const Array& middles_y() const { return middles_y_; }
     const Array& middles_x() const { return middles_x_; }
     const Array& half_lengths() const { return half_lengths_; }
-    Scalar height() const { return upper_.maxCoeff() - lower_.minCoeff(); }  ///< between the outermost edges
+    Scalar height() const { return upper_.maxCoeff() - lower_.minCoeff(); }  ///< height between the outermost edges
 
-    /// Whether the strips at y and -y are mirror images, exactly: then problems fall apart into halves.
+    /// Whether the strips at y and -y are mirror images, exactly: then linear problems split into two.
     bool is_mirrored() const { return mirrored_; }
 
     /// The elements [m], strip by strip; `unit` is the mesh's unit of length [m], half_length() of the contact.
@@ -128,9 +128,9 @@ private:
     bool mirrored_ = false;
 };
 
-/// An ellipse with semi-axes a = 1 in x and b = 1/a_over_b in y. `along` divides each strip, `across` the height,
-/// y/b = -1 ... 1. A strip is as long as the ellipse at the middle of its width: the mean length over the width leaves
-/// ten times the error in c11. Throws std::invalid_argument unless a_over_b is positive and finite.
+/// An ellipse with semi-axes a = 1 in x and b = 1/a_over_b in y. `along` divides each strip, `across` the height, y/b =
+/// -1 ... 1. A strip is as long as the ellipse at the middle of its width, which is more accurate than the mean length
+/// over the width (docs/measured.md). Throws std::invalid_argument unless a_over_b is positive and finite.
 template <class Scalar>
 PatchMesh<Scalar> ellipse_mesh(std::type_identity_t<Scalar> a_over_b, Mesh<Scalar> along, const Mesh<Scalar>& across) {
     detail::require_positive("ellipse_mesh", "a_over_b", a_over_b);
@@ -171,7 +171,7 @@ PatchMesh<Scalar> patch_mesh(const PatchContact<Scalar>& contact, Mesh<Scalar> a
     return ellipse_mesh<Scalar>(contact.a_over_b(), std::move(along), across);
 }
 
-/// The same with cosine meshes of n elements a strip and m strips.
+/// The mesh of a contact patch from cosine meshes of n elements a strip and m strips.
 template <class Scalar>
 PatchMesh<Scalar> patch_mesh(const PatchContact<Scalar>& contact, Eigen::Index n, Eigen::Index m) {
     return patch_mesh(contact, cosine_mesh<Scalar>(n), cosine_mesh<Scalar>(m));

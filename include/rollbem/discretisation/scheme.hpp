@@ -1,6 +1,6 @@
-// Schemes: where and how the rolling contact equation is imposed on a mesh, as plain option structs. Collocation,
-// Galerkin, collocation with Knothe and Gross-Thebing's boundary conditions, and differences between neighbouring
-// nodes; any other type that defines its rows can serve as a scheme.
+// Schemes: the points and the form in which the rolling contact equation is imposed on a mesh, as plain option structs.
+// Collocation, Galerkin, collocation with Knothe and Gross-Thebing's boundary conditions, and differences between
+// neighbouring nodes; any other type that defines its rows can serve as a scheme.
 #pragma once
 
 #include <algorithm>
@@ -27,29 +27,32 @@ enum class Quantity {
 };
 
 /// The rows of a scheme. Row l belongs to an interval about the point x_l + alpha_l dx_l, with x_l and dx_l the centre
-/// and the width of element l. It is the quantity at points of the interval, or its mean over the interval; the mean of
-/// the slope is the difference of u between both ends over their distance. rows_about and rows_between make both kinds.
+/// and the width of element l. It evaluates the quantity at points of the interval, or its mean over the interval; the
+/// mean of the slope is the difference of u between both ends over their distance. rows_about and rows_between make
+/// both kinds.
 template <class Scalar>
 struct SchemeRows {
     ArrayX<Scalar> alpha;    ///< alpha_l of every element of the mesh [-]
-    ArrayX<Scalar> lengths;  ///< of the intervals, in widths dx_l; positive
-    /// Of a quadrature rule over the interval [-]: at least one point, measured from its middle in lengths of the
+    ArrayX<Scalar> lengths;  ///< lengths of the intervals, in widths dx_l; positive
+    /// A quadrature rule over the interval [-]: at least one point, measured from its middle in lengths of the
     /// interval; the weights add up to 1.
     ArrayX<Scalar> offsets = detail::constant_array<Scalar>(1, 0), weights = detail::constant_array<Scalar>(1, 1);
-    /// How many times the mean over the interval is taken: once for a difference between its ends, Eq. (29), and once
-    /// for Galerkin's integral in closed form, Eq. (14). At most twice for the slope and once for the displacement.
+    /// Number of times that the mean over the interval is taken: once for a difference between its ends, Eq. (29), and
+    /// once for Galerkin's integral in closed form, Eq. (14). At most twice for the slope and once for the
+    /// displacement.
     int averages = 0;
-    /// The way for which a row stands, from its equation to the next, in lengths of the interval.
+    /// The distance that a row stands for, from its equation to the next, in lengths of the interval.
     Scalar way = 1;
     /// Moves points that are closer than 0.001 dx to an edge of an element, where du/dx is infinite, to that distance.
     bool guard = false;
-    /// The rows are those of points half an element ahead of the centres, where the rigid slip is taken, even if G is
+    /// The rows belong to points half an element ahead of the centres, where the rigid slip is taken, even if G is
     /// evaluated a little behind them.
     bool half_element_ahead = false;
     /// Differences that end on the leading edge of the contact take the displacement just ahead of it, where a layer
     /// is not loaded, instead of the mean of both sides.
     bool unloaded_ahead = false;
-    Eigen::Index first_equation = 0;  ///< the element whose row is the first equation; others follow
+    Eigen::Index first_equation = 0;  ///< the element whose row is the first equation; the following elements have the
+                                      ///< other equations
     Eigen::Index unknown_count = 0;   ///< number of equations and of unknowns, the tractions of the first elements
 };
 
@@ -60,7 +63,7 @@ concept RollingScheme = requires(const Scheme& scheme, Quantity quantity, const 
     { scheme.rows(quantity, mesh) } -> std::same_as<SchemeRows<Scalar>>;
 };
 
-/// How du/dx is obtained from the displacement u of the elements.
+/// The method by which du/dx is obtained from the displacement u of the elements.
 enum class Derivative {
     finite_difference,  ///< central over the element's own width about the point, Eq. (29)
     analytic,           ///< closed form; points closer than 0.001 dx to an element's edge are moved to that distance
@@ -85,8 +88,8 @@ inline constexpr int exact_quadrature = 0;
 
 /// Eq. (14): each row is the mean over an interval of width dx_l centred at x_l + alpha_l dx_l.
 struct Galerkin {
-    double alpha_L = 0.5;  ///< as in Collocation
-    double alpha_T = 0.5;  ///< as in Collocation
+    double alpha_L = 0.5;  ///< alpha as in Collocation
+    double alpha_T = 0.5;  ///< alpha as in Collocation
     Derivative derivative = Derivative::analytic;
     double lambda = 1;                  ///< centre of the interval of G, as in Collocation
     int quadrature = exact_quadrature;  ///< Gauss-Legendre points, 1 to 1000, or exact_quadrature
@@ -96,7 +99,7 @@ struct Galerkin {
 };
 
 /// Knothe and Gross-Thebing's boundary conditions: collocation at the centres; the leading element carries no traction
-/// and the trailing element slides. The unknowns are elements 0 ... n-2, the equations those of elements 1 ... n-1.
+/// and the trailing element slides. Elements 0 ... n-2 have the unknowns, elements 1 ... n-1 the equations.
 struct KnotheBoundary {
     Derivative derivative = Derivative::finite_difference;
 
@@ -106,7 +109,7 @@ struct KnotheBoundary {
 
 /// The nodes between which NodeDifference takes differences, one in each element.
 enum class Nodes {
-    centres,    ///< of the elements, on any mesh: the most accurate in full adhesion
+    centres,    ///< centres of the elements, on any mesh: the most accurate in full adhesion
     chebyshev,  ///< t_i = -cos(pi (i + 1/2)/n) in units of a, i = 0 ... n-1, on the cosine mesh: for friction
 };
 
@@ -142,8 +145,8 @@ typename Mesh<Scalar>::Array interpolate_alpha(const Mesh<Scalar>& mesh, double 
     return alpha;
 }
 
-/// Rows at the points x_l + alpha_l dx_l, with alpha_l of Eq. (28), or about them if means are taken: the intervals are
-/// as long as the elements.
+/// Rows at the points x_l + alpha_l dx_l, with alpha_l of Eq. (28), or means about them: the intervals are as long as
+/// the elements.
 template <class Scalar>
 SchemeRows<Scalar> rows_about(const Mesh<Scalar>& mesh, double alpha_L, double alpha_T) {
     SchemeRows<Scalar> rows;
@@ -303,7 +306,7 @@ SchemeRows<Scalar> NodeDifference::rows(Quantity quantity, const Mesh<Scalar>& m
     ArrayX<Scalar> from(n), to(n);  // t_i and t_{i+1}; both relative to element i, so that nothing cancels
     if (nodes == Nodes::chebyshev) {
         detail::require_cosine_mesh("NodeDifference", mesh);
-        // node and edge are half an angle of pi/n apart: products of sines, as the widths
+        // node and edge are half an angle of pi/n apart: products of sines, like the widths
         const auto sine = [n](Eigen::Index quarters) { return detail::sine_of_quarters<Scalar>(quarters, n); };
         for (Eigen::Index i = 0; i < n; ++i) {
             const Scalar width = sine(4 * i + 2) * sine(2);

@@ -1,6 +1,6 @@
 // Full adhesion by Chebyshev polynomials instead of elements, for kernels with a logarithm: a few unknowns, with
-// geometric convergence. It gives the same kind of system as elements do, so that everything that takes a system runs
-// on it unchanged.
+// geometric convergence. The result is the same kind of system as for elements, so that all functions of a system
+// accept it.
 #pragma once
 
 #include <cmath>
@@ -49,7 +49,7 @@ struct ChebyshevTraction {
         return detail::quotient_by_leading(coefficients, position.leading) *
                std::sqrt(position.leading / position.trailing);
     }
-    /// At x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
+    /// The traction at x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
     Value operator()(std::type_identity_t<Scalar> x_over_a) const {
         return (*this)(EdgeDistances<Scalar>::at(x_over_a));
     }
@@ -58,18 +58,18 @@ struct ChebyshevTraction {
 /// The system of Chebyshev states: its unknowns are the displacement coefficients u_0 ... u_{m-1}, in units of a, and
 /// its equations are zero slip at the m Chebyshev points, trailing to leading.
 ///
-/// Invariant: that of RollingSystem, and the half-width is finite.
+/// Invariant: the invariant of RollingSystem, and the half-width is finite.
 template <class Scalar_>
 class ChebyshevSystem : public RollingSystem<Scalar_> {
 public:
     using Scalar = Scalar_;
 
-    /// What rolling_system(Chebyshev, kernel) has found: u_m = last . u, and a_0 ... a_m = stiffness u.
+    /// Takes the result of rolling_system(Chebyshev, kernel): u_m = last . u, and a_0 ... a_m = stiffness u.
     ChebyshevSystem(RollingSystem<Scalar> system, VectorX<Scalar> last, MatrixX<Scalar> stiffness)
         : RollingSystem<Scalar>(std::move(system)), last_(std::move(last)), stiffness_(std::move(stiffness)) {}
 
-    /// p/G from the unknowns that any problem on the system returns, real or complex; also p/(G xi) from unknowns per
-    /// creepage. Throws std::invalid_argument unless there are size() unknowns.
+    /// p/G from the unknowns of any problem on the system, real or complex; also p/(G xi) from unknowns per creepage.
+    /// Throws std::invalid_argument unless there are size() unknowns.
     template <class Value>
     ChebyshevTraction<Value> traction(const VectorX<Value>& unknowns) const {
         detail::require(unknowns.size() == this->size(), "ChebyshevSystem", "number of unknowns", unknowns.size(),
@@ -80,8 +80,8 @@ public:
     /// A = G^-1 G' without an inverse: du/dq = A u - e_0 xi, q = V t/a.
     MatrixX<Scalar> rates() const;
 
-    /// For the lateral direction: inputs lateral creepage and spin times a, whose rigid slip is x at the Chebyshev
-    /// points; outputs F_y over a G and the moment M_z = (pi/2) a_1 over a^2 G, both per width. Throws
+    /// The lateral system with spin. Inputs: lateral creepage, and spin times a, whose rigid slip is x at the Chebyshev
+    /// points. Outputs: F_y over a G and the moment M_z = (pi/2) a_1 over a^2 G, both per width. Throws
     /// std::invalid_argument unless there are at least 2 states: spin acts on u_1.
     RollingSystem<Scalar> with_spin() const {
         detail::require(this->size() >= 2, "ChebyshevSystem", "number of states", this->size(),
@@ -91,7 +91,7 @@ public:
 
 private:
     VectorX<Scalar> last_;       // u_m = last . u
-    MatrixX<Scalar> stiffness_;  // (m+1) x m: a_0 ... a_m of u
+    MatrixX<Scalar> stiffness_;  // (m+1) x m: maps u to a_0 ... a_m
 };
 
 template <class Scalar_>
@@ -110,13 +110,14 @@ MatrixX<Scalar_> ChebyshevSystem<Scalar_>::rates() const {
 }
 
 /// The system of Chebyshev states: G = (T_k(x_l)) at the m Chebyshev points, whose condition is sqrt(2), and G' = G A =
-/// (T_k'(x_l) + T_m'(x_l) last_k). Throws std::invalid_argument unless there is at least one state, the half-width is
-/// finite (otherwise only solve_steady exists), b/a >= 0.001, and, for a plane kernel, Lambda > 0, as its model is
-/// otherwise unstable in the time domain. Narrow strips need more states: for 1e-9, about 8 at b/a = 10, 16 at 1 and 32
-/// at 0.3. Rounding does not limit the number of states in double (tried up to 1500), but the fastest mode decays at
-/// about m^2/10, and for m >= 200 rcond(G') is too small for the reduction of FrequencySweep. In float the status of a
-/// steady solution of the system is ill_conditioned above some 60 states; that of solve_steady(Chebyshev, kernel) never
-/// is.
+/// (T_k'(x_l) + T_m'(x_l) last_k). Narrow strips need more states (recommended_scheme). Rounding does not limit the
+/// number of states in double, but the fastest mode decays at about m^2/10, and for m >= 200 rcond(G') is too small for
+/// the reduction of FrequencySweep. In float the status of a steady solution of the system is ill_conditioned above
+/// some 60 states; the status of solve_steady(Chebyshev, kernel) never is. Throws std::invalid_argument unless
+///
+/// - there is at least one state;
+/// - the half-width is finite (otherwise only solve_steady exists), and b/a >= 0.001;
+/// - for a plane kernel, Lambda > 0, as its model is otherwise unstable in the time domain.
 template <LineKernel Kernel>
 ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method, const Kernel& kernel) {
     using Scalar = typename Kernel::Scalar;
@@ -144,7 +145,7 @@ ChebyshevSystem<typename Kernel::Scalar> rolling_system(const Chebyshev& method,
     MatrixX<Scalar> G(m, m), G_prime(m, m);
     ArrayX<Scalar> points(m);
     for (Eigen::Index l = 0; l < m; ++l) {
-        const Eigen::Index theta = 2 * (m - l) - 1;  // x_l = cos(theta pi/2m)
+        const Eigen::Index theta = 2 * (m - l) - 1;  // angle of x_l = cos(theta pi/2m)
         points[l] = circle.cosine(theta);
         const Scalar sine = circle.sine(theta);
         const Scalar slope_m = (theta % 4 == 1 ? static_cast<Scalar>(m) : -static_cast<Scalar>(m)) / sine;
@@ -200,8 +201,8 @@ Response<typename Kernel::Scalar> solve_chebyshev_steady(const Chebyshev& method
 /// c11's relative error is twice the contribution of the kernel's smooth part to the last two coefficients, which decay
 /// geometrically; Status::not_converged if it exceeds 1e-2. The residual is not computed, but NaN.
 ///
-/// There u = x + a constant that is determined by sum a_k = 0, so that K_00 is not needed and an infinite half-width
-/// has a solution. For the plane kernel a single state is exact. The kernel must be a LineKernel. Throws
+/// In steady rolling u = x + a constant that is determined by sum a_k = 0, so that K_00 is not needed and an infinite
+/// half-width has a solution. For the plane kernel a single state is exact. The kernel must be a LineKernel. Throws
 /// std::invalid_argument unless there is at least one state and b/a >= 0.001.
 template <LineKernel Kernel>
 Response<typename Kernel::Scalar> solve_steady(const Chebyshev& method, const Kernel& kernel) {

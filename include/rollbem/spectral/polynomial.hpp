@@ -42,9 +42,10 @@ struct PolynomialSolution {
 
     enum class Basis { monomial, chebyshev } basis;
     Complex c11;                       ///< Eq. (30): force per unit width over -a G xi
-    Vector traction_coefficients;      ///< c_j of Eq. (17) over G xi, of x^j or of T_j; their sum is zero
-    Vector displacement_coefficients;  ///< u/(a xi), of x^l (Eq. 22) or of T_l
-    Scalar error_estimate;             ///< of c11, relative
+    Vector traction_coefficients;      ///< c_j of Eq. (17) over G xi, the coefficients of x^j or of T_j; their sum is
+                                       ///< zero
+    Vector displacement_coefficients;  ///< u/(a xi), the coefficients of x^l (Eq. 22) or of T_l
+    Scalar error_estimate;             ///< relative error of c11
     Scalar condition;                  ///< monomial: estimated 1-norm condition; Chebyshev: 1, no matrix is inverted
     Status status = Status::not_finite;
 
@@ -53,7 +54,7 @@ struct PolynomialSolution {
         return quotient(position) * std::sqrt(position.leading / position.trailing);
     }
 
-    /// The same at x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
+    /// p/(G xi) at x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
     Complex traction(Scalar x_over_a) const { return traction(EdgeDistances<Scalar>::at(x_over_a)); }
 
     /// u/(a xi) at x/a, Eq. (21). Throws std::invalid_argument unless -1 <= x/a <= 1.
@@ -92,7 +93,7 @@ private:
 
 namespace detail {
 
-/// Lambda, after checking what every polynomial problem requires. Only the steady one allows Lambda <= 0.
+/// Lambda, after checking the requirements of every polynomial problem. Only the steady one allows Lambda <= 0.
 template <std::floating_point Scalar>
 Scalar polynomial_lambda(const char* who, std::complex<Scalar> s, Scalar poisson_ratio, Scalar aspect,
                          Eigen::Index order) {
@@ -172,7 +173,7 @@ EstimatedC11<Scalar> polynomial_c11(std::type_identity_t<std::complex<Scalar>> s
     return result;
 }
 
-/// The same at default_polynomial_order(s). Throws std::invalid_argument also if |s| > 1e8.
+/// The creep coefficient at default_polynomial_order(s). Throws std::invalid_argument also if |s| > 1e8.
 template <std::floating_point Scalar>
 EstimatedC11<Scalar> polynomial_c11(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
                                     std::type_identity_t<Scalar> aspect) {
@@ -218,7 +219,7 @@ PolynomialSolution<Scalar> solve_polynomial(std::type_identity_t<std::complex<Sc
             scalar.status};
 }
 
-/// The same at default_polynomial_order(s). Throws std::invalid_argument also if |s| > 1e8.
+/// The polynomial approach at default_polynomial_order(s). Throws std::invalid_argument also if |s| > 1e8.
 template <std::floating_point Scalar>
 PolynomialSolution<Scalar> solve_polynomial(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
                                             std::type_identity_t<Scalar> aspect) {

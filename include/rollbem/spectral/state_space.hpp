@@ -7,7 +7,7 @@
 
 namespace rollbem {
 
-/// For Chebyshev states: without an inverse, B = -e_0.
+/// The state space of Chebyshev states: without an inverse, B = -e_0.
 template <class Scalar>
 StateSpace<Scalar> state_space(const ChebyshevSystem<Scalar>& system) {
     const Eigen::Index m = system.size();
@@ -19,9 +19,9 @@ StateSpace<Scalar> state_space(const ChebyshevSystem<Scalar>& system) {
     return result;
 }
 
-/// For a kernel and a number of states: 8 states are exact to rounding if nothing changes within a contact length.
-/// Throws std::invalid_argument unless there is at least one state, the half-width is finite, b/a >= 0.001 and, for a
-/// plane kernel, Lambda > 0.
+/// The state space of a kernel with a number of states: 8 states are exact to rounding if nothing changes within a
+/// contact length. Throws std::invalid_argument unless there is at least one state, the half-width is finite, b/a >=
+/// 0.001 and, for a plane kernel, Lambda > 0.
 template <LineKernel Kernel>
 StateSpace<typename Kernel::Scalar> state_space(const Chebyshev& method, const Kernel& kernel) {
     return state_space(rolling_system(method, kernel));

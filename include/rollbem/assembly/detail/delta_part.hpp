@@ -1,5 +1,5 @@
-// The delta function of a kernel that has one, integrated: what the compliance of a layer adds to G and G'. It depends
-// only on which points lie in which elements.
+// The delta function of a kernel that has one, integrated: the contribution of a layer's compliance to G and G'. It
+// depends only on which points lie in which elements.
 #pragma once
 
 #include <algorithm>
@@ -13,10 +13,12 @@
 
 namespace rollbem::detail {
 
-/// The integrals of compliance delta(x). Without averaging, that of the displacement is 1 inside the element, 0 outside
-/// and 1/2 on an edge, but 0 on the leading edge of the contact if the rows are unloaded_ahead; an average over +-delta
-/// makes it the part of the interval that lies inside, and the slope is a difference of such parts. The slope at a
-/// point does not exist. Keeps a reference to the entries.
+/// The integrals of compliance delta(x). Keeps a reference to the entries.
+///
+/// - Displacement at a point: 1 inside the element, 0 outside and 1/2 on an edge, but 0 on the leading edge of the
+///   contact if the rows are unloaded_ahead.
+/// - Displacement averaged over +-delta: the part of the interval that lies inside the element.
+/// - Slope: a difference of such parts; at a point it does not exist.
 template <class Scalar>
 class DeltaPart {
 public:

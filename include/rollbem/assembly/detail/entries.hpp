@@ -1,5 +1,5 @@
-// The entries of G or G': where rows are taken, which elements carry traction, and how far apart they are. Shared by
-// all ways of computing an entry.
+// The entries of G or G': the points of the rows, the elements that carry traction, and the distances between them.
+// Shared by all ways of computing an entry.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace rollbem::detail {
 template <class Scalar>
 struct RowPoints {
     ArrayX<Scalar> from_trailing;  ///< 1 + x of the centre of the row's element
-    ArrayX<Scalar> from_leading;   ///< 1 - x of that centre
+    ArrayX<Scalar> from_leading;   ///< 1 - x of this centre
     ArrayX<Scalar> offset;         ///< point minus centre
     ArrayX<Scalar> half;           ///< delta: half the width over which a row is averaged or differenced
     bool unloaded_ahead = false;   ///< SchemeRows::unloaded_ahead
@@ -32,15 +32,18 @@ struct ColumnElements {
     ArrayX<Scalar> half;           ///< h: half the width
 };
 
-/// The integrals of Eqs. (12)-(14) to be computed: entry (l, m) = int w(tau) g^{(q)}(d + tau) dtau, with g the kernel,
-/// q = 0 for the displacement and 1 for the slope, d = point - centre of the element, and w the element's indicator
-/// (half-width h) convolved with `averages` normalised indicators of half-width delta. A finite difference, Eq. (29),
-/// is an average of the slope: collocation then has q = 1, averages = 1.
+/// The integrals of Eqs. (12)-(14): entry (l, m) = int w(tau) g^{(q)}(d + tau) dtau, with
+///
+/// - g the kernel, q = 0 for the displacement and 1 for the slope;
+/// - d = point - centre of the element;
+/// - w the element's indicator (half-width h) convolved with `averages` normalised indicators of half-width delta.
+///
+/// A finite difference, Eq. (29), is an average of the slope: collocation then has q = 1, averages = 1.
 template <class Scalar>
 struct Entries {
     using Array = ArrayX<Scalar>;
 
-    /// ((h + averages delta) / d)^2 below which entries are far and a series is used.
+    /// Value of ((h + averages delta) / d)^2 below which entries are far and a series is used.
     static constexpr Scalar far_ratio = Scalar(1) / 16;
     static constexpr Eigen::Index chunk = 8;  ///< rows for which a series is evaluated at once: a few registers
     using Chunk = Eigen::Array<Scalar, chunk, 1>;
@@ -95,7 +98,7 @@ template <class Scalar>
 inline constexpr int last_moment = (std::numeric_limits<Scalar>::digits + 3) / 4;
 
 /// The second average of a far entry is taken by quadrature: about a far point the integrand is analytic far beyond the
-/// interval, so that seven points reach the round-off of double and nine that of long double.
+/// interval, so that seven points reach the round-off of double and nine the round-off of long double.
 template <class Scalar>
 QuadratureRule<Scalar> second_average(int averages) {
     if (averages == 2) return gauss_legendre<Scalar>(std::numeric_limits<Scalar>::digits > 53 ? 9 : 7);

@@ -23,8 +23,12 @@
 
 namespace rollbem::detail {
 
-/// The logarithm in closed form, near entries by differences of antiderivatives, far ones (|d| well above
-/// h + averages delta) by a series; then the smooth part, and a delta.
+/// Integrates a kernel in parts:
+///
+/// - the logarithm in closed form, near entries by differences of antiderivatives, far ones (|d| well above h +
+///   averages delta) by a series;
+/// - the smooth part;
+/// - a delta.
 template <class Scalar>
 class LineIntegrals {
 public:
@@ -83,8 +87,8 @@ Scalar guarded_offset(const Mesh<Scalar>& mesh, Eigen::Index own, Scalar positio
     return between + position * widths[e];
 }
 
-// The points x_l + (alpha_l + offset length_l) dx_l of every element, and the intervals about them over which Eq. (29)
-// takes differences and Eq. (14) means.
+// The points x_l + (alpha_l + offset length_l) dx_l of every element, and the intervals about them over which
+// differences, Eq. (29), and means, Eq. (14), are taken.
 template <class Scalar>
 RowPoints<Scalar> row_points(const Mesh<Scalar>& mesh, const SchemeRows<Scalar>& scheme, Scalar offset) {
     RowPoints<Scalar> rows{mesh.from_trailing(), mesh.from_leading(), ArrayX<Scalar>(mesh.size()),
@@ -97,7 +101,7 @@ RowPoints<Scalar> row_points(const Mesh<Scalar>& mesh, const SchemeRows<Scalar>&
     return rows;
 }
 
-// On a uniform mesh with one alpha the matrix is Toeplitz: its distinct entries are those of one element seen from all
+// On a uniform mesh with one alpha the matrix is Toeplitz: its distinct entries belong to one element seen from all
 // points. Computes `equations` from `first` into the first rows of `out`.
 template <class Scalar>
 void fill_toeplitz(const KernelView<Scalar>& kernel, Quantity quantity, int averages, Scalar width, Scalar offset,

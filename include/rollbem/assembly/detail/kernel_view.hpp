@@ -17,7 +17,7 @@ struct KernelView {
     template <LineKernel Kernel>
     KernelView(const Kernel& kernel);  // NOLINT(google-explicit-constructor): a view of any kernel
 
-    /// Replaces each x by the smooth part there, or by its slope.
+    /// Replaces each x by the smooth part at x, or by its slope.
     void evaluate(bool slope, ArrayX<Scalar>& x) const { evaluate_(kernel_, slope, x); }
 
 private:

@@ -23,7 +23,7 @@ public:
     NearDifferences(const Entries<Scalar>& entries, const SmoothSplit<Scalar>& split)
         : entries_(entries), split_(split) {}
 
-    /// Writes every near entry to result(l, m), and those between near ones.
+    /// Writes every near entry to result(l, m), and entries between near ones.
     void fill(MatrixX<Scalar>& result) const {
         const Eigen::Index n = entries_.columns.half.size(), points = entries_.averages + 1;
         Array edges;
@@ -37,7 +37,7 @@ public:
             const Eigen::Index count = end - first, stride = count + 1;
             const Scalar delta = entries_.rows.half[l];
             const Eigen::Index next =
-                entries_.equal_widths ? 1 : stride;  // then the shifted edges are those of neighbours
+                entries_.equal_widths ? 1 : stride;  // the shifted edges are then the neighbours' edges
             edges.resize((points - 1) * next + stride);
             for (Eigen::Index i = 0; i < stride; ++i) {
                 const Eigen::Index m = (std::min)(first + i, end - 1);
@@ -64,8 +64,8 @@ public:
     }
 
 private:
-    // Of the logarithm, integrated for the slope once for each average, for the displacement once more; constants that
-    // cancel in the slope are left out.
+    // Antiderivative of the logarithm: for the slope integrated once for each average, for the displacement once more;
+    // constants that cancel in the slope are left out.
     Array antiderivative(const Array& x) const {
         const int level = entries_.averages + (entries_.slope() ? 0 : 1);
         const Scalar s = split_.strength, harmonic[] = {0, 1, Scalar(1.5)};

@@ -26,8 +26,9 @@ struct StripRows {
     struct Place {
         Scalar from_trailing, from_leading;  ///< 1 + x and 1 - x: the smaller one has all digits
     };
-    std::vector<Place> places;        ///< at which u is needed
-    std::vector<std::size_t> behind;  ///< n: the place of row i, or for the slope the one behind; the next lies ahead
+    std::vector<Place> places;        ///< places at which u is needed
+    std::vector<std::size_t> behind;  ///< n: index of the place of row i, or for the slope of the place behind; the
+                                      ///< next place lies ahead
     ArrayX<Scalar> points, lengths;   ///< n: middles and lengths of the intervals over which u is differenced
 };
 
@@ -50,7 +51,7 @@ StripRows<Scalar> strip_rows(const Mesh<Scalar>& along, const Scheme& scheme, Qu
             return typename StripRows<Scalar>::Place{along.from_trailing()[i] + (ahead + shift),
                                                      along.from_leading()[i] - (ahead + shift)};
         };
-        // rows between nodes share them
+        // rows between nodes share places
         const Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon() * along.widths()[i];
         const auto back = place(-half);
         const bool shared = slope && i > 0 &&
@@ -63,9 +64,9 @@ StripRows<Scalar> strip_rows(const Mesh<Scalar>& along, const Scheme& scheme, Qu
     return rows;
 }
 
-/// Gauss's rule of five points for the distance between a point of an interval of length d and one of length h,
-/// measured from that of their middles: exact for the mean of polynomials of degree 9. The points are 0, +-near and
-/// +-far.
+/// Gauss's rule of five points for the distance between a point of an interval of length d and a point of an interval
+/// of length h, measured from the distance of their middles: exact for the mean of polynomials of degree 9. The points
+/// are 0, +-near and +-far.
 template <class Scalar>
 class MeanRule {
 public:
@@ -92,8 +93,8 @@ public:
                                       250 * std::numeric_limits<Scalar>::epsilon();
     }
 
-    /// Mean over an interval by unit traction on an element of length h, whose middle lies x behind that of the
-    /// interval; line(x) is by a line across x behind a point.
+    /// Mean over an interval, by unit traction on an element of length h whose middle lies x behind the interval's
+    /// middle; line(x) is the influence of a line across, x behind a point.
     template <class Line>
     auto mean(const Line& line, Scalar x, Scalar h) const {
         const auto pair = [&](Scalar distance) { return line(x - distance) + line(x + distance); };
@@ -112,10 +113,10 @@ Scalar width_over_length(const PatchMesh<Scalar>& mesh) {
     return width / (2 * (mesh.widths() * mesh.half_lengths()).sum()) * width;
 }
 
-/// Whether a patch is more than 13 times as wide as it is long in the mean, as ellipses below a/b = 0.098 are, or its
-/// strips are more than 1.6 times. Tractions of one direction that vary over y displace the surface in the other, by as
-/// much for each factor in distance, from the length of the patch to its width. The middle of a strip sees them vary
-/// from half a strip's width on, the mean over its width from the length on.
+/// Whether a patch is more than 13 times as wide as it is long in the mean (ellipses below a/b = 0.098), or its strips
+/// are more than 1.6 times. Tractions of one direction that vary over y displace the surface in the other direction, by
+/// the same amount for each factor in distance, from the length of the patch to its width. At the middle of a strip
+/// this variation counts from half a strip's width on, in the mean over the strip's width from the patch's length on.
 template <class Scalar>
 bool has_wide_strips(const PatchMesh<Scalar>& mesh) {
     return width_over_length(mesh) > (std::min)(Scalar(13), Scalar(1.6) * static_cast<Scalar>(mesh.strip_count()));
@@ -127,12 +128,12 @@ concept HasCouplingIntegral = requires(const Kernel& kernel, typename Kernel::Sc
     { kernel.coupling_integral(x, x) } -> std::same_as<typename Kernel::Scalar>;
 };
 
-/// The displacement of one strip by another: from it entries of the influence.
+/// The displacement of one strip by another, from which entries of the influence follow.
 template <class Scalar, RectangleKernel Kernel>
 class StripPair {
 public:
-    /// In strip `row` by tractions on strip `column`. xy is the mean over the width of the former if `over_width` and
-    /// the kernel has it, otherwise all is taken at its middle.
+    /// Influence on strip `row` by tractions on strip `column`. xy is the mean over the width of `row` if `over_width`
+    /// is set and the kernel has this mean; otherwise all is taken at the middle of `row`.
     StripPair(const PatchMesh<Scalar>& mesh, const Kernel& kernel, Eigen::Index row, Eigen::Index column,
               bool over_width)
         : kernel_(kernel),
@@ -151,7 +152,7 @@ public:
 
     Scalar row_scale() const { return row_scale_; }
 
-    /// u at a place by unit traction on all that lies behind edge `c` of the other strip.
+    /// u at a place by unit traction on the part of the other strip behind edge `c`.
     RectangleInfluence<Scalar> behind(const typename StripRows<Scalar>::Place& place, Eigen::Index c) const {
         // distances from the nearer end of the strip, where elements are smallest
         const Scalar x = place.from_leading < 1
@@ -166,8 +167,8 @@ public:
         return u;
     }
 
-    /// The mean of du/dx over an interval of length d about `point` by unit traction on element `c`, which is
-    /// `difference` if nothing cancels in it.
+    /// The mean of du/dx over an interval of length d about `point` by unit traction on element `c`; `difference` if
+    /// nothing cancels in it.
     RectangleInfluence<Scalar> slope(Scalar point, Scalar d, Eigen::Index c,
                                      const RectangleInfluence<Scalar>& difference) const {
         if constexpr (requires { kernel_.line_slope(d, d, d); }) {
@@ -196,7 +197,7 @@ private:
         return kernel_.coupling_integral(x, row_edges_[1] - edge) - kernel_.coupling_integral(x, row_edges_[0] - edge);
     }
 
-    /// The mean of the xy of line_slope.
+    /// The mean of xy of line_slope.
     Scalar line_coupling(Scalar x) const {
         const auto sum = [&](Scalar edge) {
             return kernel_.line_coupling_integral(x, row_edges_[1] - edge) -
@@ -209,10 +210,10 @@ private:
     const Mesh<Scalar>& along_;
     bool over_width_;
     Scalar row_scale_, scale_, offset_, row_width_;
-    Scalar y0_, y1_;  // of the row's middle ahead of the strip's edges
+    Scalar y0_, y1_;  // distances of the row's middle ahead of the strip's edges
     std::array<Scalar, 2> row_edges_, edges_;
-    Scalar beside_;  // from the row's middle to the strip
-    Scalar gap_;     // between both strips
+    Scalar beside_;  // distance from the row's middle to the strip
+    Scalar gap_;     // distance between both strips
 };
 
 /// The number of strips whose rows are computed.
@@ -228,8 +229,8 @@ typename Kernel::Scalar layer_compliance(const Kernel& kernel) {
     return 0;
 }
 
-/// What a layer of unit compliance adds to the rows of a strip at its own elements: p of the element in which a place
-/// lies, half of it on an edge, nothing on the leading edge of the contact, ahead of which there is no load.
+/// Contribution of a layer of unit compliance to the rows of a strip at its own elements: p of the element in which a
+/// place lies, half of it on an edge, nothing on the leading edge of the contact, ahead of which there is no load.
 template <class Scalar>
 MatrixX<Scalar> layer_rows(const Mesh<Scalar>& along, const StripRows<Scalar>& rows, Quantity quantity,
                            Scalar row_scale) {
@@ -261,7 +262,7 @@ InfluenceRows<Scalar> patch_rows(const PatchMesh<Scalar>& mesh, const StripRows<
     const Eigen::Index n = mesh.elements_per_strip(), m = mesh.strip_count(), strips = computed_strips(mesh);
     const std::size_t height = rows.places.size();
     InfluenceRows<Scalar> result(strips * n, m * n);
-    // u of a strip that ends at each edge, at each place: neighbouring elements and rows share it
+    // u at each place by a strip that ends at each edge: neighbouring elements and rows share it
     std::vector<RectangleInfluence<Scalar>> table(height * static_cast<std::size_t>(n + 1));
     for (Eigen::Index j = 0; j < strips; ++j) {
         for (Eigen::Index k = 0; k < m; ++k) {
@@ -294,7 +295,7 @@ InfluenceRows<Scalar> patch_rows(const PatchMesh<Scalar>& mesh, const StripRows<
     return result;
 }
 
-/// The same at the points of the rows of G', for du/dy by patch_rows of a displacement.
+/// Displacement rows at the points of the rows of G', from which patch_rows makes du/dy.
 template <class Scalar>
 StripRows<Scalar> at_points(const StripRows<Scalar>& slope) {
     StripRows<Scalar> rows{{}, {}, slope.points, slope.lengths};
@@ -307,7 +308,7 @@ StripRows<Scalar> at_points(const StripRows<Scalar>& slope) {
     return rows;
 }
 
-/// A kernel whose displacement is du/dy of another.
+/// A kernel whose displacement is du/dy of another kernel.
 template <RectangleKernel Kernel>
 struct LateralSlope {
     using Scalar = typename Kernel::Scalar;

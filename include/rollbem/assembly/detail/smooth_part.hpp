@@ -22,8 +22,8 @@
 namespace rollbem::detail {
 
 /// Adds int w(tau) e^{(q)}(d + tau) dtau, see Entries, of a smooth part e whose singularities lie at +-i b and beyond.
-/// Both ways are accurate to rounding of the largest e^{(q)}. Far behind a narrow strip it cancels the logarithm: G'
-/// then errs by some eps/b, and nothing is left to trust below least_width(), where entries are NaN. Keeps references
+/// Both ways are accurate to rounding of the largest e^{(q)}. Far behind a narrow strip e cancels the logarithm: G'
+/// then errs by some eps/b, so that entries are NaN below least_width(), where no digits would remain. Keeps references
 /// to its arguments.
 template <class Scalar>
 class SmoothPart {
@@ -60,7 +60,7 @@ public:
 
 private:
     // Points, the halves of the intervals about them over which a mean is taken `averages` times, and the interval that
-    // these cover: reach to both sides of the middle.
+    // these cover: its middle, and its reach to both sides.
     struct Points {
         ArrayX<Scalar> places;
         const ArrayX<Scalar>& half;
@@ -109,7 +109,7 @@ private:
         MatrixX<Scalar> means = MatrixX<Scalar>::Zero(points.places.size(), count);
         for (Eigen::Index sample = 0; sample < sample_count; ++sample) {
             Scalar shift = 0, weight = 1;
-            Eigen::Index digits = sample;  // to the base of the order
+            Eigen::Index digits = sample;  // digits in the base of the order
             for (int a = 0; a < points.averages; ++a, digits /= order) {
                 shift += rule.nodes[digits % order];
                 weight *= rule.weights[digits % order] / 2;
@@ -143,7 +143,7 @@ private:
         result.noalias() += along.means * integrals;
     }
 
-    // Of plain matrices, so that it is compiled once.
+    // Product of plain matrices, so that it is compiled once.
     static MatrixX<Scalar> product(const MatrixX<Scalar>& a, const MatrixX<Scalar>& b) {
         MatrixX<Scalar> result(a.rows(), b.cols());
         result.noalias() = a * b;
@@ -211,7 +211,7 @@ private:
         const Scalar top = 2 * (std::min)(h, delta);
         if (entries_.averages == 0) return 1;
         if (entries_.averages == 1) return std::clamp(h + delta - tau, Scalar(0), top);
-        const auto integral = [&](Scalar to) {  // of that, from 0
+        const auto integral = [&](Scalar to) {  // integral of the density from 0
             const Scalar shoulder = std::abs(h - delta), size = std::abs(to);
             const Scalar ramp = std::clamp(size - shoulder, Scalar(0), top);
             return std::copysign(top * (std::min)(size, shoulder) + ramp * (top - ramp / 2), to);
@@ -219,8 +219,8 @@ private:
         return integral(tau + delta) - integral(tau - delta);
     }
 
-    // From the middle of a panel to the singularities, in halves of it: from each on, the rule of the same number
-    // integrates to rounding.
+    // Distance from the middle of a panel to the singularities, in half-lengths of the panel, from which on the rule of
+    // the same index integrates to rounding.
     static constexpr std::array<Scalar, 4> least_distances{2, 4, 16, 64};
 
     static const std::array<QuadratureRule<Scalar>, 4>& rules() {

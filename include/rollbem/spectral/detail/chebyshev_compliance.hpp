@@ -19,7 +19,7 @@
 namespace rollbem::detail {
 
 /// Checks the number of states and the kernel; returns the kernel's split. The number of points for its smooth part
-/// grows like a/b, and their cost like (a/b)^2: seconds at the smallest b/a, where some hundred states are also needed.
+/// grows like a/b, and their cost like (a/b)^2; at the smallest b/a some hundred states are also needed.
 template <LineKernel Kernel>
 SmoothSplit<typename Kernel::Scalar> chebyshev_split(Eigen::Index states, const Kernel& kernel) {
     using Scalar = typename Kernel::Scalar;
@@ -67,7 +67,7 @@ MatrixX<typename Kernel::Scalar> smooth_compliance(const Kernel& kernel, Eigen::
     for (Eigen::Index p = 0; 2 * p < points; ++p) {
         for (Eigen::Index q = 0; q < points; ++q) smooth[q] = kernel.smooth_part(polynomials(p, 1) - polynomials(q, 1));
         displacement.noalias() = polynomials.transpose() * smooth;
-        const Scalar share = 2 * p + 1 == points ? Scalar(1) : Scalar(2);  // -x counts too
+        const Scalar share = 2 * p + 1 == points ? Scalar(1) : Scalar(2);  // -x counts as well
         for (Eigen::Index k = 0; k <= m; ++k) {
             for (Eigen::Index j = k % 2; j <= m; j += 2) {
                 compliance(j, k) += share * polynomials(p, j) * displacement[k];
@@ -99,7 +99,7 @@ MatrixX<typename Kernel::Scalar> scaled_compliance(const Kernel& kernel,
     return K;
 }
 
-/// K^-1.
+/// The inverse of K.
 template <LineKernel Kernel>
 MatrixX<typename Kernel::Scalar> chebyshev_stiffness(const Kernel& kernel,
                                                      const SmoothSplit<typename Kernel::Scalar>& split,

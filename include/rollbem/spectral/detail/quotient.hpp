@@ -1,4 +1,4 @@
-// A sum of Chebyshev polynomials that vanishes at the leading edge, divided by the distance from that edge. Internal.
+// A sum of Chebyshev polynomials that vanishes at the leading edge, divided by the distance from this edge. Internal.
 #pragma once
 
 #include "../../detail/language.hpp"
