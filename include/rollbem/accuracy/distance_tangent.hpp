@@ -10,8 +10,8 @@ namespace rollbem {
 
 /// d force / d dq [N/m] of a step over the distance dq [m] >= 0 in a contact of half-length a [m]. `force_at(dq)` is
 /// the force, a number or a TangentialForce, of a step from the same state under the same rigid shift and the same load
-/// at its end. Central differences over 1e-5 of dq or a, whichever is longer; near zero, where the contact cannot roll
-/// less, one-sided ones of the same, second order.
+/// at its end. Differences are central, over 1e-5 of dq or a, whichever is longer; near zero, where the contact cannot
+/// roll less, they are one-sided and also of second order.
 ///
 ///     const auto tangent = tangent_by_distance(dq, contact.half_length(), [&](double distance) {
 ///         return model.advance(now, {distance, Motion::shift(shift), load}, next, workspace).force;

@@ -1,5 +1,5 @@
-// How to discretise for a required accuracy: how many Chebyshev states in full adhesion, which mesh and how many
-// elements with friction. Based on tables of measured errors below; independent of any matrices.
+// Discretisation for a required accuracy: the number of Chebyshev states in full adhesion, mesh and number of elements
+// with friction. Based on tables of measured errors below; independent of any matrices.
 #pragma once
 
 #include <algorithm>
@@ -37,15 +37,17 @@ struct Purpose {
     using enum Friction;
 };
 
-/// A method and the bound of its relative error. Chebyshev states are for full adhesion, stable for any number. Of
-/// AnyScheme n elements on a cosine mesh: differences between centres in steady rolling and in frequency, between
-/// Chebyshev nodes with friction, and in a time loop collocation at alpha_L = alpha_T = 0.5, all stable at every n
-/// tried.
+/// A method and the bound of its relative error. Chebyshev states are for full adhesion, stable for any number.
+/// AnyScheme is n elements on a cosine mesh, stable at every n tried, with
+///
+/// - differences between centres in steady rolling and in frequency;
+/// - differences between Chebyshev nodes with friction;
+/// - collocation at alpha_L = alpha_T = 0.5 in a time loop.
 template <class Scheme>
 struct Recommendation {
     Scheme scheme;
-    double error_bound = 0;  ///< of the relative error, at most the required tolerance
-    Eigen::Index n = 0;      ///< elements; if results are extrapolated, those of the finer mesh, an even number
+    double error_bound = 0;  ///< bound of the relative error, at most the required tolerance
+    Eigen::Index n = 0;      ///< elements; if results are extrapolated, elements of the finer mesh, an even number
     double order = 0;        ///< of Richardson's extrapolation from n/2 and n elements; 0: none
 
     /// The cosine mesh with some number of elements. Throws std::invalid_argument if count < 1.
@@ -54,8 +56,8 @@ struct Recommendation {
         return cosine_mesh<Scalar>(count);
     }
 
-    /// solve(states), or solve(mesh, scheme), extrapolated if that is recommended; `solve` returns a real or complex
-    /// number. One can serve both:
+    /// Calls solve(states), or solve(mesh, scheme), extrapolated if this is recommended; `solve` returns a real or
+    /// complex number. One function can serve both:
     ///
     ///     const auto c11 = [&](const auto&... method) { return solve_steady(method..., kernel).c11(); };
     ///     const double by_states = recommended_scheme(1e-6, Purpose::steady).evaluate(c11);
@@ -73,8 +75,8 @@ struct Recommendation {
 
 namespace detail {
 
-/// The elements for a purpose, with the smallest number measured. In a time loop differences between centres err less
-/// where b/a is large, but their errors are not cleanly of second order at b/a = 10.
+/// The elements for a purpose, with the smallest number measured. In a time loop differences between centres have
+/// smaller errors where b/a is large, but at b/a = 10 their errors are not cleanly of second order.
 inline Recommendation<AnyScheme> elements_for(Purpose::Adhesion purpose) {
     switch (purpose) {
         case Purpose::steady: return {.scheme = NodeDifference{}, .n = 6, .order = 2};
@@ -88,10 +90,13 @@ inline Recommendation<AnyScheme> elements_for(Purpose::Friction) {
 }
 
 /// An upper bound of the relative errors of n of these elements, n up to 640, for the plane kernel and strips of b/a >=
-/// 10, nu from 0 to 0.5. In steady rolling the plane kernel gives the fourth order, the smooth part of a strip's kernel
-/// the third. In a time loop the second order holds away from q/a = 2: there the front of the step leaves the contact,
-/// which makes the second derivative of the exact force infinite; elements spread the front, and the error next to it
-/// decreases like 1/n. With friction the error jumps with the element that contains the border of slip.
+/// 10, nu from 0 to 0.5.
+///
+/// - Steady rolling: the plane kernel gives the fourth order, the smooth part of a strip's kernel the third.
+/// - Time loop: the second order holds away from q/a = 2. There the front of the step leaves the contact, which makes
+///   the second derivative of the exact force infinite; elements spread the front, and the error next to it decreases
+///   like 1/n.
+/// - Friction: the error jumps with the element that contains the border of slip.
 inline double elements_error(Purpose::Adhesion purpose, Eigen::Index elements) {
     const double n = static_cast<double>(elements);
     switch (purpose) {
@@ -106,21 +111,11 @@ inline double elements_error(Purpose::Friction, Eigen::Index elements) {
     return 1.32 / (n * n);  // 1e-2 -> 12, 1e-3 -> 37, 1e-4 -> 115
 }
 
-/// An upper bound of the relative errors of m Chebyshev states at b/a, the sum of two parts.
+/// An upper bound of the relative errors of m Chebyshev states at b/a, the sum of two parts (docs/measured.md):
 ///
-/// The first is that of the plane kernel, which vanishes in steady rolling: at least 4 % more than the largest errors
-/// for b/a = 10 and nu = 0 at all omega a/V up to 5, or all q/a from 1 on, as printed by
-///
-///     frequency_study --kernel plane --aspect 10 --poisson 0 --method chebyshev --omega 5 --n 6
-///     transient_study --kernel plane --aspect 10 --poisson 0 --method chebyshev --step 1 --dq 0.01 --until 10
-///         --integrator exponential --n 6
-///
-/// They are smaller for larger b/a and nu. In narrower strips they are up to 3 times as large, measured against 300 or
-/// more states.
-///
-/// The second is due to the smooth part of a strip's kernel, measured in steady rolling against 300 or more states for
-/// b/a from 0.01 to 1000 and nu from 0 to 0.5. It decreases like rho^-m with rho = b + sqrt(1 + b^2) because of the
-/// singularities at a distance b, and faster for b < a.
+/// - the error of the plane kernel, which vanishes in steady rolling and decreases with b/a and nu;
+/// - the error of the smooth part of a strip's kernel, which decreases like rho^-m with rho = b + sqrt(1 + b^2) because
+///   of the singularities at a distance b, and faster for b < a.
 inline double states_error(Purpose::Adhesion purpose, Eigen::Index m, double aspect) {
     constexpr std::array frequency{0.14,    0.096,   0.068,  0.051,  0.0275,  0.0099,  2.4e-3, 3.6e-4,
                                    3.95e-5, 3.25e-6, 2.1e-7, 1.1e-8, 4.8e-10, 1.8e-11, 5.7e-13};
@@ -160,11 +155,11 @@ Recommendation<AnyScheme> recommended_elements(double tolerance, AnyPurpose purp
 
 /// An element scheme that is stable and among the cheapest of elements, whose relative error stays below the tolerance
 /// by the measured bounds above; an error that happens to change sign does not count as accuracy. In full adhesion it
-/// is meant for what states do not offer: tractions of elements, and kernels without a logarithm; otherwise
-/// recommended_scheme() is cheaper. With the strip kernel, b/a >= 10, the bounds are of the error against the strip's
-/// exact solution; narrower strips need more elements (steady: up to 25 times the bound at b/a = 1, 200 times at 0.1).
-/// With friction, errors jump with the element that contains the border of slip; extrapolation, which helps at some
-/// creepages, is not used. Throws std::invalid_argument unless tolerance < 1 and large enough for n <= 640.
+/// serves two needs that states do not meet: tractions of elements, and kernels without a logarithm; otherwise
+/// recommended_scheme() is cheaper. With the strip kernel, b/a >= 10, the bounds limit the error against the strip's
+/// exact solution; narrower strips need more elements (docs/measured.md). With friction, errors jump with the element
+/// that contains the border of slip; extrapolation, which helps at some creepages, is not used. Throws
+/// std::invalid_argument unless tolerance < 1 and large enough for n <= 640.
 inline Recommendation<AnyScheme> recommended_elements(double tolerance, Purpose::Adhesion purpose) {
     return detail::recommended_elements(tolerance, purpose);
 }
@@ -179,8 +174,8 @@ inline Recommendation<AnyScheme> recommended_elements(double tolerance, Purpose:
 ///     const auto system = rolling_system(best.scheme, kernel);
 ///     const std::complex<double> c11 = solve_response(system, {0, 5}).c11();
 ///
-/// The difference between strip and plane, of order (a/b)^2, is one of the models and not part of the error. If only
-/// c11 for the plane kernel is wanted, steady_c11 and polynomial_c11 are exact to rounding at less cost. Throws
+/// The difference between strip and plane, of order (a/b)^2, is a difference of models and not part of the error. For
+/// c11 of the plane kernel alone, steady_c11 and polynomial_c11 are exact to rounding at less cost. Throws
 /// std::invalid_argument unless aspect >= 0.01 and tolerance < 1 is large enough for 400 states: 1e-11, for a time loop
 /// 1.4e-7 (4.2e-7 for b/a < 10).
 inline Recommendation<Chebyshev> recommended_scheme(double tolerance, Purpose::Adhesion purpose, double aspect = 10) {

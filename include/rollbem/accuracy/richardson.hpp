@@ -20,7 +20,7 @@ struct Extrapolation {
     using Real = decltype(std::abs(Value()));
 
     Value value{};  ///< extrapolated from the two finer values; the finest value unless the status is ok
-    /// |value - its counterpart from the two coarser values|: an upper estimate of the absolute error in value.
+    /// |value minus the extrapolation from the two coarser values|: an upper estimate of the absolute error in value.
     Real error_estimate = std::numeric_limits<Real>::quiet_NaN();
     /// log2 |(coarse - middle) / (middle - fine)|; NaN if the values agree to rounding.
     Real observed_order = std::numeric_limits<Real>::quiet_NaN();
@@ -28,7 +28,7 @@ struct Extrapolation {
 };
 
 /// (2^p fine - coarse) / (2^p - 1): cancels the term C n^-p in the error of values at n (coarse) and 2n (fine)
-/// elements. That p is the order of convergence is not checked. Throws std::invalid_argument unless `order` p is
+/// elements. Whether p is the order of convergence is not checked. Throws std::invalid_argument unless `order` p is
 /// positive and finite.
 template <class Value>
 Value richardson(const Value& coarse, const Value& fine, std::type_identity_t<decltype(std::abs(Value()))> order) {
@@ -40,8 +40,8 @@ Value richardson(const Value& coarse, const Value& fine, std::type_identity_t<de
 /// order must lie within `band` of it. Otherwise the status is order_differs, as on meshes that are too coarse, for
 /// schemes whose error changes sign (the uniform mesh with 0/0.63), or for frequencies that the mesh does not resolve.
 /// Values that agree to rounding count as converged. `solve` takes a number of elements and returns a real or complex
-/// number. Throws std::invalid_argument unless n >= 1 and order and band are positive and finite, and passes on what
-/// solve throws.
+/// number. Throws std::invalid_argument unless n >= 1 and order and band are positive and finite, and passes on
+/// exceptions of solve.
 template <class Solve>
 auto extrapolate(const Solve& solve, std::ptrdiff_t n, double order, double band = 0.25)
     -> Extrapolation<std::decay_t<decltype(solve(n))>> {

@@ -90,8 +90,8 @@ ElementSystem<Scalar> rolling_system(const Mesh<Scalar>& mesh, const Scheme& sch
             std::move(origin)};
 }
 
-/// G' alone, at half the cost, for steady friction; the half-width may be infinite. Throws std::invalid_argument if
-/// assemble_G_prime refuses the scheme.
+/// G' alone, which costs less than both, for steady friction; the half-width may be infinite. Throws
+/// std::invalid_argument if assemble_G_prime refuses the scheme.
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
 ElementSystem<Scalar> steady_system(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     Elements<Scalar> elements = detail::line_elements(mesh, detail::BothRows<Scalar>(scheme, mesh));

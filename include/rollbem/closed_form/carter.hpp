@@ -16,8 +16,8 @@
 namespace rollbem {
 
 /// Steady creep coefficient c11 = pi/(2(1-nu)) of Eq. (30), per unit width of a rectangle (or of an infinitely long
-/// contact). That for lateral creepage, c22, is pi/2 = steady_c11(0.0), whatever nu is. Throws std::invalid_argument
-/// unless 0 <= poisson_ratio <= 0.5.
+/// contact). For lateral creepage, c22 is pi/2 = steady_c11(0.0), whatever nu is. Throws std::invalid_argument unless 0
+/// <= poisson_ratio <= 0.5.
 template <std::floating_point Scalar>
 Scalar steady_c11(Scalar poisson_ratio) {
     detail::require_poisson_ratio("steady_c11", poisson_ratio);
@@ -47,7 +47,7 @@ struct EdgeDistances {
         detail::require(std::abs(sum - 2) <= std::sqrt(std::numeric_limits<Scalar>::epsilon()), who,
                         "trailing + leading", sum, "be 2");
     }
-    /// At x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
+    /// The position x/a. Throws std::invalid_argument unless -1 <= x/a <= 1.
     static EdgeDistances at(Scalar x_over_a) {
         detail::require(detail::is_finite(x_over_a) && std::abs(x_over_a) <= 1, "EdgeDistances", "x/a", x_over_a,
                         "lie in [-1, 1]");
@@ -63,7 +63,7 @@ Scalar carter_traction(const EdgeDistances<Scalar>& position, Scalar poisson_rat
     return -std::sqrt(position.leading / position.trailing) / (2 * (1 - poisson_ratio));
 }
 
-/// The same at x/a. Throws std::invalid_argument also unless -1 <= x/a <= 1.
+/// Carter's traction at x/a. Throws std::invalid_argument also unless -1 <= x/a <= 1.
 template <std::floating_point Scalar>
 Scalar carter_traction(Scalar x_over_a, Scalar poisson_ratio) {
     return carter_traction(EdgeDistances<Scalar>::at(x_over_a), poisson_ratio);
@@ -79,7 +79,7 @@ Scalar carter_mean_traction(const EdgeDistances<Scalar>& behind, std::type_ident
     detail::require_poisson_ratio("carter_mean_traction", poisson_ratio);
     detail::require_positive("carter_mean_traction", "width", width);
     // With x = -cos(theta) the integral of sqrt((1-x)/(1+x)) is theta + sin(theta). Between theta_1 and theta_2, with
-    // mean m and half the difference h, that is 2 (h - sin h) + 2 sin(h) (1 + cos m): a sum of positive terms. All
+    // mean m and half the difference h, it is 2 (h - sin h) + 2 sin(h) (1 + cos m): a sum of positive terms. All
     // functions of m and h follow from sines and cosines of theta/2, which are square roots of half the edge distances.
     const Scalar sine_1 = sqrt(behind.trailing / 2), cosine_1 = sqrt(behind.leading / 2);
     const Scalar sine_2 = sqrt(ahead.trailing / 2), cosine_2 = sqrt(ahead.leading / 2);

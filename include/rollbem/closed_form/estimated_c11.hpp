@@ -8,12 +8,12 @@
 
 namespace rollbem {
 
-/// A creep coefficient under creepage xi e^{s V t/a} that is computed to an estimated accuracy. Closed forms, which are
-/// exact to rounding, return the number itself.
+/// A creep coefficient under creepage xi e^{s V t/a} with its estimated accuracy. Closed forms, which are exact to
+/// rounding, return the number itself.
 template <std::floating_point Scalar>
 struct EstimatedC11 {
     std::complex<Scalar> c11;  ///< Eq. (30): force per unit width over -a G xi
-    Scalar error_estimate;     ///< relative, of truncation and rounding together; an upper estimate, not a bound
+    Scalar error_estimate;     ///< relative error by truncation and rounding together; an upper estimate, not a bound
     Status status = Status::not_finite;
 };
 

@@ -33,8 +33,8 @@ Scalar carter_stick_border(Scalar creepage_ratio) {
     return (std::min)(2 * std::abs(creepage_ratio), Scalar(2)) - 1;
 }
 
-/// Traction p/(mu p0) of Carter's steady solution with slip, at x/a; its sign is opposite to that of creepage_ratio.
-/// Throws std::invalid_argument unless -1 <= x/a <= 1, or if the ratio is NaN.
+/// Traction p/(mu p0) of Carter's steady solution with slip, at x/a; its sign is opposite to the sign of
+/// creepage_ratio. Throws std::invalid_argument unless -1 <= x/a <= 1, or if the ratio is NaN.
 template <std::floating_point Scalar>
 Scalar carter_friction_traction(Scalar x_over_a, Scalar creepage_ratio) {
     using std::sqrt;
@@ -88,9 +88,9 @@ Scalar cattaneo_shift(Scalar force_ratio, Scalar poisson_ratio, Scalar aspect) {
 }
 
 /// The force ratio -F/(mu N) after a rigid shift W (in mu p0 a/G) from rest: the inverse of cattaneo_shift; its
-/// absolute value is 1 if the shift exceeds that of full sliding. Throws std::invalid_argument if the shift is NaN, and
-/// unless 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and Lambda > 0 (for Lambda <= 0 the plane model's shift is not
-/// monotonic).
+/// absolute value is 1 if the shift exceeds the shift of full sliding. Throws std::invalid_argument if the shift is
+/// NaN, and unless 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and Lambda > 0 (for Lambda <= 0 the plane model's shift
+/// is not monotonic).
 template <std::floating_point Scalar>
 Scalar cattaneo_force_ratio(Scalar shift, Scalar poisson_ratio, Scalar aspect) {
     const Scalar lambda = detail::stable_plane_lambda("cattaneo_force_ratio", poisson_ratio, aspect);

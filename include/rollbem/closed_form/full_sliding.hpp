@@ -10,12 +10,12 @@
 namespace rollbem {
 
 /// -F_x/(mu N), -F_y/(mu N), -M_z/(mu N c), c = sqrt(a b), of an ellipse that slips everywhere, by its rigid slip
-/// (longitudinal - spin y, lateral + spin x): creepages in any common unit, spin times c in the same. Zero without
+/// (longitudinal - spin y, lateral + spin x): creepages in any common unit, spin times c in the same unit. Zero without
 /// creepage and spin. a_over_b must be positive and finite.
 ///
 /// Along a line through the pole, where the rigid slip vanishes, the direction of slip is constant, and moments of the
-/// pressure over the whole chord have a closed form. There remains an integral over the direction of the line of a
-/// smooth function, to 1e-6 for a/b = 0.1 ... 10. Spin alone on a circle: 3 pi/16.
+/// pressure over the whole chord have a closed form. The remaining integral over the direction of the line has a smooth
+/// integrand and is taken to 1e-6 for a/b = 0.1 ... 10. Spin alone on a circle: 3 pi/16.
 template <class Scalar>
 TangentialForce<Scalar> full_sliding(Scalar a_over_b, Scalar longitudinal, Scalar lateral, Scalar spin) {
     using std::abs, std::cos, std::sin, std::sqrt;
@@ -56,7 +56,7 @@ TangentialForce<Scalar> full_sliding(Scalar a_over_b, Scalar longitudinal, Scala
                 weight * square * (rate / pole) / cosine);
             total += weight;
         }
-        sum.longitudinal /= total;  // 1 but for the error of the sum: without spin the force is mu N exactly
+        sum.longitudinal /= total;  // 1 except for the error of the sum: without spin the force is exactly mu N
         sum.lateral /= total;
         sum.moment /= total;
     }

@@ -1,4 +1,4 @@
-// Lambda, the compliance number of the plane model: unless it is positive, that model is unstable in the time domain,
+// Lambda, the compliance number of the plane model: unless it is positive, this model is unstable in the time domain,
 // before any discretisation. Dimensionless: a = G = V = 1.
 #pragma once
 
@@ -22,9 +22,9 @@ Scalar plane_lambda_of(Scalar aspect, Scalar c2_over_c1) {
 
 }  // namespace detail
 
-/// Lambda = ln(4b/a) + nu/(1-nu): the mean compliance of the plane model over that of its first harmonics. Non-steady
-/// plane problems are stable only while Lambda > 0. `aspect` is b/a. Throws std::invalid_argument unless aspect is
-/// positive and finite and 0 <= poisson_ratio <= 0.5.
+/// Lambda = ln(4b/a) + nu/(1-nu): the mean compliance of the plane model over its compliance to the first harmonics.
+/// Non-steady plane problems are stable only while Lambda > 0. `aspect` is b/a. Throws std::invalid_argument unless
+/// aspect is positive and finite and 0 <= poisson_ratio <= 0.5.
 template <std::floating_point Scalar>
 Scalar plane_lambda(Scalar poisson_ratio, Scalar aspect) {
     detail::require_poisson_ratio("plane_lambda", poisson_ratio);

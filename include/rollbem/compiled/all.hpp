@@ -1,5 +1,4 @@
-// All of rollbem::compiled but what belongs to studies/ and to wheels on rails, in addition to or in place of
-// rollbem.hpp.
+// All of rollbem::compiled except studies/ and wheels on rails, in addition to or in place of rollbem.hpp.
 #pragma once
 
 #include "adhesion.hpp"

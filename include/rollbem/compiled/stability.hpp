@@ -1,4 +1,4 @@
-// Eigenvalues and balanced reduction compiled for double, with those of Eigen's decompositions that they use. Replaces
+// Eigenvalues and balanced reduction compiled for double, with the decompositions of Eigen that they use. Replaces
 // adhesion/balanced_reduction.hpp, adhesion/stability.hpp and adhesion/stability_count.hpp; link rollbem::compiled.
 #pragma once
 

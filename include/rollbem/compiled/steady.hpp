@@ -1,8 +1,8 @@
 // Systems of line contacts and their steady rolling, compiled for double: include this in addition to or in place of
 // steady/steady.hpp, assembly/influence.hpp, assembly/rolling_system.hpp and, for steady rolling,
-// spectral/chebyshev.hpp, and link rollbem::compiled. Each header in this folder declares the largest templates of
-// those it names as instantiated in that library, so that no translation unit compiles them again. Library and program
-// must be built with the same options that affect the layout of Eigen's objects (-march and the like).
+// spectral/chebyshev.hpp, and link rollbem::compiled. Each header in this folder declares the largest templates of the
+// headers it names as instantiated in this library, so that no translation unit compiles them again. Library and
+// program must be built with the same options that affect the layout of Eigen's objects (-march and the like).
 #pragma once
 
 #include <cstddef>

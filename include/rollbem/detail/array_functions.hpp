@@ -1,5 +1,5 @@
-// Operations on whole arrays in one place: every Eigen expression has a type of its own, which costs compile
-// time. What needs no vector instructions is therefore a plain loop; the rest is here.
+// Operations on whole arrays in one place: every Eigen expression has a type of its own, which costs compile time.
+// Operations that need no vector instructions are therefore plain loops; the others are here.
 #pragma once
 
 #include "language.hpp"

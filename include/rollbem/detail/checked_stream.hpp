@@ -33,7 +33,7 @@ private:
 
 class CheckedWriter {
 public:
-    /// Begins with the text.
+    /// Begins the stream with the text.
     CheckedWriter(std::ostream& stream, const std::string& text) : stream_(stream) { bytes(text.data(), text.size()); }
 
     template <class Integer>
@@ -97,7 +97,7 @@ private:
     Fnv1a checksum_;
 };
 
-/// The table in a file. Throws std::invalid_argument, beginning with `who`, if the file cannot be opened, or is a
+/// Reads the table in a file. Throws std::invalid_argument, beginning with `who`, if the file cannot be opened, or is a
 /// folder, which some systems open.
 template <class Table>
 Table read_file(const std::filesystem::path& path, const std::string& who) {

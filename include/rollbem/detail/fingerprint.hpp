@@ -1,5 +1,5 @@
-// A fingerprint of numbers, by which a model recognises a state that belongs to another one. It depends on the values
-// alone, and so is the same in another process.
+// A fingerprint of numbers, by which a model recognises another model's state. It depends on the values alone, and so
+// is the same in another process.
 #pragma once
 
 #include "language.hpp"

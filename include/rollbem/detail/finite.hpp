@@ -14,7 +14,8 @@
 
 namespace rollbem::detail {
 
-/// Numbers below it, 1e-292 for double, lose digits when they are multiplied by a rounding error: they count as none.
+/// Numbers below this one, 1e-292 for double, lose digits when they are multiplied by a rounding error: they are
+/// treated as zero.
 template <class Scalar>
 inline constexpr Scalar negligible = (std::numeric_limits<Scalar>::min)() / std::numeric_limits<Scalar>::epsilon();
 
@@ -84,7 +85,7 @@ bool all_finite(const std::complex<Scalar>* z, std::ptrdiff_t count) {
     return all_finite(reinterpret_cast<const Scalar*>(z), 2 * count);
 }
 
-/// Every entry of a dense matrix, vector or array of Eigen that owns its memory.
+/// Whether all entries of a dense matrix, vector or array of Eigen that owns its memory are finite.
 template <class Dense>
 bool all_finite(const Dense& x) {
     return all_finite(x.data(), x.size());

@@ -124,7 +124,7 @@ void solve_in_place(const MatrixRef<Scalar>& A, const Eigen::Index* swaps, Vecto
     substitute_in_place<Scalar>(A, A.rows(), x);
 }
 
-/// The same for each column of X, in pieces: Eigen's products copy parts of their arguments, and those above 128 kB to
+/// Solves for each column of X, in pieces: Eigen's products copy parts of their arguments, and parts above 128 kB to
 /// the heap, which steps must not touch.
 template <class Scalar>
 void solve_columns_in_place(const MatrixRef<Scalar>& A, const Eigen::Index* swaps, MatrixRef<Scalar> X) {

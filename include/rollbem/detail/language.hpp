@@ -6,5 +6,5 @@
 // Microsoft's compiler keeps __cplusplus at 199711 by default; _MSVC_LANG holds the standard in use.
 #if (defined(_MSVC_LANG) && _MSVC_LANG <= 201703L) || (!defined(_MSVC_LANG) && __cplusplus <= 201703L)
 #error "rollbem needs C++20: compile with -std=c++20 (MSVC: /std:c++20), or in CMake link rollbem::rollbem"
-#include <C++20>  // no such file exists: a missing include is what stops every compiler
+#include <C++20>  // no such file exists: the missing include stops every compiler
 #endif

@@ -10,7 +10,7 @@
 
 namespace rollbem::detail {
 
-/// Like std::hypot, but several times faster where squares neither overflow nor lose digits; to 2 roundings.
+/// Like std::hypot, but faster where squares neither overflow nor lose digits; to 2 roundings.
 template <class Scalar>
 Scalar length(Scalar x, Scalar y) {
     const Scalar square = x * x + y * y;

@@ -15,7 +15,7 @@
 namespace rollbem::detail {
 
 /// Runs task(k) once for every k < count on `jobs` threads, the caller's among them, in any order. done(), which must
-/// not throw, is called after each task, never by two threads at a time. If a task throws, no further one is started,
+/// not throw, is called after each task, never by two threads at a time. If a task throws, no further task is started,
 /// and its exception is rethrown when the running ones have ended.
 inline void parallel_for(
     std::size_t count, std::size_t jobs, const std::function<void(std::size_t)>& task,

@@ -1,4 +1,4 @@
-// How close to singular a matrix is, estimated from its factors; decides whether a solution can be trusted. One
+// Distance of a matrix from singularity, estimated from its factors; decides whether a solution can be trusted. One
 // estimate for all problems.
 #pragma once
 
@@ -17,7 +17,7 @@ typename Derived::RealScalar one_norm(const Eigen::MatrixBase<Derived>& A) {
     return A.cwiseAbs().colwise().sum().maxCoeff();
 }
 
-/// The same of a real matrix.
+/// Largest sum of absolute values of a column of a real matrix.
 template <class Scalar>
 requires(!Eigen::NumTraits<Scalar>::IsComplex) Scalar
     one_norm(const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& A) {

@@ -1,4 +1,4 @@
-// Preconditions: one line naming the quantity, its value and what must hold.
+// Preconditions: one line naming the quantity, its value and the rule.
 // Used where objects are constructed; never in a time loop.
 #pragma once
 
@@ -40,8 +40,8 @@ void require_positive(const char* who, const char* quantity, Value value) {
     require(is_finite(value) && value > 0, who, quantity, value, "be positive and finite");
     require(value >= negligible<Value>, who, quantity, value, "be positive and finite, and not next to nothing");
 }
-/// The half-length of a contact, for products of it with a modulus and other sizes to stay finite. None is too small
-/// that a positive load may have.
+/// Requires a half-length of a contact whose products with a modulus and other sizes stay finite. The range includes
+/// all half-lengths under a positive load.
 template <std::floating_point Value>
 void require_half_length(const char* who, Value value) {
     require_positive(who, "half_length", value);
@@ -77,7 +77,7 @@ void require_finite(const char* who, const char* name, const Matrix& matrix) {
     }
 }
 
-/// Throws std::invalid_argument unless a matrix is n x n and finite; `equals` names what n counts.
+/// Throws std::invalid_argument unless a matrix is n x n and finite; `equals` names the quantity n.
 template <class Matrix>
 void require_square(const char* who, const char* name, const Matrix& matrix, std::ptrdiff_t n, const char* equals) {
     const std::string of = std::string(" of ") + name, rule = std::string("equal the number of ") + equals;

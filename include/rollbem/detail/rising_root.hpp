@@ -8,7 +8,7 @@
 
 namespace rollbem::detail {
 
-/// Secants between bounds, that are halved where a secant leaves them, and at least in every third step.
+/// Secants between bounds; the interval is halved where a secant leaves it, and at least in every third step.
 class RisingRoot {
 public:
     /// `rate` is the first guess of the derivative.

@@ -1,5 +1,4 @@
-// AnyKernel: the line kernel of a model that is chosen at run time, so that templates that take a kernel are compiled
-// once.
+// AnyKernel: the line kernel of a model chosen at run time, so that templates that take a kernel are compiled once.
 #pragma once
 
 #include <limits>

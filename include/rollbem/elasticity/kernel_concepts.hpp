@@ -1,5 +1,5 @@
-// What a line kernel is: the displacement of the surface under a line of unit traction across the contact, split into
-// its logarithm, a smooth part and perhaps a delta function.
+// LineKernel: the displacement of the surface under a line of unit traction across the contact, split into its
+// logarithm, a smooth part and perhaps a delta function.
 #pragma once
 
 #include "../detail/language.hpp"
@@ -16,13 +16,13 @@ struct SmoothSplit {
     Scalar strength;  ///< [1/G]
     Scalar distance;  ///< smooth_part is analytic except on the imaginary axis from +-i distance outwards; infinite if
                       ///< smooth_part vanishes
-    /// [a/G]; where it is not 0 only elements take the kernel, which integrate the delta by the geometry of the mesh
+    /// [a/G]. If it is not 0, only elements accept the kernel; they integrate the delta by the geometry of the mesh
     /// alone, so that rounding cannot move a point across an edge.
     Scalar compliance = 0;
 };
 
-/// What discretisations require of a kernel. They integrate the logarithm in closed form and the rest by quadrature. x
-/// is in units of a, g in units of 1/G.
+/// Requirements of discretisations on a kernel. They integrate the logarithm in closed form and the rest by quadrature.
+/// x is in units of a, g in units of 1/G.
 /// - smooth_split(): the constant, the logarithm, the distance and the delta;
 /// - smooth_part(x): even in x, zero at x = 0;
 /// - smooth_slope(x): its derivative.

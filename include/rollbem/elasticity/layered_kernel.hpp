@@ -15,9 +15,9 @@ namespace rollbem {
 ///
 /// Tractions jump at the edges of elements, and so does u: G at an edge takes the mean of both sides. du/dx does not
 /// exist there, only differences of u do. Schemes that need du/dx are refused: Collocation and KnotheBoundary with
-/// Derivative::analytic, and Galerkin with that derivative and a quadrature. Galerkin in closed form takes the mean of
-/// du/dx over an interval, which is a difference of u, and so allows either derivative. Only elements take this kernel:
-/// Chebyshev states refuse it, solve_stick_border has no exact border for it, and its contact cannot breathe.
+/// Derivative::analytic, and Galerkin with this derivative and a quadrature. Galerkin in closed form takes the mean of
+/// du/dx over an interval, which is a difference of u, and so allows either derivative. Only elements accept this
+/// kernel: Chebyshev states refuse it, solve_stick_border has no exact border for it, and its contact cannot breathe.
 ///
 /// Invariant: 0 <= L < inf.
 template <LineKernel Kernel>
@@ -44,7 +44,7 @@ public:
     Scalar half_width() const requires requires(const Kernel& kernel) { kernel.half_width(); }
     { return kernel_.half_width(); }
     /// Lambda of the kernel without the layer, if it has one. A compliant layer could stabilise the plane model at
-    /// Lambda <= 0, but b >> a, which that model assumes, would still not hold.
+    /// Lambda <= 0, but the model's assumption b >> a would still not hold.
     Scalar lambda() const requires requires(const Kernel& kernel) { kernel.lambda(); }
     { return kernel_.lambda(); }
 

@@ -1,4 +1,4 @@
-// What a line kernel tells the systems made with it. The plane model itself, before any discretisation, is unstable in
+// Properties of a line kernel that its systems keep. The plane model itself, before any discretisation, is unstable in
 // the time domain if Lambda <= 0: every problem that is not steady checks this.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace rollbem::detail {
 
-/// Throws std::invalid_argument for a kernel that knows its Lambda, as PlaneKernel does, unless Lambda > 0.
+/// Throws std::invalid_argument for a kernel with a lambda(), such as PlaneKernel, unless Lambda > 0.
 template <LineKernel Kernel>
 void require_stable_model(const Kernel& kernel) {
     if constexpr (requires { kernel.lambda(); }) {

@@ -1,5 +1,5 @@
-// What a rectangle kernel is: the displacement of the surface by tractions on a rectangle, and HalfSpace, that of two
-// equal elastic half-spaces.
+// RectangleKernel: the displacement of the surface by tractions on a rectangle; and HalfSpace, the kernel of two equal
+// elastic half-spaces.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace rollbem {
 
-/// An influence between the directions x and y. By reciprocity that of x on y equals that of y on x.
+/// An influence between the directions x and y. By reciprocity the influence of x on y equals the influence of y on x.
 template <class Scalar>
 struct RectangleInfluence {
     Scalar xx = 0, xy = 0, yy = 0;
@@ -28,7 +28,7 @@ struct RectangleInfluence {
     }
 };
 
-/// What the assembly of a patch requires of a kernel. Lengths are in the system's unit, tractions in G.
+/// Requirements of the assembly of a patch on a kernel. Lengths are in the system's unit, tractions in G.
 /// - corner(x, y): F at the distance (x, y) from a corner. The displacement u of both bodies at (x, y) by unit traction
 ///   on the rectangle x0 ... x1, y0 ... y1 is F(x-x0, y-y0) - F(x-x1, y-y0) - F(x-x0, y-y1) + F(x-x1, y-y1).
 ///   xx and yy of F are odd in x and in y, xy is even in both.
@@ -40,9 +40,10 @@ struct RectangleInfluence {
 /// - corner_lateral_slope(x, y), the derivative of corner(x, y) with respect to y: xx and yy are odd in x and even in
 ///   y, xy is even in x and odd in y. Patches whose half-width varies require it.
 /// - coupling_integral(x, y), an antiderivative over y of the xy of corner(x, y), up to functions of y alone, which
-///   cancel, and with line_slope line_coupling_integral(x, y), one of its xy, f(y1) - f(y0), over y of f. With them
-///   patches with strips much wider than long have accurate couplings of both directions;
-/// - layer_compliance(), L of a displacement L p besides, which is local.
+///   cancel; and, if there is line_slope, line_coupling_integral(x, y), an antiderivative over y of f, where
+///   f(y1) - f(y0) is the xy of line_slope. With both, patches with strips much wider than long have accurate
+///   couplings of the two directions;
+/// - layer_compliance(), L of an additional displacement L p, which is local.
 template <class Kernel>
 concept RectangleKernel = requires(const Kernel& kernel, typename Kernel::Scalar x) {
     { kernel.corner(x, x) } -> std::same_as<RectangleInfluence<typename Kernel::Scalar>>;

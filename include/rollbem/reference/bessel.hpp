@@ -79,7 +79,7 @@ inline HankelSplit hankel_split(Complex s) {
     return split;
 }
 
-/// Far from the origin; Im s >= 0.
+/// Hankel's expansions far from the origin; Im s >= 0.
 inline ScaledBessel hankel_bessel(Complex s) {
     const long double scale = std::abs(s.real());
     const HankelSplit split = hankel_split(s);
@@ -122,7 +122,7 @@ inline Complex laplace_c11(Complex s, long double poisson_ratio, long double lam
     return steady_c11(poisson_ratio) * bessel.sum / (bessel.i0 + s * lambda * bessel.sum);
 }
 
-/// The same for s = i omega in double: with J0 and J1 by GSL it takes a hundredth of the time.
+/// The creep coefficient for s = i omega in double, with J0 and J1 by GSL, which takes less time.
 inline std::complex<double> harmonic_c11(double omega, double poisson_ratio, double lambda) {
     gsl_sf_result j0{};
     gsl_sf_result j1{};
@@ -249,7 +249,8 @@ inline std::vector<Complex> eigenvalues(std::size_t count, long double lambda) {
     for (const Complex s : outer_real_eigenvalue(lambda)) {
         result.push_back(s);
     }
-    Complex offset = -1;                 // of s from i pi k, which changes little from one to the next
+    Complex offset = -1;                 // offset of s from i pi k, which changes little from one eigenvalue to the
+                                         // next
     while (result.size() < count + 1) {  // one more than requested: the outer real eigenvalue is inserted
         k += 1;
         const Complex turns(0, pi * k);
@@ -363,7 +364,7 @@ public:
 
 private:
     std::complex<double> c11_;
-    std::vector<detail::Complex> coefficients_;  ///< of T_n, n = 0, 1, ...
+    std::vector<detail::Complex> coefficients_;  ///< coefficients of T_n, n = 0, 1, ...
 };
 
 }  // namespace rollbem::reference

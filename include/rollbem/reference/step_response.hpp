@@ -183,7 +183,7 @@ public:
 private:
     struct Mode {
         std::complex<double> eigenvalue;
-        std::complex<double> amplitude;  ///< of the step response, doubled for a conjugate pair
+        std::complex<double> amplitude;  ///< amplitude in the step response, doubled for a conjugate pair
     };
 
     static constexpr double taylor_limit = 1.5;

@@ -76,10 +76,9 @@ Number strip_c11_once(Number s, double c1, double c2, double b, Eigen::Index ord
 
 /// Creep coefficient of a rectangle 2a x 2b under creepage xi e^{s V t/a} (s = i omega a/V in the harmonic case, 0 in
 /// the steady one), on its middle line, strip kernel. It tends to pi/(2(1-nu)) for b >> a. The singularities of the
-/// smooth remainder lie at a distance b from the contact, so that the order of the dense system grows like 1/b: 2 s of
-/// run time at b/a = 0.01. The error estimate is the relative difference from the result of two thirds of the order,
-/// usually about 1e-12; above 1.5e-8 the status is not_converged. Throws std::invalid_argument unless |s| <= 1000,
-/// 0 <= poisson_ratio <= 0.5 and 0.005 <= aspect < inf.
+/// smooth remainder lie at a distance b from the contact, so that the order of the dense system grows like 1/b. The
+/// error estimate is the relative difference from the result of two thirds of the order; above 1.5e-8 the status is
+/// not_converged. Throws std::invalid_argument unless |s| <= 1000, 0 <= poisson_ratio <= 0.5 and 0.005 <= aspect < inf.
 inline EstimatedC11<double> strip_c11(std::complex<double> s, double poisson_ratio, double aspect) {
     rollbem::detail::require_poisson_ratio("reference::strip_c11", poisson_ratio);
     detail::require(rollbem::detail::is_finite(aspect) && aspect >= 0.005, "reference::strip_c11", "aspect", aspect,

@@ -1,5 +1,5 @@
-// Kalker's creep coefficients of a contact patch in full adhesion, and its steady rolling, by halves where the strips
-// are mirrored.
+// Kalker's creep coefficients of a contact patch in full adhesion, and its steady rolling, solved as two uncoupled
+// subsystems where the strips are mirrored.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@
 
 namespace rollbem {
 
-/// Kalker's coefficients from the 3 x 3 of a response in units of a (outlines: c), steady or harmonic: entry (i, j)
-/// minus the force F_x, F_y, M_z per xi, eta, phi. Throws std::invalid_argument if they are not 3 x 3.
+/// Kalker's coefficients from the 3 x 3 coefficients of a response in units of a (outlines: c), steady or harmonic:
+/// entry (i, j) is minus the force F_x, F_y, M_z per xi, eta, phi. Throws std::invalid_argument if they are not 3 x 3.
 template <class Value, class Scalar>
 CreepCoefficients<Value> creep_coefficients(const PatchContact<Scalar>& contact, const Response<Value>& response) {
     const MatrixX<Value>& coefficients = response.coefficients;
@@ -34,12 +34,11 @@ CreepCoefficients<Value> creep_coefficients(const PatchContact<Scalar>& contact,
             force * spin * coefficients(2, 1), force * force * coefficients(2, 2)};
 }
 
-/// Errors of coefficients that change by less were at most 6 %, those of others up to 1e5 %: a/b = 12 to 1000, nu = 0,
-/// 0.28 and 0.5, 8 x 8 to 100 x 8 and 32 x 32 elements.
+/// Largest change of a coefficient from one mesh to another that confirms it (errors on both sides: docs/measured.md).
 inline constexpr double largest_mesh_change = 0.07;
 
 /// Whether entry (i, j) of steady coefficients can be used: the status is ok, or it is not_converged and other meshes
-/// confirm this one.
+/// confirm this entry.
 template <class Scalar>
 bool is_confirmed(const Response<Scalar>& steady, Eigen::Index i, Eigen::Index j) {
     if (steady.status == Status::ok) return true;
@@ -61,8 +60,8 @@ TangentialForce<Scalar> creep_force(const PatchContact<Scalar>& contact, const R
     return {force(0), force(1), a * force(2)};
 }
 
-/// Steady rolling at unit creepages xi, eta and phi times the mesh's unit of length, by one mesh alone: the status
-/// does not know whether that is fine enough. Needs no G. Status::assists_creepage if a force or the moment assists its
+/// Steady rolling at unit creepages xi, eta and phi times the mesh's unit of length, by one mesh alone: the status does
+/// not show whether the mesh is fine enough. Needs no G. Status::assists_creepage if a force or the moment assists its
 /// own creepage. Throws std::invalid_argument unless the scheme takes differences of u and fits the strips' mesh.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 Response<Scalar> solve_steady(const PatchMesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
@@ -86,15 +85,15 @@ Response<Scalar> solve_steady(const PatchMesh<Scalar>& mesh, const Scheme& schem
                                         inputs, outputs);
     }
     const auto own = response.coefficients.diagonal();
-    const bool opposes = own[0] > 0 && own[1] > 0 && own[2] >= 0;  // 0: one element
+    const bool opposes = own[0] > 0 && own[1] > 0 && own[2] >= 0;  // own[2] is 0 for a single element
     if (response.status == Status::ok && !opposes) response.status = Status::assists_creepage;
     return response;
 }
 
 namespace detail {
 
-/// Compares with the coefficients of another mesh those that an ellipse has: c23 and c32 with the larger of both, which
-/// tends to 0 with neither.
+/// Compares the coefficients that an ellipse has with another mesh's. Differences of c23 and c32 are divided by the
+/// larger of both, which does not vanish with one of them.
 template <class Scalar>
 void compare_meshes(const MatrixX<Scalar>& other, Response<Scalar>& response) {
     const MatrixX<Scalar>& own = response.coefficients;
@@ -107,17 +106,20 @@ void compare_meshes(const MatrixX<Scalar>& other, Response<Scalar>& response) {
     }
 }
 
-/// A coarse mesh of an ellipse shows by c32, which is not -c23.
+/// The coefficients after exchange of c23 and -c32: their difference reveals a coarse mesh of an ellipse.
 template <class Scalar>
 MatrixX<Scalar> mirrored_coupling(MatrixX<Scalar> coefficients) {
     coefficients(1, 2) = -std::exchange(coefficients(2, 1), -coefficients(1, 2));
     return coefficients;
 }
 
-/// Elements and strips of the meshes that a patch is compared with. Long elements let the coupling of both directions
-/// go wrong, c33 first, which is then a small difference of large numbers: proof of dissipation says nothing about its
-/// size, meshes half as fine do. They also tell of corners of an outline, and of wide strips whose coupling is taken at
-/// their middles. Fewer than eight strips or elements are too few for some coefficient of some patch.
+/// Elements and strips of the meshes with which a patch is compared. They reveal four errors:
+///
+/// - of long elements: the coupling of both directions is wrong, first c33, which is then a small difference of large
+///   numbers; a proof of dissipation does not bound c33, meshes half as fine do;
+/// - of corners of an outline;
+/// - of wide strips whose coupling is taken at their middles;
+/// - of fewer than eight strips or elements, too few for some coefficient of some patch.
 template <class Scalar, RectangleKernel Kernel>
 std::vector<std::pair<Eigen::Index, Eigen::Index>> other_meshes(const PatchMesh<Scalar>& mesh, bool ellipse) {
     constexpr Eigen::Index enough = 8, least = 12, most = 16;
@@ -137,14 +139,18 @@ std::vector<std::pair<Eigen::Index, Eigen::Index>> other_meshes(const PatchMesh<
 
 }  // namespace detail
 
-/// The same of a contact, phi a; `mesh` must be in units of its a, as patch_mesh makes it.
+/// Steady rolling of a contact, at unit xi, eta and phi a; `mesh` must be in units of its a, as from patch_mesh.
 ///
-/// Some patches are solved on other cosine meshes besides: one more than ten times longer than wide on two that are
-/// half as fine in one direction, others of fewer than eight strips or elements in each on one with more of them, other
-/// outlines on one with half as many strips. Then error_estimates are by how much each coefficient changes, the larger
-/// of both over the coefficient; of an ellipse c23 and c32 at least by |c23 + c32|, which tends to 0.
-/// Status::not_converged: one is larger than largest_mesh_change, and that coefficient may be wrong (is_confirmed).
-/// Throws std::invalid_argument unless the scheme takes differences of u and fits the strips' mesh.
+/// Some patches are also solved on other cosine meshes:
+///
+/// - patches more than ten times longer than wide, on two meshes half as fine in one direction;
+/// - others of fewer than eight strips or elements in each, on one finer mesh;
+/// - other outlines, on one mesh with half as many strips.
+///
+/// The error_estimates are then the changes of the coefficients, the largest over the meshes, relative to the
+/// coefficient; for c23 and c32 of an ellipse at least |c23 + c32|, which tends to 0. Status::not_converged: a change
+/// is larger than largest_mesh_change, and this coefficient may be wrong (is_confirmed). Throws std::invalid_argument
+/// unless the scheme takes differences of u and fits the strips' mesh.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 Response<Scalar> solve_steady(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh, const Scheme& scheme,
                               const Kernel& kernel) {
@@ -154,7 +160,7 @@ Response<Scalar> solve_steady(const PatchContact<Scalar>& contact, const PatchMe
     if (ellipse) detail::compare_meshes<Scalar>(detail::mirrored_coupling(response.coefficients), response);
     const auto others = detail::other_meshes<Scalar, Kernel>(mesh, ellipse);
     for (const auto& [n, m] : others) {
-        if (n == 0 || m == 0) {  // half of one
+        if (n == 0 || m == 0) {  // a mesh with half of one element or strip
             response.status = Status::not_converged;
             response.error_estimates.setOnes(3, 3);
             return response;
@@ -166,7 +172,7 @@ Response<Scalar> solve_steady(const PatchContact<Scalar>& contact, const PatchMe
     return response;
 }
 
-/// The same for the half-space.
+/// Steady rolling of a contact between half-spaces.
 template <class Scalar, RollingScheme<Scalar> Scheme>
 Response<Scalar> solve_steady(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& mesh,
                               const Scheme& scheme) {

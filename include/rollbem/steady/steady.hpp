@@ -16,8 +16,8 @@ namespace rollbem {
 
 namespace detail {
 
-/// Up to this number of unknowns a copy of G' gives the residual; above it, computing the rows of G' again costs less
-/// than a tenth of the LU decomposition and saves half the memory.
+/// Up to this number of unknowns a copy of G' gives the residual. Above it, the rows of G' are computed again, which
+/// costs little beside the LU decomposition and halves the memory.
 inline constexpr Eigen::Index largest_copied_G_prime = 1000;
 
 template <class Scalar, RollingScheme<Scalar> Scheme, LineKernel Kernel>
@@ -38,9 +38,9 @@ Response<Scalar> solve_steady_on(const Mesh<Scalar>& mesh, const Scheme& scheme,
 
 }  // namespace detail
 
-/// Assembles and solves for unit creepage, dimensionless (a = G = 1), by a RollingScheme and with a LineKernel.
-/// Above 1000 elements the memory is that of one matrix and a multiple of n (for Galerkin by quadrature two matrices).
-/// Throws std::invalid_argument if the scheme does not fit the mesh.
+/// Assembles and solves for unit creepage, dimensionless (a = G = 1), by a RollingScheme and with a LineKernel. Above
+/// 1000 elements the memory is one matrix and a multiple of n (for Galerkin by quadrature two matrices). Throws
+/// std::invalid_argument if the scheme does not fit the mesh.
 template <class Scalar, class Scheme, class Kernel>
 Response<Scalar> solve_steady(const Mesh<Scalar>& mesh, const Scheme& scheme, const Kernel& kernel) {
     return detail::solve_steady_on(mesh, scheme, kernel);  // checks the concepts, for short messages of the compiler

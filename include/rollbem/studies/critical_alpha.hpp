@@ -20,17 +20,17 @@ namespace rollbem::studies {
 /// Range and resolution of the search of critical_alpha_T.
 struct CriticalAlphaOptions {
     double first = 0.3, last = 1.5;  ///< range of alpha_T [-]
-    double step = 5e-4;              ///< of the scan [-]: unstable islands narrower than this can be missed
-    double tolerance = 1e-5;         ///< of the crossing [-]
+    double step = 5e-4;              ///< step of the scan [-]: unstable islands narrower than this can be missed
+    double tolerance = 1e-5;         ///< tolerance of the crossing [-]
 };
 
 }  // namespace rollbem::studies
 
 namespace rollbem::detail {
 
-// How many steps may be taken at once where nothing happens, that is if both ends are stable, the angle of the
-// eigenvalue nearest to the imaginary axis changes by at most a quarter, and G is far from singular. An eigenvalue can
-// move fast only through infinity, where G is nearly singular.
+// Largest number of steps taken at once where nothing happens: both ends are stable, the angle of the eigenvalue
+// nearest to the imaginary axis changes by at most a quarter, and G is far from singular. An eigenvalue can move fast
+// only through infinity, where G is nearly singular.
 inline constexpr long largest_stride = 16;
 
 template <class Scalar, class Kernel, class SchemeOf>
@@ -40,9 +40,9 @@ public:
         : mesh_(mesh), scheme_of_(scheme_of), kernel_(kernel) {}
 
     struct Look {
-        bool unstable;           // with a settled sign
+        bool unstable;           // by a settled sign
         Scalar flattest_cosine;  // as in UnstableCount; 0 if unknown
-        bool regular;            // G far from singular
+        bool regular;            // whether G is far from singular
     };
 
     Look look(double alpha_T) const {

@@ -8,7 +8,7 @@
 
 namespace rollbem::studies {
 
-/// Creep coefficients of ellipses of one a/b, for nu = 0, 0.25 and 0.5; they differ from accurate ones by up to 0.8 %.
+/// Creep coefficients of ellipses of one a/b, for nu = 0, 0.25 and 0.5, as printed (errors: docs/measured.md).
 struct KalkerRow {
     double a_over_b;
     std::array<double, 3> c11, c22, c23;

@@ -22,8 +22,8 @@
 
 namespace rollbem::studies {
 
-/// What to do about the status of a polynomial solution, as a clause for a message: ill_conditioned is for monomials
-/// whose matrix is close to singular, not_converged for an order that is too low or monomials that have broken down.
+/// Advice about the status of a polynomial solution, as a clause for a message: ill_conditioned is for monomials whose
+/// matrix is close to singular, not_converged for an order that is too low or monomials that have broken down.
 inline const char* polynomial_advice(Status status) {
     switch (status) {
         case Status::ok: return "nothing: the solution can be used";
@@ -115,11 +115,11 @@ PolynomialSolution<Scalar> solve_monomial_once(std::complex<Scalar> s, const Eig
 namespace rollbem::studies {
 
 /// The polynomial approach in monomials: Eqs. (25)-(27) with the factors 1 and l+1 due to the derivative. The error
-/// estimate is the difference from polynomial_c11 at its default order, plus the error estimate of that: orders of
-/// monomials cannot judge one another, as those that are too low err alike, and higher ones round alike. The status is
-/// ill_conditioned above a condition of 1e12, not_converged where the estimate is more than a part of 16 million;
-/// monomials break down by cancellation before the matrix looks singular. Throws std::invalid_argument unless s,
-/// poisson_ratio, aspect and order are as in polynomial_c11 and |s| <= 1e8.
+/// estimate is the difference from polynomial_c11 at its default order, plus polynomial_c11's own estimate: orders of
+/// monomials cannot judge one another, as orders that are too low have similar errors, and higher ones round alike. The
+/// status is ill_conditioned above a condition of 1e12, not_converged where the estimate is more than a part of 16
+/// million; monomials break down by cancellation before the matrix looks singular. Throws std::invalid_argument unless
+/// s, poisson_ratio, aspect and order are as in polynomial_c11 and |s| <= 1e8.
 template <std::floating_point Scalar>
 PolynomialSolution<Scalar> solve_monomial(std::type_identity_t<std::complex<Scalar>> s, Scalar poisson_ratio,
                                           std::type_identity_t<Scalar> aspect, Eigen::Index order) {

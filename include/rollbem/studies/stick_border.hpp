@@ -47,7 +47,7 @@ struct StickBorderSolution {
     bool exact = false;  ///< whether one border separates slip and stick; if not, all results are by elements
     /// x/a at which stick begins [-]: -1 without creepage, 1 for full sliding; NaN unless exact.
     Scalar border = none;
-    /// F_bar on body 1 [N/m]. Like all that follows, NaN if the creepage is not finite.
+    /// F_bar on body 1 [N/m]. Like all following members, NaN if the creepage is not finite.
     Scalar force_per_width = none;
     /// Estimate of the error of F_bar [N/m]: the change due to more coefficients, and the effect of violations of the
     /// law between the sampled points. NaN unless exact.
@@ -60,12 +60,13 @@ struct StickBorderSolution {
     /// (over |xi|).
     Scalar complementarity_residual = none;
     Eigen::Index coefficients = 0;  ///< number of points of the pressure in the slip zone; 0 unless exact
-    Eigen::Index unknowns = 0;      ///< of the linear system for the kernel's smooth part; 0 for the plane kernel
+    Eigen::Index unknowns = 0;      ///< number of unknowns of the linear system for the kernel's smooth part; 0 for the
+                                    ///< plane kernel
     int evaluations = 0;            ///< number of borders tried
     Status status = Status::not_finite;
 
-    /// Traction p on body 1 [Pa] at x/a in [-1, 1]; with elements, that of the element at x. NaN outside, and if the
-    /// status is neither ok nor no_solution.
+    /// Traction p on body 1 [Pa] at x/a in [-1, 1]; with elements, the traction of the element at x. NaN outside, and
+    /// if the status is neither ok nor no_solution.
     Scalar traction(Scalar x_over_a) const {
         if (!defined_at(x_over_a)) return none;
         if (elements) return elements->traction[elements->index(x_over_a)];
@@ -109,7 +110,7 @@ private:
 
 namespace rollbem::detail {
 
-/// The same by elements, for a result that is otherwise empty.
+/// Steady rolling by elements, for a result that is otherwise empty.
 template <class Scalar, class Kernel, class Pressure>
 void solve_on_elements(const Contact<Scalar>& contact, const Kernel& kernel, Scalar friction_coefficient,
                        const Pressure& pressure, Scalar creepage, Eigen::Index count,
@@ -138,17 +139,19 @@ namespace rollbem::studies {
 ///
 /// For pressures without jumps inside the contact (they need not vanish at its ends) that lead to one slip zone at the
 /// trailing edge. Only the pressure in the slip zone matters, where the number of points is doubled until the force
-/// converges: Hertz's and other pressures that are analytic over sqrt(1 - x^2) are exact to rounding with 32 points,
-/// tables, whose kinks converge like 1/M^2, to 1e-6 with up to 4096. If the pressure jumps, the estimated error exceeds
-/// 1e-6 mu N, the strip is narrower than b/a = 0.02 or the law is violated (several zones of stick or slip, slip
-/// against the traction, |p| above the bound), the solver on cosine_mesh(fallback_elements) with alpha = 0.5 is used
-/// instead, and `exact` is false.
+/// converges: pressures analytic over sqrt(1 - x^2), such as Hertz's, are exact to rounding with few points; tables
+/// have kinks, which converge like 1/M^2. The solver on cosine_mesh(fallback_elements) with alpha = 0.5 is used
+/// instead, and `exact` is false, if
+///
+/// - the pressure jumps;
+/// - the estimated error exceeds 1e-6 mu N;
+/// - the strip is narrower than b/a = 0.02; or
+/// - the law is violated (several zones of stick or slip, slip against the traction, |p| above the bound).
 ///
 /// A pressure that decreases linearly to zero at the leading edge, as on the last segment of a table, lies below the
 /// traction of stick there, which decreases like a square root: a second slip zone begins at the leading edge. The
-/// shorter the last segment, the smaller its effect. For Hertz's pressure, tables of 40 points at -cos of equidistant
-/// angles keep it below 1e-6 mu N up to 0.6 of the creepage of full sliding, and 100 points up to 0.9; equidistant
-/// points must be 400 for 0.6 and more than 1600 for 0.9.
+/// shorter the last segment, the smaller its effect; points at -cos of equidistant angles make it short
+/// (docs/measured.md).
 ///
 /// kernel: of the contact's half-width in units of a. pressure: p_n [Pa] at every point and its means, e.g.
 /// hertz.pressure(); the result keeps a copy. Throws std::invalid_argument unless fallback_elements >= 1, the
@@ -161,7 +164,7 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
     constexpr const char* who = "solve_stick_border";
     detail::require(fallback_elements >= 1, who, "fallback_elements", fallback_elements, "be at least 1");
     detail::require_not_negative(who, "friction_coefficient", friction_coefficient);
-    // of one type for all pressures, so that what follows is compiled once a kernel
+    // one type for all pressures, so that the following code is compiled once for each kernel
     const std::function<Scalar(Scalar)> bound = [pressure, scale = friction_coefficient / contact.shear_modulus()](
                                                     Scalar x) -> Scalar { return scale * pressure(x); };
     detail::PointsOfLevels<Scalar> levels;

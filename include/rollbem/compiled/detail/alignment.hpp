@@ -1,4 +1,4 @@
-// A unit is linked with a rollbem::compiled of the same Eigen alignment, or not at all.
+// Ensures that a unit is linked with a rollbem::compiled of the same Eigen alignment, or not at all.
 #pragma once
 
 #include "../../detail/language.hpp"
@@ -7,9 +7,9 @@
 
 namespace rollbem {
 
-/// Defined in rollbem::compiled for the alignment with which that was compiled, EIGEN_MAX_ALIGN_BYTES and
-/// EIGEN_MAX_STATIC_ALIGN_BYTES, which follow flags such as -mavx and -march=native. A unit that lays out or frees
-/// matrices in another way than those of the library would crash; the linker names this function instead.
+/// Defined in rollbem::compiled for its own alignment, EIGEN_MAX_ALIGN_BYTES and EIGEN_MAX_STATIC_ALIGN_BYTES, which
+/// follow flags such as -mavx and -march=native. A unit that lays out or frees matrices differently from the library
+/// would crash; the linker names this function instead.
 template <int largest, int largest_static>
 int rollbem_compiled_has_another_eigen_alignment_compile_both_with_the_same_m_flags();
 

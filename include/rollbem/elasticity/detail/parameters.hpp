@@ -1,5 +1,4 @@
-// The parameters of a kernel for a contact 2b wide: what is required of them, and their values for a given contact.
-// Internal.
+// The parameters of a kernel for a contact 2b wide: their requirements, and their values for a given contact. Internal.
 #pragma once
 
 #include "../../detail/finite.hpp"

@@ -60,9 +60,9 @@ private:
 template <class Scalar>
 struct PressureScan {
     Scalar load = 0;     // integral over x/a
-    Scalar largest = 0;  // of the sampled values
+    Scalar largest = 0;  // largest sampled value
     bool jumps = true;
-    int level = 0;  // at which it converged, or the last
+    int level = 0;  // level at which it converged, or the last one
 };
 
 /// Integral of a bound over the contact by the midpoint rule in the angle, the number of points doubled until it

@@ -26,16 +26,16 @@ template <class Scalar>
 inline constexpr Scalar least_distance = Scalar(0.02);
 
 /// Accuracy of the stick border, level by level: the points of the pressure, and the orders for a smooth part that is
-/// analytic up to a distance d. All rates are the slowest ones, those of a zone of half-length 1.
+/// analytic up to a distance d. All rates are the slowest ones, those for a zone of half-length 1.
 ///
-/// N unknowns: their sum is singular at the corners +-1 +-id and converges like exp(-k r), where r is the logarithm of
-/// the parameter of the Bernstein ellipse through the corners, cosh r = (sqrt(4 + d^2) + d)/2; the force converges
-/// twice as fast. N starts where the sum is accurate to e^-14 and doubles, which makes the force accurate to rounding
-/// in any scalar type.
-/// P points for the integrals of the unknowns, whose integrands are singular at a distance d from any point of the
-/// zone: accurate to rounding for 2P - N = ln(1/eps)/asinh(d).
-/// K points for the integrals of the known tractions, which may have kinks: their number grows with the points of the
-/// pressure.
+/// - N unknowns: their sum is singular at the corners +-1 +-id and converges like exp(-k r), where r is the logarithm
+///   of the parameter of the Bernstein ellipse through the corners, cosh r = (sqrt(4 + d^2) + d)/2; the force converges
+///   twice as fast. N starts where the sum is accurate to e^-14 and doubles, which makes the force accurate to rounding
+///   in any scalar type.
+/// - P points for the integrals of the unknowns, whose integrands are singular at a distance d from any point of the
+///   zone: accurate to rounding for 2P - N = ln(1/eps)/asinh(d).
+/// - K points for the integrals of the known tractions, which may have kinks: their number grows with the points of the
+///   pressure.
 template <class Scalar>
 void set_level(StickZoneRule<Scalar>& rule, int level, const AngularPoints<Scalar>& points, Scalar distance) {
     if (!is_finite(distance)) return rule.set(points, 0, 0, 0);
@@ -87,8 +87,8 @@ std::pair<Scalar, typename Problem::Point> find_border(Problem& problem, const S
 template <class Scalar, class Problem>
 struct SettledBorder {
     Scalar y = -1;
-    typename Problem::Point point{};                         // its force is that at the given creepage
-    Scalar error = std::numeric_limits<Scalar>::infinity();  // of the force: its change in the last level
+    typename Problem::Point point{};                         // its force holds at the given creepage
+    Scalar error = std::numeric_limits<Scalar>::infinity();  // error of the force: its change in the last level
     StickZoneRule<Scalar> rule;
 };
 
@@ -131,10 +131,10 @@ struct Violation {
     Scalar largest = 0, integral = 0;  // over a zone, 0 ... 1
 };
 
-/// How far a function on a zone, 0 at its trailing and 1 at its leading end, rises above zero by more than rounding in
-/// `unit`: at points that cluster at both ends, and at the vertices of the parabolas through the points about each
-/// local maximum, so that peaks between the points are found. If there is a violation, it is measured on a dense set of
-/// points.
+/// The largest rise of a function on a zone, 0 at its trailing and 1 at its leading end, above zero by more than
+/// rounding in `unit`: at points that cluster at both ends, and at the vertices of the parabolas through the points
+/// about each local maximum, so that peaks between the points are found. If there is a violation, it is measured on a
+/// dense set of points.
 template <class Scalar, class Function>
 Violation<Scalar> worst_violation(PointsOfLevels<Scalar>& levels, int level, Scalar unit, const Function& f) {
     constexpr int dense = 5;  // 512 points
@@ -163,14 +163,14 @@ Violation<Scalar> worst_violation(PointsOfLevels<Scalar>& levels, int level, Sca
     return violation;
 }
 
-/// How far a solution violates the law.
+/// The violation of the law by a solution.
 template <class Scalar>
 struct LawCheck {
     Scalar residual;  // the largest violation, over the largest bound or over the creepage
     Scalar force;     // estimated effect of the violations
 };
 
-/// |p| <= bound and traction opposing the creepage in stick, slip in the direction of the creepage in slip.
+/// Checks |p| <= bound and traction opposing the creepage in stick, slip in the direction of the creepage in slip.
 template <class Scalar, class Bound, class SmoothSlope>
 LawCheck<Scalar> check_law(PointsOfLevels<Scalar>& levels, int level, const StickZone<Scalar>& zone, const Bound& bound,
                            Scalar largest_bound, Scalar creepage, const SmoothSlope& smooth_slope) {

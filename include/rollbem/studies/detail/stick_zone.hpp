@@ -1,5 +1,5 @@
 // Steady rolling with slip behind a border c and stick from there to the leading edge, in closed form and Chebyshev
-// series. Dimensionless (a = G = 1) and for creepage >= 0; that slip and stick are so arranged is not checked here.
+// series. Dimensionless (a = G = 1) and for creepage >= 0; whether slip and stick are so arranged is not checked here.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ Scalar second_kind_sum(const ArrayX<Scalar>& a, Eigen::Index first, Scalar t) {
     return one;
 }
 
-/// A solution: the data that tractions and slip are evaluated from. y = 1 + c is the distance of the border from the
+/// A solution: the data from which tractions and slip are evaluated. y = 1 + c is the distance of the border from the
 /// trailing edge.
 ///
 /// In slip p = -bound(x), in stick p = p_1 + p_2. With h(s) = bound(s) sqrt((1+s)/(1-s)), s = -1 + y (1 + cos phi)/2
@@ -34,8 +34,8 @@ Scalar second_kind_sum(const ArrayX<Scalar>& a, Eigen::Index first, Scalar t) {
 ///   slip and p_1 together, where S is the kernel's strength;
 /// - in slip the slope pi S h_0 - pi S sqrt((1-x)/(1+x)) sum h_n sin(n phi).
 /// (From the inversion of the finite Hilbert transform bounded at both ends: its integrals over the stick zone are
-/// elementary, those over the slip zone are the coefficients h_n.) p_2 = sqrt(1-t^2) sum q_k U_k(t), t = -1 ... 1 in
-/// stick, balances the kernel's smooth part; it vanishes for the plane kernel.
+/// elementary, its integrals over the slip zone are the coefficients h_n.) p_2 = sqrt(1-t^2) sum q_k U_k(t), t = -1 ...
+/// 1 in stick, balances the kernel's smooth part; it vanishes for the plane kernel.
 template <class Scalar>
 struct StickZone {
     Scalar y = 0;

@@ -21,9 +21,9 @@ namespace rollbem::detail {
 /// Points and orders of one level of accuracy.
 template <class Scalar>
 struct StickZoneRule {
-    const AngularPoints<Scalar>* points = nullptr;  // of the slip zone
+    const AngularPoints<Scalar>* points = nullptr;  // points of the slip zone
     Eigen::Index unknowns = 0;                      // N: D and q_0 ... q_{N-2}; 0 without a smooth part
-    Eigen::Index places = 0;                        // P, of the integrals of the unknowns
+    Eigen::Index places = 0;                        // P, points of the integrals of the unknowns
     ArrayX<Scalar> eta, omega;                      // K Gauss-Legendre points for even functions from 0 to 1
 
     void set(const AngularPoints<Scalar>& slip_points, Eigen::Index N, Eigen::Index P, Eigen::Index K) {
@@ -69,7 +69,7 @@ public:
         return point;
     }
 
-    /// The zone of the last evaluation at `creepage`, which differs from the one found only by the tolerance of the
+    /// The zone of the last evaluation at `creepage`, which differs from its own creepage only by the tolerance of the
     /// search.
     const StickZone<Scalar>& zone(Scalar creepage, const StickZoneRule<Scalar>& rule) {
         if (rule.unknowns == 0) transform();
@@ -78,8 +78,8 @@ public:
     }
 
 private:
-    /// h_n from the values. A long series belongs to a pressure with kinks: the terms left out are of the size of the
-    /// kinks over their order squared, and decay ahead of the border.
+    /// Transforms the values into h_n. A long series belongs to a pressure with kinks: the terms left out are of the
+    /// size of the kinks over their order squared, and decay ahead of the border.
     void transform() {
         const Eigen::Index M = values_.size(), count = std::min<Eigen::Index>(M, 1024);
         const CircleTable<Scalar> circle(M);
@@ -166,7 +166,7 @@ private:
         return modes;
     }
 
-    /// Column 0: D and q_k per unit creepage; column 1: what is subtracted from their multiple. The first `known`
+    /// Column 0: D and q_k per unit creepage; column 1: the part subtracted from their multiple. The first `known`
     /// points have their loads; without a smooth part these cause the slope `creepage`.
     MatrixX<Scalar> amplitudes(Eigen::Index N, Eigen::Index known, Scalar creepage,
                                const MatrixX<Scalar>& modes) const {
