@@ -41,14 +41,14 @@ Patch ellipse(double b, Eigen::Index n) {
 }
 
 /// The force at each distance, in steps of dq after a step of creepage from rest.
-std::vector<TangentialForce<double>> step_response(const AdhesionModel<3>& model, const Creepage<double>& creepage,
+std::vector<TangentialForce<double>> step_response(const AdhesionModel<2>& model, const Creepage<double>& creepage,
                                                    double dq, const std::vector<double>& distances) {
     auto workspace = model.workspace();
     auto now = model.at_rest(), next = now;
     std::vector<TangentialForce<double>> forces;
     int done = 0;
     for (const double distance : distances) {
-        AdhesionStep<3> step;
+        AdhesionStep<2> step;
         for (; done < std::lround(distance / dq); ++done) {
             step = model.advance(now, {dq, creepage}, next, workspace);
             REQUIRE(step.status == Status::ok);

@@ -32,12 +32,12 @@ std::pair<VectorXd, VectorXd> stage_by_stage(const VectorXd& from, const Motion&
     detail::AdhesionStages<1, double> stages(from.size());
     detail::StageFactors<double> factors(from.size());
     const SemiAxes<double> start{a_1 / a, 1}, end{a_3 / a, 1};
-    const Eigen::MatrixXd inputs = along.inputs() * (G / a);
-    detail::AdhesionFrame<1, double> frame{{motion, dq, a, halves, start, end}, 1, from, inputs, 0, factors};
+    const detail::RigidSlip<1, double> slip(contact, along.inputs(), G);
+    detail::AdhesionFrame<1, double> frame{{motion, dq, a, halves, start, end}, 1, from, slip, factors};
     stages.solve(frame, [](const detail::RollingStage<double>& stage, const auto& use) {
         use(detail::LineEquations<RollingSystem<double>>(along, stage));
     });
-    return {from + stages.change(), stages.per_end()};
+    return {from + stages.change(), stages.response(0)};
 }
 
 }  // namespace
@@ -66,8 +66,8 @@ TEST_CASE("In full adhesion a row of the table is all of a scheme", "[stages]") 
             // the map of a repeated step is that of the stages
             detail::StepMap<1, double> map(mesh.size());
             detail::StageFactors<double> factors(mesh.size());
-            map.prepare(1, detail::influence(along), detail::RationalExponential<double>(halves),
-                        along.inputs() * (G / a), along.outputs(), dq, a, 0, factors);
+            map.prepare({1, dq, a, 0}, detail::influence(along), detail::RationalExponential<double>(halves),
+                        along.inputs() * G, along.outputs(), factors);
             VectorXd mapped(mesh.size());
             map.apply(from.traction, {Motion::linear(start, xi), dq}, mapped);
             CHECK((mapped - expected).cwiseAbs().maxCoeff() < 1e-12 * unit);

@@ -112,7 +112,7 @@ long count(const Model& model, int repeats) {
     const long before = allocations;
     for (int k = 0; k < 60; ++k) {
         typename Model::Value value{};
-        if constexpr (Model::inputs == 1) {
+        if constexpr (Model::directions == 1) {
             value = 1;
         } else {
             value = {1, 0.5, 0.1};
@@ -275,7 +275,7 @@ TEST_CASE("A step of a patch of varying size and shape does not allocate", "[fri
             NormalLoad<double> load = hertz.at(1e4);
             const FrictionModel model(contact, moves ? shapes.system(1) : rolling_system(mesh, scheme, kernel),
                                       unchecked, {0.3, load.normal_pressure}, integrator);
-            const AdhesionModel<3> adhesion(contact, shapes.system(1), unchecked, integrator);
+            const AdhesionModel<2> adhesion(contact, shapes.system(1), unchecked, integrator);
             FrictionState<2> now = model.at_rest(), next = now;
             AdhesionState<> stuck = adhesion.at_rest(), stuck_next = stuck;
             auto workspace = model.workspace();

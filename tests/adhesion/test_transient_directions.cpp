@@ -16,7 +16,7 @@ namespace {
 
 using namespace rollbem;
 using Eigen::MatrixXd, Eigen::VectorXd;
-using Model = AdhesionModel<3>;
+using Model = AdhesionModel<2>;
 using Motion = Model::Motion;
 using Forces = Eigen::Vector3d;
 
@@ -88,7 +88,7 @@ TEST_CASE("Without coupling, each direction is stepped as on its own, and latera
                 using One = RigidMotion<decltype(pick(value(0)))>;
                 return k % 2 == 0 ? One::linear(pick(value(k)), pick(value(k + 1))) : One(pick(value(k)));
             };
-            const AdhesionStep<3> step =
+            const AdhesionStep<2> step =
                 both.advance(now, {dq, motion([](const auto& all) { return all; })}, next, workspace);
             const AdhesionStep<> x = first.advance(
                 first_now, {dq, motion([](const auto& all) { return all.longitudinal; })}, first_next, first_workspace);
@@ -132,7 +132,7 @@ TEST_CASE("A step on a patch solves the equations of all inputs together, in SI 
         for (const Motion& motion :
              {Motion(end), Motion::linear({1, 2, 3}, end),
               Motion::shift({dq * a * end.longitudinal, dq * a * end.lateral, dq * a * end.spin})}) {
-            const AdhesionStep<3> step = model.advance(from, {dq * a, motion}, to, workspace);
+            const AdhesionStep<2> step = model.advance(from, {dq * a, motion}, to, workspace);
             REQUIRE(step.status == Status::ok);
             CAPTURE(before, vector(step.force), force);
             CHECK((to.traction / G - expected).norm() < 1e-12 * expected.norm());
@@ -160,8 +160,8 @@ TEST_CASE("The tangent of three forces by three motions is the difference quotie
                 for (const auto& motion : {+[](const Creepage<double>& end) { return Motion(end); },
                                            +[](const Creepage<double>& end) { return Motion::linear({}, end); },
                                            +[](const Creepage<double>& end) { return Motion::shift(end); }}) {
-                    const AdhesionStep<3> low = model.advance(from, {dq, motion(value(j, 0))}, to, workspace);
-                    const AdhesionStep<3> high = model.advance(from, {dq, motion(value(j, size))}, to, workspace);
+                    const AdhesionStep<2> low = model.advance(from, {dq, motion(value(j, 0))}, to, workspace);
+                    const AdhesionStep<2> high = model.advance(from, {dq, motion(value(j, size))}, to, workspace);
                     const Forces slope = (vector(high.force) - vector(low.force)) / size;
                     const Forces tangent = matrix(high.tangent).col(j);
                     CAPTURE(name(integrator), before, j);
@@ -190,8 +190,8 @@ TEST_CASE("The result of a step depends on state and arguments alone, to the las
         }
         if (k % 4 == 0) model.advance(now, {0.25 * a, value}, next, used);
         Model::Workspace fresh = model.workspace();
-        const AdhesionStep<3> expected = model.advance(now, {dq, value}, other, fresh);
-        const AdhesionStep<3> found = model.advance(now, {dq, value}, next, used);
+        const AdhesionStep<2> expected = model.advance(now, {dq, value}, other, fresh);
+        const AdhesionStep<2> found = model.advance(now, {dq, value}, next, used);
         REQUIRE(found.status == Status::ok);
         CHECK(vector(found.force) == vector(expected.force));
         CHECK(matrix(found.tangent) == matrix(expected.tangent));

@@ -80,7 +80,7 @@ TEST_CASE("templates: a patch rolls as steady rolling says", "[templates]") {
     const auto steady = solve_steady(patch, elements, scheme);
     const auto force = creep_force(patch, steady, {1e-4F, 2e-4F, 0.01F});
     const ElementSystem<float, 2> system = rolling_system(elements, scheme, half_space);
-    const AdhesionModel<3, float> model(patch, system, unchecked);
+    const AdhesionModel<2, float> model(patch, system, unchecked);
     const auto found = model.force(model.steady(Creepage<float>{1e-4F, 2e-4F, 0.01F}));
     CHECK(relative(found.longitudinal, force.longitudinal) < 1e-4F);
     CHECK(relative(found.lateral, force.lateral) < 1e-4F);

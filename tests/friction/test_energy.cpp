@@ -1,11 +1,11 @@
-// rollbem/friction/model.hpp, friction/detail/slip_work.hpp, centre_values.hpp: elastic energy and slip work.
+// rollbem/friction/model.hpp, friction/detail/slip_work.hpp, system/centre_values.hpp: elastic energy and slip work.
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include <rollbem/compiled/steady.hpp>
-#include <rollbem/friction/detail/centre_values.hpp>
 #include <rollbem/friction/detail/slip_work.hpp>
+#include <rollbem/system/centre_values.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"

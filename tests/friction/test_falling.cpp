@@ -1,6 +1,7 @@
 // rollbem/friction/law.hpp, and friction that falls with slip: against reference forces and limits.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -94,6 +95,26 @@ TEST_CASE("With little memory, the force oscillates at the peak of the creep cur
         CHECK(std::abs(lowest - 0.656) < 0.01);
         CHECK(std::abs(period - c.period) < c.margin);
     }
+}
+
+TEST_CASE("Tractions that jump within a step and return release the energy of both jumps", "[friction]") {
+    const Scene scene(cosine_mesh<double>(20));
+    const FrictionModel<Law> model = scene.transient();
+    auto workspace = model.workspace();
+    State now = model.at_rest(), next = now;
+    const double dq = 0.1 * a, fast = 10;  // all elements slide at mu_k, in the first stage of the last step backwards
+    const Travel<> travel{dq, dq / speed};
+    for (int k = 0; k < 3; ++k) {
+        REQUIRE(model.advance(now, {travel, fast}, next, workspace).status == Status::ok);
+        std::swap(now, next);
+    }
+    const Step step = model.advance(now, {travel, Motion::linear(-10 * fast, fast)}, next, workspace);
+    REQUIRE(step.status == Status::ok);
+    CHECK((next.traction - now.traction).norm() < 1e-12 * now.traction.norm());
+    State jump = now;
+    jump.traction *= -2;
+    const double ratio = 1 + std::numbers::sqrt2;  // weight of the first of two stages
+    CHECK(step.jump_work == Approx(2 * ratio * model.elastic_energy(jump)).epsilon(1e-10));
 }
 
 TEST_CASE("A memory needs the points of the equations", "[friction]") {

@@ -9,7 +9,7 @@
 
 #include <rollbem/closed_form/friction.hpp>
 #include <rollbem/compiled/friction.hpp>
-#include <rollbem/friction/detail/bounds.hpp>
+#include <rollbem/system/along_contact.hpp>
 
 #include "scene.hpp"
 #include "support/catch.hpp"

@@ -112,7 +112,7 @@ struct Scene {
         };
         return roll(model, load_at, dq, every, alone);
     }
-    std::vector<Forces> adhesion(const AdhesionModel<3>& model, double dq) const {
+    std::vector<Forces> adhesion(const AdhesionModel<2>& model, double dq) const {
         const auto load_at = [&](double size) { return SemiAxes<double>{size * a_0, size * contact.half_width()}; };
         return roll(model, load_at, dq, 0.4);
     }
@@ -153,7 +153,7 @@ TEST_CASE("Creepages stand in braces in every step, with a load and without", "[
     auto own = any.workspace();
     auto state = any.at_rest();
     CHECK(any.steady(any.at_rest(), {Travel<>::at_speed(1.0), {xi, eta, phi}}, state, own).status == Status::ok);
-    const AdhesionModel<3> adhesion(scene.contact, rolling_system(scene.mesh, chebyshev, kernel), unchecked);
+    const AdhesionModel<2> adhesion(scene.contact, rolling_system(scene.mesh, chebyshev, kernel), unchecked);
     CHECK(Run(adhesion).advance({dq, {{xi, eta, phi}}}).force.lateral ==
           Run(adhesion).advance({dq, scene.creepage}).force.lateral);
 }
@@ -185,7 +185,7 @@ TEST_CASE("patch_load: breathing is of second order in dq by sdirk2, of first by
     for (const bool second : {false, true}) {
         const Integrator integrator = second ? Integrator::sdirk2 : Integrator::implicit_euler;
         const Model rolling = scene.model(system, integrator);
-        const AdhesionModel<3> sticking(scene.contact, system, unchecked, integrator);
+        const AdhesionModel<2> sticking(scene.contact, system, unchecked, integrator);
         const std::vector<double> steps = second ? std::vector{0.4, 0.2, 0.1, 0.05} : std::vector{0.2, 0.1, 0.05};
         const double with_friction = order([&](double dq) { return scene.friction(rolling, dq); }, steps);
         const double without = order([&](double dq) { return scene.adhesion(sticking, dq); }, steps);
@@ -205,7 +205,7 @@ TEST_CASE("patch_load: without slip friction is full adhesion, while size and sh
             CAPTURE(single, name(integrator));
             const auto system = single ? scene.breathing() : shapes().system(1);
             const Model rolling = scene.model(system, integrator, 1e6);
-            const AdhesionModel<3> sticking(scene.contact, system, unchecked, integrator);
+            const AdhesionModel<2> sticking(scene.contact, system, unchecked, integrator);
             auto workspace = rolling.workspace();
             auto other = sticking.workspace();
             auto state = rolling.at_rest(), next = state;
@@ -313,7 +313,7 @@ TEST_CASE("patch_load: shapes between the nodes") {
 
     // creep coefficients of any shape from the model of one
     const Scene circle(1, 6);
-    const AdhesionModel<3> model(circle.contact, shapes().system(1), judge_stability(shapes()));
+    const AdhesionModel<2> model(circle.contact, shapes().system(1), judge_stability(shapes()));
     auto workspace = model.workspace();
     auto state = model.at_rest(), steady = state;
     state.half_length = 0.9 * a_0;
@@ -368,7 +368,7 @@ TEST_CASE("patch_load: what a mesh cannot follow has a status") {
     const Model fixed = scene.model(rolling_system(scene.mesh, chebyshev, kernel), Integrator::sdirk2),
                 single = scene.model(scene.breathing(), Integrator::sdirk2),
                 many = scene.model(shapes().system(1), Integrator::sdirk2);
-    const AdhesionModel<3> adhesion(scene.contact, shapes().system(1), unchecked);
+    const AdhesionModel<2> adhesion(scene.contact, shapes().system(1), unchecked);
     const auto status = [&](const Model& model, double a, double b, double dq = 0.1, double start_b = 1) {
         auto workspace = model.workspace();
         auto from = model.at_rest(), to = from;

@@ -8,6 +8,7 @@
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/steady.hpp>
+#include <rollbem/rolling/run.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
@@ -243,6 +244,22 @@ TEST_CASE("Spin needs the points of the equations", "[friction]") {
     const Step expected =
         from_scratch(Model(scene.contact, unturned, unchecked, scene.friction), scene.creepage(0.3, 40, 0));
     CHECK(step.force.lateral == Approx(expected.force.lateral).epsilon(1e-12));
+}
+
+TEST_CASE("Each solution of a step nearly like the one before takes two Newton steps", "[friction]") {
+    const Scene scene = nodal(20);
+    for (const Integrator integrator : integrators) {
+        const Model model = scene.transient(integrator);
+        const int stages = integrator == Integrator::sdirk2 ? 2 : 1;
+        Run run(model);
+        for (int k = 0; k < 60; ++k) {
+            const Step step = run.advance({0.05, scene.creepage(0.2, 30, 0.5 + 1e-4 * k)});
+            REQUIRE(step.status == Status::ok);
+            if (k < 40) continue;  // not yet settled
+            CAPTURE(k, name(integrator));
+            CHECK(step.rounds == 2 * 2 * stages);  // with slip as it is and with slip turned
+        }
+    }
 }
 
 TEST_CASE("Directions that do not belong together, or one of which grows, are refused", "[friction]") {

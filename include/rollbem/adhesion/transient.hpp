@@ -38,8 +38,8 @@
 
 namespace rollbem {
 
-/// The contact as a force element without slip, stepped like FrictionModel: with one creepage, or with longitudinal and
-/// lateral creepage and spin, whose forces are F_x, F_y and the moment M_z. Immutable: threads may share it. Its
+/// The contact as a force element without slip, stepped like FrictionModel: in one direction, or in both with spin, where
+/// the forces are F_x, F_y and the moment M_z. Immutable: threads may share it. Its
 /// interface is in SI units.
 ///
 /// A step of the same distance as the one before costs one product of an n x n matrix and a vector; the first one
@@ -64,24 +64,24 @@ namespace rollbem {
 ///
 ///     const ElementSystem system(longitudinal, lateral);
 ///     const AdhesionModel model(contact, system, judge_stability(system.whole()));
-///     const AdhesionStep<3> step = model.advance(now, {dq, {1e-3, 5e-4, 0.1}}, next, workspace);
-template <int inputs_ = 1, class Scalar_ = double>
+///     const AdhesionStep<2> step = model.advance(now, {dq, {1e-3, 5e-4, 0.1}}, next, workspace);
+template <int directions_ = 1, class Scalar_ = double>
 class AdhesionModel {
 public:
     using Scalar = Scalar_;
-    static constexpr int inputs = inputs_;
+    static constexpr int directions = directions_;
     using State = AdhesionState<Scalar>;
-    using Step = AdhesionStep<inputs, Scalar>;
-    using Workspace = AdhesionWorkspace<inputs, Scalar>;
-    using Force = typename Step::Force;          ///< a number, or TangentialForce
-    using Value = typename Step::Values::Value;  ///< a creepage: a number, or Creepage
+    using Step = AdhesionStep<directions, Scalar>;
+    using Workspace = AdhesionWorkspace<directions, Scalar>;
+    using Force = typename Step::Force;                       ///< a number, or TangentialForce
+    using Value = detail::CreepageAlong<directions, Scalar>;  ///< a number, or Creepage
     using Motion = RigidMotion<Value>;
-    /// The load is the half-length [m] at the end of the step, with three inputs the semi-axes [m], or that of the
+    /// The load is the half-length [m] at the end of the step, with two directions the semi-axes [m], or that of the
     /// state.
     using RollingStep =
-        rollbem::RollingStep<Motion, std::optional<std::conditional_t<inputs == 1, Scalar, SemiAxes<Scalar>>>>;
+        rollbem::RollingStep<Motion, std::optional<detail::ByDirections<directions, Scalar, SemiAxes<Scalar>>>>;
 
-    /// With one input, creepage in the direction of the kernel with which the system was made; with three, those of
+    /// With one direction, that of the kernel with which the system was made; with two, the inputs are those of
     /// Creepage, as both_directions() makes them. The verdict is that on the system, or `unchecked`. Throws
     /// std::invalid_argument if the verdict does not belong to this system or does not establish that no eigenvalue
     /// grows, if steady rolling shows that the scheme does not converge (Status::assists_creepage), or if the contact's
@@ -97,7 +97,7 @@ public:
     /// the verdict on system.whole(). Throws std::invalid_argument for the same reasons.
     template <class AnyContact>
     AdhesionModel(const AnyContact& contact, const ElementSystem<Scalar, 2>& system, const StabilityVerdict& verdict,
-                  Integrator integrator = Integrator::sdirk2) requires(inputs == 3)
+                  Integrator integrator = Integrator::sdirk2) requires(directions == 2)
         : AdhesionModel(Units(contact), system.whole(), integrator) {
         if constexpr (std::is_same_v<AnyContact, Contact<Scalar>>) {
             detail::require_same_aspect(name, contact, system);
@@ -111,20 +111,22 @@ public:
         detail::require_usable_in_time(name, system, verdict);
     }
 
-    Eigen::Index size() const { return outputs_in_si_.rows(); }  ///< number of unknowns
-    std::uint64_t fingerprint() const { return fingerprint_; }   ///< of the system and the contact
+    Eigen::Index size() const { return forces_.columns().rows(); }  ///< number of unknowns
+    std::uint64_t fingerprint() const { return fingerprint_; }      ///< of the system and the contact
     Integrator integrator() const { return integrator_; }
 
     /// Whether the half-length may change: for systems with points() and log_strength() (elements and Chebyshev states
     /// of the plane kernel), and for patches of breathing_system and PatchShapes; by implicit_euler and sdirk2.
-    bool can_breathe() const { return (shapes_ || (inputs == 1 && detail::can_breathe(system_))) && !is_exponential(); }
+    bool can_breathe() const {
+        return (shapes_ || (directions == 1 && detail::can_breathe(system_))) && !is_exponential();
+    }
 
     /// No traction anywhere, at the contact's semi-axes.
     State at_rest() const { return {VectorX<Scalar>::Zero(size()), fingerprint_, units_.length, 0, units_.half_width}; }
     Workspace workspace() const { return Workspace(size()); }
 
     /// 2b F_bar of a state [N] at its semi-axes. The state must have size() unknowns.
-    Force force(const State& state) const { return Values::force(force_of(state.traction, axes(state))); }
+    Force force(const State& state) const { return force_along(forces_.of(state.traction, axes(state))); }
 
     /// Steady rolling with the motion at the end of a step, no shift, G' p = inputs v, Eq. (15), at the semi-axes of
     /// the step; the tangent is that of steady rolling. Of `from` only the semi-axes are used, where the step has none;
@@ -148,20 +150,24 @@ public:
     Step advance(const State& from, const RollingStep& step, State& to, Workspace& workspace) const noexcept;
 
 private:
-    using Values = typename Step::Values;
-    using Inputs = detail::InputVector<inputs, Scalar>;
-    using Square = typename detail::StepMap<inputs, Scalar>::Square;
+    using Inputs = detail::InputVector<directions, Scalar>;
+    using Square = detail::InputMatrix<directions, Scalar>;
     using Axes = SemiAxes<Scalar>;
+    using By = detail::TangentBy<directions>;
+    using Units = detail::ContactUnits<Scalar>;
+    using Stages = detail::AdhesionStages<directions, Scalar>;
 
     static constexpr const char* name = "AdhesionModel";
-    static constexpr Axes contact_axes{1, 1};
+    static constexpr Axes contact_axes = detail::contact_axes<Scalar>;
 
-    using Units = detail::ContactUnits<Scalar>;
-
-    // Of a creepage, or of a force over that of F_x.
-    Scalar arm(Eigen::Index input) const { return input == 2 ? units_.length : Scalar(1); }
+    static Force force_along(const Inputs& forces) { return detail::force_along<directions, Scalar>(forces); }
 
     AdhesionModel(const Units& units, RollingSystem<Scalar> system, Integrator integrator);
+
+    // Of what workspaces prepare, also of the integrator; the matrices of shapes differ by rounding from a fixed mesh.
+    std::uint64_t preparation(bool of_shapes = false) const {
+        return fingerprint_ ^ (2 * static_cast<std::uint64_t>(integrator_) + (of_shapes ? 3 : 2));
+    }
 
     bool is_exponential() const { return !detail::stage_table<Scalar>(integrator_); }
 
@@ -196,25 +202,13 @@ private:
         return units_.axes(placed);
     }
 
-    // At given semi-axes: areas are stretched by both, the arms of moments by either. `twice` counts one of these arms
-    // twice, for the derivative with respect to its semi-axis.
+    // Per creepage, of unknowns(creepage).
     template <class Unknowns>
-    Inputs force_of(const Unknowns& unknowns, const Axes& at, const Axes& twice = contact_axes) const {
-        Inputs result;
-        for (Eigen::Index i = 0; i < inputs; ++i) result[i] = outputs_in_si_.col(i).dot(unknowns);
-        if constexpr (inputs == 3) {
-            if (shapes_) {
-                const Eigen::Index n = size() / 2;
-                const auto arms = outputs_in_si_.col(2);
-                result[2] = twice.half_width * at.half_width * arms.head(n).dot(unknowns.head(n)) +
-                            twice.half_length * at.half_length * arms.tail(n).dot(unknowns.tail(n));
-            }
-        }
-        return at == contact_axes ? result : Inputs(result * (at.half_length * at.half_width));
-    }
-    Square forces_of(const MatrixX<Scalar>& unknowns, const Axes& at) const {
+    Square forces_of(const Unknowns& unknowns, const Axes& at) const {
         Square result;
-        for (Eigen::Index j = 0; j < inputs; ++j) result.col(j) = force_of(unknowns.col(j), at);
+        for (std::size_t j = 0; j < By::creepages; ++j) {
+            result.col(static_cast<Eigen::Index>(j)) = forces_.of(unknowns(j), at);
+        }
         return result;
     }
 
@@ -225,7 +219,7 @@ private:
         to.half_width = semi_axes.half_width;
         to.system = fingerprint_;
         to.distance = dq;
-        const Inputs force = force_of(to.traction, axes(to));
+        const Inputs force = forces_.of(to.traction, axes(to));
         if (!detail::all_finite(force) || !detail::all_finite(tangent)) {
             to.traction = from.traction;
             to.half_length = from.half_length;
@@ -234,18 +228,20 @@ private:
             return detail::failed<Step>(Status::not_finite);
         }
         Step step;
-        step.force = Values::force(force);
-        if (units_.line) step.force_per_width = Values::force(Inputs(force / units_.width));
-        step.tangent = Values::tangent(tangent);
+        step.force = force_along(force);
+        if (units_.line) step.force_per_width = force_along(force / units_.width);
+        for (std::size_t j = 0; j < By::creepages; ++j) {
+            detail::by_creepage(step.tangent, j) = force_along(tangent.col(static_cast<Eigen::Index>(j)));
+        }
         step.status = Status::ok;
         return step;
     }
 
-    using Frame = detail::AdhesionFrame<inputs, Scalar>;
+    using Frame = detail::AdhesionFrame<directions, Scalar>;
 
     // At the end of a step.
     SemiAxes<Scalar> semi_axes(const State& from, const RollingStep& step) const noexcept {
-        if constexpr (inputs == 1) {
+        if constexpr (directions == 1) {
             return {step.load.value_or(from.half_length), from.half_width};
         } else {
             return step.load.value_or(SemiAxes<Scalar>{from.half_length, from.half_width});
@@ -253,7 +249,7 @@ private:
     }
     // Whether a step takes other equations than those of the contact's semi-axes.
     bool reshapes(const Frame& frame) const {
-        return shapes_ && (frame.axes > 0 || frame.start != contact_axes || frame.end != contact_axes);
+        return shapes_ && (frame.asked[By::half_length] || frame.start != contact_axes || frame.end != contact_axes);
     }
     // By the linear map of steps of this distance.
     Step repeat(const State& from, Scalar dq, const Motion& motion, State& to, Workspace& workspace) const noexcept;
@@ -261,17 +257,15 @@ private:
     Step solve_stages(const State& from, const RollingStep& step, Frame& frame, State& to,
                       Workspace& workspace) const noexcept;
     // With the derivatives by the semi-axes that the frame asks for.
-    void add_tangents(const Frame& frame, const detail::AdhesionStages<inputs, Scalar>& stages, const State& to,
-                      Step& step) const;
+    void add_tangents(const Frame& frame, const Stages& stages, const State& to, Step& step) const;
 
     Units units_;
     RollingSystem<Scalar> system_;
     std::uint64_t fingerprint_;
-    // Of what workspaces prepare, also of the integrator; the matrices of shapes differ by rounding from a fixed mesh.
-    std::uint64_t preparation_, reshaped_;
     Integrator integrator_;
     detail::RationalExponential<Scalar> rational_;
-    MatrixX<Scalar> inputs_in_si_, outputs_in_si_;            // n x k [Pa/m], for spin [Pa]; [m^2], of the moment [m^3]
+    detail::RigidSlip<directions, Scalar> slip_;
+    detail::ContactForces<directions, Scalar> forces_;
     MatrixX<Scalar> steady_;                                  // n x k, per creepage [Pa], per spin [Pa m]
     Scalar rates_norm_ = 0;                                   // |G^-1 G'|, for the matrix exponential
     std::shared_ptr<const detail::ShapeSet<Scalar>> shapes_;  // of a patch that may change its semi-axes
@@ -283,27 +277,21 @@ AdhesionModel(const Contact<Scalar>&, RollingSystem<Scalar>, const StabilityVerd
     -> AdhesionModel<1, Scalar>;
 template <class AnyContact, class Scalar>
 AdhesionModel(const AnyContact&, const ElementSystem<Scalar, 2>&, const StabilityVerdict&,
-              Integrator = Integrator::sdirk2) -> AdhesionModel<3, Scalar>;
+              Integrator = Integrator::sdirk2) -> AdhesionModel<2, Scalar>;
 
-template <int inputs_, class Scalar_>
-AdhesionModel<inputs_, Scalar_>::AdhesionModel(const Units& units, RollingSystem<Scalar> system, Integrator integrator)
+template <int directions_, class Scalar_>
+AdhesionModel<directions_, Scalar_>::AdhesionModel(const Units& units, RollingSystem<Scalar> system,
+                                                   Integrator integrator)
     : units_(units),
       system_(std::move(system)),
       fingerprint_(units.fingerprint ^ system_.fingerprint()),
-      preparation_(fingerprint_ ^ (1 + static_cast<std::uint64_t>(integrator))),
-      reshaped_(~preparation_),
       integrator_(integrator),
       rational_(integrator),
-      inputs_in_si_(system_.inputs()),
-      outputs_in_si_(system_.outputs()) {
-    detail::require(system_.input_count() == inputs, name, "number of inputs", system_.input_count(),
-                    inputs == 1 ? "be 1" : "be 3");
-    steady_ = units_.shear_modulus * system_.inputs();
-    for (Eigen::Index j = 0; j < inputs; ++j) {
-        steady_.col(j) *= arm(j);
-        inputs_in_si_.col(j) *= units_.shear_modulus / units_.length * arm(j);
-        outputs_in_si_.col(j) *= units_.width * units_.length * arm(j);
-    }
+      slip_(units_, system_.inputs(), units_.shear_modulus),
+      forces_(units_, system_.outputs(), units_.shear_modulus),
+      steady_(slip_.columns()) {
+    detail::require(system_.input_count() == detail::input_count<directions>, name, "number of inputs",
+                    system_.input_count(), directions == 1 ? "be 1" : "be 3");
     solve(system_.G_prime(), steady_);
     if (!is_exponential()) return;
     MatrixX<Scalar> rates = system_.G_prime();
@@ -311,8 +299,8 @@ AdhesionModel<inputs_, Scalar_>::AdhesionModel(const Units& units, RollingSystem
     rates_norm_ = rates.cwiseAbs().colwise().sum().maxCoeff();
 }
 
-template <int inputs_, class Scalar_>
-void AdhesionModel<inputs_, Scalar_>::solve(MatrixX<Scalar> matrix, MatrixX<Scalar>& right) {
+template <int directions_, class Scalar_>
+void AdhesionModel<directions_, Scalar_>::solve(MatrixX<Scalar> matrix, MatrixX<Scalar>& right) {
     std::vector<Eigen::Index> swaps(static_cast<std::size_t>(matrix.rows()));
     const detail::MatrixRef<Scalar> factors(matrix);
     detail::factorise_in_place<Scalar>(factors, swaps.data());
@@ -321,9 +309,9 @@ void AdhesionModel<inputs_, Scalar_>::solve(MatrixX<Scalar> matrix, MatrixX<Scal
     }
 }
 
-template <int inputs_, class Scalar_>
-auto AdhesionModel<inputs_, Scalar_>::steady(const Value& creepage) const -> State {
-    const Inputs value = Values::vector(creepage);
+template <int directions_, class Scalar_>
+auto AdhesionModel<directions_, Scalar_>::steady(const Value& creepage) const -> State {
+    const Inputs value = detail::in_order(creepage);
     for (const Scalar component : value) {
         detail::require_finite(name, "creepage", component);
     }
@@ -332,9 +320,9 @@ auto AdhesionModel<inputs_, Scalar_>::steady(const Value& creepage) const -> Sta
     return state;
 }
 
-template <int inputs_, class Scalar_>
-auto AdhesionModel<inputs_, Scalar_>::steady(const State& from, const RollingStep& step, State& to,
-                                             Workspace& workspace) const noexcept -> Step {
+template <int directions_, class Scalar_>
+auto AdhesionModel<directions_, Scalar_>::steady(const State& from, const RollingStep& step, State& to,
+                                                 Workspace& workspace) const noexcept -> Step {
     const SemiAxes<Scalar> end = semi_axes(from, step);
     const Axes at = axes(end);
     Status status = check(from, end, to, workspace);
@@ -342,66 +330,67 @@ auto AdhesionModel<inputs_, Scalar_>::steady(const State& from, const RollingSte
     if (status == Status::ok) status = check_growth(Scalar(0), at, at);
     if (status == Status::ok) status = step.motion.check_rows(0);
     if (status != Status::ok) return detail::failed<Step>(status);
-    const Inputs value = Values::vector(step.motion.end());
+    const Inputs value = detail::in_order(step.motion.end());
     to.traction.setZero();
-    if constexpr (inputs == 3) {
+    if constexpr (directions == 2) {
         if (shapes_ && at != contact_axes) {
             const auto stage = detail::RollingStage<Scalar>::steadily(at);
-            auto& stages = workspace.stages();
-            stages.solve_steady(reshaped_, {*shapes_, a_over_b_, stage}, inputs_in_si_, workspace.factors());
-            for (Eigen::Index j = 0; j < inputs; ++j) {
-                to.traction += units_.length * value[j] * stages.per_end().col(j);
+            Stages& stages = workspace.stages();
+            stages.solve_steady(preparation(true), {*shapes_, a_over_b_, stage}, slip_, workspace.factors());
+            const auto per_creepage = [&](std::size_t j) -> const VectorX<Scalar>& { return stages.response(j); };
+            for (std::size_t j = 0; j < By::creepages; ++j) {
+                to.traction += value[static_cast<Eigen::Index>(j)] * per_creepage(j);
             }
-            return finish(from, end, 0, forces_of(stages.per_end(), at) * units_.length, to);
+            return finish(from, end, 0, forces_of(per_creepage, at), to);
         }
     }
-    for (Eigen::Index j = 0; j < inputs; ++j) to.traction += value[j] * steady_.col(j);
-    return finish(from, end, 0, forces_of(steady_, at), to);
+    const auto per_creepage = [&](std::size_t j) { return steady_.col(static_cast<Eigen::Index>(j)); };
+    for (Eigen::Index j = 0; j < value.size(); ++j) to.traction += value[j] * steady_.col(j);
+    return finish(from, end, 0, forces_of(per_creepage, at), to);
 }
 
-template <int inputs_, class Scalar_>
-auto AdhesionModel<inputs_, Scalar_>::advance(const State& from, const RollingStep& step, State& to,
-                                              Workspace& workspace) const noexcept -> Step {
+template <int directions_, class Scalar_>
+auto AdhesionModel<directions_, Scalar_>::advance(const State& from, const RollingStep& step, State& to,
+                                                  Workspace& workspace) const noexcept -> Step {
     const SemiAxes<Scalar> end = semi_axes(from, step);
     const Scalar dq = step.travel.dq;
     const Status possible = detail::check_step(check(from, end, to, workspace), step.motion, dq, 0,
                                                [&] { return check_growth(dq / units_.length, axes(from), axes(end)); });
     if (possible != Status::ok) return detail::failed<Step>(possible);
-    const bool by_axes = step.load && can_breathe(), single = !shapes_ || shapes_->is_single();
+    const bool by_axes = step.load && can_breathe();
     const bool repeats = dq > 0 && dq == from.distance && !by_axes && axes(end) == contact_axes;
     if (is_exponential()) return repeat(from, dq, step.motion, to, workspace);
     Frame frame{{step.motion, dq, units_.length, *detail::stage_table<Scalar>(integrator_), axes(from), axes(end)},
-                preparation_,
+                preparation(),
                 from.traction,
-                inputs_in_si_,
-                !by_axes ? std::size_t(0)
-                : single ? std::size_t(1)
-                         : std::size_t(2),
+                slip_,
                 workspace.factors()};
+    frame.asked[By::half_length] = by_axes;
+    if constexpr (directions == 2) frame.asked[By::half_width] = by_axes && shapes_ && !shapes_->is_single();
     if (repeats && !reshapes(frame)) return repeat(from, dq, step.motion, to, workspace);
     return solve_stages(from, step, frame, to, workspace);
 }
 
-template <int inputs_, class Scalar_>
-auto AdhesionModel<inputs_, Scalar_>::repeat(const State& from, Scalar dq, const Motion& motion, State& to,
-                                             Workspace& workspace) const noexcept -> Step {
-    const detail::ImposedMotion<inputs, Scalar> imposed(motion, dq);
-    detail::StepMap<inputs, Scalar>& map = workspace.map();
-    if (!map.is_of(preparation_, dq)) {
-        map.prepare(preparation_, detail::influence(system_), rational_, inputs_in_si_, outputs_in_si_, dq,
-                    units_.length, count_doublings(dq / units_.length), workspace.factors());
+template <int directions_, class Scalar_>
+auto AdhesionModel<directions_, Scalar_>::repeat(const State& from, Scalar dq, const Motion& motion, State& to,
+                                                 Workspace& workspace) const noexcept -> Step {
+    const detail::ImposedMotion<directions, Scalar> imposed(motion, dq);
+    detail::StepMap<directions, Scalar>& map = workspace.map();
+    if (!map.is_of(preparation(), dq)) {
+        map.prepare({preparation(), dq, units_.length, count_doublings(dq / units_.length)}, detail::influence(system_),
+                    rational_, slip_.columns(), forces_.columns(), workspace.factors());
     }
     map.apply(from.traction, imposed, to.traction);
     return finish(from, {from.half_length, from.half_width}, dq, map.tangent(imposed), to);
 }
 
-template <int inputs_, class Scalar_>
-auto AdhesionModel<inputs_, Scalar_>::solve_stages(const State& from, const RollingStep& step, Frame& frame, State& to,
-                                                   Workspace& workspace) const noexcept -> Step {
-    detail::AdhesionStages<inputs, Scalar>& stages = workspace.stages();
+template <int directions_, class Scalar_>
+auto AdhesionModel<directions_, Scalar_>::solve_stages(const State& from, const RollingStep& step, Frame& frame,
+                                                       State& to, Workspace& workspace) const noexcept -> Step {
+    Stages& stages = workspace.stages();
     if (reshapes(frame)) {
-        if constexpr (inputs == 3) {
-            frame.model = reshaped_;
+        if constexpr (directions == 2) {
+            frame.model = preparation(true);
             stages.solve(frame, [this](const auto& stage, const auto& use) {
                 use(detail::ShapeEquations<Scalar>(*shapes_, a_over_b_, stage));
             });
@@ -412,29 +401,24 @@ auto AdhesionModel<inputs_, Scalar_>::solve_stages(const State& from, const Roll
         });
     }
     to.traction = from.traction + stages.change();
-    Step result = finish(from, semi_axes(from, step), step.travel.dq, forces_of(stages.per_end(), frame.end), to);
+    const auto per_creepage = [&](std::size_t j) -> const VectorX<Scalar>& { return stages.response(j); };
+    Step result = finish(from, semi_axes(from, step), step.travel.dq, forces_of(per_creepage, frame.end), to);
     if (result.status == Status::ok) add_tangents(frame, stages, to, result);
     return result;
 }
 
-template <int inputs_, class Scalar_>
-void AdhesionModel<inputs_, Scalar_>::add_tangents(const Frame& frame,
-                                                   const detail::AdhesionStages<inputs, Scalar>& stages,
-                                                   const State& to, Step& step) const {
+template <int directions_, class Scalar_>
+void AdhesionModel<directions_, Scalar_>::add_tangents(const Frame& frame, const Stages& stages, const State& to,
+                                                       Step& step) const {
     const bool keeps_shape = shapes_ && shapes_->is_single();
-    const auto tangent = [&](detail::Axis axis, const VectorX<Scalar>& per_axis, Scalar at, Scalar unit) {
-        const auto own = detail::OwnGrowth<Scalar>::by(axis, keeps_shape);
-        const Inputs direct = force_of(to.traction, frame.end, own.arms) * (own.power / at);
-        return Values::force(Inputs(direct + force_of(per_axis, frame.end) / unit));
-    };
-    if (frame.axes == 0) return;
-    step.tangent_by_half_length =
-        tangent(detail::Axis::half_length, stages.per_length(), to.half_length, units_.length);
-    if constexpr (inputs == 3) {
-        if (keeps_shape) step.tangent_by_half_width = {0, 0, 0};
-        if (frame.axes < 2) return;
-        step.tangent_by_half_width =
-            tangent(detail::Axis::half_width, stages.per_width(), to.half_width, units_.half_width);
+    frame.for_parameters([&](std::size_t parameter) {
+        if (!By::is_axis(parameter)) return;
+        auto& tangent = parameter == By::half_length ? step.tangent_by_half_length : step.tangent_by_half_width;
+        tangent = force_along(
+            forces_.rate(to.traction, stages.response(parameter), frame.end, By::axis(parameter), keeps_shape));
+    });
+    if constexpr (directions == 2) {
+        if (keeps_shape && frame.asked[By::half_length]) step.tangent_by_half_width = {0, 0, 0};
     }
 }
 

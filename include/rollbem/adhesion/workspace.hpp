@@ -9,10 +9,10 @@
 
 namespace rollbem {
 
-/// Made by a model; works with any model of the same number of unknowns and inputs. What a step of one distance needs
+/// Made by a model; works with any model of the same number of unknowns and directions. What a step of one distance needs
 /// is kept as long as model and distance stay the same, so contacts that are stepped in turn should each have their own
 /// workspace, of 4 n^2 numbers. Two threads must not use one workspace at the same time.
-template <int inputs = 1, class Scalar_ = double>
+template <int directions = 1, class Scalar_ = double>
 class AdhesionWorkspace {
 public:
     using Scalar = Scalar_;
@@ -22,14 +22,14 @@ public:
 
     Eigen::Index size() const { return factors_.size(); }
 
-    detail::StageFactors<Scalar>& factors() { return factors_; }          ///< for the models
-    detail::AdhesionStages<inputs, Scalar>& stages() { return stages_; }  ///< for the models
-    detail::StepMap<inputs, Scalar>& map() { return map_; }               ///< for the models
+    detail::StageFactors<Scalar>& factors() { return factors_; }              ///< for the models
+    detail::AdhesionStages<directions, Scalar>& stages() { return stages_; }  ///< for the models
+    detail::StepMap<directions, Scalar>& map() { return map_; }               ///< for the models
 
 private:
     detail::StageFactors<Scalar> factors_;
-    detail::AdhesionStages<inputs, Scalar> stages_;
-    detail::StepMap<inputs, Scalar> map_;
+    detail::AdhesionStages<directions, Scalar> stages_;
+    detail::StepMap<directions, Scalar> map_;
 };
 
 }  // namespace rollbem

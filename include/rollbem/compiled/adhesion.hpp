@@ -41,6 +41,6 @@ extern template void detail::require_convergent<double, ArrayX<double>>(const ch
 extern template void detail::require_usable_in_time<double>(const char*, const RollingSystem<double>&,
                                                             const StabilityVerdict&);
 extern template class AdhesionModel<1, double>;
-extern template class AdhesionModel<3, double>;
+extern template class AdhesionModel<2, double>;
 
 }  // namespace rollbem

@@ -40,6 +40,25 @@ void subtract_four(const Scalar* from, Eigen::Index stride, const Eigen::Matrix<
     }
 }
 
+/// The products of four columns of `count` numbers, `stride` apart, with x.
+template <class Scalar>
+Eigen::Matrix<Scalar, 4, 1> dot_four(const Scalar* from, Eigen::Index stride, const Scalar* x, Eigen::Index count) {
+    constexpr Eigen::Index size = 4;
+    using Piece = Eigen::Matrix<Scalar, size, 1>;
+    Piece sums[4] = {Piece::Zero(), Piece::Zero(), Piece::Zero(), Piece::Zero()};
+    Eigen::Index i = 0;
+    for (; i + size <= count; i += size) {
+        const Piece piece = Eigen::Map<const Piece>(x + i);
+        for (Eigen::Index k = 0; k < 4; ++k)
+            sums[k] += Eigen::Map<const Piece>(from + k * stride + i).cwiseProduct(piece);
+    }
+    Eigen::Matrix<Scalar, 4, 1> result(sums[0].sum(), sums[1].sum(), sums[2].sum(), sums[3].sum());
+    for (; i < count; ++i) {
+        for (Eigen::Index k = 0; k < 4; ++k) result[k] += from[k * stride + i] * x[i];
+    }
+    return result;
+}
+
 /// Eliminates the first `count` of n unknowns in the n x n matrix A; rows are swapped whole, row k < count with row
 /// k <= swaps[k] < count. With A = [A_11 A_12; A_21 A_22] this leaves the factors of P A_11 = L U, L^-1 P A_12, A_21
 /// U^-1 and A_22 - A_21 A_11^-1 A_12, which contain infinities or NaN if A_11 is singular.

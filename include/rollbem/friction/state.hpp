@@ -2,13 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
-#include <type_traits>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "../detail/finite.hpp"
+#include "../scene/directions.hpp"
 #include "../scene/force.hpp"
 #include "../status.hpp"
 #include "../types.hpp"
@@ -69,28 +68,10 @@ struct SolutionStart {
     const ElementVectors<Scalar, directions>* turned_traction = nullptr;
 };
 
-/// The first type with one direction, the second with two.
-template <int directions, class One, class Two>
-using ByDirections = std::conditional_t<directions == 1, One, Two>;
-
-/// A number that is NaN until computed.
-template <class Scalar>
-inline constexpr Scalar unknown = std::numeric_limits<Scalar>::quiet_NaN();
-
 /// The moment aside, which may be unknown.
 template <class Scalar>
 bool is_finite(const TangentialForce<Scalar>& force) {
     return is_finite(force.longitudinal) && is_finite(force.lateral);
-}
-
-/// A force or tangent that is NaN until computed.
-template <class Value>
-Value nothing() {
-    if constexpr (std::is_floating_point_v<Value>) {
-        return unknown<Value>;
-    } else {
-        return {};
-    }
 }
 
 }  // namespace detail
@@ -102,8 +83,8 @@ Value nothing() {
 template <int directions = 1, class Scalar_ = double>
 struct FrictionStep {
     using Scalar = Scalar_;
-    using Force = detail::ByDirections<directions, Scalar, TangentialForce<Scalar>>;
-    using Tangent = detail::ByDirections<directions, Scalar, CreepageTangent<Scalar>>;
+    using Force = detail::ForceAlong<directions, Scalar>;
+    using Tangent = detail::TangentAlong<directions, Scalar>;
 
     Force force = detail::nothing<Force>();  ///< on body 1 [N]
     /// d force / d creepage at the end of the step [N]; for a rigid shift, by the shift [N/m].

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include <Eigen/Core>
 
@@ -43,7 +44,28 @@ bool is_coupled(const ElementSystem<Scalar, 2>& system) {
     return system.coupled();
 }
 
-/// The block from tractions along direction e to direction d.
+/// The rigid slip in each equation per creepage, and the forces per unknown; a moment is NaN where places are not
+/// known.
+template <class Scalar>
+const MatrixX<Scalar>& inputs(const RollingSystem<Scalar>& system) {
+    return system.inputs();
+}
+template <class Scalar>
+MatrixX<Scalar> inputs(const ElementSystem<Scalar, 2>& system) {
+    return rigid_slip(system.elements());
+}
+template <class Scalar>
+const MatrixX<Scalar>& outputs(const RollingSystem<Scalar>& system) {
+    return system.outputs();
+}
+template <class Scalar>
+MatrixX<Scalar> outputs(const ElementSystem<Scalar, 2>& system) {
+    MatrixX<Scalar> weights = force_weights(system.elements());
+    if (!system.elements().places_are_known()) weights.col(2).setConstant(std::numeric_limits<Scalar>::quiet_NaN());
+    return weights;
+}
+
+/// What tractions along direction e cause along d.
 template <class Scalar>
 Influence<Scalar> influence(const RollingSystem<Scalar>& system, std::size_t, std::size_t) {
     return influence(system);
@@ -71,6 +93,8 @@ public:
     LineEquations(const System& system, const Stage& present) : stage(present), system_(system) {}
 
     const Stage stage;
+
+    static constexpr bool is_single() { return true; }  ///< the shape does not vary
 
     /// The matrix of a stage, or -G' in steady rolling.
     template <class Block>
@@ -318,11 +342,7 @@ void find_displacements(const System& system, const SemiAxes<Scalar>& axes, cons
                    [&](const auto& equations) { equations.find_displacements(p, U); });
 }
 
-/// The semi-axes of a contact, in its own semi-axes.
-template <class Scalar>
-inline constexpr SemiAxes<Scalar> contact_axes{1, 1};
-
-/// The ellipses of a patch whose semi-axes may vary; null for other systems.
+/// The ellipses of a patch whose semi-axes may vary, else null.
 template <class Scalar>
 const ShapeSet<Scalar>* shapes_of(const RollingSystem<Scalar>&) {
     return nullptr;

@@ -2,27 +2,33 @@
 // stages.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "../scene/creepage.hpp"
+#include "../scene/directions.hpp"
 #include "../scene/rigid_motion.hpp"
 #include "../scene/semi_axes.hpp"
 #include "../status.hpp"
 #include "integrator.hpp"
+#include "rigid_slip.hpp"
 #include "stage.hpp"
 #include "stage_equations.hpp"
 
 namespace rollbem::detail {
 
-/// The growth of force and moment with a semi-axis at constant tractions: the force is a power of the semi-axis; the
-/// moment by tractions with arms along either semi-axis grows by one of `arms` times this power.
-template <class Scalar>
-struct OwnGrowth {
-    Scalar power;
-    SemiAxes<Scalar> arms;
+/// Parameters of the tangents of a step, as indices of what its first stage passes to the second: the creepages come
+/// first. That of the load is of friction alone.
+template <int directions>
+struct TangentBy {
+    static constexpr std::size_t creepages = input_count<directions>;
+    static constexpr std::size_t load = creepages, half_length = creepages + 1, half_width = creepages + 2;
+    static constexpr std::size_t count = directions == 1 ? half_width : half_width + 1;
 
-    /// `keeps_shape`: the other semi-axis grows in proportion.
-    static OwnGrowth by(Axis axis, bool keeps_shape) {
-        if (keeps_shape) return {2, {1.5, 1.5}};
-        return axis == Axis::half_length ? OwnGrowth{1, {2, 1}} : OwnGrowth{1, {1, 2}};
+    static constexpr bool is_axis(std::size_t parameter) { return parameter >= half_length; }
+    /// The semi-axis of a parameter that is one.
+    static constexpr Axis axis(std::size_t parameter) {
+        return parameter == half_length ? Axis::half_length : Axis::half_width;
     }
 };
 
@@ -45,7 +51,9 @@ public:
     using Value = Value_;
     using Scalar = Scalar_;
     using Motion = RigidMotion<Value>;
+    static constexpr int directions = Motion::directions;
     using Axes = SemiAxes<Scalar>;
+    using By = TangentBy<directions>;
 
     /// A step by dq [m], whose semi-axes vary linearly. A shift without rolling is one stage, whatever the table.
     StepFrame(const Motion& moved, Scalar distance, Scalar length, const StageTable<Scalar>& stages, const Axes& from,
@@ -70,6 +78,8 @@ public:
     StageTable<Scalar> table;
     StagePlace<Scalar> place{1, 1};  ///< the present stage
     RollingStage<Scalar> stage;
+    /// By which parameters tangents are wanted.
+    std::array<bool, By::count> asked{true, directions == 2, directions == 2};
 
     bool rolls() const { return dq > 0; }
     bool varies() const { return start != end; }
@@ -84,7 +94,49 @@ public:
     }
     /// d(factor() motion)/d motion at the end of the step.
     Scalar per_end() const { return motion.is_linear() ? place.progress * factor() : factor(); }
-    /// The share of a stage's slip in the slip of the step.
+    /// Adds factor() motion() in the equations.
+    template <class Result>
+    void add_motion(const RigidSlip<directions, Scalar>& slip, Result&& sum) const {
+        const InputVector<directions, Scalar> values = in_order(moved());
+        for (std::size_t j = 0; j < By::creepages; ++j) {
+            slip.add(j, factor() * values[static_cast<Eigen::Index>(j)], stage.axes(), sum);
+        }
+    }
+
+    /// Calls use(parameter) for each that is asked for.
+    template <class Use>
+    void for_parameters(const Use& use) const {
+        for (std::size_t parameter = 0; parameter < By::count; ++parameter) {
+            if (asked[parameter]) use(parameter);
+        }
+    }
+    /// Adds the derivative by a parameter of factor() motion() - (what tractions p at the end of the stage cause), at
+    /// constant p. `scratch` is as large as p.
+    template <class Equations, class Tractions, class Scratch, class Result>
+    void add_rate(std::size_t parameter, const RigidSlip<directions, Scalar>& slip, const Equations& equations,
+                  const Tractions& p, Scratch&& scratch, Result&& sum) const {
+        if (parameter < By::creepages) return slip.add(parameter, per_end(), stage.axes(), sum);
+        if (!By::is_axis(parameter)) return;
+        const Axis axis = By::axis(parameter);
+        if constexpr (directions == 2) {
+            const Scalar spin = moved().spin;
+            if (spin != 0) slip.add_spin_rate(axis, equations.is_single(), place.progress * factor() * spin, sum);
+        }
+        equations.add_rates(axis, place, p, scratch, sum);
+    }
+    /// What the response dp of a stage to a parameter adds to factor() motion() - (what tractions cause) of the next
+    /// one, which starts from U + ratio (U_1 - U).
+    template <class Equations, class Tractions, class Scratch, class Result>
+    void carry_response(std::size_t parameter, const Equations& equations, const Tractions& p, const Tractions& dp,
+                        Scratch&& scratch, Result&& carried) const {
+        equations.find_displacements(dp, carried);
+        if (By::is_axis(parameter)) {
+            equations.add_displacement_rates(By::axis(parameter), place.progress, p, scratch, carried);
+        }
+        carried *= -place.ratio();
+    }
+
+    /// The share of a stage's slip in that of the step.
     Scalar weight() const { return place.is_last() ? Scalar(1) : place.ratio(); }
 
     /// Calls problem.solve_stage(frame) for one stage after the other, and problem.carry(frame) between two.

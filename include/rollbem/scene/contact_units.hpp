@@ -1,6 +1,7 @@
 // The units of a contact's systems: of a line contact 2a x 2b, or of a patch.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "../detail/fingerprint.hpp"
@@ -34,6 +35,9 @@ struct ContactUnits {
         if (placed.half_length == length && (line || placed.half_width == half_width)) return {1, 1};
         return {placed.half_length / length, line ? Scalar(1) : placed.half_width / half_width};
     }
+
+    /// Unit of a creepage over that of the longitudinal one, and of a force: the third are spin and moment.
+    Scalar arm(std::ptrdiff_t input) const { return input == 2 ? length : Scalar(1); }
 
     ContactUnits(const Contact<Scalar>& contact)  // NOLINT: implicit on purpose
         : ContactUnits(contact, contact.width(), true) {}

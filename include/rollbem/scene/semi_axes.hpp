@@ -18,6 +18,10 @@ struct SemiAxes {
 
 namespace detail {
 
+/// Those of a contact in its own.
+template <class Scalar>
+inline constexpr SemiAxes<Scalar> contact_axes{1, 1};
+
 template <class Scalar>
 bool are_positive(const SemiAxes<Scalar>& axes) noexcept {
     return is_finite(axes.half_length) && axes.half_length > 0 && is_finite(axes.half_width) && axes.half_width > 0;

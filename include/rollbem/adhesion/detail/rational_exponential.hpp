@@ -5,8 +5,8 @@
 #include <cstddef>
 
 #include "../../rolling/integrator.hpp"
+#include "../../scene/directions.hpp"
 #include "../../scene/rigid_motion.hpp"
-#include "../state.hpp"
 
 namespace rollbem::detail {
 
@@ -49,20 +49,18 @@ private:
     std::array<Scalar, 10> b_{};
 };
 
-/// What a motion imposes on a step of k creepages: the shifts at constant creepage, the contributions of a linear
+/// What a motion imposes on a step: the shifts at constant creepage, the contributions of a linear
 /// change, and their derivatives with respect to the motion's end values, the same for each creepage.
-template <int k, class Scalar>
+template <int directions, class Scalar>
 struct ImposedMotion {
-    using Values = AdhesionValues<k, Scalar>;
-
-    ImposedMotion(const RigidMotion<typename Values::Value>& motion, Scalar dq) noexcept
-        : shift(Values::vector(motion.start())) {
+    ImposedMotion(const RigidMotion<CreepageAlong<directions, Scalar>>& motion, Scalar dq) noexcept
+        : shift(in_order(motion.start())) {
         if (motion.is_shift()) {
             shift_per_end = 1;
             return;
         }
         if (motion.is_linear()) {
-            ramp = (Values::vector(motion.end()) - shift) * dq;
+            ramp = (in_order(motion.end()) - shift) * dq;
             ramp_per_end = dq;
         } else {
             shift_per_end = dq;
@@ -70,8 +68,8 @@ struct ImposedMotion {
         shift *= dq;
     }
 
-    InputVector<k, Scalar> shift, ramp = InputVector<k, Scalar>::Zero();  ///< [m], for spin angles
-    Scalar shift_per_end = 0, ramp_per_end = 0;                           ///< [m], or 1 for a shift
+    InputVector<directions, Scalar> shift, ramp = InputVector<directions, Scalar>::Zero();  ///< [m], for spin angles
+    Scalar shift_per_end = 0, ramp_per_end = 0;                                             ///< [m], or 1 for a shift
 };
 
 }  // namespace rollbem::detail

@@ -8,11 +8,11 @@
 
 #include <Eigen/Core>
 
+#include "../../rolling/rigid_slip.hpp"
 #include "../../rolling/stage_equations.hpp"
 #include "../../rolling/step_frame.hpp"
-#include "../../scene/semi_axes.hpp"
+#include "../../scene/directions.hpp"
 #include "../../types.hpp"
-#include "../state.hpp"
 #include "stage_factors.hpp"
 
 namespace rollbem::detail {
@@ -30,19 +30,17 @@ auto in_columns(Unknowns&& unknowns) requires(!std::is_const_v<std::remove_refer
 }
 
 /// A step in full adhesion while its stages are solved, from the unknowns `old`. Stages of one `model` have the same
-/// matrices. `inputs` times a motion in metres is in the unit of the unknowns. Of the derivatives with respect to the
-/// semi-axes at the end `axes` are computed: 0, 1 (by the half-length) or 2.
-template <int k, class Scalar>
-struct AdhesionFrame : StepFrame<typename AdhesionValues<k, Scalar>::Value, Scalar> {
+/// matrices.
+template <int directions, class Scalar>
+struct AdhesionFrame : StepFrame<CreepageAlong<directions, Scalar>, Scalar> {
     std::uint64_t model;
     const VectorX<Scalar>& old;
-    const MatrixX<Scalar>& inputs;
-    std::size_t axes;
+    const RigidSlip<directions, Scalar>& slip;
     StageFactors<Scalar>& factors;
 };
 
-/// Solves a step by the stages of a StageTable for k creepages. Lengths are in units of a_0, the half-length for which
-/// the system was made; everything else is in the unit of the unknowns y.
+/// Solves a step by the stages of a StageTable. Lengths are in units of a_0, the half-length for which the system was
+/// made; everything else is in the unit of the unknowns y.
 ///
 /// With dU/dq = (1 + a' zeta) du/dx - inputs v on a line, and U = M(a) y, each stage, of the part g of the step, is
 ///
@@ -50,10 +48,11 @@ struct AdhesionFrame : StepFrame<typename AdhesionValues<k, Scalar>::Value, Scal
 ///
 /// with ratio = (1-g)/g, where `carried` occurs in the last of two stages. It is solved for y_k - y_old, so that short
 /// steps keep their digits.
-template <int k, class Scalar>
+template <int directions, class Scalar>
 class AdhesionStages {
 public:
     using Vector = VectorX<Scalar>;
+    using By = TangentBy<directions>;
 
     explicit AdhesionStages(Eigen::Index n)
         : change_(Vector::Zero(n)),
@@ -61,43 +60,37 @@ public:
           start_(change_),
           growth_(change_),
           scratch_(change_),
-          now_(change_),
-          per_end_(MatrixX<Scalar>::Zero(n, k)),
-          carried_per_end_(per_end_) {
-        per_axis_.fill(change_);
-        carried_per_axis_.fill(change_);
+          now_(change_) {
+        response_.fill(change_);
+        carried_response_.fill(change_);
     }
 
     /// with(stage, use) calls use(equations) with those of a stage.
     template <class Frame, class With>
     void solve(Frame& frame, const With& with) {
         carried_.setZero();
-        carried_per_end_.setZero();
-        for (std::size_t axis = 0; axis < frame.axes; ++axis) carried_per_axis_[axis].setZero();
+        for (Vector& carried : carried_response_) carried.setZero();
         Frame::solve_stages(frame, Stages<With>{*this, with});
     }
 
-    /// The unknowns per creepage of steady rolling of a patch, in per_end().
-    void solve_steady(std::uint64_t model, const ShapeEquations<Scalar>& equations, const MatrixX<Scalar>& inputs,
-                      StageFactors<Scalar>& factors) {
+    /// The unknowns per creepage of steady rolling of a patch, as responses.
+    void solve_steady(std::uint64_t model, const ShapeEquations<Scalar>& equations,
+                      const RigidSlip<directions, Scalar>& slip, StageFactors<Scalar>& factors) {
         factors.prepare(model, equations.stage, [&](MatrixX<Scalar>& M) {
             fill<2>(M, equations, [&](auto d, auto e, auto&& block) { equations.fill_slope(1, d, e, block); });
         });
-        for (Eigen::Index j = 0; j < k; ++j) {
-            per_end_.col(j) = rigid<2>(inputs, j, equations.stage, scratch_);
-            factors.solve(per_end_.col(j));
+        for (std::size_t j = 0; j < By::creepages; ++j) {
+            response_[j].setZero();
+            slip.add(j, Scalar(1), equations.stage.axes(), response_[j]);
+            factors.solve(response_[j]);
         }
     }
 
-    const Vector& change() const { return change_; }             ///< of the unknowns
-    const MatrixX<Scalar>& per_end() const { return per_end_; }  ///< derivative with respect to the motion's end values
-    /// Derivatives with respect to the half-length and by the half-width at the end, in those of the contact.
-    const Vector& per_length() const { return per_axis_[0]; }
-    const Vector& per_width() const { return per_axis_[1]; }
+    const Vector& change() const { return change_; }  ///< of the unknowns
+    /// Derivative with respect to one of TangentBy at the end of the step; semi-axes are in those of the contact.
+    const Vector& response(std::size_t parameter) const { return response_[parameter]; }
 
 private:
-    static constexpr std::array<Axis, 2> of{Axis::half_length, Axis::half_width};
-
     template <class With>
     struct Stages {
         AdhesionStages& own;
@@ -108,8 +101,7 @@ private:
             with(frame.stage, [&](const auto& equations) {
                 own.prepare(frame, equations);
                 own.find_change(frame, equations);
-                own.find_per_end(frame, equations);
-                own.find_per_axis(frame, equations);
+                own.find_responses(frame, equations);
             });
         }
         template <class Frame>
@@ -136,59 +128,33 @@ private:
             equations.find_growth(frame.start, in(frame.old), in(start_), in(growth_));
             change_ -= growth_;
         }
-        const InputVector<k, Scalar> moved =
-            frame.unit * frame.factor() * AdhesionValues<k, Scalar>::vector(frame.moved());
-        for (Eigen::Index j = 0; j < k; ++j) {
-            change_ -= moved[j] * rigid<columns<Equations>>(frame.inputs, j, equations.stage, scratch_);
-        }
+        scratch_.setZero();
+        frame.add_motion(frame.slip, scratch_);
+        change_ -= scratch_;
         frame.factors.solve(change_);
     }
     template <class Frame, class Equations>
-    void find_per_end(const Frame& frame, const Equations& equations) {
-        const Scalar per_end = frame.unit * frame.per_end();
-        for (Eigen::Index j = 0; j < k; ++j) {
-            per_end_.col(j) = carried_per_end_.col(j) -
-                              per_end * rigid<columns<Equations>>(frame.inputs, j, equations.stage, scratch_);
-            frame.factors.solve(per_end_.col(j));
-        }
-    }
-    template <class Frame, class Equations>
-    void find_per_axis(const Frame& frame, const Equations& equations) {
+    void find_responses(const Frame& frame, const Equations& equations) {
         const auto in = [](auto&& unknowns) { return in_columns<columns<Equations>>(unknowns); };
-        if (frame.axes > 0) now_ = frame.old + change_;
-        for (std::size_t axis = 0; axis < frame.axes; ++axis) {
-            Vector& response = per_axis_[axis];
-            response.setZero();
-            equations.add_rates(of[axis], frame.place, in(now_), in(scratch_), in(response));
-            if constexpr (columns<Equations> == 2) {  // the rigid slip of spin follows the points
-                const Scalar spin = AdhesionValues<k, Scalar>::vector(frame.moved())[k - 1];
-                const Scalar turned = frame.place.progress * frame.unit * frame.factor() * spin;
-                const bool by_length = axis == 0;
-                turn(frame.inputs, by_length && !equations.is_single() ? Scalar(0) : turned,
-                     by_length ? turned : Scalar(0), scratch_);
-                response += scratch_;
-            }
-            response = carried_per_axis_[axis] - response;
+        now_ = frame.old + change_;
+        frame.for_parameters([&](std::size_t parameter) {
+            Vector& response = response_[parameter];
+            response = carried_response_[parameter];
+            frame.add_rate(parameter, frame.slip, equations, in(now_), in(scratch_), in(response));
             frame.factors.solve(response);
-        }
+            response = -response;
+        });
     }
     template <class Frame, class Equations>
     void carry(const Frame& frame, const Equations& equations) {
         const auto in = [](auto&& unknowns) { return in_columns<columns<Equations>>(unknowns); };
-        const Scalar ratio = frame.place.ratio();
         equations.find_displacements(in(change_), in(carried_));
         if (frame.varies()) carried_ += growth_;
-        carried_ *= ratio;
-        for (Eigen::Index j = 0; j < k; ++j) {
-            equations.find_displacements(in(per_end_.col(j)), in(carried_per_end_.col(j)));
-        }
-        carried_per_end_ *= ratio;
-        for (std::size_t axis = 0; axis < frame.axes; ++axis) {
-            Vector& carried = carried_per_axis_[axis];
-            equations.find_displacements(in(per_axis_[axis]), in(carried));
-            equations.add_displacement_rates(of[axis], frame.place.progress, in(now_), in(scratch_), in(carried));
-            carried *= ratio;
-        }
+        carried_ *= frame.place.ratio();
+        frame.for_parameters([&](std::size_t parameter) {
+            frame.carry_response(parameter, equations, in(now_), in(response_[parameter]), in(scratch_),
+                                 in(carried_response_[parameter]));
+        });
     }
 
     // The matrix of all unknowns, by fill_block(d, e, block).
@@ -211,23 +177,8 @@ private:
         }
     }
 
-    // The rigid slip of a unit input; on a patch that of spin, (-y, x), is stretched with its semi-axes, into `spin`.
-    template <int columns_of_unknowns>
-    static Eigen::Ref<const Vector> rigid(const MatrixX<Scalar>& inputs, Eigen::Index j,
-                                          const RollingStage<Scalar>& stage, Vector& spin) {
-        if (columns_of_unknowns == 1 || j < 2) return inputs.col(j);
-        turn(inputs, stage.half_width, stage.half_length, spin);
-        return spin;
-    }
-    static void turn(const MatrixX<Scalar>& inputs, Scalar across, Scalar along, Vector& result) {
-        const Eigen::Index n = result.size() / 2;
-        result.head(n) = across * inputs.col(k - 1).head(n);
-        result.tail(n) = along * inputs.col(k - 1).tail(n);
-    }
-
     Vector change_, carried_, start_, growth_, scratch_, now_;
-    MatrixX<Scalar> per_end_, carried_per_end_;
-    std::array<Vector, k == 1 ? 1 : 2> per_axis_, carried_per_axis_;
+    std::array<Vector, By::count> response_, carried_response_;
 };
 
 }  // namespace rollbem::detail

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "../../rolling/stage.hpp"
+#include "../../scene/directions.hpp"
 #include "../../types.hpp"
 #include "rational_exponential.hpp"
 #include "stage_factors.hpp"
@@ -31,10 +32,11 @@ void multiply(const A& a, const B& b, C& c) {
     }
 }
 
-template <int k, class Scalar>
+template <int directions, class Scalar>
 class StepMap {
 public:
-    using Square = Eigen::Matrix<Scalar, k, k, Eigen::DontAlign>;
+    static constexpr Eigen::Index k = input_count<directions>;
+    using Square = InputMatrix<directions, Scalar>;
 
     explicit StepMap(Eigen::Index n)
         : Y_(MatrixX<Scalar>::Zero(n, n + k)), map_(MatrixX<Scalar>::Zero(n, n + 2 * k)), product_(map_) {}
@@ -42,19 +44,24 @@ public:
     /// Whether the map is that of a model's steps of dq [m].
     bool is_of(std::uint64_t model, Scalar dq) const { return model == model_ && dq == dq_; }
 
-    /// Computes the map of steps of dq [m], a_0 = `unit` [m]. O(n^3). Powers of Y = part h (G - part h G')^-1 G' give
-    /// the change of y for h, dq/a_0 divided `doublings` times by two; applied to the adjacent columns, that due to the
-    /// creepages. `outputs` turn y into forces.
-    void prepare(std::uint64_t model, const Influence<Scalar>& influence, const RationalExponential<Scalar>& rational,
-                 const MatrixX<Scalar>& inputs, const MatrixX<Scalar>& outputs, Scalar dq, Scalar unit, int doublings,
-                 StageFactors<Scalar>& factors) {
-        model_ = model;
-        dq_ = dq;
+    /// Steps of dq [m] of a model, a_0 = `unit` [m]. The map is that of h, dq/a_0 divided `doublings` times by two,
+    /// repeated as often.
+    struct Steps {
+        std::uint64_t model;
+        Scalar dq, unit;
+        int doublings;
+    };
+    /// Computes the map, O(n^3). Powers of Y = part h (G - part h G')^-1 G' give the change of y for h; applied to the
+    /// adjacent columns, that due to the creepages, whose rigid slip is `slip`. `outputs` turn y into forces.
+    void prepare(const Steps& steps, const Influence<Scalar>& influence, const RationalExponential<Scalar>& rational,
+                 const MatrixX<Scalar>& slip, const MatrixX<Scalar>& outputs, StageFactors<Scalar>& factors) {
+        model_ = steps.model;
+        dq_ = steps.dq;
         const Eigen::Index n = Y_.rows();
-        const Scalar distance = rational.part * std::ldexp(dq / unit, -doublings);
+        const Scalar distance = rational.part * std::ldexp(steps.dq / steps.unit, -steps.doublings);
         Y_.leftCols(n) = distance * influence.G_prime;
-        Y_.rightCols(k) = rational.part * inputs;
-        factors.prepare(model, influence, {.distance = distance});
+        Y_.rightCols(k) = (rational.part / steps.unit) * slip;
+        factors.prepare(steps.model, influence, {.distance = distance});
         for (Eigen::Index j = 0; j < n + k; ++j) factors.solve(Y_.col(j));
         add_power(rational, rational.degree);
         for (int j = rational.degree - 1; j >= 1; --j) {
@@ -63,7 +70,7 @@ public:
             add_power(rational, j);
         }
         // Two steps in one, for e^w - 1 rather than e^w, so that short steps keep their digits.
-        for (int doubling = 0; doubling < doublings; ++doubling) {
+        for (int doubling = 0; doubling < steps.doublings; ++doubling) {
             multiply(map_.leftCols(n), map_, product_);
             map_.rightCols(k) =
                 Scalar(0.5) * map_.rightCols(k) + Scalar(0.25) * (map_.middleCols(n, k) + product_.rightCols(k));
@@ -79,7 +86,8 @@ public:
         }
     }
 
-    void apply(const VectorX<Scalar>& from, const ImposedMotion<k, Scalar>& motion, VectorX<Scalar>& to) const {
+    void apply(const VectorX<Scalar>& from, const ImposedMotion<directions, Scalar>& motion,
+               VectorX<Scalar>& to) const {
         const Eigen::Index n = Y_.rows();
         to = from + motion.shift[0] * map_.col(n) + motion.ramp[0] * map_.col(n + k);
         for (Eigen::Index j = 1; j < k; ++j) {
@@ -88,7 +96,7 @@ public:
         to.noalias() += map_.leftCols(n) * from;
     }
 
-    Square tangent(const ImposedMotion<k, Scalar>& motion) const {
+    Square tangent(const ImposedMotion<directions, Scalar>& motion) const {
         return motion.shift_per_end * force_per_shift_ + motion.ramp_per_end * force_per_ramp_;
     }
 

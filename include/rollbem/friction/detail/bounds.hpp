@@ -11,48 +11,18 @@
 
 #include "../../detail/finite.hpp"
 #include "../../rolling/step_frame.hpp"
+#include "../../scene/directions.hpp"
 #include "../../scene/rigid_motion.hpp"
+#include "../../system/along_contact.hpp"
 #include "../../system/elements.hpp"
 #include "../../types.hpp"
 #include "../law.hpp"
 #include "../state.hpp"
-#include "imposed_slip.hpp"
 #include "scratch.hpp"
 #include "slip_dependent_set.hpp"
 #include "stick_slip.hpp"
 
 namespace rollbem::detail {
-
-/// Piecewise linear function of x/a with given values at the `points`, in ascending order, and the value `ahead` from
-/// the leading edge on, or from the last point on if that lies in front of the contact; constant behind the
-/// first point.
-template <class Scalar>
-class AlongContact {
-public:
-    struct Point {
-        Scalar value;
-        Scalar slope;  ///< at one of the points, that from behind
-    };
-
-    AlongContact(const ArrayX<Scalar>& points, const Scalar* values, Scalar ahead)
-        : points_(points), values_(values), ahead_(ahead) {}
-
-    /// Arguments must not decrease from call to call.
-    Point operator()(Scalar x) {
-        while (next_ < points_.size() && points_[next_] < x) ++next_;
-        const bool between = next_ < points_.size();
-        const Scalar right = between ? points_[next_] : Scalar(1), value = between ? values_[next_] : ahead_;
-        if (next_ == 0 || (!between && x >= right)) return {value, 0};
-        const Scalar slope = (value - values_[next_ - 1]) / (right - points_[next_ - 1]);
-        return {value - (right - x) * slope, slope};
-    }
-
-private:
-    const ArrayX<Scalar>& points_;
-    const Scalar* values_;
-    Scalar ahead_;
-    Eigen::Index next_ = 0;
-};
 
 /// Bounds of one step or steady solution if mu is constant: mu times the pressures.
 template <int directions, class Scalar>
@@ -98,12 +68,10 @@ public:
     /// The points of the elements are used if there is a memory. Keeps references to all arguments but the travel.
     SlipDependentBounds(const Friction<Law, Scalar>& friction, const Elements<Scalar>& elements, const State& from,
                         const rollbem::Travel<Scalar>& travel, Scratch& scratch) noexcept
-        : law_(friction.law),
-          memory_(friction.memory),
+        : passage_{friction.law, friction.memory, friction.law(0), scratch.duration},
           elements_(elements),
           start_(from.friction_coefficient),
           travel_(travel),
-          at_rest_(law_(0)),
           scratch_(scratch) {
         if (from.solver.stage_coefficient.size() == start_.size()) first_start_ = &from.solver.stage_coefficient;
         scratch_.friction = start_.matrix();
@@ -119,14 +87,15 @@ public:
     /// Refers to the frame. In steady rolling particles arrive from the equation ahead.
     void enter(const Frame& frame) noexcept {
         frame_ = &frame;
+        passage_.before = frame.stage.steady ? nullptr : &scratch_.before;
         if (frame.stage.steady) {
             const ArrayX<Scalar>& ways = elements_.intervals.size() > 0 ? elements_.intervals : elements_.areas;
-            velocity_per_slip_ = travel_.speed();
-            scratch_.duration = frame.stage.half_length * frame.unit / velocity_per_slip_ * ways.matrix();
+            passage_.velocity_per_slip = travel_.speed();
+            scratch_.duration = frame.stage.half_length * frame.unit / travel_.speed() * ways.matrix();
             return;
         }
         const Scalar duration = frame.place.part * travel_.duration;
-        velocity_per_slip_ = frame.unit / duration;
+        passage_.velocity_per_slip = frame.unit / duration;
         scratch_.duration.setConstant(duration);
         if (!frame.place.is_last() && first_start_ != nullptr) scratch_.friction = first_start_->matrix();
         if (!remembers()) return scratch_.before.setZero(), void();
@@ -149,9 +118,9 @@ public:
 
     typename Solver::Outcome solve(Solver& solver, const Vector& pressure,
                                    const typename Solver::Start& from) noexcept {
-        pressure_ = &pressure;
+        passage_.pressure = &pressure;
         typename SlipDependentSet<directions, Scalar>::Outcome outcome =
-            scratch_.set.solve(passage(), from, solver, scratch_.friction);
+            scratch_.set.solve(passage_, from, solver, scratch_.friction);
         outcome.solution.residual = (std::max)(outcome.solution.residual, outcome.change);
         if (!is_finite(outcome.change)) outcome.solution.residual = outcome.change;
         is_easy_ = outcome.solutions <= 4 && (is_easy_ || !is_second());
@@ -161,26 +130,27 @@ public:
 
     /// To be called before respond(), as in ConstantBounds.
     std::optional<std::uint64_t> linearise(Solver& solver) noexcept {
-        const std::uint64_t revision = scratch_.set.linearise(passage(), solver);
+        const std::uint64_t revision = scratch_.set.linearise(passage_, solver);
         return remembers() && is_second() ? std::nullopt : std::optional(revision);
     }
     /// dp in the stage solved last caused by a change, with that of the pressures in place of the bounds, by the paths
     /// of the particles if the parameter is the half-length, and in the second stage by the response of the first, kept
     /// by carry_response().
     void respond(Solver& solver, const typename Solver::Change& change, std::size_t parameter) noexcept {
-        SlipDependentChange<directions, Scalar> changes{change};
+        typename Solver::Change direct = change;
+        const Vector* before = nullptr;
         moves_paths_ = remembers() && parameter == TangentBy<directions>::half_length;
         if (moves_paths_ || (remembers() && is_second())) {
             moves_paths_ ? find_path_change() : void(scratch_.path_change.setZero());
             scratch_.before_change = scratch_.path_change;
             if (is_second()) add_carried(parameter);
-            changes.before = &scratch_.before_change;
+            before = &scratch_.before_change;
         }
         if (change.bound != nullptr) {
             scratch_.bound = scratch_.friction.cwiseProduct(*change.bound);
-            changes.direct.bound = &scratch_.bound;
+            direct.bound = &scratch_.bound;
         }
-        scratch_.set.respond(passage(), solver, changes, scratch_.change);
+        scratch_.set.respond(passage_, solver, direct, before, scratch_.change);
     }
 
     /// Keeps the response of the first of two stages for that of the second.
@@ -193,10 +163,10 @@ private:
     using Index = Eigen::Index;
 
     Index size() const { return start_.size(); }
-    bool remembers() const { return memory_.distance > 0 && !frame_->stage.steady; }
+    bool remembers() const { return passage_.memory.distance > 0 && !frame_->stage.steady; }
     bool is_second() const { return frame_->place.is_second; }
 
-    AlongContact<Scalar> at_start() const { return {elements_.x, start_.data(), at_rest_}; }
+    AlongContact<Scalar> at_start() const { return {elements_.x, start_.data(), passage_.at_rest}; }
     AlongContact<Scalar> in_first_stage(const Vector& change) const { return {elements_.x, change.data(), Scalar(0)}; }
     // Position x/a of the particle that arrives at point i, at the start of the step.
     Scalar origin(Index i) const {
@@ -232,18 +202,7 @@ private:
         }
     }
 
-    FrictionPassage<Scalar> passage() const {
-        return {law_,
-                memory_,
-                *pressure_,
-                scratch_.duration,
-                frame_->stage.steady ? nullptr : &scratch_.before,
-                velocity_per_slip_,
-                at_rest_};
-    }
-
-    const Law& law_;
-    const FrictionMemory<Scalar>& memory_;
+    FrictionPassage<Scalar> passage_;
     const Elements<Scalar>& elements_;
     const ArrayX<Scalar>& start_;  // mu when the step begins
     const ArrayX<Scalar>* first_start_ = nullptr;
@@ -254,9 +213,6 @@ private:
     bool is_easy_ = false;
     bool moves_paths_ = false;                    // the last tangent was that by the half-length
     Scalar per_half_length_ = 1, per_first_ = 1;  // over the half-lengths at the start of the step and after one stage
-    Scalar velocity_per_slip_ = 0;                // slip velocity [m/s] over the solver's slip
-    Scalar at_rest_;                              // mu_s(0)
-    const Vector* pressure_ = nullptr;
     Scratch& scratch_;
 };
 

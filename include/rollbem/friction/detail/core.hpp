@@ -16,10 +16,13 @@
 #include "../../detail/fingerprint.hpp"
 #include "../../detail/finite.hpp"
 #include "../../normal/load.hpp"
+#include "../../rolling/rigid_slip.hpp"
 #include "../../rolling/stage_equations.hpp"
 #include "../../rolling/step_frame.hpp"
 #include "../../scene/contact_units.hpp"
+#include "../../scene/directions.hpp"
 #include "../../scene/rigid_motion.hpp"
+#include "../../scene/semi_axes.hpp"
 #include "../../status.hpp"
 #include "../../system/element_blocks.hpp"
 #include "../../types.hpp"
@@ -27,9 +30,7 @@
 #include "../state.hpp"
 #include "../workspace.hpp"
 #include "bounds.hpp"
-#include "contact_forces.hpp"
 #include "frame.hpp"
-#include "imposed_slip.hpp"
 #include "scratch.hpp"
 #include "slip_work.hpp"
 
@@ -61,7 +62,7 @@ public:
                  const Friction<Law, Scalar>& friction);
 
     const System& system() const { return system_; }
-    Eigen::Index size() const { return forces_.areas().size(); }
+    Eigen::Index size() const { return system_.size(); }
     Scalar half_length() const { return units_.length; }
     /// The semi-axes of a state or load in those of the contact.
     template <class Loaded>
@@ -88,7 +89,9 @@ public:
 
     State at_rest() const;
 
-    Force force(const State& state) const { return 1 / units_.shear_modulus * forces_.of(state.traction, axes(state)); }
+    Force force(const State& state) const {
+        return 1 / units_.shear_modulus * force_along<directions, Scalar>(forces_.of(state.traction, axes(state)));
+    }
 
     /// NaN if the system cannot represent the half-length.
     Scalar elastic_energy(const State& state) const {
@@ -98,7 +101,7 @@ public:
         const Vectors traction = state.traction / units_.shear_modulus;
         Vectors displacement = traction;
         find_displacements(system_, present, traction, displacement);
-        return units_.length * forces_.unit(present) * slip_work_.product(traction, displacement) / 2;
+        return energy_unit(present) * slip_work_.product(traction, displacement) / 2;
     }
 
     /// Whether states and workspace belong to the model, and whether the load in a state is valid.
@@ -123,6 +126,7 @@ public:
 
 private:
     using Scratch = FrictionScratch<directions, Scalar>;
+    using By = TangentBy<directions>;
     using Bounds =
         std::conditional_t<slip_dependent, SlipDependentBounds<directions, Scalar>, ConstantBounds<directions, Scalar>>;
     using Frame = FrictionFrame<directions, Scalar, Bounds>;
@@ -139,6 +143,15 @@ private:
         } else {
             return friction_.law.coefficient / units_.shear_modulus;
         }
+    }
+    // Of the work of tractions in G and displacements in a_0.
+    Scalar energy_unit(const Axes& at) const {
+        return units_.width * units_.length * units_.length * units_.shear_modulus * at.half_length * at.half_width;
+    }
+    // Whether the rigid slip of a creepage is known.
+    bool can_impose([[maybe_unused]] const Value& creepage) const noexcept {
+        if constexpr (directions == 2) return creepage.spin == 0 || system_.elements().places_are_known();
+        return true;
     }
     // How many solutions have constants of their own: in a step those of slip that is not turned are others.
     std::size_t constant_count(const Frame& frame) const { return turns_ && !frame.stage.steady ? 2 : 1; }
@@ -159,6 +172,7 @@ private:
     // One step or steady solution, by its stages.
     Step solve(Frame& frame, State& to) const {
         begin(frame);
+        if constexpr (directions == 2) frame.asked[2] = system_.elements().places_are_known();
         Frame::solve_stages(frame, *this);
         finish(frame, to);
         if (wants_tangents(frame)) frame.add_tangents(forces_);
@@ -244,7 +258,7 @@ private:
         Vectors &change = scratch.change, &displacement = scratch.right[0];
         const auto start = 1 / units_.shear_modulus * frame.request.from.traction;
         const Vectors& end = scratch.solver.traction();
-        const Scalar unit = units_.length * forces_.unit(frame.end), ratio = frame.table.place(1).ratio();
+        const Scalar unit = energy_unit(frame.end), ratio = frame.table.place(1).ratio();
         change = end - start;
         if (!frame.rolls()) return unit * slip_work_.product(change, scratch.slip) / (2 * units_.length);
         const bool two_stages = ratio != 0;
@@ -264,8 +278,8 @@ private:
 
     System system_;
     ContactUnits<Scalar> units_;
+    RigidSlip<directions, Scalar> slip_;
     ContactForces<directions, Scalar> forces_;
-    ImposedSlip<directions, Scalar> slip_;
     bool turns_;
     SlipWork<Scalar> slip_work_;
     Friction<Law, Scalar> friction_;
@@ -277,8 +291,8 @@ FrictionCore<Law, directions, Scalar>::FrictionCore(const char* who, const Conta
                                                     const Friction<Law, Scalar>& friction)
     : system_(std::move(system)),
       units_(units),
-      forces_(units, system_.elements()),
-      slip_(system_.elements()),
+      slip_(units, inputs(system_), Scalar(1)),
+      forces_(units, outputs(system_), Scalar(1)),
       turns_(directions == 2 && system_.elements().half_element_ahead),
       slip_work_(system_.elements(), turns_),
       friction_(friction) {
@@ -343,7 +357,7 @@ auto FrictionCore<Law, directions, Scalar>::steady(const Request& request, State
     const auto& [from, travel, creepage, load] = request;
     const Status possible = creepage.is_shift() ? Status::invalid_step : creepage.check_rows(size());
     if (possible != Status::ok) return failed<Step>(possible);
-    if (!slip_.can_impose(creepage.end())) return failed<Step>(Status::needs_places);
+    if (!can_impose(creepage.end())) return failed<Step>(Status::needs_places);
     if (slip_dependent && !is_positive(travel.speed())) return failed<Step>(Status::invalid_step);
     Scratch& scratch = workspace.scratch();
     Frame frame{{creepage, units_.length, axes(load)},
@@ -360,17 +374,17 @@ auto FrictionCore<Law, directions, Scalar>::roll(const StageTable<Scalar>& table
                                                  Workspace& workspace) const noexcept -> Step {
     const auto& [from, travel, motion, load] = request;
     if (slip_dependent && !is_positive(travel.duration)) return failed<Step>(Status::invalid_step);
-    if (!slip_.can_impose(motion.start()) || !slip_.can_impose(motion.end())) {
-        return failed<Step>(Status::needs_places);
-    }
+    if (!can_impose(motion.start()) || !can_impose(motion.end())) return failed<Step>(Status::needs_places);
     Scratch& scratch = workspace.scratch();
     Frame frame{{motion, travel.dq, units_.length, table, axes(from), axes(load)},   request, system_, slip_, scratch,
                 Bounds(friction_, system_.elements(), from, travel, scratch.falling)};
     const auto* const rate = load.pressure_rate;
-    frame.asked = {.by_load = rate != nullptr && rate->size() > 0,
-                   .by_half_length = rate != nullptr && frame.rolls() && can_breathe(system_),
-                   .by_half_width = rate != nullptr && frame.rolls() && changes_shape(system_)};
-    if (frame.asked.by_load) scratch.bound_rate = bound_per_pressure() * rate->head(size()).matrix();
+    frame.asked[By::load] = rate != nullptr && rate->size() > 0;
+    frame.asked[By::half_length] = rate != nullptr && frame.rolls() && can_breathe(system_);
+    if constexpr (directions == 2) {
+        frame.asked[By::half_width] = frame.asked[By::half_length] && changes_shape(system_);
+    }
+    if (frame.asked[By::load]) scratch.bound_rate = bound_per_pressure() * rate->head(size()).matrix();
     return solve(frame, to);
 }
 
@@ -384,7 +398,7 @@ void FrictionCore<Law, directions, Scalar>::solve_stage(Frame& frame) const {
     if (!frame.place.is_second || frame.request.load.pressure_rate != nullptr) set_bounds(frame);
     const std::size_t count = constant_count(frame);
     for (std::size_t which = 0; which < count; ++which) {
-        slip_.impose(frame, scratch.displacement[which], solver.constant(which));
+        frame.impose(scratch.displacement[which], solver.constant(which));
     }
     const std::vector<Zone>& zones = frame.place.is_second ? solver.zones() : frame.request.from.zones;
     const auto outcome =
@@ -416,7 +430,7 @@ void FrictionCore<Law, directions, Scalar>::finish(Frame& frame, State& to) cons
     const Scalar slip_unit = frame.stage.steady ? Scalar(1) : units_.length;
     slip_work_.end(scratch.work, units_.width * units_.length * units_.shear_modulus * slip_unit);
     scratch.slip *= slip_unit;
-    result.force = forces_.of(traction, frame.end);
+    result.force = force_along<directions, Scalar>(forces_.of(traction, frame.end));
     result.slip_work = scratch.work.sum();
     if (result.status == Status::not_finite || !is_finite(result.force) || !is_finite(result.slip_work)) {
         frame.tangent_exists = false;

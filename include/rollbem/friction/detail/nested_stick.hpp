@@ -113,16 +113,38 @@ private:
         if (uses_pivoted_) {
             solve_in_place<Scalar>(pivoted_.topLeftCorner(count, count), swaps_.data(), right_.head(count));
         } else {
-            multiply(lower_, count, right_, solution_);
-            multiply(upper_, count, solution_, right_);
+            multiply<lower>(lower_, count, right_, solution_);
+            multiply<upper>(upper_, count, solution_, right_);
         }
         for (Index k = 0; k < count; ++k) stuck_[listed(k)] = -right_[k];
         // the columns from the first to the last element of S
         const Index first = listed(count - 1), length = listed(0) - first + 1;
         s.noalias() += A.middleCols(first, length) * stuck_.segment(first, length);
     }
+    // y = A x of a triangle, by panels of columns that leave out most of its zeros.
+    enum Triangle { lower, upper };
+    template <Triangle triangle>
     static void multiply(const Matrix& A, Index count, const Vector& x, Vector& y) {
-        y.head(count).noalias() = A.topLeftCorner(count, count) * x.head(count);
+        constexpr Index panel = 16;
+        y.head(count).setZero();
+        for (Index j = 0; j < count; j += panel) {
+            const Index width = (std::min)(panel, count - j), row = triangle == lower ? j : 0;
+            const Index height = (triangle == lower ? count : j + width) - row;
+            y.segment(row, height).noalias() += A.block(row, j, height, width) * x.segment(j, width);
+        }
+    }
+    // y = A^T x, by four columns.
+    template <Triangle triangle>
+    static void multiply_transposed(const Matrix& A, Index count, const Vector& x, Vector& y) {
+        for (Index j = 0; j < count; j += 4) {
+            const Index width = (std::min)(Index(4), count - j), row = triangle == lower ? j : 0;
+            const Index height = (triangle == lower ? count : j + width) - row;
+            if (width == 4) {
+                y.template segment<4>(j) = dot_four<Scalar>(&A(row, j), A.outerStride(), &x[row], height);
+            } else {
+                y.segment(j, width) = A.block(row, j, height, width).transpose().lazyProduct(x.segment(row, height));
+            }
+        }
     }
 
     // Extends the nested factors to the present list. With M = [A u; l a] and A = L U: y = L^-1 u, z = l U^-1,
@@ -133,9 +155,9 @@ private:
         for (nested_count_ = k; k < sticking(); ++k) {
             const Index own = listed(k);
             for (Index j = 0; j < k; ++j) right_[j] = A(nested_[at(j)], own);
-            multiply(lower_, k, right_, solution_);  // y
+            multiply<lower>(lower_, k, right_, solution_);  // y
             for (Index j = 0; j < k; ++j) right_[j] = A(own, nested_[at(j)]);
-            row_.head(k).noalias() = upper_.topLeftCorner(k, k).transpose() * right_.head(k);  // z
+            multiply_transposed<upper>(upper_, k, right_, row_);  // z
             Scalar pivot = A(own, own), scale = std::abs(pivot), multiplier = 0;
             for (Index j = 0; j < k; ++j) {
                 pivot -= row_[j] * solution_[j];
@@ -144,8 +166,8 @@ private:
             }
             const bool sound = std::abs(pivot) > least_pivot * scale && multiplier < largest_multiplier;
             if (!sound || !is_finite(pivot)) return false;
-            right_.head(k).noalias() = lower_.topLeftCorner(k, k).transpose() * row_.head(k);
-            multiply(upper_, k, solution_, row_);
+            multiply_transposed<lower>(lower_, k, row_, right_);
+            multiply<upper>(upper_, k, solution_, row_);
             for (Index j = 0; j < k; ++j) {
                 lower_(k, j) = -right_[j];
                 upper_(j, k) = row_[j] / -pivot;

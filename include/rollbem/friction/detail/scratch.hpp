@@ -9,26 +9,15 @@
 #include <Eigen/Core>
 
 #include "../../rolling/stage.hpp"
+#include "../../rolling/step_frame.hpp"
+#include "../../scene/directions.hpp"
+#include "../../scene/semi_axes.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "slip_dependent_set.hpp"
 #include "stick_slip.hpp"
 
 namespace rollbem::detail {
-
-/// Parameters of the tangents, as indices of what the first stage passes to the second: the creepages come first.
-template <int directions>
-struct TangentBy {
-    static constexpr std::size_t creepages = directions == 1 ? 1 : 3;
-    static constexpr std::size_t load = creepages, half_length = creepages + 1, half_width = creepages + 2;
-    static constexpr std::size_t count = directions == 1 ? half_width : half_width + 1;
-
-    static constexpr bool is_axis(std::size_t parameter) { return parameter >= half_length; }
-    /// The semi-axis of a parameter that is one.
-    static constexpr Axis axis(std::size_t parameter) {
-        return parameter == half_length ? Axis::half_length : Axis::half_width;
-    }
-};
 
 /// For a coefficient that depends on slip. All memory is allocated by the constructor.
 template <int directions, class Scalar>
@@ -57,11 +46,12 @@ struct SlipDependentScratch {
 
 /// The last response by the creepage, with one direction: in rolling it is often the next one, too. What the second
 /// stage takes of it, or the tangent, is then known.
-template <class Scalar>
+template <int directions, class Scalar>
 struct KeptResponse {
     std::optional<std::uint64_t> revision;  // of the linear equations; none if nothing is kept
     Scalar per_end = 0;                     // the creepage's effect on the constants
-    Scalar tangent = 0;                     // sum of areas times dp, if the stage was the last
+    SemiAxes<Scalar> axes = contact_axes<Scalar>;
+    ForceAlong<directions, Scalar> tangent{};  // if the stage was the last
 };
 
 /// Dimensionless: tractions in G, lengths in a_0, the contact's half-length. All memory is allocated by the
@@ -99,7 +89,8 @@ struct FrictionScratch {
     // dc of the second stage, from the first
     std::array<std::array<Vectors, TangentBy<directions>::count>, directions> carried;
 
-    std::array<KeptResponse<Scalar>, 3> kept;  // of the first of two stages, of the only one, and of the second
+    std::array<KeptResponse<directions, Scalar>, 3>
+        kept;  // of the first of two stages, of the only one, and of the second
 };
 
 }  // namespace rollbem::detail

@@ -27,11 +27,13 @@ template <class Scalar>
 struct FrictionPassage {
     const AnySlipLaw<Scalar>& law;
     const FrictionMemory<Scalar>& memory;
-    const VectorX<Scalar>& pressure;  ///< p_n/G; without pressure the coefficient is mu_s(0)
-    const VectorX<Scalar>& duration;  ///< duration of the period [s]
-    const VectorX<Scalar>* before;    ///< mu before it; null in steady rolling, where it is that of the element ahead
-    Scalar velocity_per_slip;         ///< slip velocity [m/s] over the solver's slip
-    Scalar at_rest;                   ///< mu_s(0)
+    Scalar at_rest;                     ///< mu_s(0)
+    const VectorX<Scalar>& duration;    ///< duration of the period [s]
+    const VectorX<Scalar>* before{};    ///< mu before it; null in steady rolling: that of the element ahead
+    const VectorX<Scalar>* pressure{};  ///< p_n/G; without pressure the coefficient is mu_s(0)
+    Scalar velocity_per_slip = 0;       ///< slip velocity [m/s] over the solver's slip
+
+    bool has_pressure(Eigen::Index i) const { return (*pressure)[i] > 0; }
 
     Scalar kept(Eigen::Index i, Scalar v) const { return memory.kept(v, duration[i]); }
     /// mu after the period at a slip velocity v.
@@ -39,13 +41,6 @@ struct FrictionPassage {
         const Scalar share = kept(i, v);
         return share * mu_before + (1 - share) * (v == 0 ? at_rest : law(v));
     }
-};
-
-/// Derivatives with respect to the parameter of a tangent.
-template <int directions, class Scalar>
-struct SlipDependentChange {
-    typename StickSlip<directions, Scalar>::Change direct;  ///< at constant mu
-    const VectorX<Scalar>* before = nullptr;                ///< d mu_before of each particle; null for zero
 };
 
 /// Solves mu = kept(v) mu_before + (1 - kept(v)) mu_s(v), where v is the slip velocity for the bounds mu p_n.
@@ -59,7 +54,7 @@ class SlipDependentSet {
 public:
     using Solver = StickSlip<directions, Scalar>;
     using Passage = FrictionPassage<Scalar>;
-    using Change = SlipDependentChange<directions, Scalar>;
+    using Change = typename Solver::Change;
     using Index = Eigen::Index;
     using Vector = VectorX<Scalar>;
     using Matrix = MatrixX<Scalar>;
@@ -107,22 +102,23 @@ public:
         factorise(passage, solver, true);
         return revision_;
     }
-    /// Finds dp in the solver, and d mu, of the last solution due to a change while no element changes its zone.
-    /// `friction_change` must not be a vector in `change`.
-    void respond(const Passage& passage, Solver& solver, const Change& change, Vector& friction_change) {
-        solver.respond(change.direct, &response_);
+    /// Finds dp in the solver, and d mu, of the last solution due to a change at constant mu and to d mu_before of each
+    /// particle, unless null, while no element changes its zone. `friction_change` must be none of these vectors.
+    void respond(const Passage& passage, Solver& solver, const Change& change, const Vector* before,
+                 Vector& friction_change) {
+        solver.respond(change, &response_);
         Scalar ahead = 0;
         for (Index i = size() - 1; i >= 0; --i) {
             ahead = slope_[i] * response_[i] + kept_[i] * ahead;
-            if (change.before != nullptr && passage.pressure[i] > 0) {
-                ahead += passage.kept(i, rounded(velocity_[i])) * (*change.before)[i];
+            if (before != nullptr && passage.has_pressure(i)) {
+                ahead += passage.kept(i, rounded(velocity_[i])) * (*before)[i];
             }
             friction_change[i] = ahead;
         }
         spread(solver, friction_change);
-        tried_ = friction_change.cwiseProduct(passage.pressure);
-        if (change.direct.bound != nullptr) tried_ += *change.direct.bound;
-        solver.respond({change.direct.constant, &tried_});
+        tried_ = friction_change.cwiseProduct(*passage.pressure);
+        if (change.bound != nullptr) tried_ += *change.bound;
+        solver.respond({change.constant, &tried_});
     }
 
 private:
@@ -142,7 +138,7 @@ private:
     // Solves for the bounds of the present mu.
     void find(Search& search) {
         Outcome& outcome = search.outcome;
-        tried_ = search.friction.cwiseProduct(search.passage.pressure);
+        tried_ = search.friction.cwiseProduct(*search.passage.pressure);
         typename Solver::Outcome found = search.solver.solve(tried_);
         found.rounds += outcome.solution.rounds;
         found.path_points += outcome.solution.path_points;
@@ -164,7 +160,7 @@ private:
         for (Index i = size() - 1; i >= 0; --i) {
             velocity_[i] = passage.velocity_per_slip * search.solver.slip_size(i);
             const Scalar before = passage.before == nullptr ? ahead : (*passage.before)[i];
-            mu_[i] = ahead = passage.pressure[i] > 0 ? passage.after(i, before, velocity_[i]) : passage.at_rest;
+            mu_[i] = ahead = passage.has_pressure(i) ? passage.after(i, before, velocity_[i]) : passage.at_rest;
             residual_[i] = ahead - search.friction[i];
         }
     }
@@ -240,7 +236,7 @@ private:
         const Scalar share = std::cbrt(std::numeric_limits<Scalar>::epsilon());
         for (Index i = 0; i < size(); ++i) {
             slope_[i] = kept_[i] = 0;
-            if (!(passage.pressure[i] > 0)) continue;
+            if (!passage.has_pressure(i)) continue;
             const Scalar v = rounded(velocity_[i]);
             if (steady) kept_[i] = passage.kept(i, v);
             if (solver.slides()[i] == 0) continue;
@@ -258,7 +254,7 @@ private:
     void factorise(const Passage& passage, Solver& solver, bool exact) {
         couple(solver, exact);
         differentiate(passage, solver);
-        gain_ = -solver.slides().cwiseProduct(passage.pressure);
+        gain_ = -solver.slides().cwiseProduct(*passage.pressure);
         if (newton_revision_ == coupling_revision_ && same_bits(newton_slope_, slope_) &&
             same_bits(newton_gain_, gain_) && same_bits(newton_kept_, kept_)) {
             return;

@@ -188,7 +188,7 @@ private:
     Fit measure(const Problem& problem, const Point& point) {
         Fit fit;
         Scalar largest = 0;  // of M p
-        error_ = 0;
+        Scalar error = 0;
         for (Index i = 0; i < point.roles.size(); ++i) {
             const Row p = trial_.row(i), slip = trial_slip_.row(i);
             const Scalar bound = problem.bound[i];
@@ -199,7 +199,7 @@ private:
                     fit.residual += size - bound;
                     fit.excess = (std::max)(fit.excess, size / bound - 1);
                 }
-                error_ = (std::max)(error_, length(slip));
+                error = (std::max)(error, length(slip));
                 trial_slip_.row(i).setZero();
                 continue;
             }
@@ -211,6 +211,7 @@ private:
             fit.creep = (std::max)({fit.creep, along.dot(turned), across});
             fit.residual += rest(p, turned, problem.reach[i], bound);
         }
+        error_ = error;
         slip_scale_ = rounding(point.roles.size()) * ((std::max)(largest, problem.imposed) + problem.imposed);
         return fit;
     }

@@ -6,9 +6,9 @@
 #include <Eigen/Core>
 
 #include "../../detail/finite.hpp"
+#include "../../system/centre_values.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
-#include "centre_values.hpp"
 #include "roles.hpp"
 
 namespace rollbem::detail {

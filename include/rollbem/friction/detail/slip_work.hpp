@@ -5,10 +5,10 @@
 
 #include <Eigen/Core>
 
+#include "../../system/centre_values.hpp"
 #include "../../system/elements.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
-#include "centre_values.hpp"
 
 namespace rollbem::detail {
 

@@ -330,7 +330,7 @@ auto StickSlip<directions, Scalar>::publish(const Vector& bound) -> Scalar {
     Scalar slip = search_.error(), excess = 0;
     bool is_same = directions == 1;
     const bool finite = is_finite(slip) && all_finite(point.traction) && all_finite(point.slip);
-    stick_count_ = 0;
+    Index stick_count = 0;
     for (Index i = 0; i < size(); ++i) {
         const Row p = point.traction.row(i), s = turn.turned(i, Row(point.slip.row(i)));
         const Scalar norm = length(p);
@@ -340,7 +340,7 @@ auto StickSlip<directions, Scalar>::publish(const Vector& bound) -> Scalar {
         slides_[i] = role == Role::slides ? Scalar(1) : Scalar(0);
         Zone zone = role == Role::sticks ? Zone::stick : Zone::slip;
         if (role == Role::sticks) {
-            ++stick_count_;
+            ++stick_count;
             slip = (std::max)(slip, length(s));
             point.slip.row(i).setZero();
         } else if (role == Role::slides) {
@@ -358,6 +358,7 @@ auto StickSlip<directions, Scalar>::publish(const Vector& bound) -> Scalar {
         is_same = is_same && published == zone;
         published = zone;
     }
+    stick_count_ = stick_count;
     if (!is_same) ++revision_;
     if (!finite) return std::numeric_limits<Scalar>::quiet_NaN();
     const Scalar most = bound.maxCoeff(), imposed = imposed_[own(last())];

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "../../types.hpp"
+#include "../types.hpp"
 
 namespace rollbem::detail {
 

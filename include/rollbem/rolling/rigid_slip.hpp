@@ -1,0 +1,125 @@
+// The rigid slip of creepages in the equations of a system, and the forces of its unknowns: the unit of spin and moment,
+// and what becomes of both as the semi-axes of the contact vary.
+#pragma once
+
+#include <cstddef>
+
+#include <Eigen/Core>
+
+#include "../scene/contact_units.hpp"
+#include "../scene/directions.hpp"
+#include "../scene/semi_axes.hpp"
+#include "../types.hpp"
+#include "stage.hpp"
+
+namespace rollbem::detail {
+
+/// Rigid slip of unit creepages, a column for each. That of spin, (-y, x), follows the points of a patch: half of its
+/// rows are stretched with either semi-axis.
+template <int directions, class Scalar>
+class RigidSlip {
+public:
+    using Axes = SemiAxes<Scalar>;
+
+    /// From the inputs of a system; `modulus` is G in the unit of the tractions.
+    RigidSlip(const ContactUnits<Scalar>& units, const MatrixX<Scalar>& inputs, Scalar modulus)
+        : columns_(modulus * inputs) {
+        for (Eigen::Index j = 0; j < columns_.cols(); ++j) columns_.col(j) *= units.arm(j);
+    }
+
+    /// At the contact's own semi-axes.
+    const MatrixX<Scalar>& columns() const { return columns_; }
+
+    /// Adds `factor` times that of a unit creepage, of all directions one after the other.
+    template <class Vectors>
+    void add(std::size_t creepage, Scalar factor, const Axes& at, Vectors&& sum) const {
+        if (creepage == 2 && at != contact_axes<Scalar>) return add_spin(factor, at, sum);
+        in_a_column(sum) += factor * columns_.col(static_cast<Eigen::Index>(creepage));
+    }
+    /// Adds `factor` times the derivative of that of unit spin by a semi-axis; with `keeps_shape` the half-width
+    /// follows the half-length.
+    template <class Vectors>
+    void add_spin_rate(Axis axis, bool keeps_shape, Scalar factor, Vectors&& sum) const {
+        const bool by_length = axis == Axis::half_length;
+        add_spin(factor, {by_length ? Scalar(1) : Scalar(0), by_length && !keeps_shape ? Scalar(0) : Scalar(1)}, sum);
+    }
+
+private:
+    template <class Vectors>
+    static auto in_a_column(Vectors& sum) {
+        return Eigen::Map<VectorX<Scalar>>(sum.data(), sum.size());
+    }
+    template <class Vectors>
+    void add_spin(Scalar factor, const Axes& stretch, Vectors& sum) const {
+        const Eigen::Index n = columns_.rows() / 2;
+        auto all = in_a_column(sum);
+        all.head(n) += factor * stretch.half_width * columns_.col(2).head(n);
+        all.tail(n) += factor * stretch.half_length * columns_.col(2).tail(n);
+    }
+
+    MatrixX<Scalar> columns_;
+};
+
+/// Forces of unknowns in SI units, and with two directions their moment. Areas are stretched by both semi-axes, the arms
+/// of the moment by either.
+template <int directions, class Scalar>
+class ContactForces {
+public:
+    using Axes = SemiAxes<Scalar>;
+    using Forces = InputVector<directions, Scalar>;
+
+    /// From the outputs of a system; `modulus` is G in the unit of the tractions.
+    ContactForces(const ContactUnits<Scalar>& units, const MatrixX<Scalar>& outputs, Scalar modulus)
+        : length_(units.length), half_width_(units.half_width), columns_(outputs) {
+        const Scalar unit = units.width * units.length * (units.shear_modulus / modulus);
+        for (Eigen::Index j = 0; j < columns_.cols(); ++j) columns_.col(j) *= unit * units.arm(j);
+    }
+
+    /// Forces per unknown at the contact's own semi-axes, a column for each.
+    const MatrixX<Scalar>& columns() const { return columns_; }
+
+    /// Of the unknowns of all directions one after the other.
+    template <class Vectors>
+    Forces of(const Vectors& unknowns, const Axes& at) const {
+        return at == contact_axes<Scalar> ? total(unknowns) : stretched(unknowns, at, at);
+    }
+
+    /// The derivative by a semi-axis [m], where `response` is that of the unknowns by the semi-axis over that of the
+    /// contact; with `keeps_shape` the other one grows in proportion. At constant tractions the force is a power of the
+    /// semi-axis, and either arm of the moment grows by a factor times that.
+    template <class Vectors>
+    Forces rate(const Vectors& unknowns, const Vectors& response, const Axes& at, Axis axis, bool keeps_shape) const {
+        const bool by_length = axis == Axis::half_length;
+        const Scalar power = keeps_shape ? 2 : 1, more = keeps_shape ? Scalar(1.5) : Scalar(2);
+        const Axes arms{(by_length || keeps_shape ? more : 1) * at.half_length,
+                        (!by_length || keeps_shape ? more : 1) * at.half_width};
+        const Forces direct = stretched(unknowns, at, arms) * (power / (by_length ? at.half_length : at.half_width));
+        return (direct + of(response, at)) / (by_length ? length_ : half_width_);
+    }
+
+private:
+    template <class Vectors>
+    Forces total(const Vectors& unknowns) const {
+        const Eigen::Map<const VectorX<Scalar>> all(unknowns.data(), unknowns.size());
+        Forces forces;
+        for (Eigen::Index j = 0; j < forces.size(); ++j) forces[j] = columns_.col(j).dot(all);
+        return forces;
+    }
+    template <class Vectors>
+    Forces stretched(const Vectors& unknowns, const Axes& at, const Axes& arms) const {
+        Forces forces = total(unknowns);
+        if constexpr (directions == 2) {
+            const Eigen::Index n = columns_.rows() / 2;
+            const Eigen::Map<const VectorX<Scalar>> all(unknowns.data(), unknowns.size());
+            const auto moment = columns_.col(2);
+            forces[2] =
+                arms.half_width * moment.head(n).dot(all.head(n)) + arms.half_length * moment.tail(n).dot(all.tail(n));
+        }
+        return forces * (at.half_length * at.half_width);
+    }
+
+    Scalar length_, half_width_;
+    MatrixX<Scalar> columns_;
+};
+
+}  // namespace rollbem::detail
