@@ -113,7 +113,8 @@ inline double elements_error(Purpose::Friction, Eigen::Index elements) {
 
 /// An upper bound of the relative errors of m Chebyshev states at b/a, the sum of two parts (docs/measured.md):
 ///
-/// - the error of the plane kernel, which vanishes in steady rolling and decreases with b/a and nu;
+/// - the error of the plane kernel, which vanishes in steady rolling: the error at b/a = 10 and nu = 0, as it decreases
+///   with b/a and nu, and three times as much in narrower strips;
 /// - the error of the smooth part of a strip's kernel, which decreases like rho^-m with rho = b + sqrt(1 + b^2) because
 ///   of the singularities at a distance b, and faster for b < a.
 inline double states_error(Purpose::Adhesion purpose, Eigen::Index m, double aspect) {

@@ -22,7 +22,7 @@ Scalar plane_lambda_of(Scalar aspect, Scalar c2_over_c1) {
 
 }  // namespace detail
 
-/// Lambda = ln(4b/a) + nu/(1-nu): the mean compliance of the plane model over its compliance to the first harmonics.
+/// Lambda = ln(4b/a) + nu/(1-nu): the mean compliance of the plane model over its compliance for the first harmonics.
 /// Non-steady plane problems are stable only while Lambda > 0. `aspect` is b/a. Throws std::invalid_argument unless
 /// aspect is positive and finite and 0 <= poisson_ratio <= 0.5.
 template <std::floating_point Scalar>

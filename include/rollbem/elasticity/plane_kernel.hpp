@@ -36,9 +36,9 @@ public:
 
     Scalar half_width() const { return b_; }  ///< b in units of a
 
-    /// Lambda = ln(4b/a) + c2/c1, which is ln(4b/a) + nu/(1-nu) for longitudinal creepage: the ratio of two
-    /// compliances, to a constant displacement and to the first harmonic. All modes of the plane model decay if Lambda
-    /// > 0; one grows if Lambda < 0, where the kernel is used far outside b >> a.
+    /// Lambda = ln(4b/a) + c2/c1, for longitudinal creepage ln(4b/a) + nu/(1-nu): the compliance for a constant
+    /// displacement over the compliance for the first harmonic. All modes of the plane model decay for positive Lambda;
+    /// one grows for negative Lambda, where the kernel is used far outside b >> a.
     Scalar lambda() const { return lambda_; }
 
     SmoothSplit<Scalar> smooth_split() const { return {constant_, strength_, std::numeric_limits<Scalar>::infinity()}; }

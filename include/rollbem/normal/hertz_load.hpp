@@ -93,7 +93,7 @@ private:
 
     Eigen::Index size() const { return mesh_.size(); }
 
-    // For a contact of half-length a on a fixed mesh. At constant x, dp_n/dP = 1/(pi sqrt(a^2 - x^2)).
+    // Sets the load of a contact of half-length a on a fixed mesh. At constant x, dp_n/dP = 1/(pi sqrt(a^2 - x^2)).
     void cover(Scalar load_per_width, Scalar a, NormalLoad<Scalar>& load) const noexcept {
         const Scalar radius = a / *fixed_,
                      beside = 1 - radius;  // half-length of the contact, and length of the mesh beyond it, over the

@@ -1,5 +1,5 @@
-// The rigid slip of creepages in the equations of a system, and the forces of its unknowns: the unit of spin and moment,
-// and what becomes of both as the semi-axes of the contact vary.
+// The rigid slip of creepages in the equations of a system, and the forces of its unknowns: the units of spin and
+// moment, and the change of both as the semi-axes of the contact vary.
 #pragma once
 
 #include <cstddef>
@@ -14,30 +14,30 @@
 
 namespace rollbem::detail {
 
-/// Rigid slip of unit creepages, a column for each. That of spin, (-y, x), follows the points of a patch: half of its
-/// rows are stretched with either semi-axis.
+/// Rigid slip of unit creepages, a column for each. The slip of spin, (-y, x), follows the points of a patch: half of
+/// its rows are stretched with either semi-axis.
 template <int directions, class Scalar>
 class RigidSlip {
 public:
     using Axes = SemiAxes<Scalar>;
 
-    /// From the inputs of a system; `modulus` is G in the unit of the tractions.
+    /// Takes the inputs of a system; `modulus` is G in the unit of the tractions.
     RigidSlip(const ContactUnits<Scalar>& units, const MatrixX<Scalar>& inputs, Scalar modulus)
         : columns_(modulus * inputs) {
         for (Eigen::Index j = 0; j < columns_.cols(); ++j) columns_.col(j) *= units.arm(j);
     }
 
-    /// At the contact's own semi-axes.
+    /// Rigid slip at the contact's own semi-axes.
     const MatrixX<Scalar>& columns() const { return columns_; }
 
-    /// Adds `factor` times that of a unit creepage, of all directions one after the other.
+    /// Adds `factor` times the rigid slip of a unit creepage, of all directions one after the other.
     template <class Vectors>
     void add(std::size_t creepage, Scalar factor, const Axes& at, Vectors&& sum) const {
         if (creepage == 2 && at != contact_axes<Scalar>) return add_spin(factor, at, sum);
         in_a_column(sum) += factor * columns_.col(static_cast<Eigen::Index>(creepage));
     }
-    /// Adds `factor` times the derivative of that of unit spin by a semi-axis; with `keeps_shape` the half-width
-    /// follows the half-length.
+    /// Adds `factor` times the derivative of the rigid slip of unit spin by a semi-axis; with `keeps_shape` the
+    /// half-width follows the half-length.
     template <class Vectors>
     void add_spin_rate(Axis axis, bool keeps_shape, Scalar factor, Vectors&& sum) const {
         const bool by_length = axis == Axis::half_length;
@@ -60,15 +60,15 @@ private:
     MatrixX<Scalar> columns_;
 };
 
-/// Forces of unknowns in SI units, and with two directions their moment. Areas are stretched by both semi-axes, the arms
-/// of the moment by either.
+/// Forces of unknowns in SI units, and with two directions their moment. Areas are stretched by both semi-axes, the
+/// arms of the moment by either.
 template <int directions, class Scalar>
 class ContactForces {
 public:
     using Axes = SemiAxes<Scalar>;
     using Forces = InputVector<directions, Scalar>;
 
-    /// From the outputs of a system; `modulus` is G in the unit of the tractions.
+    /// Takes the outputs of a system; `modulus` is G in the unit of the tractions.
     ContactForces(const ContactUnits<Scalar>& units, const MatrixX<Scalar>& outputs, Scalar modulus)
         : length_(units.length), half_width_(units.half_width), columns_(outputs) {
         const Scalar unit = units.width * units.length * (units.shear_modulus / modulus);
@@ -78,15 +78,15 @@ public:
     /// Forces per unknown at the contact's own semi-axes, a column for each.
     const MatrixX<Scalar>& columns() const { return columns_; }
 
-    /// Of the unknowns of all directions one after the other.
+    /// Forces of the unknowns of all directions, one direction after the other.
     template <class Vectors>
     Forces of(const Vectors& unknowns, const Axes& at) const {
         return at == contact_axes<Scalar> ? total(unknowns) : stretched(unknowns, at, at);
     }
 
-    /// The derivative by a semi-axis [m], where `response` is that of the unknowns by the semi-axis over that of the
-    /// contact; with `keeps_shape` the other one grows in proportion. At constant tractions the force is a power of the
-    /// semi-axis, and either arm of the moment grows by a factor times that.
+    /// The derivative of the forces by a semi-axis [m]. `response` is the derivative of the unknowns by the semi-axis
+    /// over the contact's; with `keeps_shape` the other semi-axis grows in proportion. At constant tractions the force
+    /// is a power of the semi-axis, and either arm of the moment adds a factor to this growth.
     template <class Vectors>
     Forces rate(const Vectors& unknowns, const Vectors& response, const Axes& at, Axis axis, bool keeps_shape) const {
         const bool by_length = axis == Axis::half_length;

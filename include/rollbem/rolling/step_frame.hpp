@@ -17,8 +17,8 @@
 
 namespace rollbem::detail {
 
-/// Parameters of the tangents of a step, as indices of what its first stage passes to the second: the creepages come
-/// first. That of the load is of friction alone.
+/// Parameters of the tangents of a step, and indices into the data that its first stage passes to the second: the
+/// creepages come first. The load is a parameter of friction alone.
 template <int directions>
 struct TangentBy {
     static constexpr std::size_t creepages = input_count<directions>;
@@ -26,7 +26,7 @@ struct TangentBy {
     static constexpr std::size_t count = directions == 1 ? half_width : half_width + 1;
 
     static constexpr bool is_axis(std::size_t parameter) { return parameter >= half_length; }
-    /// The semi-axis of a parameter that is one.
+    /// The semi-axis of a parameter that stands for a semi-axis.
     static constexpr Axis axis(std::size_t parameter) {
         return parameter == half_length ? Axis::half_length : Axis::half_width;
     }
@@ -78,7 +78,7 @@ public:
     StageTable<Scalar> table;
     StagePlace<Scalar> place{1, 1};  ///< the present stage
     RollingStage<Scalar> stage;
-    /// By which parameters tangents are wanted.
+    /// Parameters of the wanted tangents.
     std::array<bool, By::count> asked{true, directions == 2, directions == 2};
 
     bool rolls() const { return dq > 0; }
@@ -103,14 +103,14 @@ public:
         }
     }
 
-    /// Calls use(parameter) for each that is asked for.
+    /// Calls use(parameter) for each parameter of a wanted tangent.
     template <class Use>
     void for_parameters(const Use& use) const {
         for (std::size_t parameter = 0; parameter < By::count; ++parameter) {
             if (asked[parameter]) use(parameter);
         }
     }
-    /// Adds the derivative by a parameter of factor() motion() - (what tractions p at the end of the stage cause), at
+    /// Adds the derivative of factor() motion() - (slip by tractions p at the end of the stage) by a parameter, at
     /// constant p. `scratch` is as large as p.
     template <class Equations, class Tractions, class Scratch, class Result>
     void add_rate(std::size_t parameter, const RigidSlip<directions, Scalar>& slip, const Equations& equations,
@@ -124,8 +124,8 @@ public:
         }
         equations.add_rates(axis, place, p, scratch, sum);
     }
-    /// What the response dp of a stage to a parameter adds to factor() motion() - (what tractions cause) of the next
-    /// one, which starts from U + ratio (U_1 - U).
+    /// The contribution of a stage's response dp to a parameter to the next stage's factor() motion() - (slip by the
+    /// tractions); the next stage starts from U + ratio (U_1 - U).
     template <class Equations, class Tractions, class Scratch, class Result>
     void carry_response(std::size_t parameter, const Equations& equations, const Tractions& p, const Tractions& dp,
                         Scratch&& scratch, Result&& carried) const {
@@ -136,7 +136,7 @@ public:
         carried *= -place.ratio();
     }
 
-    /// The share of a stage's slip in that of the step.
+    /// The share of a stage's slip in the step's slip.
     Scalar weight() const { return place.is_last() ? Scalar(1) : place.ratio(); }
 
     /// Calls problem.solve_stage(frame) for one stage after the other, and problem.carry(frame) between two.

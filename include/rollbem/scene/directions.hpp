@@ -1,4 +1,5 @@
-// What a model of one direction of creepage, or of two, takes and returns: numbers, or vectors with spin and moment.
+// Types of the arguments and results of models of one direction of creepage or of two: numbers, or vectors with spin
+// and moment.
 #pragma once
 
 #include <limits>
@@ -26,7 +27,7 @@ using TangentAlong = ByDirections<directions, Scalar, CreepageTangent<Scalar>>;
 /// The number of creepages and of forces: with two directions spin and the moment follow them.
 template <int directions>
 inline constexpr int input_count = directions == 1 ? 1 : 3;
-/// Numbers for all of these, in the order longitudinal, lateral, spin.
+/// Numbers for all creepages or forces, in the order longitudinal, lateral, spin.
 template <int directions, class Scalar>
 using InputVector = Eigen::Matrix<Scalar, input_count<directions>, 1, Eigen::DontAlign>;
 template <int directions, class Scalar>
@@ -64,7 +65,7 @@ Value nothing() {
     }
 }
 
-/// The tangent of a step among its derivatives: by a creepage, in order.
+/// The entry of a step's tangent for the creepage with this index.
 template <class Scalar>
 Scalar& by_creepage(Scalar& tangent, std::size_t) {
     return tangent;

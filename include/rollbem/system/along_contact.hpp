@@ -8,14 +8,14 @@
 namespace rollbem::detail {
 
 /// Piecewise linear function of x/a with given values at the `points`, in ascending order, and the value `ahead` from
-/// the leading edge on, or from the last point on if that lies in front of the contact; constant behind the
-/// first point.
+/// the leading edge on, or from the last point on if this point lies in front of the contact; constant behind the first
+/// point.
 template <class Scalar>
 class AlongContact {
 public:
     struct Point {
         Scalar value;
-        Scalar slope;  ///< at one of the points, that from behind
+        Scalar slope;  ///< slope; at one of the points, the slope behind it
     };
 
     AlongContact(const ArrayX<Scalar>& points, const Scalar* values, Scalar ahead)

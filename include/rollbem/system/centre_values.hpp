@@ -1,4 +1,4 @@
-// Values at the centres of elements, of quantities that are known at the points of their equations.
+// Values at the centres of elements, from values at the points of their equations.
 #pragma once
 
 #include <algorithm>
@@ -11,15 +11,15 @@
 
 namespace rollbem::detail {
 
-/// Each value is that of one row, or lies on the straight line through the values of two.
+/// Each value is taken from one row, or lies on the straight line through the values of two rows.
 template <class Scalar>
 class CentreValues {
 public:
     using Index = Eigen::Index;
 
-    /// In one strip, of elements with these `widths` from the trailing edge on: interpolated between the two
-    /// neighbouring `points`, x/a, or extrapolated from the first or last two. Without points the values are those of
-    /// the elements' own equations.
+    /// One strip, of elements with these `widths` from the trailing edge on: interpolated between the two neighbouring
+    /// `points`, x/a, or extrapolated from the first or last two. Without points each value is taken from the element's
+    /// own equation.
     static CentreValues in_one_strip(const ArrayX<Scalar>& widths, const ArrayX<Scalar>& points) {
         CentreValues values(widths.size());
         Scalar edge = 0;  // 1 + x/a of the trailing edge of an element
@@ -29,8 +29,8 @@ public:
         }
         return values;
     }
-    /// Of equations half an element ahead of the centres: means of an element's own value and of that of the row
-    /// `behind`; a trailing element, -1, takes 3/2 of its own value less half of the value ahead, if there is one.
+    /// Strips with equations half an element ahead of the centres: means of an element's own value and the value of the
+    /// row `behind`; a trailing element, -1, takes 3/2 of its own value less half of the value ahead, if there is one.
     static CentreValues in_strips(const std::vector<Index>& behind) {
         CentreValues values(static_cast<Index>(behind.size()));
         for (std::size_t i = 0; i < behind.size(); ++i) {
@@ -42,7 +42,7 @@ public:
         return values;
     }
 
-    /// The value of an element, from those of all equations.
+    /// The value of an element, from the values of all equations.
     template <class Values>
     Scalar at(Index i, const Values& values) const {
         const Between& between = between_[static_cast<std::size_t>(i)];

@@ -52,8 +52,8 @@ struct PatchForce {
     /// The largest temperature above ambient [K], where heating is asked for. NaN where the contact passes so slowly
     /// that heat flows along it (Heating::passes_fast).
     double peak_temperature = std::numeric_limits<double>::quiet_NaN();
-    /// Of friction. With friction that depends on the temperature also not_converged: both did not come to agree, or
-    /// the temperature is not known.
+    /// Status of friction. With friction that depends on the temperature also not_converged: friction and temperature
+    /// did not come to agree, or the temperature is not known.
     Status status = Status::not_finite;
 };
 
@@ -193,7 +193,7 @@ struct MeshFriction {
     TangentialForce<double> force;
     ElementVectors<double> tractions;
     Eigen::ArrayXd work;
-    std::vector<double> peaks{};  ///< of temperatures [K], of each piece; empty: not known
+    std::vector<double> peaks{};  ///< largest temperature of each piece [K]; empty: not known
 };
 
 /// Solves friction on a mesh for given coefficients of its elements.

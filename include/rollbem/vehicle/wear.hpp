@@ -36,7 +36,7 @@ inline double surface_fatigue_index(const RailPatch& patch, const PatchForce& fr
            shear_yield / patch.peak_pressure;
 }
 
-/// The same of a point of a table with a load, under the largest pressure of its zone.
+/// FI_surf of a point of a table with a load, under the largest pressure of its zone.
 inline double surface_fatigue_index(const WheelForces::Point& point, double shear_yield) {
     return std::hypot(point.force.longitudinal, point.force.lateral) / point.normal_load -
            shear_yield / point.peak_pressure;

@@ -30,10 +30,10 @@ struct WheelsetRolling {
     /// Whether the pitch rate is found instead of taken from the speeds: the longitudinal creepages of both wheels'
     /// largest patches add up to zero, or, if only one wheel touches, its creepage is zero.
     bool free_pitch = true;
-    /// In place of a pitch rate: the longitudinal force of friction on the wheelset [N], along x.
+    /// The longitudinal force of friction on the wheelset [N], along x, in place of a pitch rate.
     std::optional<double> force{};
-    /// Whether friction's vertical share counts in the loads, 10 to 20 % of them on a flange, or normal forces alone
-    /// carry them.
+    /// Whether friction's vertical share, which is large on a flange, counts in the loads; otherwise normal forces
+    /// alone carry them.
     bool friction_carries = true;
 };
 
@@ -45,7 +45,7 @@ struct WheelsetForces {
     /// where there is no contact; NaN if friction has no result.
     std::array<Wrench, 2> on_wheel;
     Wrench on_wheelset;
-    int rounds = 0;  ///< of contacts and friction in turn
+    int rounds = 0;  ///< number of rounds of contacts and friction in turn
 };
 
 namespace detail {
@@ -120,7 +120,7 @@ public:
     void retreat() { at = (at + before_) / 2; }
 
 private:
-    static constexpr double largest = 1.4;  // of a step
+    static constexpr double largest = 1.4;  // largest step
     double before_ = 0;
     RisingRoot root_{1, largest};
 };
@@ -241,7 +241,7 @@ private:
     WheelsetForces result_;
 };
 
-/// The pitch rate at which friction has the longitudinal force wanted, between -20 and 20 % of creepage.
+/// The pitch rate at which friction has the wanted longitudinal force, between -20 and 20 % of creepage.
 inline WheelsetForces roll_at_force(const WheelsetOnTrack& wheelset, WheelsetRolling rolling,
                                     const RollingFriction& friction, WheelsetOnTrack::Workspace& workspace,
                                     const WheelOnRail::Options& options) {
@@ -280,11 +280,13 @@ inline WheelsetForces roll_at_force(const WheelsetOnTrack& wheelset, WheelsetRol
 }  // namespace detail
 
 /// The forces of a rolling wheelset. Loads are vertical, carried by normal forces and friction together: contacts and
-/// friction are found in turn until they carry the loads to 1e-6; if they do not in 40 rounds, the wheel's status is
-/// `unbalanced`, and `load_not_reached` where friction holds the wheel up. A wheel that does not roll (patch_force) has
-/// the forces of its pressures alone and is `unbalanced`, too. With friction_carries = false contacts carry the loads
-/// without friction. A longitudinal force that no creepage of up to 20 % has leaves patches with the status
-/// `no_solution`. Statuses say what failed; allocates.
+/// friction are found in turn until they carry the loads to 1e-6. With friction_carries = false contacts carry the
+/// loads without friction. Allocates. Statuses name the failure:
+///
+/// - `unbalanced`: the wheel does not carry its load after 40 rounds;
+/// - `load_not_reached`: friction holds the wheel up;
+/// - `unbalanced`, with the forces of the pressures alone: the wheel does not roll (patch_force);
+/// - `no_solution` of patches: no creepage of up to 20 % gives the longitudinal force.
 template <std::same_as<double> Scalar = double>  // for rollbem::compiled
 WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const WheelsetRolling& rolling,
                               const RollingFriction& friction, WheelsetOnTrack::Workspace& workspace,

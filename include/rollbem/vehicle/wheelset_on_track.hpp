@@ -127,7 +127,7 @@ public:
         std::array<WheelOnRail::Workspace, 2> wheels;
     };
 
-    /// Unknowns that follow from the loads; the rest is given by the position.
+    /// Quantities that follow from the loads; the others are given by the position.
     enum class Free {
         height_and_roll,  ///< a wheelset on its rails
         height,           ///< of each wheel for itself, at the given roll

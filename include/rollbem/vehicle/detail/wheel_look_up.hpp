@@ -261,7 +261,7 @@ private:
     template <int partials>
     struct Contact {
         double share = 0;                     // of the vertical load; 0: no contact
-        std::array<Dual<partials>, 3> force;  // in the plane, and moment about its normal
+        std::array<Dual<partials>, 3> force;  // force in the plane, and moment about its normal
         Dual<partials> normal, angle, sine, cosine, half_length, half_width;
         std::array<Dual<partials>, 3> arm, creepage;
         Dual<partials> rolling;  // V [m/s]
