@@ -106,7 +106,7 @@ struct PlanePressures {
     double lower;  ///< along n [m]
 };
 
-/// The reason why pressures are doubtful: cells beside them where a surface has no point.
+/// The worst status of the cells beside pressures: not ok where a surface has no point there.
 inline Status border_of(const Gaps& gaps, const Eigen::ArrayXXd& pressure) {
     Status worst = Status::ok;
     if (gaps.all_known) return worst;

@@ -20,7 +20,7 @@ struct Section {
     double u;         ///< along the track [m], or round the wheel [rad]
     Profile profile;  ///< right-hand, z down
     /// Lengths along the profile [m] where parts of the surface begin and end, growing and the same number in all
-    /// sections; beyond the profile's end stands for the end, a negative one for a feature that this section lacks.
+    /// sections. A length beyond the profile's end means the end, a negative one a feature that this section lacks.
     /// Without features the whole profile is one part.
     std::vector<double> features = {};
 };

@@ -173,7 +173,7 @@ double mean_angle(Iterator first, Iterator last, double power) {
 
 /// The place where a run of depths, of cuts or samples in the order of the wheel's curve, parts into two contacts;
 /// `last` if it holds one. It parts at the minimum between two maxima whose surroundings have different normals, if the
-/// minimum is much less deep than both, by `edge`. Where a wheel yaws, contacts with different normals lie far apart
+/// depth there is less than the share `edge` of both. Where a wheel yaws, contacts with different normals lie far apart
 /// along x, but one run holds them.
 template <class Iterator>
 Iterator parting(Iterator first, Iterator last) {
