@@ -65,7 +65,7 @@ MatrixX<Scalar> outputs(const ElementSystem<Scalar, 2>& system) {
     return weights;
 }
 
-/// What tractions along direction e cause along d.
+/// The block from tractions along direction e to direction d.
 template <class Scalar>
 Influence<Scalar> influence(const RollingSystem<Scalar>& system, std::size_t, std::size_t) {
     return influence(system);

@@ -36,7 +36,8 @@ struct ContactUnits {
         return {placed.half_length / length, line ? Scalar(1) : placed.half_width / half_width};
     }
 
-    /// Unit of a creepage over that of the longitudinal one, and of a force: the third are spin and moment.
+    /// Unit of a creepage or of a force over the unit of the longitudinal one; the third components are spin and
+    /// moment.
     Scalar arm(std::ptrdiff_t input) const { return input == 2 ? length : Scalar(1); }
 
     ContactUnits(const Contact<Scalar>& contact)  // NOLINT: implicit on purpose

@@ -198,8 +198,8 @@ ElementSystem<Scalar, directions>::ElementSystem(MatrixX<Scalar> G, MatrixX<Scal
                     "be positive, and that of G_prime negative: have they changed places?");
 }
 
-/// Two systems that do not couple as one: inputs and outputs of the first, then those of the second. With spin in the
-/// lateral one, AdhesionModel<2> takes the result. Throws std::invalid_argument if their kernels differ in b/a.
+/// Two uncoupled systems as one: inputs and outputs of the first, then of the second. With spin in the lateral one,
+/// AdhesionModel<2> takes the result. Throws std::invalid_argument if their kernels differ in b/a.
 template <class Scalar>
 RollingSystem<Scalar> both_directions(const RollingSystem<Scalar>& longitudinal, const RollingSystem<Scalar>& lateral) {
     const std::optional<Scalar>& aspect = longitudinal.aspect() ? longitudinal.aspect() : lateral.aspect();
