@@ -33,6 +33,7 @@
 #include "elasticity/layered_kernel.hpp"
 #include "elasticity/line_kernel.hpp"
 #include "elasticity/rectangle_kernel.hpp"
+#include "elasticity/subsurface_stress.hpp"
 #include "friction/friction_contact.hpp"
 #include "normal/hertz.hpp"
 #include "normal/hertz_ellipse.hpp"
