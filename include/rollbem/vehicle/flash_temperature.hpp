@@ -1,6 +1,8 @@
 // The flash temperature of a rolling contact: the heating of surfaces by friction in one passage.
 #pragma once
 
+#include "../detail/language.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
