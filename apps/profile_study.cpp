@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <rollbem/compiled/wheelset.hpp>
+#include <rollbem/vehicle/patch_stress.hpp>
 #include <rollbem/vehicle/wear.hpp>
 
 #include "profile/profile.hpp"
@@ -30,8 +31,11 @@ using rollbem::Status;
 
 // --- contacts --------------------------------------------------------------------------------------------------------
 
+using Stresses = std::array<std::vector<std::vector<rollbem::StripStress>>, 2>;  // of each side, patch and strip
+
 struct Contacts {
     rollbem::WheelsetForces of;
+    Stresses stresses{};  ///< where they are asked for
     double time_us = 0;
 };
 
@@ -57,6 +61,13 @@ Contacts find_contacts(const Settings& settings, const Case& at) {
             settings.wheelset.solve(rolling.position, rolling.loads, workspace, rolling.free, settings.grid);
     }
     contacts.time_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+    for (const Side side : settings.sides) {
+        if (!settings.stress) break;
+        for (const PatchForce& friction : contacts.of.patches[std::size_t(side)]) {
+            contacts.stresses[std::size_t(side)].push_back(
+                stresses_below(friction, settings.wheelset.wheel(side).dimensions().poisson_ratio));
+        }
+    }
     return contacts;
 }
 
@@ -79,6 +90,15 @@ struct Found {
     const PatchForce* force() const {
         return patch() != nullptr && settings.friction ? &contacts.of.patches[std::size_t(side)][*number] : nullptr;
     }
+    /// The strip with the largest measure, none where stresses are not known.
+    const rollbem::StripStress* strip(double rollbem::Yield::*measure) const {
+        if (solved() == nullptr || contacts.stresses[std::size_t(side)].empty()) return nullptr;
+        const auto& strips = contacts.stresses[std::size_t(side)][*number];
+        const auto worst = std::max_element(strips.begin(), strips.end(), [&](const auto& one, const auto& other) {
+            return one.peak.largest.*measure < other.peak.largest.*measure;
+        });
+        return worst == strips.end() ? nullptr : &*worst;
+    }
     const PatchForce* solved() const { return force() != nullptr && force()->status == Status::ok ? force() : nullptr; }
     std::string status() const {
         if (force() != nullptr && solved() == nullptr) return name(force()->status);
@@ -90,8 +110,33 @@ struct Found {
     }
 };
 
+/// The largest measures below a patch, where they lie, and its place in the map of shakedown.
+void add_stresses(std::vector<study::Column<Found>>& list) {
+    using rollbem::SubsurfacePeak;
+    using rollbem::Yield;
+    const auto add = [&](const char* name, double Yield::*measure, double SubsurfacePeak::*depth) {
+        list.push_back({name, "", [=](const Found& f) {
+                            const rollbem::StripStress* strip = f.strip(measure);
+                            if (strip == nullptr) return study::Cell();
+                            return study::Cell(depth == nullptr ? strip->peak.largest.*measure : strip->peak.*depth);
+                        }});
+    };
+    add("max_von_mises", &Yield::von_mises, nullptr);
+    add("von_mises_depth", &Yield::von_mises, &SubsurfacePeak::von_mises_depth);
+    add("max_tresca", &Yield::tresca, nullptr);
+    add("tresca_depth", &Yield::tresca, &SubsurfacePeak::tresca_depth);
+    for (const bool load : {true, false}) {
+        list.push_back(
+            {load ? "shakedown_load" : "shakedown_traction", "", study::where(&Found::solved, [=](const Found& f) {
+                 const auto at = shakedown_point(*f.patch(), *f.solved(), f.settings.shear_yield);
+                 return load ? at.load_factor : at.traction;
+             })});
+    }
+}
+
 /// In track axes: of a left wheel, y, angles and what lies across the track are those of its mirror image reversed.
-study::Sheet<Found, Case> sheet_of(const std::string& positions, bool friction, bool heating) {
+study::Sheet<Found, Case> sheet_of(const std::string& positions, const Settings& settings) {
+    const bool friction = settings.friction.has_value();
     const auto found = [](const auto& value) { return study::where(&Found::patch, value); };
     const auto of_patch = [=](double RailPatch::*member, bool mirrored = false) {
         return found([=](const Found& f) { return f.sign(mirrored) * f.patch()->*member; });
@@ -149,7 +194,9 @@ study::Sheet<Found, Case> sheet_of(const std::string& positions, bool friction, 
                     })});
     list.push_back({"elements", "", study::where(&Found::force, [](const Found& f) { return f.force()->elements; })});
     list.push_back({"pitch_rate", "", [](const Found& f) { return f.contacts.of.pitch_rate; }});
-    if (heating) add("peak_temperature", &Found::solved, false, [](const PatchForce& p) { return p.peak_temperature; });
+    if (settings.friction->heating)
+        add("peak_temperature", &Found::solved, false, [](const PatchForce& p) { return p.peak_temperature; });
+    if (settings.stress) add_stresses(list);
     return {positions, list, ""};
 }
 
@@ -159,6 +206,7 @@ study::Sheet<Found, Case> sheet_of(const std::string& positions, bool friction, 
 struct Position {
     rollbem::WheelsetForces of;
     study::RowRange sides;
+    Stresses stresses{};
 };
 using Positions = std::vector<std::optional<Position>>;
 
@@ -167,7 +215,8 @@ template <class Visit>
 void for_patches(const Settings& settings, const Positions& positions, const Visit& visit) {
     for (std::size_t at = 0; at < positions.size(); ++at) {
         if (!positions[at]) continue;
-        const auto& [of, sides] = *positions[at];
+        const rollbem::WheelsetForces& of = positions[at]->of;
+        const study::RowRange sides = positions[at]->sides;
         for (std::size_t k = sides.first; k < sides.last; ++k) {
             const Side side = settings.sides[k];
             const rollbem::WheelOnRail::Contact& wheel = of.contacts.wheels[std::size_t(side)];
@@ -201,6 +250,20 @@ void write_outlines(study::OutputFiles& files, const std::string& folder, const 
             folder + "/" + std::to_string(at + 1) + (left ? "_left_" : "_right_") + std::to_string(number + 1);
         files.add(name + ".outline.csv", "--outline", edges);
         files.add(name + ".pressure.csv", "--outline", pressures);
+    });
+}
+
+/// The largest stress below each strip of each patch.
+void write_stresses(study::OutputFile& file, const Settings& settings, const Positions& positions) {
+    file.write("position,side,patch,s,x,depth,von_mises,tresca\n");
+    for_patches(settings, positions, [&](std::size_t at, bool left, std::size_t number, const RailPatch&) {
+        const auto& patches = positions[at]->stresses[left ? 0 : 1];
+        if (number >= patches.size()) return;
+        for (const rollbem::StripStress& strip : patches[number]) {
+            const rollbem::SubsurfacePeak& peak = strip.peak;
+            file.write(study::csv_line({at + 1, left ? "left" : "right", number + 1, (left ? -1 : 1) * strip.s, strip.x,
+                                        peak.von_mises_depth, peak.largest.von_mises, peak.largest.tresca}));
+        }
     });
 }
 
@@ -253,15 +316,15 @@ int main(int argc, char** argv) {
         study::OutputFiles files;
         if (!folder.empty()) files.make_folder(folder, "--outline");
         study::OutputFile* wear = given.given("wear") ? &files.open(given.text("wear"), "--wear") : nullptr;
+        study::OutputFile* stress = settings.stress ? &files.open(given.text("stress"), "--stress") : nullptr;
         Positions positions(cases.size());  // for files, and the picture of a single one
-        const study::Sheet<Found, Case> sheet =
-            sheet_of(profile::case_columns(given), settings.friction.has_value(), given.flag("temperature"));
+        const study::Sheet<Found, Case> sheet = sheet_of(profile::case_columns(given), settings);
 
         // 2. A row for each patch; for each wheel that has none, one that says why.
         const auto compute = [&](const Case& at, study::RowRange range, const study::Results<Found>& emit) {
             const Contacts contacts = find_contacts(settings, at);
-            if (cases.size() == 1 || !folder.empty() || wear != nullptr) {
-                positions[std::size_t(&at - cases.data())] = Position{contacts.of, range};
+            if (cases.size() == 1 || !folder.empty() || wear != nullptr || settings.stress) {
+                positions[std::size_t(&at - cases.data())] = Position{contacts.of, range, contacts.stresses};
             }
             for (std::size_t k = range.first; k < range.last; ++k) {
                 Found found{settings, at, contacts, settings.sides[k], std::nullopt, study::has_times(given)};
@@ -278,6 +341,7 @@ int main(int argc, char** argv) {
         table.finish = [&] {
             if (!folder.empty()) write_outlines(files, folder, settings, positions);
             if (wear != nullptr) write_wear(*wear, settings, positions);
+            if (stress != nullptr) write_stresses(*stress, settings, positions);
         };
         // 3. The patches of one position, or the contact points of several.
         table.plot = [&](const std::vector<study::Row>& rows) {

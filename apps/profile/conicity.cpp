@@ -155,7 +155,9 @@ void study_conicity(const study::Options& options) {
     const std::optional<double> nonlinearity = wheelset.radii ? conicity_nonlinearity(*wheelset.radii) : std::nullopt;
     options.note("nonlinearity (tan gamma at 4 mm - at 2 mm)/2 mm [1/m]: " +
                  (nonlinearity ? study::Cell(*nonlinearity).text(6) : "none, as one of them has no wave"));
-    const std::vector<double> amplitudes = options.numbers("amplitude", study::positive());
+    const study::Rule at_least_a_micrometre{[](double value) { return value >= 1e-6 && std::isfinite(value); },
+                                            "be positive and finite, and at least 1e-6 m"};
+    const std::vector<double> amplitudes = options.numbers("amplitude", at_least_a_micrometre);
     study::write_table(options, conicity_table(wheelset, amplitudes));
 }
 

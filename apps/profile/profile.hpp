@@ -36,6 +36,7 @@ struct Settings {
     double shear_yield;           ///< [Pa]
     std::optional<double> force;  ///< of friction along x, in place of the pitch rate [N]
     bool friction_carries;        ///< a part of the loads
+    bool stress;                  ///< whether stresses below the patches are asked for
 };
 
 /// Declares the options of profile_study.

@@ -70,7 +70,12 @@ normal force, less --shear-yield over the peak pressure (surface fatigue where p
 patch. With --temperature peak_temperature [K above ambient] is the largest flash temperature of a patch, by half of the
 heat in each body; it is empty where the contact passes slowly, V half_length < 10 conductivity/heat capacity, and with
 --hot-friction there is then no result (not_converged). In a FILE of --friction, mu is linear over the angle of the
-rail's surface [rad] or y of its profile [m], as on the right rail, and constant beyond the rows. --wear FILE has, for right rail and right wheel (of left ones in their mirror images) of
+rail's surface [rad] or y of its profile [m], as on the right rail, and constant beyond the rows. With --stress
+max_von_mises, max_tresca [Pa] are the largest stresses in the rail below a patch and their depths [m]; max_tresca is a
+shear stress; shakedown_load is the peak pressure over --shear-yield, shakedown_traction the force of friction over the
+normal force. Its FILE has, for each strip of a patch (position counts rows of positions from 1), s, x, depth, von_mises
+and tresca where von Mises' stress is largest. --wear FILE has, for right rail and right wheel (of left ones in their
+mirror images) of
 each side, s, the length along the profile, y, z, and work [J/m^2]: frictional work per metre rolled and metre of
 profile, the mean over all positions. --load-of normal: normal forces carry --load; all: they are found together with
 the vertical share of friction. --force: the pitch rate is found at which friction has this longitudinal force on the
@@ -177,7 +182,7 @@ std::optional<rollbem::Heating> read_heating(const study::Options& options) {
 std::optional<rollbem::RollingFriction> read_friction(const study::Options& options) {
     if (!options.given("friction")) {
         for (const char* name : {"speed", "pitch-rate", "force", "layer", "load-of", "n", "strips", "slip",
-                                 "shear-yield", "wear", "temperature"}) {
+                                 "shear-yield", "wear", "stress", "temperature"}) {
             options.ignored(name, "without --friction");
         }
         return {};
@@ -212,6 +217,7 @@ void add_options(study::Options& options) {
     options.group("Result");
     options.add_folder("outline", "also write outlines and pressures of all patches into this folder, for patch_study");
     options.add_output("wear", "with --friction: also write frictional work over both profiles to this CSV file");
+    options.add_output("stress", "with --friction: also write the largest stress below each strip to this CSV file");
     add_conicity_options(options);
     add_method_options(options);
     options.footer(help);
@@ -335,7 +341,8 @@ Settings read_settings(const study::Options& options, bool several) {
             speed,
             positive("shear-yield"),
             options.given("force") ? std::optional(options.number("force", study::finite())) : std::nullopt,
-            options.choice("load-of", {"normal", "all"}) == "all"};
+            options.choice("load-of", {"normal", "all"}) == "all",
+            options.given("stress")};
 }
 
 }  // namespace profile

@@ -69,7 +69,7 @@ void take(const std::vector<std::string>& words) {
         require(!places.empty() && places.size() == history.values("creepage").size(), "as many places as values");
         require(std::is_sorted(places.begin(), places.end()), "places ascend");
     }
-    for (const study::Scene& scene : study::make_scenes(options, study::Problem::steady)) {
+    for (const study::Scene& scene : study::make_scenes(options, study::Problem::steady, {})) {
         require(scene.n() >= 1 && (scene.mesh->widths() > 0).all(), "every element has a width");
     }
     const std::string sidecar = study::sidecar_text(options);

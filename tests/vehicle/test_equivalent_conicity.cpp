@@ -1,6 +1,8 @@
 // rollbem/vehicle/equivalent_conicity.hpp, normal/rigid_contact.hpp
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -13,6 +15,7 @@
 #include "support/observed_order.hpp"
 #include "support/refusal.hpp"
 
+namespace equivalent_conicity_tests {
 namespace {
 
 using namespace rollbem;
@@ -194,7 +197,15 @@ TEST_CASE("equivalent_conicity: what has no wave says why", "[conicity]") {
     CHECK(rolling_radii(narrow, 0.09).status == Status::end_of_profile);
     CHECK(!radius_difference(WheelsetOnTrack(WheelOnRail(s1002(), rail_60e1(), {.gauge = 1.41}))));
 
-    CHECK_THAT(refusal([&] { equivalent_conicity(cone_like, 0); }), ContainsSubstring("amplitude = 0 must"));
+    for (const double amplitude : {0.0, 1e-8, 9.9e-7, std::nan(""), std::numeric_limits<double>::infinity()}) {
+        CHECK_THAT(refusal([&] { equivalent_conicity(cone_like, amplitude); }),
+                   ContainsSubstring("must be positive and finite, and at least 1e-6 m"));
+    }
+    CHECK(std::abs(equivalent_conicity(cone_like, 1e-6).tan_gamma / 0.05 - 1) < 1e-5);
+    // an outer chamfer of a tread without a flange is no flank
+    const Profile chamfered =
+        piece(0.06, [](double across) { return -0.05 * across - 2 * std::max(across - 0.04, 0.0); });
+    CHECK(rolling_radii(WheelsetOnTrack(on_track(chamfered, arc(0.03, 0.3))), 0).status == Status::ok);
     CHECK_THAT(refusal([&] { radius_difference(real, 1); }), ContainsSubstring("step = 1 must lie in [1e-6, 1e-3]"));
     CHECK_THAT(refusal([&] { RadiusDifference(Eigen::ArrayXd::Zero(2), Eigen::ArrayXd::Zero(2), 1.5, radius); }),
                ContainsSubstring("lateral = 0 must exceed the one before it"));
@@ -204,6 +215,19 @@ TEST_CASE("equivalent_conicity: what has no wave says why", "[conicity]") {
         return WheelOnRail(cone(0.05), RailSurface::roller(arc(0.03, 0.3), 0.5), dimensions);
     }();
     CHECK_THAT(refusal([&] { rigid_contact(on_roller, {}); }), ContainsSubstring("a round wheel on a straight rail"));
+}
+
+TEST_CASE("rigid_contact: what it does not use may be no number", "[conicity]") {
+    const WheelOnRail wheel(s1002(), rail_60e1());
+    const double none = std::nan("");
+    const RigidContact contact = rigid_contact(wheel, {.lateral = 2e-3, .yaw = 5e-3}),
+                       same = rigid_contact(
+                           wheel, {.lateral = 2e-3, .height = none, .yaw = 5e-3, .along = none, .pitch = none});
+    REQUIRE((contact.status == Status::ok && same.status == Status::ok));
+    CHECK((same.height == contact.height && same.y == contact.y && same.rolling_radius == contact.rolling_radius));
+    for (const WheelsetPosition& at : {WheelsetPosition{.lateral = none}, {.roll = none}, {.yaw = none}}) {
+        CHECK(rigid_contact(wheel, at).status == Status::not_finite);
+    }
 }
 
 TEST_CASE("rigid_contact: where a vanishing load is carried, also rolled and yawed", "[conicity]") {
@@ -230,3 +254,4 @@ TEST_CASE("rigid_contact: where a vanishing load is carried, also rolled and yaw
 }
 
 }  // namespace
+}  // namespace equivalent_conicity_tests

@@ -13,6 +13,7 @@
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
+#include "vehicle/hertz_patch.hpp"
 
 namespace flash_temperature_tests {
 
@@ -25,30 +26,7 @@ namespace {
 
 constexpr double a = 5.88e-3, b = 10.54e-3, load = 1e5, radius = 0.46, mu = 0.3;
 
-/// Hertz's ellipse on a level rail.
-RailPatch ellipse() {
-    RailPatch patch;
-    patch.status = Status::ok;
-    patch.rolling_radius = radius;
-    patch.load = load;
-    patch.half_length = a;
-    patch.half_width = b;
-    patch.peak_pressure = 1.5 * load / (std::numbers::pi * a * b);
-    const Eigen::ArrayXd angle = Eigen::ArrayXd::LinSpaced(121, 0, std::numbers::pi);
-    patch.outline.emplace(Eigen::ArrayXd(-b * angle.cos()), Eigen::ArrayXd(-a * angle.sin()),
-                          Eigen::ArrayXd(a * angle.sin()));
-    const Eigen::Index nx = 81, ny = 81;
-    patch.grid = {nx, ny, -a, -b, 2 * a / 80, 2 * b / 80};
-    patch.pressure.resize(nx, ny);
-    for (Eigen::Index j = 0; j < ny; ++j) {
-        for (Eigen::Index i = 0; i < nx; ++i) {
-            const double rest = 1 - std::pow(patch.grid.x(i) / a, 2) - std::pow(patch.grid.y(j) / b, 2);
-            patch.pressure(i, j) = patch.peak_pressure * std::sqrt(std::max(rest, 0.0));
-        }
-    }
-    patch.rail_slope = patch.rail_n = patch.wheel_n = Eigen::ArrayXd::Zero(ny);
-    return patch;
-}
+RailPatch ellipse() { return testing::hertz_patch(a, b, load); }
 
 constexpr double slide = 1;  // [m/s]
 PatchForce sliding(const RollingFriction& friction, double speed = 30) {
@@ -127,6 +105,44 @@ TEST_CASE("Heat that flows along the contact has no temperature", "[profiles]") 
     CHECK(std::isnan(of().peak_temperature));
     friction.heating->friction = {0.1, 0, 100};
     CHECK(of().status == Status::not_converged);
+    CHECK(std::isnan(of().force.longitudinal));
+    CHECK(of().strip_work.size() == 0);
+}
+
+TEST_CASE("Friction and heating that cannot be meant are refused", "[profiles]") {
+    const auto why = [](const RollingFriction& friction) { return refusal([&] { sliding(friction); }); };
+    const auto heated = [&](const Heating& heating) { return why({.heating = heating}); };
+    const auto hot = [&](const HotFriction& of) { return heated({.friction = of}); };
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THAT(why({.coefficient = -1}), ContainsSubstring("coefficient = -1 must be finite and not negative"));
+    CHECK_THAT(why({.layer = nan}), ContainsSubstring("layer = nan"));
+    CHECK_THAT(heated({.conductivity = 0}), ContainsSubstring("conductivity = 0"));
+    CHECK_THAT(heated({.heat_capacity = -3.5e6}), ContainsSubstring("heat_capacity = -3500000"));
+    CHECK_THAT(hot({-0.1, 0, 30}), ContainsSubstring("hot coefficient = -0.1"));
+    CHECK_THAT(hot({0.1, 300, 20}), ContainsSubstring("end of hot friction = 20 must lie above its begin"));
+}
+
+TEST_CASE("Places on a rail below a patch are those of its profile", "[profiles]") {
+    const WheelOnRail wheel(s1002(), rail_uic60());
+    WheelsetOnTrack::Workspace workspace;
+    for (const double lateral : {5e-3, 6.8e-3}) {
+        const auto contacts = WheelsetOnTrack(wheel).solve({.lateral = lateral}, {1e5, 1e5}, workspace);
+        const RailPatch& patch = contacts.wheels[1].patches.at(0);
+        REQUIRE(patch.has_numbers());
+        for (double s = patch.outline->low(); s < patch.outline->high(); s += patch.half_width / 5) {
+            // from the place in the plane down to the profile along its normal
+            double along = patch.rail_s + s;
+            for (int k = 0; k < 20; ++k) {
+                const CurvePoint rail = wheel.geometry().rail_at(0, along, 0);
+                const double apart =
+                    (rail.y - patch.y) * std::cos(patch.angle) + (rail.z - patch.z) * std::sin(patch.angle);
+                along += (s - apart) / (rail.slope[0] * std::cos(patch.angle) + rail.slope[1] * std::sin(patch.angle));
+            }
+            const CurvePoint rail = wheel.geometry().rail_at(0, along, 0);
+            CHECK_THAT(patch.surface_y(s) - patch.rail_y, WithinAbs(rail.y - patch.y, 2e-5));
+            CHECK_THAT(patch.surface_angle(s), WithinAbs(std::atan2(rail.slope[1], rail.slope[0]), 0.02));
+        }
+    }
 }
 
 TEST_CASE("Each strip of a patch has the rail's friction", "[profiles]") {

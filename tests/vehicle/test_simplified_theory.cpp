@@ -170,7 +170,7 @@ TEST_CASE("FASTSIM is the one of CONTACT on finer and finer grids", "[simplified
 }
 
 TEST_CASE("Elements of simplified theory converge, and heat is the work of creepage", "[simplified]") {
-    const Creepage<double> at = creepage(0.6, 0.4, 0.5), along = creepage(0.8, 0, 0);
+    const Creepage<double> at = creepage(0.6, 0.4, 0.5);
     for (const By which : {By::fastsim, By::fastrip}) {
         std::vector<double> counts, errors;
         const auto limit = force(which, at, {200, 6400});
@@ -184,20 +184,54 @@ TEST_CASE("Elements of simplified theory converge, and heat is the work of creep
         CHECK(order > 0.8);
         CHECK(order < 1.4);
     }
-    std::vector<double> counts, errors;
-    for (const int n : {10, 20, 40}) {
-        double heat = 0, area = 0;
-        const auto found = theory({100, n}).fastsim(along, [&](const SimplifiedElement& element) {
-            heat -= element.area * (element.traction[0] * element.slip[0] + element.traction[1] * element.slip[1]);
-            area += element.area;
-        });
-        CHECK(area == Approx(pi * ellipse.half_length() * ellipse.half_width()).epsilon(1e-12));
-        counts.push_back(n);
-        errors.push_back(-heat / (found.force.longitudinal * along.longitudinal) - 1);
+    for (const Creepage<double>& moved : {creepage(0.8, 0, 0), creepage(0, 0.8, 0), creepage(0.5, -0.6, 0)}) {
+        std::vector<double> counts, errors;
+        for (const int n : {10, 20, 40}) {
+            double heat = 0, area = 0;
+            const auto found = theory({100, n}).fastsim(moved, [&](const SimplifiedElement& element) {
+                heat -= element.area * (element.traction[0] * element.slip[0] + element.traction[1] * element.slip[1]);
+                area += element.area;
+            });
+            CHECK(area == Approx(pi * ellipse.half_length() * ellipse.half_width()).epsilon(1e-12));
+            counts.push_back(n);
+            errors.push_back(
+                -heat / (found.force.longitudinal * moved.longitudinal + found.force.lateral * moved.lateral) - 1);
+        }
+        CAPTURE(moved.longitudinal, moved.lateral, errors[0], errors[1], errors[2]);
+        CHECK(std::abs(2 * errors[2] - errors[1]) < 2e-2);
+        CHECK(support::observed_order(counts, errors) > 0.8);
     }
-    CAPTURE(errors[0], errors[2]);
-    CHECK(std::abs(2 * errors[2] - errors[1]) < 2e-2);
-    CHECK(support::observed_order(counts, errors) > 0.8);
+}
+
+TEST_CASE("Simplified theory refuses creepages whose tractions overflow, and no others", "[simplified]") {
+    const By which = GENERATE(By::fastsim, By::fastrip);
+    const auto found = [&](const SimplifiedTheory& of, const Creepage<double>& at) {
+        return which == By::fastsim ? of.fastsim(at) : of.fastrip(at);
+    };
+    constexpr double huge = (std::numeric_limits<double>::max)();
+    for (const double size : {1e300, huge}) {
+        for (const auto& at : {Creepage<double>{size, 0, 0}, {0, -size, 0}, {0, 0, size}, {size, size, -size}}) {
+            const SimplifiedForce refused = found(theory({}), at);
+            CAPTURE(size, at.longitudinal, at.lateral, at.spin);
+            CHECK(refused.status == Status::not_finite);
+            CHECK(std::isnan(refused.force.longitudinal + refused.force.lateral));
+        }
+    }
+    // up to the largest creepages that are taken, forces are those of sliding
+    const double unit = kalker.c22 * ellipse.shear_modulus();
+    for (double exponent = 280; exponent < 308; exponent += 0.125) {
+        const SimplifiedForce at_edge = found(theory({40, 40}), {0, -std::pow(10, exponent) / unit, 0});
+        if (at_edge.status == Status::ok) CHECK(at_edge.force.lateral == Approx(mu * load).epsilon(1e-3));
+    }
+    // the stick zone of a mu next to nothing is larger than any number
+    const SimplifiedTheory smooth(ellipse, kalker, 1e-290, load, {40, 40});
+    const SimplifiedForce slides = found(smooth, {0, -1e20, 1e-292});
+    REQUIRE(slides.status == Status::ok);
+    CHECK(slides.force.lateral / (1e-290 * load) == Approx(1).epsilon(1e-3));
+    // a bound beyond all numbers: FASTSIM never reaches it, FaStrip needs it
+    const SimplifiedForce rough = found(SimplifiedTheory(ellipse, kalker, 1e300, load), {1e-4, 0, 0});
+    CHECK(rough.status == (which == By::fastsim ? Status::ok : Status::not_finite));
+    CHECK(std::isnan(rough.force.longitudinal) == (rough.status != Status::ok));
 }
 
 TEST_CASE("Simplified theory refuses what it cannot take", "[simplified]") {

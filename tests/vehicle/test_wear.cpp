@@ -4,11 +4,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 
 #include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/vehicle/wear.hpp>
 
 #include "support/catch.hpp"
+#include "support/refusal.hpp"
 
 namespace wear_tests {
 namespace {
@@ -84,24 +86,32 @@ TEST_CASE("Work and fatigue by table are those of patches at the same places", "
         for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
             const auto k = std::size_t(side);
             ProfileWear wear(rail, cells);
-            double index = -1, gamma = 0;
+            double index = -1, gamma = 0, peak = 0;
             for (std::size_t i = 0; i < forces.patches[k].size(); ++i) {
                 const RailPatch& patch = forces.contacts.wheels[k].patches[i];
                 wear.add(patch.rail_s, forces.patches[k][i]);
                 index = std::max(index, surface_fatigue_index(patch, forces.patches[k][i], 3e8));
                 gamma += t_gamma(forces.patches[k][i]);
+                peak = std::max(peak, patch.peak_pressure);
+                // pressures alone, without friction: yield at p_max gives -1
+                CHECK(surface_fatigue_index(patch, {.force = {0, 0, 0}}, patch.peak_pressure) == -1);
             }
             const Eigen::ArrayXd exact = wear.work() * wear.width();
             const WheelForces wheel = place.by_table(side);
             const Eigen::ArrayXd found = work_by_table(wheel, cells);
-            double table_index = -1;
-            for (const WheelForces::Point& point : wheel.points) {
-                if (point.load_share > 0) table_index = std::max(table_index, surface_fatigue_index(point, 3e8));
+            double table_index = -1, table_peak = 0;
+            for (WheelForces::Point point : wheel.points) {
+                if (!(point.load_share > 0)) continue;
+                table_index = std::max(table_index, surface_fatigue_index(point, 3e8));
+                table_peak = std::max(table_peak, point.peak_pressure);
+                point.force = {0, 0, 0};
+                CHECK(surface_fatigue_index(point, point.peak_pressure) == -1);
             }
-            CAPTURE(place.shift, k, exact.sum(), found.sum(), index, table_index,
+            CAPTURE(place.shift, k, table_peak / peak, exact.sum(), found.sum(), index, table_index,
                     (found - exact).abs().sum() / 2 / exact.sum());
             CHECK(std::abs(found.sum() - gamma) < 0.1 * gamma + 0.3);
             CHECK(std::abs(table_index - index) < 0.03);
+            CHECK(table_peak == Approx(peak).epsilon(0.04));
             by_patches += exact.sum();
             by_table += found.sum();
             misplaced += (found - exact).abs().sum() / 2;
@@ -139,12 +149,93 @@ TEST_CASE("Work is done where a point slips, at its place on the rail", "[wear]"
     }
 }
 
+TEST_CASE("Backwards, work lies where it lies in the mirror image that rolls forward", "[wear]") {
+    for (const Place& place : places) {
+        for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
+            const WheelForces forward = place.by_table(side);
+            const WheelForces backwards =
+                contacts().look_up(creep(), side, mirrored(place.position(), Mirror::along_track()),
+                                   mirrored(place.speeds(), Mirror::along_track()), load, mu);
+            REQUIRE(backwards.status == Status::ok);
+            for (std::size_t k = 0; k < forward.points.size(); ++k) {
+                const WheelForces::Point &one = forward.points[k], &image = backwards.points[k];
+                if (!(one.load_share > 0)) continue;
+                CHECK(one.rolling_velocity == Approx(speed).epsilon(0.05));
+                CHECK(image.rolling_velocity == -one.rolling_velocity);
+                CHECK(one.heat == Approx(t_gamma(one) * one.rolling_velocity));
+                const Eigen::ArrayXd work = strip_work_of(one, creep(), mu).strip_work;
+                CHECK((strip_work_of(image, creep(), mu).strip_work - work).abs().maxCoeff() < 1e-12 * work.sum());
+            }
+        }
+    }
+}
+
+WheelForces::Point loaded_point() {
+    const WheelForces wheel = places[0].by_table(WheelsetSide::right);
+    return *std::max_element(wheel.points.begin(), wheel.points.end(),
+                             [](const WheelForces::Point& one, const WheelForces::Point& other) {
+                                 return one.load_share < other.load_share;
+                             });
+}
+
+TEST_CASE("Work of a point is refused where it is unknown", "[wear]") {
+    const WheelForces::Point point = loaded_point();
+    const auto refused = [&](double coefficient, const SimplifiedMesh& mesh) {
+        return refusal([&] { strip_work_of(point, creep(), coefficient, mesh); });
+    };
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK(refused(-0.1, {}) == "strip_work_of: friction_coefficient = -0.1 must be finite and not negative");
+    CHECK(refused(nan, {}) == "strip_work_of: friction_coefficient = nan must be finite and not negative");
+    for (const double coefficient : {0.0, mu}) {
+        for (const int strips : {2, 0, -5}) {
+            CHECK(refused(coefficient, {.strips = strips}) ==
+                  "strip_work_of: number of strips = " + std::to_string(strips) + " must be at least 3");
+        }
+        CHECK(refused(coefficient, {.elements = 0}) == "strip_work_of: number of elements = 0 must be at least 1");
+    }
+    WheelForces::Point other = point;
+    other.ellipse = PatchContact<double>({point.ellipse.half_length(), point.ellipse.half_width(), 8e10, 0.35});
+    CHECK(refusal([&] { strip_work_of(other, creep(), mu); }) ==
+          "creep_coefficients: poisson_ratio = 0.35 must be within 0.01 of the table's, 0.28");
+
+    // nothing slips under a bound that is never reached: as the load
+    CHECK(strip_work_of(point, creep(), 1e300).strip_work.sum() == Approx(t_gamma(point)).epsilon(1e-12));
+    CHECK(strip_work_of(point, creep(), 0, {.strips = 3}).strip_work.size() == 3);
+    for (const double coefficient : {0.0, mu}) {
+        for (const Creepage<double>& creepage : {Creepage<double>{nan, 0, 0}, {0, 1e308, 0}}) {
+            other = point;
+            other.creepage = creepage;
+            const PatchForce found = strip_work_of(other, creep(), coefficient);
+            CHECK(found.status == Status::not_finite);
+            CHECK(found.strip_work.size() == 0);
+        }
+    }
+}
+
+TEST_CASE("Wear over a profile takes work at any place, and none without result", "[wear]") {
+    const Profile& rail = track().wheel().rail();
+    ProfileWear wear(rail, 50);
+    PatchForce friction = strip_work_of(loaded_point(), creep(), mu);
+    const double work = friction.strip_work.sum();
+    REQUIRE(work > 0);
+    for (const double s : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        CHECK(refusal([&] { wear.add(s, friction); }).starts_with("ProfileWear: s = "));
+    }
+    CHECK((wear.work() == 0).all());
+    wear.add(-1e300, friction);
+    wear.add(1e300, friction, 2);
+    CHECK(wear.work()[0] * wear.width() == Approx(work).epsilon(1e-12));
+    CHECK(wear.work().tail(1)[0] * wear.width() == Approx(2 * work).epsilon(1e-12));
+    const Eigen::ArrayXd before = wear.work();
+    friction.status = Status::not_converged;
+    wear.add(rail.length() / 2, friction);
+    wear.add(std::numeric_limits<double>::quiet_NaN(), {});
+    CHECK((wear.work() == before).all());
+}
+
 TEST_CASE("Work of a point without load or without slip", "[wear]") {
     CHECK(strip_work_of({}, creep(), mu).status == Status::no_contact);
-    WheelForces::Point point = places[0].by_table(WheelsetSide::right).points[0];
-    for (const WheelForces::Point& other : places[0].by_table(WheelsetSide::right).points) {
-        if (other.load_share > point.load_share) point = other;
-    }
+    WheelForces::Point point = loaded_point();
     point.creepage = {1e-9, 0, 0};
     point.force = {-1, 0, 0};
     const PatchForce still = strip_work_of(point, creep(), mu, {.strips = 8, .elements = 8});

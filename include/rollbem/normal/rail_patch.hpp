@@ -66,13 +66,18 @@ struct RailPatch {
         return {x + arm[0], y + arm[1], z + arm[2]};
     }
     /// delta of the rail's surface [rad] and y of its profile [m] at s.
-    double surface_angle(double s) const {
-        const double row = std::round((s - grid.y_0) / grid.dy);
-        return angle + std::atan(rail_slope[std::clamp<Eigen::Index>(Eigen::Index(row), 0, grid.ny - 1)]);
-    }
-    double surface_y(double s) const { return rail_y + s * std::cos(angle); }
+    double surface_angle(double s) const { return angle + std::atan(in_rows(rail_slope, s)); }
+    double surface_y(double s) const { return rail_y + s * std::cos(angle) - in_rows(rail_n, s) * std::sin(angle); }
     /// The vertical load of the pressures [N].
     double vertical_load() const { return detail::vertical_load(pressure, grid, rail_slope, angle); }
+
+private:
+    /// Numbers of rows of cells at s, linear between their middles.
+    double in_rows(const Eigen::ArrayXd& rows, double s) const {
+        const double row = std::clamp((s - grid.y_0) / grid.dy, 0.0, double(grid.ny - 1));
+        const auto low = (std::min)(Eigen::Index(row), grid.ny - 2);
+        return rows[low] + (row - double(low)) * (rows[low + 1] - rows[low]);
+    }
 };
 
 /// The mirror image of a patch. Lengths along the profiles stay as they are.

@@ -23,16 +23,17 @@ struct RigidContact {
     Status status = Status::not_finite;  ///< ok, no_contact, undefined_section, or end_of_profile: a curve ends there
 };
 
-/// Finds the contact at this lateral position, roll and yaw; the height of `position` is not used. Throws
+/// Finds the contact at this lateral position, roll and yaw; nothing else of `position` is used. Throws
 /// std::invalid_argument unless the wheel is round and the rail straight.
 inline RigidContact rigid_contact(const WheelOnRail& wheel, const WheelsetPosition& position) {
     const ContactGeometry& geometry = wheel.geometry();
     detail::require(geometry.is_plain(), "rigid_contact", "sections of wheel and rail", "several",
                     "be one: a round wheel on a straight rail");
     RigidContact contact;
-    if (!detail::is_finite(position)) return contact;
+    const WheelsetPosition used{.lateral = position.lateral, .roll = position.roll, .yaw = position.yaw};
+    if (!detail::is_finite(used)) return contact;
     detail::SilhouetteSearch search;
-    contact.status = search.locate(geometry, position);
+    contact.status = search.locate(geometry, used);
     if (contact.status != Status::ok) return contact;
     const std::optional<detail::SurfaceCut> cut = search.first_point();
     if (!cut) {

@@ -39,8 +39,9 @@ namespace detail {
 
 /// s of a wheel's profile below which the wheel climbs over its flange: the end of the flank towards the crown. The
 /// flank is the first stretch outside the crown steeper than 45 degrees, without the parts less steep than its steepest
-/// place by more than 2 degrees, as measured flanks are not straight; 0 if there is none.
-inline double end_of_flank(const Profile& wheel) {
+/// place by more than 2 degrees, as measured flanks are not straight; 0 if there is none inside the tape circle at y =
+/// `tape` [m].
+inline double end_of_flank(const Profile& wheel, double tape) {
     constexpr double degree = std::numbers::pi / 180, steep = 45 * degree;
     const auto angle = [&](Eigen::Index i) {
         const std::array<double, 2> slope = wheel.at(wheel.s()[i]).slope;
@@ -49,10 +50,11 @@ inline double end_of_flank(const Profile& wheel) {
     Eigen::Index from = 0;
     wheel.z().maxCoeff(&from);
     while (from < wheel.size() && angle(from) <= steep) ++from;
+    if (from == wheel.size() || wheel.y()[from] >= tape) return 0;
     double steepest = 0;
     for (Eigen::Index i = from; i < wheel.size() && angle(i) > steep; ++i) steepest = (std::max)(steepest, angle(i));
-    while (from < wheel.size() && angle(from) < steepest - 2 * degree) ++from;
-    return from < wheel.size() ? wheel.s()[from] : 0;
+    while (angle(from) < steepest - 2 * degree) ++from;
+    return wheel.s()[from];
 }
 
 }  // namespace detail
@@ -67,7 +69,8 @@ inline RollingRadii rolling_radii(const WheelsetOnTrack& wheelset, double latera
         RigidContact& contact = radii.wheels[std::size_t(side)];
         contact = rigid_contact(wheel, WheelsetOnTrack::seen_from(side, WheelsetPosition{.lateral = lateral}));
         radii.status = (std::max)(radii.status, contact.status);
-        if (contact.status == Status::ok && contact.wheel_s < detail::end_of_flank(wheel.wheel())) {
+        const double tape = 0.07 - wheel.dimensions().tape_offset;
+        if (contact.status == Status::ok && contact.wheel_s < detail::end_of_flank(wheel.wheel(), tape)) {
             radii.status = (std::max)(radii.status, Status::beyond_clearance);
         }
     }
@@ -137,13 +140,15 @@ struct EquivalentConicity {
     double wavelength = 0;        ///< wave length of tan_gamma [m]
     double y_min = 0, y_max = 0;  ///< lateral positions where the wave turns [m]
     /// beyond_clearance where the wave does not fit between the ends of Delta r; unstable where no wave of this
-    /// amplitude passes the equilibrium, as Delta r falls.
+    /// amplitude passes the equilibrium, as Delta r falls. It is the worse of both waves, that of tan_gamma and that of
+    /// tan_gamma_linear, so that one which alone has numbers leaves them out.
     Status status = Status::not_finite;
 };
 
 namespace detail {
 
-constexpr double least_conicity = 1e-6;  // places of contact are too inexact for a smaller one
+constexpr double least_conicity = 1e-6;   // places of contact are too inexact for a smaller one
+constexpr double least_amplitude = 1e-6;  // [m]; energies of a smaller wave drown in the rounding of the integrals
 
 struct WaveMiddle {
     double y;
@@ -187,9 +192,10 @@ double mean_over_wave(const Function& f) {
 /// Both methods of EN 15302: the integral of the kinematic wave, of any shape, and the harmonic wave with the same
 /// amplitude and a middle of its own about which Delta r is balanced. On cones both are Klingel's wave; where Delta r
 /// is 0 all over the wave, the conicity is 0 and the wave length infinite. Throws std::invalid_argument unless the
-/// amplitude [m] is positive and finite.
+/// amplitude [m] is finite and at least 1e-6.
 inline EquivalentConicity equivalent_conicity(const RadiusDifference& radii, double amplitude) {
-    detail::require_positive("equivalent_conicity", "amplitude", amplitude);
+    detail::require(detail::is_finite(amplitude) && amplitude >= detail::least_amplitude, "equivalent_conicity",
+                    "amplitude", amplitude, "be positive and finite, and at least 1e-6 m");
     EquivalentConicity result{.amplitude = amplitude};
     const detail::WaveMiddle middle = detail::middle_of_wave(
         radii, amplitude, [&](double y) { return radii.integral(y + amplitude) - radii.integral(y - amplitude); });

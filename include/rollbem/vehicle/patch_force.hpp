@@ -14,8 +14,10 @@
 
 #include "../assembly/patch_system.hpp"
 #include "../detail/finite.hpp"
+#include "../detail/require.hpp"
 #include "../discretisation/scheme.hpp"
 #include "../elasticity/rectangle_kernel.hpp"
+#include "../elasticity/subsurface_stress.hpp"
 #include "../friction/model.hpp"
 #include "../scene/force.hpp"
 #include "../scene/mirror.hpp"
@@ -42,13 +44,16 @@ struct RollingFriction {
     double layer = 0;  ///< compliance L of a layer between both bodies, which adds L p to the displacement [m/Pa]
 };
 
-/// Friction on one patch of a right wheel, in the axes (x, s, n) of its plane.
+/// Friction on one patch of a right wheel, in the axes (x, s, n) of its plane. Without a result numbers are NaN and
+/// arrays empty, but for the creepage.
 struct PatchForce {
     Creepage<double> creepage{};      ///< wheel minus rail, see creepage_of
     TangentialForce<double> force{};  ///< on the wheel [N], and its moment about n [N m], at creepage_place
     double slip_work = std::numeric_limits<double>::quiet_NaN();  ///< heat per distance rolled [J/m]
     Eigen::ArrayXd edges{}, strip_work{};  ///< of the strips along s [m], and the part of each in slip_work [J/m]
     Eigen::Index elements = 0;
+    /// All elements of its plane with what loads the rail, in (x, s): tractions opposite to those on the wheel.
+    std::vector<LoadedRectangle> surface{};
     /// The largest temperature above ambient [K], where heating is asked for. NaN where the contact passes so slowly
     /// that heat flows along it (Heating::passes_fast).
     double peak_temperature = std::numeric_limits<double>::quiet_NaN();
@@ -60,9 +65,18 @@ struct PatchForce {
 inline PatchForce mirrored(PatchForce friction, const Mirror& mirror) {
     friction.creepage = mirrored(friction.creepage, mirror);
     friction.force = mirrored(friction.force, mirror);
-    if (mirror.of_vector()[1] < 0) {
+    const auto [x, y, z] = mirror.of_vector();
+    if (y < 0) {
         friction.edges = -friction.edges.reverse().eval();
         friction.strip_work = friction.strip_work.reverse().eval();
+    }
+    for (LoadedRectangle& element : friction.surface) {
+        if (x < 0)
+            element = {-element.x_2,        -element.x_1,       element.y_1,     element.y_2,
+                       -element.traction_x, element.traction_y, element.pressure};
+        if (y < 0)
+            element = {element.x_1,        element.x_2,         -element.y_2,    -element.y_1,
+                       element.traction_x, -element.traction_y, element.pressure};
     }
     return friction;
 }
@@ -193,6 +207,7 @@ struct MeshFriction {
     TangentialForce<double> force;
     ElementVectors<double> tractions;
     Eigen::ArrayXd work;
+    std::vector<LoadedRectangle> surface{};
     std::vector<double> peaks{};  ///< largest temperature of each piece [K]; empty: not known
 };
 
@@ -235,6 +250,8 @@ public:
             if (found.status != Status::ok) return found;
         }
         found.status = Status::not_converged;
+        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+        found.force = {nan, nan, nan};  // no result
         return found;
     }
 
@@ -250,7 +267,18 @@ private:
         const RigidMotion<Creepage<double>> motion(rolling_.creepage(0));
         const FrictionStep<2> step =
             model.steady(model.at_rest(), {Travel<>::at_speed(1), motion.with_rows(rows)}, state, workspace);
-        return {step.status, step.force, state.traction, workspace.slip_work()};
+        return {step.status, step.force, state.traction, workspace.slip_work(), loads(state.traction)};
+    }
+
+    std::vector<LoadedRectangle> loads(const ElementVectors<double>& tractions) const {
+        std::vector<LoadedRectangle> found;
+        for (const PatchMesh<double>& mesh : meshes_.pieces) {
+            for (const auto& [x_1, x_2, y_1, y_2] : mesh.rectangles(meshes_.unit)) {
+                const auto i = Eigen::Index(found.size());
+                found.push_back({x_1, x_2, y_1, y_2, -tractions(i, 0), -tractions(i, 1), pressures_[i]});
+            }
+        }
+        return found;
     }
 
     /// The temperatures of all elements, and peaks; none where the contact passes slowly.
@@ -302,6 +330,7 @@ inline std::vector<PatchForce> friction_on(const PieceMeshes& meshes, const Patc
                                .sum()
                                .transpose();
         piece.slip_work = piece.strip_work.sum();
+        piece.surface = solved.surface;
         if (!solved.peaks.empty()) piece.peak_temperature = solved.peaks[k];
     }
     return found;
@@ -343,16 +372,35 @@ inline std::vector<PatchForce> plane_forces(const std::vector<RailPatch>& pieces
     return found;
 }
 
+/// Throws std::invalid_argument naming what cannot be meant.
+inline void require_valid(const RollingFriction& friction) {
+    constexpr const char* name = "RollingFriction";
+    require(is_finite(friction.coefficient) && friction.coefficient >= 0, name, "coefficient", friction.coefficient,
+            "be finite and not negative");
+    require(is_finite(friction.layer) && friction.layer >= 0, name, "layer", friction.layer,
+            "be finite and not negative");
+    if (!friction.heating) return;
+    require_positive(name, "conductivity", friction.heating->conductivity);
+    require_positive(name, "heat_capacity", friction.heating->heat_capacity);
+    if (!friction.heating->friction) return;
+    const auto& [coefficient, begin, end] = *friction.heating->friction;
+    require(is_finite(coefficient) && coefficient >= 0, name, "hot coefficient", coefficient,
+            "be finite and not negative");
+    require(is_finite(begin) && begin >= 0, name, "begin of hot friction", begin, "be finite and not negative");
+    require(is_finite(end) && end > begin, name, "end of hot friction", end, "lie above its begin");
+}
+
 }  // namespace detail
 
 /// Steady rolling of the patches of a wheel, each on its own outline, under its own pressures, with the slip of both
 /// surfaces; backwards as the mirror image of rolling forward. Patches in one plane displace each other and are solved
 /// together. A patch that does not roll, V = 0, has the status invalid_step, no creepage and no force. The patches must
-/// have numbers; position and speeds are those that the right wheel sees. Throws std::invalid_argument unless the
-/// compliance of the layer is finite and not negative.
+/// have numbers; position and speeds are those that the right wheel sees. Throws std::invalid_argument unless mu and the
+/// compliance of the layer are finite and not negative, and numbers of heating can be meant.
 inline std::vector<PatchForce> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
                                             const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
                                             const RollingFriction& friction) {
+    detail::require_valid(friction);
     std::vector<PatchForce> found(patches.size());
     for (const std::vector<std::size_t>& plane : pieces_of_planes(patches)) {
         std::vector<RailPatch> pieces;

@@ -31,6 +31,15 @@ struct SimplifiedMesh {
     TractionBound bound = TractionBound::parabolic;
 };
 
+namespace detail {
+
+inline void require_mesh(const char* who, const SimplifiedMesh& mesh) {
+    require(mesh.strips >= 3, who, "number of strips", mesh.strips, "be at least 3");
+    require(mesh.elements >= 1, who, "number of elements", mesh.elements, "be at least 1");
+}
+
+}  // namespace detail
+
 /// An element in simplified theory; elements are found from the leading to the trailing edge of each strip.
 struct SimplifiedElement {
     int strip;                       ///< from -b to b
@@ -43,8 +52,8 @@ struct SimplifiedElement {
 
 /// Forces of simplified theory on body 1.
 struct SimplifiedForce {
-    TangentialForce<double> force{};
-    Status status = Status::not_finite;  ///< or ok
+    TangentialForce<double> force{};     ///< NaN unless ok
+    Status status = Status::not_finite;  ///< of creepages, or of what follows from them; otherwise ok
 };
 
 /// FASTSIM and FaStrip on one ellipse under Hertz's pressure, with Kalker's coefficients c11, c22 and c23 from any
@@ -65,8 +74,7 @@ public:
         detail::require_positive(who, "c23", c_.c23);
         detail::require_positive(who, "friction_coefficient", mu_);
         detail::require_positive(who, "load", load);
-        detail::require(mesh.strips >= 3, who, "number of strips", mesh.strips, "be at least 3");
-        detail::require(mesh.elements >= 1, who, "number of elements", mesh.elements, "be at least 1");
+        detail::require_mesh(who, mesh);
         peak_ = 3 * load / (2 * std::numbers::pi * contact.half_length() * contact.half_width());
     }
 
@@ -126,6 +134,15 @@ private:
         return {mean, mean, mean};
     }
 
+    /// Whether creepages are so small that no traction without a bound overflows on its way through the ellipse.
+    bool is_in_range(const Creepage<double>& at) const {
+        const Flexibility L = flexibility();
+        const double a = contact_.half_length(), b = contact_.half_width(), xi = std::abs(at.longitudinal),
+                     eta = std::abs(at.lateral), phi = std::abs(at.spin);
+        return detail::is_finite(2 * a * (xi / L.longitudinal + eta / L.lateral + phi * (a + b) / L.spin)) &&
+               detail::is_finite(xi + eta + contact_.c() * phi);
+    }
+
     /// Integral of sqrt(half_length^2 - x^2) from 0.
     static double half_circle(double x, double half_length) {
         if (!(half_length > 0)) return 0;
@@ -152,8 +169,8 @@ private:
         const double along = unit * 4 / (pi * pi) * c_.c11 * at.longitudinal -
                              psi * y / (a * (1 - contact_.poisson_ratio())),
                      across = unit * 4 / (pi * pi) * c_.c22 * at.lateral;
-        if (!(rest > 1e-9)) return {2 * a, {}, {}};
-        const double slip = (std::sqrt(across * across + rest * along * along) + psi * across) / rest;
+        if (!(rest > 1e-9) || !detail::is_finite(across)) return {2 * a, {}, {}};
+        const double slip = (std::hypot(across, std::sqrt(rest) * along) + psi * across) / rest;
         if (!(slip > 0)) return {0, {0, psi}, {0, 0}};  // spin alone, in the middle strip
         const std::array<double, 2> outer{along / slip, across / slip + psi};
         return {a * slip, outer, {outer[0], outer[1] - psi}};
@@ -194,9 +211,8 @@ private:
 
     template <class Visitor>
     SimplifiedForce solve(const Creepage<double>& creepage, bool by_strips, Visitor&& visit) const {
-        SimplifiedForce result;
-        if (!detail::is_finite(creepage)) return result;
-        result = {{0, 0, 0}, Status::ok};
+        if (!is_in_range(creepage)) return {};
+        TangentialForce<double> force{0, 0, 0};
         const double turn = std::numbers::pi / mesh_.strips;
         for (int j = 0; j < mesh_.strips; ++j) {
             // angles of equal size on the unit circle make sums over strips exact for smooth functions
@@ -220,11 +236,12 @@ private:
                 SimplifiedElement element = by_fastsim;
                 if (by_strips) stick_or_slip(zone, strip, ahead, element);
                 const double f_x = element.area * element.traction[0], f_y = element.area * element.traction[1];
-                result.force = result.force + TangentialForce<double>{f_x, f_y, element.x * f_y - element.y * f_x};
+                force = force + TangentialForce<double>{f_x, f_y, element.x * f_y - element.y * f_x};
                 visit(std::as_const(element));
             }
         }
-        return result;
+        if (!detail::is_finite(force.longitudinal + force.lateral + force.moment)) return {};
+        return {force, Status::ok};
     }
 
     PatchContact<double> contact_;

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include "../detail/finite.hpp"
 #include "../detail/gauss_legendre.hpp"
 #include "../detail/require.hpp"
 #include "../normal/detail/contact_gaps.hpp"
@@ -20,9 +21,10 @@
 namespace rollbem {
 
 /// A contact by the virtual penetration (J. Piotrowski, W. Kik, Vehicle System Dynamics 46, 2008, without a correction
-/// of its shape). It covers the region of interpenetration after an approach of `share` times the approach, its length
-/// follows from the wheel's circle, and its pressure is p_0 sqrt(x_l(s)^2 - x^2)/x_l(s_0), where s_0 is the deepest
-/// place. Between half-spaces this pressure displaces s_0 by the approach.
+/// of its shape). It covers what interpenetrates when the deepest place of a stretch of interpenetration keeps `share` of
+/// its depth, its length follows from the wheel's circle, and its pressure is p_0 sqrt(x_l(s)^2 - x^2)/x_l(s_0), where
+/// s_0 is its own deepest place. Between half-spaces this pressure displaces s_0 by what s_0 keeps over `share`: by the
+/// approach, unless the stretch is deeper elsewhere.
 struct VirtualPenetration {
     double y = 0, z = 0;                     ///< of the deepest place, on the rail, in track axes [m]
     double angle = 0;                        ///< of the plane [rad]
@@ -31,7 +33,9 @@ struct VirtualPenetration {
     double peak_pressure = 0;                ///< p_0 [Pa]
     double area = 0;                         ///< [m^2]
     double half_length = 0, half_width = 0;  ///< x_l(s_0), half the extent along s [m]
-    Status status = Status::not_finite;      ///< ok; end_of_profile where the surfaces are not known beside it
+    /// ok; without numbers: end_of_profile where the surfaces are not known beside it, or why the wheel at this position
+    /// has no contacts to be found: no_contact beside the rail, undefined_section, too_deep, not_finite.
+    Status status = Status::not_finite;
 };
 
 /// Parameters of the pressures.
@@ -77,33 +81,42 @@ inline VirtualPenetration penetrate(const Eigen::ArrayXd& depth, double first, d
         }
     }
     found.y = s_0;
-    found.approach = remains / contact.share;
+    found.approach = depth[deepest];
     found.half_length = std::sqrt(2 * contact.radius * remains);
     found.half_width = (ends[1] - ends[0]) / 2;
     found.area = area;
-    const double slope = std::numbers::pi * found.approach / (contact.compliance * displacement);  // p_0/x_l(s_0)
+    // p_0/x_l(s_0); displaced by all of its approach, a lobe that hardly emerges would have an infinite pressure
+    const double slope = std::numbers::pi * remains / (contact.share * contact.compliance * displacement);
     found.peak_pressure = slope * found.half_length;
     found.load = slope * volume;
     found.status = is_finite(found.load) ? Status::ok : Status::not_finite;
     return found;
 }
 
-/// All contacts of a plane, from depths in rows; a depth is NaN where it is not known.
+/// All contacts of a plane, from depths in rows; a depth is not finite where it is not known. Each stretch deeper
+/// than 0 has contacts of its own.
 inline std::vector<VirtualPenetration> penetrations(const Eigen::ArrayXd& depth, double first, double step,
                                                     const VirtualContact& contact) {
     std::vector<VirtualPenetration> found;
-    const double sunk = (1 - contact.share) * depth.isNaN().select(0, depth).maxCoeff();
-    for (Eigen::Index low = 0; low < depth.size(); ++low) {
-        if (!(depth[low] > sunk)) continue;
-        Eigen::Index high = low;
-        while (high + 1 < depth.size() && depth[high + 1] > sunk) ++high;
-        const bool known = low > 0 && high + 1 < depth.size() && depth[low - 1] <= sunk && depth[high + 1] <= sunk;
-        if (known) {
-            found.push_back(penetrate(depth, first, step, low, high, sunk, contact));
-        } else {
-            found.push_back({.status = Status::end_of_profile});
+    const auto end_of_deeper = [&](Eigen::Index j, double than) {
+        while (j < depth.size() && is_finite(depth[j]) && depth[j] > than) ++j;
+        return j;
+    };
+    for (Eigen::Index from = 0; from < depth.size(); ++from) {
+        const Eigen::Index to = end_of_deeper(from, 0);
+        if (to == from) continue;
+        const double sunk = (1 - contact.share) * depth.segment(from, to - from).maxCoeff();
+        for (Eigen::Index low = from; low < to; ++low) {
+            const Eigen::Index end = end_of_deeper(low, sunk);
+            if (end == low) continue;
+            if (low > 0 && end < depth.size() && is_finite(depth[low - 1]) && is_finite(depth[end])) {
+                found.push_back(penetrate(depth, first, step, low, end - 1, sunk, contact));
+            } else {
+                found.push_back({.status = Status::end_of_profile});
+            }
+            low = end;
         }
-        low = high;
+        from = to;
     }
     return found;
 }
@@ -126,9 +139,9 @@ inline std::vector<VirtualPenetration> virtual_penetration(const Eigen::ArrayXd&
 }
 
 /// Contacts of a wheel at a position, under any load, in the order along its profile, in the planes of WheelOnRail;
-/// none where the wheel is lifted. Patches do not displace each other. The sections at the middle of each contact
-/// determine it, so yaw has no other effect. Throws std::invalid_argument unless the wheel is round and the rail
-/// straight, and the share lies in (0, 1].
+/// none where the wheel is lifted, one without numbers where contacts cannot be found. Patches do not displace each
+/// other. The sections at the middle of each contact determine it, so yaw has no other effect. Throws
+/// std::invalid_argument unless the wheel is round and the rail straight, and the share lies in (0, 1].
 inline std::vector<VirtualPenetration> virtual_penetration(const WheelOnRail& wheel, const WheelsetPosition& position,
                                                            double share = 0.55) {
     constexpr const char* who = "virtual_penetration";
@@ -137,13 +150,17 @@ inline std::vector<VirtualPenetration> virtual_penetration(const WheelOnRail& wh
     detail::require(geometry.is_plain(), who, "sections of wheel and rail", "several",
                     "be one: a round wheel on a straight rail");
     detail::require(share > 0 && share <= 1, who, "share", share, "lie in (0, 1]");
+    if (!detail::is_finite(position)) return {{.status = Status::not_finite}};
     detail::SilhouetteSearch search;
+    const Status located = search.locate(geometry, position);
+    if (located != Status::ok) return {{.status = located}};
+    const std::vector<detail::Region> regions = search.regions(position.height);
+    if (search.is_too_deep()) return {{.status = Status::too_deep}};
     std::vector<VirtualPenetration> all;
-    if (!detail::is_finite(position) || search.locate(geometry, position) != Status::ok) return all;
     const PlacedWheel placed = geometry.placed(position);
     detail::GapFinder finder;
     detail::Gaps gaps;
-    for (const detail::Region& region : search.regions(position.height)) {
+    for (const detail::Region& region : regions) {
         const detail::ContactPlane plane = detail::plane_of(geometry, region, position.along);
         const double step = (plane.high - plane.low) / double(rows - 3), first = plane.low - step;
         if (!(step > 0)) continue;
@@ -154,11 +171,14 @@ inline std::vector<VirtualPenetration> virtual_penetration(const WheelOnRail& wh
             const bool known = gaps.known(0, j) == Status::ok || gaps.known(0, j) == Status::doubtful_plane;
             if (!known) depth[j] = std::nan("");
         }
-        for (VirtualPenetration& found :
-             detail::penetrations(depth, first, step, {radius, wheel.compliance(), share})) {
-            const double s = found.y;
-            found.y = plane.y + s * plane.cosine;
-            found.z = plane.z + s * plane.sine;
+        std::vector<VirtualPenetration> contacts =
+            detail::penetrations(depth, first, step, {radius, wheel.compliance(), share});
+        if (contacts.empty() && !gaps.all_known) contacts.push_back({.status = Status::end_of_profile});
+        for (VirtualPenetration& found : contacts) {
+            const double s = found.y, row = std::clamp(std::round((s - first) / step), 0.0, double(rows - 1)),
+                         n = gaps.rail_n[Eigen::Index(row)];
+            found.y = plane.y + s * plane.cosine - n * plane.sine;
+            found.z = plane.z + s * plane.sine + n * plane.cosine;
             found.angle = plane.angle;
             all.push_back(found);
         }

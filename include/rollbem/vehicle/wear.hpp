@@ -6,12 +6,15 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include <Eigen/Core>
 
+#include "../detail/finite.hpp"
 #include "../detail/require.hpp"
 #include "../normal/profile.hpp"
 #include "../scene/creep_coefficients.hpp"
+#include "../scene/mirror.hpp"
 #include "contact_table.hpp"
 #include "simplified_theory.hpp"
 #include "wheelset_forces.hpp"
@@ -48,8 +51,13 @@ inline double y_over_q(const WheelForces& wheel, WheelsetSide side) {
     return outwards / -wheel.force[2];
 }
 
-/// Kalker's c11, c22 and c23 of an ellipse, by a table's linear law.
+/// Kalker's c11, c22 and c23 of an ellipse, by a table's linear law. Throws std::invalid_argument for an outline, or
+/// unless the table fits Poisson's ratio.
 inline CreepCoefficients<double> creep_coefficients(const CreepForceTable& creep, const PatchContact<double>& ellipse) {
+    const char* const who = "creep_coefficients";
+    detail::require(ellipse.outline() == nullptr, who, "contact", "outline", "be an ellipse");
+    const std::string rule = "be within 0.01 of the table's, " + detail::to_text(creep.grid().poisson_ratio());
+    detail::require(creep.fits(ellipse.poisson_ratio()), who, "poisson_ratio", ellipse.poisson_ratio(), rule.c_str());
     const CreepageTangent<double> at_rest = creep.look_up(ellipse, 1, 1, {}).tangent;
     const double unit = -ellipse.shear_modulus() * ellipse.half_length() * ellipse.half_width();
     return {at_rest.by_longitudinal.longitudinal / unit, at_rest.by_lateral.lateral / unit,
@@ -57,15 +65,19 @@ inline CreepCoefficients<double> creep_coefficients(const CreepForceTable& creep
 }
 
 /// Friction on a point of a table, with its work over the strips of its ellipse: the sum is t_gamma, distributed over
-/// the strips as by FASTSIM, or as the load where nothing slips. `mu` is the point's coefficient. Status::no_contact
-/// without a load.
+/// the strips as by FASTSIM, or as the load where nothing slips. `mu` is the point's coefficient. The status is
+/// no_contact without a load, and not_finite, without work, where the work is not. Throws std::invalid_argument unless
+/// `mu` is finite and not negative, the mesh is one of SimplifiedTheory, and the table fits Poisson's ratio.
 inline PatchForce strip_work_of(const WheelForces::Point& point, const CreepForceTable& creep, double mu,
                                 const SimplifiedMesh& mesh = {}) {
+    detail::require_not_negative("strip_work_of", "friction_coefficient", mu);
+    detail::require_mesh("strip_work_of", mesh);
     PatchForce found;
     found.status = Status::no_contact;
     if (!(point.load_share > 0)) return found;
+    const CreepCoefficients<double> coefficients = creep_coefficients(creep, point.ellipse);
     const double half = std::numbers::pi / 2, b = point.ellipse.half_width();
-    const Eigen::ArrayXd angles = Eigen::ArrayXd::LinSpaced(mesh.strips + 1, -half, half);
+    const Eigen::ArrayXd angles = Eigen::ArrayXd::LinSpaced(Eigen::Index(mesh.strips) + 1, -half, half);
     found = {.creepage = point.creepage,
              .force = point.force,
              .slip_work = t_gamma(point),
@@ -74,15 +86,19 @@ inline PatchForce strip_work_of(const WheelForces::Point& point, const CreepForc
              .elements = Eigen::Index(mesh.strips) * mesh.elements,
              .status = Status::ok};
     if (mu > 0) {
-        const SimplifiedTheory theory(point.ellipse, creep_coefficients(creep, point.ellipse), mu, point.normal_load,
-                                      mesh);
-        theory.fastsim(point.creepage, [&](const SimplifiedElement& element) {
-            found.strip_work[element.strip] -=
-                element.area * (element.traction[0] * element.slip[0] + element.traction[1] * element.slip[1]);
-        });
+        const SimplifiedTheory theory(point.ellipse, coefficients, mu, point.normal_load, mesh);
+        // particles enter FASTSIM's ellipse at its largest x
+        const Mirror mirror = point.rolling_velocity < 0 ? Mirror::along_track() : Mirror();
+        const SimplifiedForce shares =
+            theory.fastsim(mirrored(point.creepage, mirror), [&](const SimplifiedElement& element) {
+                found.strip_work[element.strip] -=
+                    element.area * (element.traction[0] * element.slip[0] + element.traction[1] * element.slip[1]);
+            });
+        if (shares.status != Status::ok) return {};
     }
     if (!(found.strip_work.sum() > 0)) found.strip_work = (angles.head(mesh.strips) + half / mesh.strips).cos().cube();
     found.strip_work *= found.slip_work / found.strip_work.sum();
+    if (!detail::is_finite(found.strip_work.sum())) return {};
     return found;
 }
 
@@ -111,11 +127,15 @@ public:
     }
 
     /// Adds `weight` times the work of a patch, whose reference point lies at `s` along the profile [m], uniform in
-    /// each of its strips. Work beyond the profile's ends counts in the outermost cells. Ignores friction without
-    /// result.
+    /// each of its strips. Work beyond the profile's ends counts in the outermost cells. Ignores friction whose status
+    /// is not ok. Throws std::invalid_argument if the place of other friction is not finite, as arc_length beside the
+    /// profile: its work would be lost.
     void add(double s, const PatchForce& friction, double weight = 1) {
+        if (friction.status != Status::ok || friction.strip_work.size() == 0) return;
+        detail::require(detail::is_finite(s), "ProfileWear", "s", s, "be finite: the patch must lie on the profile");
+        const double reach = friction.edges.abs().maxCoeff(), place = std::clamp(s, -reach, length_ + reach);
         for (Eigen::Index k = 0; k < friction.strip_work.size(); ++k) {
-            const double low = s + friction.edges[k], high = s + friction.edges[k + 1];
+            const double low = place + friction.edges[k], high = place + friction.edges[k + 1];
             const auto cell = [&](double at) {
                 return std::clamp(static_cast<Eigen::Index>(std::floor(at / width())), Eigen::Index(0),
                                   work_.size() - 1);

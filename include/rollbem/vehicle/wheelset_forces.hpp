@@ -241,11 +241,42 @@ private:
     WheelsetForces result_;
 };
 
+/// Whether a wheel has friction, and each of the others is lifted.
+inline bool rolls(const WheelsetForces& forces) {
+    const auto& [left, right] = forces.contacts.wheels;
+    const auto known = [](Status status) { return has_numbers(status) || status == Status::no_contact; };
+    return known(left.status) && known(right.status) && (has_numbers(left.status) || has_numbers(right.status));
+}
+
+/// Makes the status of wheels with numbers, and of the wheelset, no better than this one.
+inline void set_at_least(WheelsetForces& forces, Status status) {
+    for (WheelOnRail::Contact& wheel : forces.contacts.wheels) {
+        if (has_numbers(wheel.status)) wheel.status = (std::max)(wheel.status, status);
+        forces.contacts.status = (std::max)(forces.contacts.status, wheel.status);
+    }
+}
+
+/// Leaves contacts and creepages.
+inline void take_friction_out(WheelsetForces& forces) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (std::vector<PatchForce>& patches : forces.patches) {
+        for (PatchForce& patch : patches) {
+            patch = {.creepage = patch.creepage,
+                     .force = {nan, nan, nan},
+                     .elements = patch.elements,
+                     .status = patch.status == Status::ok ? Status::no_solution : patch.status};
+        }
+    }
+    const Wrench unknown{{nan, nan, nan}, {nan, nan, nan}};
+    forces.on_wheel = {unknown, unknown};
+    forces.on_wheelset = unknown;
+}
+
 /// The pitch rate at which friction has the wanted longitudinal force, between -20 and 20 % of creepage.
 inline WheelsetForces roll_at_force(const WheelsetOnTrack& wheelset, WheelsetRolling rolling,
                                     const RollingFriction& friction, WheelsetOnTrack::Workspace& workspace,
                                     const WheelOnRail::Options& options) {
-    constexpr double steepest = 100, largest_step = 0.02, most = 0.2, enough = 1e-6;
+    constexpr double steepest = 100, largest_step = 0.02, most = 0.2, enough = 1e-6, jumps = 1e-9;
     const double wanted = *std::exchange(rolling.force, std::nullopt), forward = rolling.speeds.forward < 0 ? -1 : 1;
     rolling.free_pitch = true;
     WheelsetForces result = RollingBalance(wheelset, rolling, friction).solve(workspace, options);
@@ -253,7 +284,7 @@ inline WheelsetForces roll_at_force(const WheelsetOnTrack& wheelset, WheelsetRol
     const double free = result.pitch_rate;
     RisingRoot root(steepest, largest_step);
     double creepage = 0;
-    for (int k = 0; k < 60 && has_numbers(result.contacts.status); ++k) {
+    for (int k = 0; k < 80 && rolls(result); ++k) {
         double load = 0;
         for (const WheelOnRail::Contact& wheel : result.contacts.wheels) {
             for (const RailPatch& patch : wheel.patches) load += patch.load;
@@ -262,18 +293,14 @@ inline WheelsetForces roll_at_force(const WheelsetOnTrack& wheelset, WheelsetRol
         if (std::abs(excess) < enough) return result;
         creepage = root.next(creepage, excess);
         if (!(std::abs(creepage) < most)) break;
+        if (root.width() < jumps) {  // forces jump here with the grids of the contacts
+            set_at_least(result, Status::unbalanced);
+            return result;
+        }
         rolling.speeds.pitch_rate = free * (1 + creepage);
         result = RollingBalance(wheelset, rolling, friction).solve(workspace, options);
     }
-    for (std::vector<PatchForce>& patches : result.patches) {
-        for (PatchForce& patch : patches) {
-            if (patch.status == Status::ok) patch.status = Status::no_solution;
-        }
-    }
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    const Wrench unknown{{nan, nan, nan}, {nan, nan, nan}};
-    result.on_wheel = {unknown, unknown};
-    result.on_wheelset = unknown;
+    take_friction_out(result);
     return result;
 }
 
@@ -286,6 +313,7 @@ inline WheelsetForces roll_at_force(const WheelsetOnTrack& wheelset, WheelsetRol
 /// - `unbalanced`: the wheel does not carry its load after 40 rounds;
 /// - `load_not_reached`: friction holds the wheel up;
 /// - `unbalanced`, with the forces of the pressures alone: the wheel does not roll (patch_force);
+/// - `unbalanced`: the longitudinal force lies in a jump, where the grids of the contacts change;
 /// - `no_solution` of patches: no creepage of up to 20 % gives the longitudinal force.
 template <std::same_as<double> Scalar = double>  // for rollbem::compiled
 WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const WheelsetRolling& rolling,

@@ -69,6 +69,7 @@ struct WheelForces {
         PatchContact<double> ellipse{{1, 1, 1, 0}};  ///< equivalent ellipse used for the creep forces
         Creepage<double> creepage{};                 ///< wheel minus rail, as creepage_of
         TangentialForce<double> force{};             ///< on the wheel, in the plane [N], [N m]
+        double rolling_velocity = 0;                 ///< V [m/s], below 0 where the wheel rolls backwards
         double heat = 0;                             ///< heat of friction [W]
     };
 

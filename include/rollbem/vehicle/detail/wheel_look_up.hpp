@@ -27,8 +27,6 @@ public:
                            const WheelLoad& load) {
         result_.status = take(side, position, speeds, load);
         if (result_.status != Status::ok) return result_;
-        result_.status = locate();
-        if (result_.status != Status::ok) return result_;
         const auto& loads = table_.grid_.loads;
         result_.load_on_table = inputs_[WheelForces::load] >= loads.front() * (1 - 1e-12) &&
                                 inputs_[WheelForces::load] <= loads.back() * (1 + 1e-12);
@@ -36,6 +34,8 @@ public:
             result_.force.setZero();
             return result_;
         }
+        result_.status = locate();
+        if (result_.status != Status::ok) return result_;
         tangents_ ? balance<all>() : balance_values();
         return result_;
     }
@@ -107,7 +107,7 @@ private:
             inputs_[std::size_t(which)] *= along_;
         }
         shift_ = input<all>(WheelForces::lateral);
-        if (has_roll_ && inputs_[WheelForces::load] > 0) {
+        if (has_roll_) {
             // a roll beyond the roll of equal loads moves the wheel's profile on the rail
             const auto table = table_
                                    .wheel_on_rails(*side_, inputs_[WheelForces::lateral], inputs_[WheelForces::yaw],
@@ -508,6 +508,7 @@ private:
         point.arm = {along_ * settled(of.arm[0]), settled(of.arm[1]), settled(of.arm[2])};
         point.creepage = {along_ * settled(of.creepage[0]), settled(of.creepage[1]), along_ * settled(of.creepage[2])};
         point.force = {along_ * settled(of.force[0]), settled(of.force[1]), along_ * settled(of.force[2])};
+        point.rolling_velocity = along_ * settled(of.rolling);
         point.heat = -settled(of.rolling) *
                      (point.force.longitudinal * point.creepage.longitudinal +
                       point.force.lateral * point.creepage.lateral + point.force.moment * point.creepage.spin);

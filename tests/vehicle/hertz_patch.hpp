@@ -1,0 +1,39 @@
+// A patch under Hertz's pressure on a level rail.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Core>
+
+#include <rollbem/normal/rail_patch.hpp>
+
+namespace rollbem::testing {
+
+/// Of a wheel of radius 0.46 m.
+inline RailPatch hertz_patch(double a, double b, double load) {
+    RailPatch patch;
+    patch.status = Status::ok;
+    patch.rolling_radius = 0.46;
+    patch.load = load;
+    patch.half_length = a;
+    patch.half_width = b;
+    patch.peak_pressure = 1.5 * load / (std::numbers::pi * a * b);
+    const Eigen::ArrayXd angle = Eigen::ArrayXd::LinSpaced(121, 0, std::numbers::pi);
+    patch.outline.emplace(Eigen::ArrayXd(-b * angle.cos()), Eigen::ArrayXd(-a * angle.sin()),
+                          Eigen::ArrayXd(a * angle.sin()));
+    const Eigen::Index n = 81;
+    patch.grid = {n, n, -a, -b, 2 * a / double(n - 1), 2 * b / double(n - 1)};
+    patch.pressure.resize(n, n);
+    for (Eigen::Index j = 0; j < n; ++j) {
+        for (Eigen::Index i = 0; i < n; ++i) {
+            const double rest = 1 - std::pow(patch.grid.x(i) / a, 2) - std::pow(patch.grid.y(j) / b, 2);
+            patch.pressure(i, j) = patch.peak_pressure * std::sqrt(std::max(rest, 0.0));
+        }
+    }
+    patch.rail_slope = patch.rail_n = patch.wheel_n = Eigen::ArrayXd::Zero(n);
+    return patch;
+}
+
+}  // namespace rollbem::testing

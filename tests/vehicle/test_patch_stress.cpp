@@ -1,0 +1,68 @@
+// rollbem/vehicle/patch_stress.hpp
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <rollbem/compiled/wheelset.hpp>
+#include <rollbem/vehicle/patch_stress.hpp>
+
+#include "support/catch.hpp"
+#include "vehicle/hertz_patch.hpp"
+
+namespace patch_stress_tests {
+
+using namespace rollbem;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+PatchForce rolling(const RailPatch& patch, double mu,
+                   const WheelsetSpeeds& speeds = {20, -20.2 / 0.46, 0.05, 0, 0, 0.1}) {
+    return patch_force(patch, {}, speeds, TrackDimensions{}, {.coefficient = mu, .elements = 12, .strips = 11});
+}
+
+}  // namespace
+
+TEST_CASE("Below a ball without friction the stress is that of Hertz's axis", "[profiles]") {
+    const double a = 5e-3, nu = 0.28;
+    const RailPatch patch = testing::hertz_patch(a, a, 8e4);
+    const std::vector<StripStress> strips = stresses_below(rolling(patch, 0), nu);
+    REQUIRE(strips.size() == 11);
+    const auto worst = std::max_element(strips.begin(), strips.end(), [](const auto& one, const auto& other) {
+        return one.peak.largest.tresca < other.peak.largest.tresca;
+    });
+    double largest = 0, depth = 0;  // Johnson 1985, Eq. (3.45)
+    for (double z = 0.1; z < 2; z += 1e-3) {
+        const double along = -1 / (1 + z * z), around = -(1 + nu) * (1 - z * std::atan(1 / z)) - along / 2;
+        if (std::abs(along - around) / 2 <= largest) continue;
+        largest = std::abs(along - around) / 2;
+        depth = z;
+    }
+    CHECK_THAT(worst->s, WithinAbs(0, 1e-12));
+    CHECK_THAT(worst->peak.largest.tresca, WithinRel(largest * patch.peak_pressure, 0.02));
+    CHECK_THAT(worst->peak.tresca_depth, WithinRel(depth * a, 0.05));
+}
+
+TEST_CASE("Stresses below a mirror image are mirror images, and grow with friction", "[profiles]") {
+    const RailPatch patch = testing::hertz_patch(4e-3, 6e-3, 8e4);
+    const PatchForce friction = rolling(patch, 0.4);
+    const Mirror mirror = GENERATE(Mirror::along_track(), Mirror::across_track());
+    const std::vector<StripStress> own = stresses_below(friction, 0.28),
+                                   image = stresses_below(mirrored(friction, mirror), 0.28);
+    const auto [x, y, z] = mirror.of_vector();
+    REQUIRE(image.size() == own.size());
+    for (std::size_t k = 0; k < own.size(); ++k) {
+        const StripStress& other = image[y < 0 ? own.size() - 1 - k : k];
+        CHECK_THAT(other.s, WithinAbs(y * own[k].s, 1e-12));
+        CHECK_THAT(other.x, WithinAbs(x * own[k].x, 1e-12));
+        CHECK_THAT(other.peak.largest.von_mises, WithinRel(own[k].peak.largest.von_mises, 1e-6));
+    }
+    CHECK(own[5].peak.largest.von_mises > 1.05 * stresses_below(rolling(patch, 0), 0.28)[5].peak.largest.von_mises);
+    const ShakedownPoint at = shakedown_point(patch, friction, 3e8);
+    CHECK(at.traction < 0.4);
+    CHECK_THAT(at.load_factor, WithinRel(patch.peak_pressure / 3e8, 1e-12));
+    CHECK(stresses_below(PatchForce{}, 0.28).empty());
+}
+
+}  // namespace patch_stress_tests
