@@ -51,7 +51,8 @@ std::vector<Real> delta_row(const brute_force::Mesh& mesh, const brute_force::Ro
     const Eigen::Index n = mesh.size(), own = l + rows.first;
     const Real along = (brute_force::centre(mesh, own) - brute_force::centre(mesh, 0)) /
                        (brute_force::centre(mesh, n - 1) - brute_force::centre(mesh, 0));
-    const Real alpha = rows.alpha_T + along * (rows.alpha_L - rows.alpha_T), width = mesh.widths()[own];
+    const Real alpha = rows.alpha_T + along * (rows.alpha_L - rows.alpha_T), width = mesh.widths()[own],
+               interval = width * rows.length;
     const int averages = rows.averages - (slope ? 1 : 0);
     std::vector<Real> result(static_cast<std::size_t>(n - rows.less), 0);
     for (const auto& [node, weight] : rows.samples) {
@@ -59,7 +60,7 @@ std::vector<Real> delta_row(const brute_force::Mesh& mesh, const brute_force::Ro
         const auto traction = [&](Eigen::Index m, Real distance) {
             const brute_force::Place at = shifted(point, distance);
             return averages == 0 ? share(mesh, m, at, at)
-                                 : share(mesh, m, shifted(at, -width / 2), shifted(at, width / 2));
+                                 : share(mesh, m, shifted(at, -interval / 2), shifted(at, interval / 2));
         };
         for (std::size_t i = 0; i < result.size(); ++i) {
             const Eigen::Index m = static_cast<Eigen::Index>(i);
@@ -72,7 +73,8 @@ std::vector<Real> delta_row(const brute_force::Mesh& mesh, const brute_force::Ro
                 result[i] = slope ? (end - share(mesh, m, from, from)) / (2 * half) : share(mesh, m, middle, middle);
                 continue;
             }
-            result[i] += weight * (slope ? (traction(m, width / 2) - traction(m, -width / 2)) / width : traction(m, 0));
+            result[i] +=
+                weight * (slope ? (traction(m, interval / 2) - traction(m, -interval / 2)) / interval : traction(m, 0));
         }
     }
     return result;
