@@ -36,8 +36,12 @@ Wheelset read(const study::Options& options) {
     }
     wheelset.radii = radius_difference(wheelset.on_track);
     if (!wheelset.radii) {
+        // where Delta r rises, its zero lies beyond what the wheels reach
+        const auto difference = [&](double lateral) { return rolling_radii(wheelset.on_track, lateral).difference(); };
         const Status centred = rolling_radii(wheelset.on_track, 0).status;
-        wheelset.status = centred == Status::ok ? Status::unstable : centred;
+        wheelset.status = centred != Status::ok                  ? centred
+                          : difference(1e-3) > difference(-1e-3) ? Status::beyond_clearance
+                                                                 : Status::unstable;
     }
     return wheelset;
 }

@@ -146,9 +146,9 @@ void add_method_options(study::Options& options) {
                      "instead of patches: virtual penetration (Kik and Piotrowski) beside cells, at each --shift");
     for (const char* mode : {"virtual-penetration", "conicity"}) {
         options.not_with(
-            {"side",   "yaw",      "positions",   "roll",       "x",     "pitch",      "height",  "interaction",
-             "cells",  "friction", "speed",       "pitch-rate", "force", "layer",      "load-of", "n",
-             "strips", "slip",     "shear-yield", "outline",    "wear",  "temperature"},
+            {"side",   "yaw",      "positions",   "roll",       "x",     "pitch",       "height",  "interaction",
+             "cells",  "friction", "speed",       "pitch-rate", "force", "layer",       "load-of", "n",
+             "strips", "slip",     "shear-yield", "outline",    "wear",  "temperature", "stress"},
             mode);
     }
     options.not_with({"left-wheel", "left-rail", "left-radius", "conicity"}, "virtual-penetration");

@@ -67,15 +67,15 @@ three creepages, or of the curved surfaces with --slip curved. slip_power [W] is
 [N], for wear, minus the power of forces and moment on the creepages per metre rolled: the same on ever finer meshes, a
 few per cent off on coarse ones, and not where next to nothing slips. fatigue_index is the force of friction over the
 normal force, less --shear-yield over the peak pressure (surface fatigue where positive); elements are those of each
-patch. With --temperature peak_temperature [K above ambient] is the largest flash temperature of a patch, by half of the
-heat in each body; it is empty where the contact passes slowly, V half_length < 10 conductivity/heat capacity, and with
---hot-friction there is then no result (not_converged). In a FILE of --friction, mu is linear over the angle of the
-rail's surface [rad] or y of its profile [m], as on the right rail, and constant beyond the rows. With --stress
-max_von_mises, max_tresca [Pa] are the largest stresses in the rail below a patch and their depths [m]; max_tresca is a
-shear stress; shakedown_load is the peak pressure over --shear-yield, shakedown_traction the force of friction over the
-normal force. Its FILE has, for each strip of a patch (position counts rows of positions from 1), s, x, depth, von_mises
-and tresca where von Mises' stress is largest. --wear FILE has, for right rail and right wheel (of left ones in their
-mirror images) of
+patch. With --temperature peak_temperature [K above ambient] is the largest flash temperature of a patch, by half of
+the heat in each body; it is empty where the contact passes slowly, V half_length < 10 conductivity/heat capacity, or
+creeps by more than 20 %, and with --hot-friction there is then no result (not_converged). In a FILE of --friction, mu
+is linear over the angle of the rail's surface [rad] or y of its profile [m], as on the right rail, whose gauge corner
+has negative angles, and constant beyond the rows. With --stress max_von_mises, max_tresca [Pa] are the largest
+stresses in the rail below a patch and their depths [m]; max_tresca is a shear stress; shakedown_load is the peak
+pressure over --shear-yield, shakedown_traction the force of friction over the normal force. Its FILE has, for each
+strip of a patch (position counts rows of positions from 1), s, x, depth, von_mises and tresca where von Mises' stress
+is largest. --wear FILE has, for right rail and right wheel (of left ones in their mirror images) of
 each side, s, the length along the profile, y, z, and work [J/m^2]: frictional work per metre rolled and metre of
 profile, the mean over all positions. --load-of normal: normal forces carry --load; all: they are found together with
 the vertical share of friction. --force: the pitch rate is found at which friction has this longitudinal force on the

@@ -55,7 +55,7 @@ struct PatchForce {
     /// All elements of its plane with what loads the rail, in (x, s): tractions opposite to those on the wheel.
     std::vector<LoadedRectangle> surface{};
     /// The largest temperature above ambient [K], where heating is asked for. NaN where the contact passes so slowly
-    /// that heat flows along it (Heating::passes_fast).
+    /// that heat flows along it (Heating::passes_fast), and above 20 % of creepage, where one body passes slower.
     double peak_temperature = std::numeric_limits<double>::quiet_NaN();
     /// Status of friction. With friction that depends on the temperature also not_converged: friction and temperature
     /// did not come to agree, or the temperature is not known.
@@ -289,7 +289,9 @@ private:
         for (std::size_t k = 0; k < meshes_.pieces.size(); ++k) {
             const RailPatch& patch = *rolling_.pieces[k];
             const double speed = rolling_velocity_of(patch, rolling_.speeds);
-            if (!heating.passes_fast(speed, patch.half_length)) return std::nullopt;
+            const Creepage<double> creepage = rolling_.creepage(k);
+            const bool both_pass = std::hypot(creepage.longitudinal, creepage.lateral) <= 0.2;
+            if (!both_pass || !heating.passes_fast(speed, patch.half_length)) return std::nullopt;
             const Eigen::Index first = meshes_.first(k), count = meshes_.size(k);
             const PieceTemperatures own =
                 temperatures_of(meshes_.pieces[k].rectangles(meshes_.unit), meshes_.pieces[k].elements_per_strip(),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -18,7 +19,8 @@ public:
     /// Coordinate of the nodes: delta of the surface [rad], or y of the rail's profile [m], both as on the right rail.
     enum class Over { angle, y };
 
-    /// Throws std::invalid_argument unless there is a node, nodes ascend, and coefficients are finite and not negative.
+    /// Throws std::invalid_argument unless there is a node, nodes ascend, angles lie within a quarter turn and y within
+    /// +-1 m, and coefficients are finite and not negative.
     RailFriction(Over over, std::vector<double> nodes, std::vector<double> coefficients)
         : over_(over), nodes_(std::move(nodes)), coefficients_(std::move(coefficients)) {
         constexpr const char* name = "RailFriction";
@@ -28,6 +30,10 @@ public:
         for (std::size_t k = 0; k < nodes_.size(); ++k) {
             detail::require(detail::is_finite(nodes_[k]) && (k == 0 || nodes_[k] > nodes_[k - 1]), name, "node",
                             nodes_[k], "be finite and above the one before");
+            constexpr double quarter = 1.5708;
+            detail::require(std::abs(nodes_[k]) <= (over == Over::angle ? quarter : 1), name, "node", nodes_[k],
+                            over == Over::angle ? "lie within a quarter turn: angles are in rad"
+                                                : "lie within +-1: places are in m");
             detail::require(detail::is_finite(coefficients_[k]) && coefficients_[k] >= 0, name, "coefficient",
                             coefficients_[k], "be finite and not negative");
         }

@@ -39,8 +39,9 @@ struct WheelsetRolling {
 
 struct WheelsetForces {
     WheelsetOnTrack::Contacts contacts;
-    double pitch_rate = std::numeric_limits<double>::quiet_NaN();  ///< [rad/s]; NaN if no wheel touches
-    std::array<std::vector<PatchForce>, 2> patches;                ///< in the order of the contacts
+    double pitch_rate =
+        std::numeric_limits<double>::quiet_NaN();    ///< [rad/s]; NaN if no wheel touches, or none has the force
+    std::array<std::vector<PatchForce>, 2> patches;  ///< in the order of the contacts
     /// Wrenches of the rails on each wheel and on both, in track axes; moments are about the middle of the axle. Zero
     /// where there is no contact; NaN if friction has no result.
     std::array<Wrench, 2> on_wheel;
@@ -256,12 +257,12 @@ inline void set_at_least(WheelsetForces& forces, Status status) {
     }
 }
 
-/// Leaves contacts and creepages.
+/// Leaves contacts.
 inline void take_friction_out(WheelsetForces& forces) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (std::vector<PatchForce>& patches : forces.patches) {
         for (PatchForce& patch : patches) {
-            patch = {.creepage = patch.creepage,
+            patch = {.creepage = {nan, nan, nan},
                      .force = {nan, nan, nan},
                      .elements = patch.elements,
                      .status = patch.status == Status::ok ? Status::no_solution : patch.status};
@@ -270,6 +271,7 @@ inline void take_friction_out(WheelsetForces& forces) {
     const Wrench unknown{{nan, nan, nan}, {nan, nan, nan}};
     forces.on_wheel = {unknown, unknown};
     forces.on_wheelset = unknown;
+    forces.pitch_rate = nan;
 }
 
 /// The pitch rate at which friction has the wanted longitudinal force, between -20 and 20 % of creepage.
