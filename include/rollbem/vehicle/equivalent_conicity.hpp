@@ -228,9 +228,9 @@ inline EquivalentConicity equivalent_conicity(const RadiusDifference& radii, dou
 /// The nonlinearity parameter of EN 15302 [1/m]: the conicity at 4 mm minus the conicity at 2 mm, over 2 mm; nothing
 /// without both.
 inline std::optional<double> conicity_nonlinearity(const RadiusDifference& radii) {
-    const EquivalentConicity small = equivalent_conicity(radii, 2e-3), large = equivalent_conicity(radii, 4e-3);
-    if (small.status != Status::ok || large.status != Status::ok) return std::nullopt;
-    return (large.tan_gamma - small.tan_gamma) / 2e-3;
+    const EquivalentConicity little = equivalent_conicity(radii, 2e-3), large = equivalent_conicity(radii, 4e-3);
+    if (little.status != Status::ok || large.status != Status::ok) return std::nullopt;
+    return (large.tan_gamma - little.tan_gamma) / 2e-3;
 }
 
 namespace detail {

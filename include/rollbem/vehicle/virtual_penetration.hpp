@@ -74,10 +74,10 @@ inline VirtualPenetration penetrate(const Eigen::ArrayXd& depth, double first, d
             const double t = (1 + rule.nodes[k]) / 2, u = t * t * (3 - 2 * t), from = u * std::abs(end - s_0);
             const double weight = rule.weights[k] / 2 * 6 * t * (1 - t) * std::abs(end - s_0);
             const double square = 2 * contact.radius * left_over(s_0 + u * (end - s_0)),
-                         far = std::hypot(std::sqrt(square), from);
+                         reach = std::hypot(std::sqrt(square), from);
             volume += weight * std::numbers::pi / 2 * square;
             area += weight * 2 * std::sqrt(square);
-            displacement += weight * 2 * square * EllipticIntegrals<double>(from / far).D / far;
+            displacement += weight * 2 * square * EllipticIntegrals<double>(from / reach).D / reach;
         }
     }
     found.y = s_0;
