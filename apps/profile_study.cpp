@@ -202,11 +202,10 @@ study::Sheet<Found, Case> sheet_of(const std::string& positions, const Settings&
 
 // --- files -----------------------------------------------------------------------------------------------------------
 
-/// What was found at a position, by the task that has the rows of these sides.
+/// Contacts at a position, found by the task that has the rows of these sides.
 struct Position {
-    rollbem::WheelsetForces of;
+    Contacts contacts;
     study::RowRange sides;
-    Stresses stresses{};
 };
 using Positions = std::vector<std::optional<Position>>;
 
@@ -215,11 +214,10 @@ template <class Visit>
 void for_patches(const Settings& settings, const Positions& positions, const Visit& visit) {
     for (std::size_t at = 0; at < positions.size(); ++at) {
         if (!positions[at]) continue;
-        const rollbem::WheelsetForces& of = positions[at]->of;
-        const study::RowRange sides = positions[at]->sides;
+        const auto& [contacts, sides] = *positions[at];
         for (std::size_t k = sides.first; k < sides.last; ++k) {
             const Side side = settings.sides[k];
-            const rollbem::WheelOnRail::Contact& wheel = of.contacts.wheels[std::size_t(side)];
+            const rollbem::WheelOnRail::Contact& wheel = contacts.of.contacts.wheels[std::size_t(side)];
             for (std::size_t i = 0; rollbem::has_numbers(wheel.status) && i < wheel.patches.size(); ++i) {
                 if (wheel.patches[i].has_numbers()) visit(at, side == Side::left, i, wheel.patches[i]);
             }
@@ -257,7 +255,7 @@ void write_outlines(study::OutputFiles& files, const std::string& folder, const 
 void write_stresses(study::OutputFile& file, const Settings& settings, const Positions& positions) {
     file.write("position,side,patch,s,x,depth,von_mises,tresca\n");
     for_patches(settings, positions, [&](std::size_t at, bool left, std::size_t number, const RailPatch&) {
-        const auto& patches = positions[at]->stresses[left ? 0 : 1];
+        const auto& patches = positions[at]->contacts.stresses[left ? 0 : 1];
         if (number >= patches.size()) return;
         for (const rollbem::StripStress& strip : patches[number]) {
             const rollbem::SubsurfacePeak& peak = strip.peak;
@@ -280,9 +278,9 @@ void write_wear(study::OutputFile& file, const Settings& settings, const Positio
             rollbem::ProfileWear wear(profile, Eigen::Index(profile.length() / cell) + 1);
             for (const std::optional<Position>& position : positions) {
                 const auto k = static_cast<std::size_t>(side);
-                for (std::size_t i = 0; position && i < position->of.patches[k].size(); ++i) {
-                    const RailPatch& patch = position->of.contacts.wheels[k].patches[i];
-                    wear.add(rail ? patch.rail_s : patch.wheel_s, position->of.patches[k][i], 1 / count);
+                for (std::size_t i = 0; position && i < position->contacts.of.patches[k].size(); ++i) {
+                    const RailPatch& patch = position->contacts.of.contacts.wheels[k].patches[i];
+                    wear.add(rail ? patch.rail_s : patch.wheel_s, position->contacts.of.patches[k][i], 1 / count);
                 }
             }
             for (Eigen::Index i = 0; i < wear.work().size(); ++i) {
@@ -324,7 +322,7 @@ int main(int argc, char** argv) {
         const auto compute = [&](const Case& at, study::RowRange range, const study::Results<Found>& emit) {
             const Contacts contacts = find_contacts(settings, at);
             if (cases.size() == 1 || !folder.empty() || wear != nullptr || settings.stress) {
-                positions[std::size_t(&at - cases.data())] = Position{contacts.of, range, contacts.stresses};
+                positions[std::size_t(&at - cases.data())] = Position{contacts, range};
             }
             for (std::size_t k = range.first; k < range.last; ++k) {
                 Found found{settings, at, contacts, settings.sides[k], std::nullopt, study::has_times(given)};

@@ -44,15 +44,15 @@ struct RollingFriction {
     double layer = 0;  ///< compliance L of a layer between both bodies, which adds L p to the displacement [m/Pa]
 };
 
-/// Friction on one patch of a right wheel, in the axes (x, s, n) of its plane. Without a result numbers are NaN and
-/// arrays empty, but for the creepage.
+/// Friction on one patch of a right wheel, in the axes (x, s, n) of its plane. Numbers without a result are NaN and
+/// arrays empty; a patch that does not roll has neither force nor work.
 struct PatchForce {
     Creepage<double> creepage{};      ///< wheel minus rail, see creepage_of
     TangentialForce<double> force{};  ///< on the wheel [N], and its moment about n [N m], at creepage_place
     double slip_work = std::numeric_limits<double>::quiet_NaN();  ///< heat per distance rolled [J/m]
     Eigen::ArrayXd edges{}, strip_work{};  ///< of the strips along s [m], and the part of each in slip_work [J/m]
     Eigen::Index elements = 0;
-    /// All elements of its plane with what loads the rail, in (x, s): tractions opposite to those on the wheel.
+    /// Elements of all pieces of its plane, with the loads of the rail, in (x, s): tractions opposite to the wheel's.
     std::vector<LoadedRectangle> surface{};
     /// The largest temperature above ambient [K], where heating is asked for. NaN where the contact passes so slowly
     /// that heat flows along it (Heating::passes_fast), and above 20 % of creepage, where one body passes slower.
@@ -207,7 +207,6 @@ struct MeshFriction {
     TangentialForce<double> force;
     ElementVectors<double> tractions;
     Eigen::ArrayXd work;
-    std::vector<LoadedRectangle> surface{};
     std::vector<double> peaks{};  ///< largest temperature of each piece [K]; empty: not known
 };
 
@@ -255,6 +254,18 @@ public:
         return found;
     }
 
+    /// Loads of the rail's surface under tractions of the wheel.
+    std::vector<LoadedRectangle> surface(const ElementVectors<double>& tractions) const {
+        std::vector<LoadedRectangle> found;
+        for (const PatchMesh<double>& mesh : meshes_.pieces) {
+            for (const auto& [x_1, x_2, y_1, y_2] : mesh.rectangles(meshes_.unit)) {
+                const auto i = Eigen::Index(found.size());
+                found.push_back({x_1, x_2, y_1, y_2, -tractions(i, 0), -tractions(i, 1), pressures_[i]});
+            }
+        }
+        return found;
+    }
+
 private:
     MeshFriction with(const Eigen::ArrayXd& mu) const {
         const double most = mu.maxCoeff();
@@ -267,18 +278,7 @@ private:
         const RigidMotion<Creepage<double>> motion(rolling_.creepage(0));
         const FrictionStep<2> step =
             model.steady(model.at_rest(), {Travel<>::at_speed(1), motion.with_rows(rows)}, state, workspace);
-        return {step.status, step.force, state.traction, workspace.slip_work(), loads(state.traction)};
-    }
-
-    std::vector<LoadedRectangle> loads(const ElementVectors<double>& tractions) const {
-        std::vector<LoadedRectangle> found;
-        for (const PatchMesh<double>& mesh : meshes_.pieces) {
-            for (const auto& [x_1, x_2, y_1, y_2] : mesh.rectangles(meshes_.unit)) {
-                const auto i = Eigen::Index(found.size());
-                found.push_back({x_1, x_2, y_1, y_2, -tractions(i, 0), -tractions(i, 1), pressures_[i]});
-            }
-        }
-        return found;
+        return {step.status, step.force, state.traction, workspace.slip_work()};
     }
 
     /// The temperatures of all elements, and peaks; none where the contact passes slowly.
@@ -313,7 +313,8 @@ private:
 
 inline std::vector<PatchForce> friction_on(const PieceMeshes& meshes, const PatchContact<double>& contact,
                                            const RollingPieces& rolling, const RollingFriction& friction) {
-    const MeshFriction solved = MeshSolver(meshes, contact, rolling, friction).solve();
+    const MeshSolver solver(meshes, contact, rolling, friction);
+    const MeshFriction solved = solver.solve();
     std::vector<PatchForce> found;
     for (std::size_t k = 0; k < meshes.pieces.size(); ++k) {
         const PatchMesh<double>& mesh = meshes.pieces[k];
@@ -332,7 +333,7 @@ inline std::vector<PatchForce> friction_on(const PieceMeshes& meshes, const Patc
                                .sum()
                                .transpose();
         piece.slip_work = piece.strip_work.sum();
-        piece.surface = solved.surface;
+        piece.surface = solver.surface(solved.tractions);
         if (!solved.peaks.empty()) piece.peak_temperature = solved.peaks[k];
     }
     return found;
