@@ -9,7 +9,7 @@
 #include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/normal_contact.hpp>
-#include <rollbem/vehicle/virtual_penetration.hpp>
+#include <rollbem/normal/virtual_penetration.hpp>
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <rollbem/compiled/wheelset.hpp>
-#include <rollbem/vehicle/virtual_penetration.hpp>
+#include <rollbem/normal/virtual_penetration.hpp>
 
 #include "profile.hpp"
 #include "support/table.hpp"

@@ -13,10 +13,10 @@
 #include "../detail/finite.hpp"
 #include "../detail/gauss_legendre.hpp"
 #include "../detail/require.hpp"
-#include "../normal/detail/contact_gaps.hpp"
-#include "../normal/detail/silhouette_search.hpp"
-#include "../normal/hertz_ellipse.hpp"
-#include "../normal/wheel_on_rail.hpp"
+#include "detail/contact_gaps.hpp"
+#include "detail/silhouette_search.hpp"
+#include "hertz_ellipse.hpp"
+#include "wheel_on_rail.hpp"
 
 namespace rollbem {
 

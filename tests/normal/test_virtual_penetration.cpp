@@ -1,4 +1,4 @@
-// rollbem/vehicle/virtual_penetration.hpp
+// rollbem/normal/virtual_penetration.hpp
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/rigid_contact.hpp>
 #include <rollbem/normal/standard_profiles.hpp>
-#include <rollbem/vehicle/virtual_penetration.hpp>
+#include <rollbem/normal/virtual_penetration.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
