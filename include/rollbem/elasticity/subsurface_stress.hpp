@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -112,20 +114,33 @@ inline SubsurfacePeak subsurface_peak(const std::vector<LoadedRectangle>& loads,
                                       const Eigen::Vector2d& below, double deepest) {
     constexpr int count = 48;
     const auto depth = [&](double i) { return deepest * (i / count) * (i / count); };
+    const auto yield = [&](double i) {
+        return Yield::of(subsurface_stress(loads, poisson_ratio, {below[0], below[1], depth(i)}));
+    };
+    std::array<Yield, count> at;  // at 1 to count
+    for (int i = 0; i < count; ++i) at[std::size_t(i)] = yield(i + 1);
     const auto largest = [&](double Yield::*of) {
-        const auto value = [&](double i) {
-            return Yield::of(subsurface_stress(loads, poisson_ratio, {below[0], below[1], depth(i)})).*of;
-        };
-        int best = 1;
-        for (int i = 2; i <= count; ++i) best = value(i) > value(best) ? i : best;
-        double low = (std::max)(best - 1.0, 0.01), high = (std::min)(best + 1.0, double(count));
+        const auto best = std::max_element(at.begin(), at.end(),
+                                           [&](const Yield& one, const Yield& two) { return one.*of < two.*of; });
+        const auto place = double(best - at.begin() + 1);
+        double low = (std::max)(place - 1, 0.01), high = (std::min)(place + 1, double(count));
         constexpr double golden = 0.381966011250105;
+        double one = low + golden * (high - low), two = high - golden * (high - low);
+        double at_one = yield(one).*of, at_two = yield(two).*of;
         for (int k = 0; k < 30; ++k) {
-            const double one = low + golden * (high - low), two = high - golden * (high - low);
-            value(one) < value(two) ? low = one : high = two;
+            if (at_one < at_two) {
+                low = std::exchange(one, two);
+                at_one = at_two;
+                two = high - golden * (high - low);
+                at_two = yield(two).*of;
+            } else {
+                high = std::exchange(two, one);
+                at_two = at_one;
+                one = low + golden * (high - low);
+                at_one = yield(one).*of;
+            }
         }
-        const double at = (low + high) / 2;
-        return std::array{value(at), depth(at)};
+        return std::array{(std::max)(at_one, at_two), depth((low + high) / 2)};
     };
     const auto [von_mises, von_mises_depth] = largest(&Yield::von_mises);
     const auto [tresca, tresca_depth] = largest(&Yield::tresca);
