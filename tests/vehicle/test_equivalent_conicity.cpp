@@ -120,6 +120,18 @@ TEST_CASE("equivalent_conicity: a smaller wheel shifts the wave, not the conicit
     CHECK(std::abs(wave.tan_gamma / gamma - 1) < 1e-6);
 }
 
+TEST_CASE("equivalent_conicity: a mirrored wheelset has the same wave, also where the contact jumps", "[conicity]") {
+    const auto wave = [](double left, double right) {
+        const WheelOnRail one(s1002(), rail_60e1(), {.radius = left}), two(s1002(), rail_60e1(), {.radius = right});
+        return equivalent_conicity(radius_difference(WheelsetOnTrack(one, two)).value(), 3e-3);
+    };
+    // Delta r passes 0 where the contact goes over to another place of the rail
+    const EquivalentConicity smaller = wave(radius - 1e-4, radius), larger = wave(radius, radius - 1e-4);
+    REQUIRE(smaller.status == Status::ok);
+    CHECK(std::abs(smaller.wavelength / larger.wavelength - 1) < 1e-7);
+    CHECK(std::abs(smaller.y_min + larger.y_max) < 1e-9);
+}
+
 TEST_CASE("equivalent_conicity: closed forms of waves with a cubic, a step and nothing", "[conicity]") {
     const double gamma = 0.1, A = 3e-3;
     std::vector<double> inverse, apart;

@@ -274,16 +274,23 @@ inline std::optional<RadiusDifference> radius_difference(const WheelsetOnTrack& 
     if (!right.empty()) radii.insert(radii.end(), right.begin() + 1, right.end());
     const auto n = static_cast<Eigen::Index>(radii.size());
     Eigen::ArrayXd y(n), difference(n);
-    const RollingRadii* balanced = nullptr;
+    Eigen::Index balanced = -1;
     for (Eigen::Index i = 0; i < n; ++i) {
         const RollingRadii& at = radii[std::size_t(i)];
         y[i] = at.lateral;
         difference[i] = at.difference();
-        if (difference[i] <= 0) balanced = &at;
+        if (difference[i] <= 0) balanced = i;
     }
-    if (n < 2 || balanced == nullptr || difference[n - 1] < 0) return std::nullopt;
-    const double radius = (balanced->wheels[0].rolling_radius + balanced->wheels[1].rolling_radius) / 2;
-    return RadiusDifference(std::move(y), std::move(difference), balanced->distance(), radius);
+    if (n < 2 || balanced < 0 || difference[n - 1] < 0) return std::nullopt;
+    // both points of contact where Delta r is 0, between two positions
+    const RollingRadii &low = radii[std::size_t(balanced)], &high = radii[std::size_t((std::min)(balanced + 1, n - 1))];
+    const double rise = high.difference() - low.difference(), share = rise > 0 ? -low.difference() / rise : 0;
+    const auto mean = [](const RollingRadii& at) {
+        return (at.wheels[0].rolling_radius + at.wheels[1].rolling_radius) / 2;
+    };
+    const double distance = low.distance() + share * (high.distance() - low.distance()),
+                 radius = mean(low) + share * (mean(high) - mean(low));
+    return RadiusDifference(std::move(y), std::move(difference), distance, radius);
 }
 
 }  // namespace rollbem
