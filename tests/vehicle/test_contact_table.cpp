@@ -500,6 +500,7 @@ TEST_CASE("a place where no zone carries has no forces", "[contact_table]") {
     const Status expected = shift < 3e-3 ? Status::ok : Status::wrong_table;
     CHECK(holed.look_up(creep(), WheelsetSide::right, {.lateral = shift}, speeds, 1e5, mu).status == expected);
     CHECK(holed.forces(creep(), WheelsetSide::right, {.lateral = shift}, speeds, 1e5, mu).status == expected);
+    CHECK(holed.look_up(creep(), WheelsetSide::right, {.lateral = shift}, speeds, 0, mu).status == Status::ok);
 }
 
 }  // namespace contact_table_tests

@@ -254,8 +254,43 @@ TEST_CASE("A longitudinal force is had by a pitch rate, or by none", "[profiles]
     }
     const WheelsetForces beyond = rolling_forces(
         wheelset, {.position = {.lateral = -1e-3}, .speeds = {.forward = 20}, .force = 7e4}, friction, workspace);
-    for (const auto& patches : beyond.patches) CHECK(patches.at(0).status == Status::no_solution);
+    for (const auto& patches : beyond.patches) {
+        CHECK(patches.at(0).status == Status::no_solution);
+        CHECK(patches.at(0).strip_work.size() == 0);
+        CHECK(std::isnan(patches.at(0).force.longitudinal));
+        CHECK(std::isnan(patches.at(0).creepage.longitudinal));
+    }
     CHECK(std::isnan(beyond.on_wheelset.force[0]));
+    CHECK(std::isnan(beyond.pitch_rate));
+}
+
+TEST_CASE("A longitudinal force of one wheel is had while the other one is lifted", "[profiles]") {
+    const WheelsetOnTrack wheelset(wheel());
+    WheelsetOnTrack::Workspace workspace;
+    const WheelsetRolling rolling{.position = {.height = 3e-4, .roll = 4e-4},
+                                  .free = WheelsetOnTrack::Free::nothing,
+                                  .speeds = {.forward = 20},
+                                  .force = 1e3};
+    const WheelsetForces driven = rolling_forces(wheelset, rolling, {.elements = 6, .strips = 7}, workspace);
+    REQUIRE(driven.contacts.wheels[0].status == Status::no_contact);
+    CHECK(driven.patches[1].at(0).status == Status::ok);
+    CHECK(std::abs(driven.on_wheelset.force[0] - 1e3) < 0.5);
+}
+
+TEST_CASE("A longitudinal force within a jump of the contacts' grids is unbalanced", "[profiles]") {
+    const WheelsetOnTrack wheelset(WheelOnRail(s1002(), rail_60e1()));
+    WheelsetOnTrack::Workspace workspace;
+    const RollingFriction friction{.elements = 8, .strips = 9};
+    WheelsetRolling rolling{.position = {.lateral = 2e-3, .yaw = 2e-3}, .speeds = {.forward = 20}, .force = 0};
+    const WheelsetForces found = rolling_forces(wheelset, rolling, friction, workspace);
+    REQUIRE(found.contacts.status == Status::unbalanced);
+    CHECK(std::abs(found.on_wheelset.force[0]) < 1e-2 * 2e5);
+    // the forces are those at this rate, on one side of the jump
+    rolling.force.reset();
+    rolling.free_pitch = false;
+    rolling.speeds.pitch_rate = found.pitch_rate;
+    const double again = rolling_forces(wheelset, rolling, friction, workspace).on_wheelset.force[0];
+    CHECK(again == Approx(found.on_wheelset.force[0]).epsilon(1e-6));
 }
 
 TEST_CASE("Loads are carried by normal forces, or by friction's vertical share too", "[profiles]") {
