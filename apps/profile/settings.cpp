@@ -89,7 +89,8 @@ are empty.
   profile_study --conicity --wheel worn.whl --tape-offset 0 --rail worn.ban --cant 0 --plot conicity.svg
 --virtual-penetration: rows for each shift of the right wheel, the height being that where 80 x 40 cells carry --load:
 load, area and largest pressure by virtual penetration (share 0.55 of the approach) and by cells, and their relative
-errors beside 80 x 40 cells; time_us is that of all of it from the profiles.
+errors beside 80 x 40 cells; time_us is for all of it from the profiles. Where a contact has lobes it has more cells, so
+that rows of two methods may be alike. load is the sum of normal forces.
 --outline writes files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P and patch K, e.g. for
   patch_study --n 12 --outline DIR/1_right_1.outline.csv --pressure DIR/1_right_1.pressure.csv --longitudinal 0.1
 )";
