@@ -2,9 +2,7 @@
 #include <cstddef>
 #include <numbers>
 #include <optional>
-#include <stdexcept>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -157,13 +155,11 @@ void add_friction_options(study::Options& options) {
 rollbem::RailFriction read_rail_friction(const study::Options& options) {
     using Over = rollbem::RailFriction::Over;
     const std::vector<study::Numbers> columns = study::read_columns(options, "friction", "mu", "angle;y");
-    const auto& [mu, angle, y] = std::tie(columns[0], columns[1], columns[2]);
+    const study::Numbers &mu = columns[0], &angle = columns[1], &y = columns[2];
     options.require(angle.empty() != y.empty(), "friction", "have a row, and either a column angle [rad] or y [m]");
-    try {
-        return {y.empty() ? Over::angle : Over::y, y.empty() ? angle : y, mu};
-    } catch (const std::invalid_argument& error) {
-        throw study::BadInput(options.said("friction") + ": " + error.what());
-    }
+    return study::blame(options.said("friction"), [&] {
+        return rollbem::RailFriction(y.empty() ? Over::angle : Over::y, y.empty() ? angle : y, mu);
+    });
 }
 
 /// Throws BadInput.
