@@ -21,7 +21,7 @@ namespace rollbem {
 /// Measures of a state of stress against yield.
 struct Yield {
     double von_mises = 0;  ///< equivalent stress [Pa]
-    double tresca = 0;     ///< largest shear stress, half of what principal stresses differ by [Pa]
+    double tresca = 0;     ///< largest shear stress, half the largest difference of principal stresses [Pa]
 
     /// Of the symmetric stress tensor, tension positive.
     static Yield of(const Eigen::Matrix3d& stress) {
@@ -51,7 +51,7 @@ struct HalfSpacePotentials {
         f_xy += sign * std::log(r + z);
         f_xxy += sign * x / (r * (r + z));
         f_xyy += sign * y / (r * (r + z));
-        // what depends on x alone, or on y alone, cancels between corners
+        // functions of x alone, or of y alone, cancel between corners
         V_x += sign * std::asinh(y / std::sqrt(xz));
         V_y += sign * std::asinh(x / std::sqrt(yz));
         V_z -= sign * std::atan(x * y / (z * r));

@@ -21,10 +21,10 @@
 namespace rollbem {
 
 /// A contact by the virtual penetration (J. Piotrowski, W. Kik, Vehicle System Dynamics 46, 2008, without a correction
-/// of its shape). It covers what interpenetrates when the deepest place of a stretch of interpenetration keeps `share` of
-/// its depth, its length follows from the wheel's circle, and its pressure is p_0 sqrt(x_l(s)^2 - x^2)/x_l(s_0), where
-/// s_0 is its own deepest place. Between half-spaces this pressure displaces s_0 by what s_0 keeps over `share`: by the
-/// approach, unless the stretch is deeper elsewhere.
+/// of its shape). It covers the interpenetration that is left when the deepest place of a stretch keeps `share` of its
+/// depth, its length follows from the wheel's circle, and its pressure is p_0 sqrt(x_l(s)^2 - x^2)/x_l(s_0), where
+/// s_0 is its own deepest place. Between half-spaces this pressure displaces s_0 by its remaining depth over `share`:
+/// by the approach, unless the stretch is deeper elsewhere.
 struct VirtualPenetration {
     double y = 0, z = 0;                     ///< of the deepest place, on the rail, in track axes [m]
     double angle = 0;                        ///< of the plane [rad]

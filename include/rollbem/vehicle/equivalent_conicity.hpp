@@ -140,8 +140,8 @@ struct EquivalentConicity {
     double wavelength = 0;        ///< wave length of tan_gamma [m]
     double y_min = 0, y_max = 0;  ///< lateral positions where the wave turns [m]
     /// beyond_clearance where the wave does not fit between the ends of Delta r; unstable where no wave of this
-    /// amplitude passes the equilibrium, as Delta r falls. It is the worse of both waves, that of tan_gamma and that of
-    /// tan_gamma_linear, so that one which alone has numbers leaves them out.
+    /// amplitude passes the equilibrium, as Delta r falls. It is the worse status of both waves: a conicity has no numbers
+    /// without the other one.
     Status status = Status::not_finite;
 };
 

@@ -375,7 +375,7 @@ inline std::vector<PatchForce> plane_forces(const std::vector<RailPatch>& pieces
     return found;
 }
 
-/// Throws std::invalid_argument naming what cannot be meant.
+/// Throws std::invalid_argument naming a parameter that cannot be meant.
 inline void require_valid(const RollingFriction& friction) {
     constexpr const char* name = "RollingFriction";
     require(is_finite(friction.coefficient) && friction.coefficient >= 0, name, "coefficient", friction.coefficient,

@@ -53,7 +53,7 @@ struct SimplifiedElement {
 /// Forces of simplified theory on body 1.
 struct SimplifiedForce {
     TangentialForce<double> force{};     ///< NaN unless ok
-    Status status = Status::not_finite;  ///< of creepages, or of what follows from them; otherwise ok
+    Status status = Status::not_finite;  ///< not_finite: creepages, or their forces; otherwise ok
 };
 
 /// FASTSIM and FaStrip on one ellipse under Hertz's pressure, with Kalker's coefficients c11, c22 and c23 from any
