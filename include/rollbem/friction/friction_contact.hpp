@@ -1,5 +1,5 @@
-// FrictionContact: a contact with friction of any law, along one direction or both, on a line or a patch, behind one
-// type, for what chooses its model at run time.
+// FrictionContact: one type for a contact with friction of any law, along one direction or both, on a line or a patch,
+// for programs that choose their model at run time.
 #pragma once
 
 #include <cstddef>
@@ -25,10 +25,10 @@
 namespace rollbem {
 
 /// A FrictionModel whose law and number of directions are chosen at run time. States, motions and results have two
-/// directions: a model of one takes from them what lies along its own, and returns 0 across it, where spin and moment
-/// are unknown to it. Otherwise all is as in FrictionModel, but that constant
-/// coefficients do not read durations. Immutable; copies share the model. Beside the solution a step costs a virtual
-/// call and, in one direction, copies of the states. Run takes it as any model.
+/// directions: a model of one direction reads the components along its own, ignores spin, and returns 0 across its
+/// direction and NaN as the moment and the derivatives by spin. Otherwise everything is as in FrictionModel. Immutable;
+/// copies share the model. Beside the solution a step costs a virtual call and, in one direction, copies of the states.
+/// Run takes a FrictionContact as any model.
 ///
 ///     const FrictionContact contact = falls ? FrictionContact(FrictionModel(line, system, verdict, falling))
 ///                                           : FrictionContact(FrictionModel(line, both, verdict, {0.3, pressure}));
@@ -47,10 +47,11 @@ public:
     using Motion = RigidMotion<Value>;
     using RollingStep = rollbem::RollingStep<Motion, GivenLoad<NormalLoad<double>>>;
 
-    /// Serves models of the same number of elements, directions and kind of law, as FrictionWorkspace does.
+    /// A workspace for all models with the same number of elements and directions and the same kind of law, like
+    /// FrictionWorkspace.
     class Workspace {
     public:
-        /// As in FrictionWorkspace, in two columns.
+        /// Slip as in FrictionWorkspace::slip(), always in two columns.
         ElementVectors<double> slip() const {
             if (const auto* both = std::get_if<1>(&own_)) return both->slip();
             const VectorX<double>& along = std::get<0>(own_).slip();
@@ -70,11 +71,12 @@ public:
             : own_(std::move(own)), from_(rest), to_(std::move(rest)), direction_(direction) {}
 
         std::variant<FrictionWorkspace<1>, FrictionWorkspace<2>> own_;
-        FrictionState<1> from_, to_;  // of one direction
+        FrictionState<1> from_, to_;  // states of a model of one direction
         Eigen::Index direction_;
     };
 
-    /// A model of one direction acts along `direction`, 0 longitudinal or 1 lateral: that of its kernel.
+    /// A model of one direction acts along `direction`, 0 longitudinal or 1 lateral, which must be the direction of its
+    /// kernel. Throws std::invalid_argument for any other number.
     template <class Law, int directions>
     FrictionContact(FrictionModel<Law, directions> model, Eigen::Index direction = 0)  // NOLINT: implicit on purpose
         : model_(std::make_shared<Erased<FrictionModel<Law, directions>>>(std::move(model), direction)) {
@@ -185,7 +187,7 @@ private:
         lower(state, own);
         return own;
     }
-    // Allocates only if sizes differ.
+    // Copies the state, and allocates only if sizes differ.
     void lower(const State& state, OwnState& own) const {
         if constexpr (both) {
             own = state;

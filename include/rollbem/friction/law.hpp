@@ -1,4 +1,4 @@
-// The law of friction on the elements of a mesh: a constant coefficient, or one that follows the velocity of slip at
+// Friction laws on the elements of a mesh: a constant coefficient, or a coefficient that follows the slip velocity at
 // once or, with a memory, gradually. SI units.
 #pragma once
 
@@ -19,7 +19,7 @@ namespace rollbem {
 /// A friction law: the coefficient mu [-] as a continuous function of the slip velocity v >= 0 [m/s], finite and not
 /// negative. It is called in every step and must neither throw nor allocate. In time, a law that rises steeply from
 /// mu_s(0), such as a regularised Coulomb law within a few mm/s, needs a memory: without one many steps end with
-/// Status::no_solution. Steady rolling does not need it.
+/// Status::no_solution. Steady rolling does not need the memory.
 template <class Law, class Scalar = double>
 concept SlipLaw = requires(const Law& law, Scalar velocity) {
     { law(velocity) } -> std::convertible_to<Scalar>;
@@ -34,7 +34,7 @@ struct ConstantFriction {
     Scalar operator()(Scalar) const noexcept { return coefficient; }
 };
 
-/// mu_k + (mu_0 - mu_k) 2^(-v/v_half).
+/// Friction that falls with the slip velocity v: mu = mu_k + (mu_0 - mu_k) 2^(-v/v_half).
 template <class Scalar = double>
 struct ExponentialFall {
     Scalar mu_0, mu_k;     ///< mu at rest and at high velocity [-]
@@ -47,7 +47,7 @@ struct ExponentialFall {
 
 /// Memory of the friction coefficient. The coefficient of a particle follows d mu/dt = -(max(v, v_0)/d) (mu - mu_s(v));
 /// a particle enters the contact with mu_s(0). Without memory mu = mu_s(v), and several solutions may exist. A constant
-/// coefficient has no use for it.
+/// coefficient ignores the memory.
 template <class Scalar = double>
 struct FrictionMemory {
     Scalar distance = 0;        ///< d [m], 0 for no memory
@@ -59,10 +59,10 @@ struct FrictionMemory {
     }
 };
 
-/// |p| <= mu p_n on the elements of a mesh. Where they slip, |p| = mu p_n and p opposes the slip. With two directions,
-/// and if the equations of the system hold half an element ahead of the elements' centres
-/// (Elements::half_element_ahead), slip is turned to the direction that it has at the centres, where the tractions act:
-/// results are then of second order in 1/n, otherwise of first where the direction of slip varies.
+/// Friction on the elements of a mesh: |p| <= mu p_n; where an element slips, |p| = mu p_n and p opposes the slip. With
+/// two directions, if the equations of the system hold half an element ahead of the elements' centres
+/// (Elements::half_element_ahead), slip is turned to its direction at the centres, where the tractions act. Results are
+/// then of second order in 1/n; otherwise they are of first order where the direction of slip varies.
 ///
 ///     Friction{0.3, pressure}                              // Coulomb's law
 ///     Friction{ExponentialFall<>{0.3, 0.18, 0.1}, pressure}
@@ -72,9 +72,9 @@ struct Friction {
     ArrayX<Scalar> normal_pressure;  ///< p_n [Pa], mean over each of the mesh's n elements, trailing to leading edge;
                                      ///< finite, not negative, not all zero
     FrictionMemory<Scalar> memory{};
-    /// Whether results include tangents. Tangents left out are NaN, which saves time with two directions and if mu
-    /// depends on slip: then each stage otherwise factorises a matrix of the slipping elements, at a cost of order n^3,
-    /// unless the slip velocities are those of the stage before.
+    /// Whether results include tangents; tangents left out are NaN. Leaving them out saves time with two directions and
+    /// if mu depends on slip: for tangents each stage factorises a matrix of the slipping elements, at a cost of order
+    /// n^3, unless the slip velocities equal the previous stage's.
     bool with_tangents = true;
 };
 
@@ -91,7 +91,7 @@ inline constexpr bool is_constant = false;
 template <class Scalar>
 inline constexpr bool is_constant<ConstantFriction<Scalar>> = true;
 
-/// Any law that depends on slip, so that what solves with them is compiled once.
+/// One type for all laws that depend on slip, so that their solver is compiled once.
 template <class Scalar>
 using AnySlipLaw = std::function<Scalar(Scalar)>;
 
@@ -101,7 +101,7 @@ template <class Law, class Scalar>
 Friction<UniformLaw<Law, Scalar>, Scalar> with_uniform_law(const Friction<Law, Scalar>& of) {
     if constexpr (std::is_same_v<UniformLaw<Law, Scalar>, Law>) {
         return of;
-    } else {  // called as const, for threads may share a model
+    } else {  // the law is called as const because threads may share a model
         return {[law = of.law](Scalar v) -> Scalar { return law(v); }, of.normal_pressure, of.memory, of.with_tangents};
     }
 }

@@ -1,5 +1,5 @@
 // Rolling with friction, steady or step by step under a load that may vary, and rigid shifts without rolling, in one
-// direction of creepage or two. s/V = xi - G' p + G dp/dq, Eq. (1), with q = V t the distance rolled.
+// direction of creepage or two. The slip s is s/V = xi - G' p + G dp/dq, Eq. (1), with q = V t the distance rolled.
 #pragma once
 
 #include <cstdint>
@@ -33,16 +33,16 @@ namespace rollbem {
 /// With two directions, slip and traction are vectors. In full sliding the force opposes the creepage exactly,
 /// otherwise only approximately, because the bodies are more compliant across the rolling direction.
 ///
-/// For steady rolling alone a system of G' is enough, steady_system(): no kernel must be integrated for G, no
-/// eigenvalue judged, and the half-width may be infinite. Such a model refuses to advance and to shift
-/// (Status::invalid_step) and knows no elastic energy (NaN). Its states are those of a model with the same contact,
-/// G' and pressures, and so start a time-domain run. If the scheme does not converge to full adhesion (alpha <= 0, or
-/// alpha > 1), forces would be wrong wherever elements stick: the status of every solution is then
-/// Status::assists_creepage, with the residual but without numbers, unless the model is made `unchecked`.
-/// Collocation at the centres (alpha = 0) is a special case: its tractions assist the creepage in full adhesion, but
-/// are correct with friction. It dissipates no energy, whereas full adhesion loses energy at the singular trailing
-/// edge; the force of full adhesion is therefore zero. Dissipation by slip is represented: the force converges, with
-/// first order, once several elements slip at the trailing edge.
+/// Steady rolling alone needs only G', which steady_system() makes: the kernel is not integrated for G, no eigenvalue
+/// is judged, and the half-width may be infinite. A model of such a system refuses to advance and to shift
+/// (Status::invalid_step), and its elastic energy is NaN. A time-domain model with the same contact, G' and pressures
+/// accepts its states as starting points. If the scheme does not converge to full adhesion (alpha <= 0, or alpha > 1),
+/// forces would be wrong wherever elements stick: the status of every solution is then Status::assists_creepage, with
+/// the residual but with NaN for forces, tangents and works, unless the model is made `unchecked`. Collocation at the
+/// centres (alpha = 0) is a special case: its tractions assist the creepage in full adhesion, but are correct with
+/// friction. The scheme does not represent the energy lost at the singular trailing edge in full adhesion, so that its
+/// force in full adhesion is zero. It does represent dissipation by slip: the force converges, with first order, once
+/// several elements slip at the trailing edge.
 ///
 ///     const FrictionModel model(contact, steady_system(mesh, scheme, kernel), {0.3, pressure});
 ///     Run run(model);
@@ -58,19 +58,19 @@ namespace rollbem {
 /// Integrator::sdirk2 solves for stick and slip twice per step and is of second order in dq, for forces and slip work
 /// alike; implicit_euler solves once and is of first order. Each of these solutions satisfies the law, and slip never
 /// gains energy. Transitions between stick and slip within a step do not reduce the order; a memory of falling friction
-/// does, to about 1.8 for forces and 1.35 for slip work.
+/// reduces it to between first and second.
 ///
 /// In time the scheme must meet the requirements of AdhesionModel: a verdict that its eigenvalues decay, and
-/// convergence in full adhesion. With any other scheme friction bounds the tractions, but they are wrong, unless alpha
-/// = 0 and several elements slip at the trailing edge.
+/// convergence in full adhesion. With any other scheme the tractions are bounded by friction but wrong, unless alpha =
+/// 0 and several elements slip at the trailing edge.
 ///
 /// If mu depends on slip, steps have a duration, and v = |slip in a stage| / its duration. With a memory, mu belongs to
 /// the particles of the surfaces, which roll through the contact: each element starts from the coefficient of the
 /// particle that arrives there. A particle enters with mu_s(0), and its memory is reset where there is no pressure. A
 /// step may have several solutions, and the nearest one may vanish; the force then jumps within the step, however short
 /// it is. Without memory, or with a short one, such jumps are a property of the equations, not of the steps. The
-/// solution found is one to which the coefficients of `from` lead. Steps must resolve the memory: the slip in a step
-/// should be shorter than the memory's distance.
+/// solution found is reached from the coefficients of `from`. Steps must resolve the memory: the slip in a step should
+/// be shorter than the memory's distance.
 ///
 ///     const ElementSystem system = rolling_system(mesh, scheme, kernel);
 ///     const FrictionModel model(contact, system, judge_stability(system), {0.3, pressure});
@@ -79,13 +79,13 @@ namespace rollbem {
 ///     const FrictionStep<> step = model.advance(now, {dq, creepage}, next, workspace);  // does not change now
 ///     if (accepted) std::swap(now, next);
 ///
-/// in both directions
+/// Both directions:
 ///
 ///     const ElementSystem system(rolling_system(mesh, scheme, StripKernel<double>::longitudinal(contact)),
 ///                                rolling_system(mesh, scheme, StripKernel<double>::lateral(contact)));
 ///     const FrictionStep<2> step = model.advance(now, {dq, {1e-3, 5e-4}}, next, workspace);
 ///
-/// on a patch, whose system has both directions and one verdict for both halves
+/// A patch, whose system has both directions and one verdict for both symmetric halves:
 ///
 ///     const PatchContact<double> contact({...});
 ///     const PatchMesh<double> mesh = patch_mesh(contact, 12, 12);
@@ -94,7 +94,7 @@ namespace rollbem {
 ///                               {0.3, hertz_pressures(contact, mesh, load)});
 ///     const FrictionStep<2> step = model.advance(now, {dq, {1e-3, 5e-4, 0.1}}, next, workspace);
 ///
-/// and with a coefficient that depends on slip
+/// A coefficient that depends on slip:
 ///
 ///     const FrictionModel model(contact, system, verdict, Friction{ExponentialFall<>{0.3, 0.18, 0.1}, pressure});
 ///     const FrictionStep<> step = model.advance(now, {{dq, duration}, creepage}, next, workspace);
@@ -117,16 +117,19 @@ public:
     using Force = typename Step::Force;  ///< a number, or TangentialForce with two directions
     using Value = typename Core::Value;  ///< a creepage: a number, or Creepage with two directions
     using Motion = RigidMotion<Value>;
-    /// The load is a NormalLoad, or that of the state; travel has a duration if mu depends on slip.
+    /// The load is a NormalLoad or, if none is given, the load of the state; travel needs a duration if mu depends on
+    /// slip.
     using RollingStep = rollbem::RollingStep<Motion, GivenLoad<NormalLoad<Scalar>>>;
 
-    /// A line contact, or a patch (PatchContact, in whose half_length() the system measures lengths); the verdict
-    /// is that on the system, or `unchecked`. Throws std::invalid_argument if the verdict does not belong to this
-    /// system or does not establish that no eigenvalue grows, if steady rolling shows that the scheme does not converge
-    /// (Status::assists_creepage), if the contact's half-width is infinite or not that of the system's kernel, if the
-    /// law does not meet the requirements of Friction (one pressure per element of the mesh) or has a memory although
-    /// the points of the system's equations are unknown, and for Integrator::matrix_exponential, which cannot treat
-    /// friction. A system without G needs no verdict, finite half-width or points.
+    /// `contact` is a line contact (Contact) or a patch (PatchContact, whose half_length() is the system's unit of
+    /// length); `verdict` judges `system`, or is `unchecked`. A system without G needs no verdict, no finite half-width
+    /// and no known points. Throws std::invalid_argument
+    /// - if the verdict does not belong to this system or does not establish that no eigenvalue grows,
+    /// - if steady rolling shows that the scheme does not converge (Status::assists_creepage),
+    /// - if the contact's half-width is infinite or differs from the half-width of the system's kernel,
+    /// - if the law does not meet the requirements of Friction (one pressure per element of the mesh),
+    /// - if the law has a memory although the points of the system's equations are unknown,
+    /// - for Integrator::matrix_exponential, which cannot treat friction.
     template <class AnyContact>
     FrictionModel(const AnyContact& contact, System system, const StabilityVerdict& verdict,
                   const Friction<Law, Scalar>& friction, Integrator integrator = Integrator::sdirk2)
@@ -151,22 +154,23 @@ public:
                         "be 0 for a system that does not know the points of its equations");
         detail::require_usable_in_time(name, own, verdict);
     }
-    /// Of a system without G.
+    /// A model of a system without G, for steady rolling alone.
     template <class AnyContact>
     FrictionModel(const AnyContact& contact, System system, const Friction<Law, Scalar>& friction)
         : FrictionModel(contact, std::move(system), StabilityVerdict{}, friction) {}
 
     Eigen::Index size() const { return core_.size(); }  ///< number of unknown elements
-    /// Of G', the elements, the contact and the pressures, but not of G and the law. To continue a state under another
-    /// load, pass the load to a step; a model with other pressures refuses the state.
+    /// Fingerprint of G', the areas of the elements, the contact and the pressures; G and the law do not enter. To
+    /// continue a state under another load, pass the load to a step; a model with other pressures refuses the state.
     std::uint64_t fingerprint() const { return core_.fingerprint(); }
     Integrator integrator() const { return integrator_; }
-    /// Whether the scheme converges to full adhesion: false only of a system without G, never if `unchecked`.
+    /// Whether the scheme converges to full adhesion. Only a model of a system without G can return false, and none
+    /// that is made `unchecked`.
     bool converges() const { return converges_; }
 
-    /// No traction, all elements stick, mu = mu_s(0), under the pressures of the model.
+    /// The state at rest under the pressures of the model: no traction, all elements stick, mu = mu_s(0).
     State at_rest() const { return core_.at_rest(); }
-    /// The same under a load. Throws std::invalid_argument if it is not one of the mesh.
+    /// The state at rest under a load. Throws std::invalid_argument if the mesh cannot carry the load.
     State at_rest(const NormalLoad<Scalar>& load) const;
     Workspace workspace() const { return core_.workspace(); }
 
@@ -183,12 +187,13 @@ public:
     /// for any scheme. The sum of FrictionStep::slip_work agrees with it to the orders of both in n and dq.
     Scalar elastic_energy(const State& state) const { return core_.elastic_energy(state); }
 
-    /// Steady rolling with the motion [-] at the end of a step, no shift, and its speed V > 0 [m/s], which a constant
-    /// coefficient does not need, sought from the zones and coefficients of `from`. If the semi-axes of the load are
-    /// not the contact's, the system must be able to breathe. `to` must be another state with the same number of
-    /// elements; it is not written if the status is wrong_state, invalid_load, invalid_step or needs_fixed_mesh or the
-    /// creepage is not finite. The status is no_solution also if coefficients and slip do not come to agree. Tangents
-    /// are at constant speed. Does not allocate.
+    /// Solves for steady rolling with the creepage [-] at the end of the step's motion, which must not be a shift, at
+    /// the speed V > 0 [m/s] of its travel, which a constant coefficient does not need. The search starts from the
+    /// zones and coefficients of `from`. If the semi-axes of the load differ from the contact's, the system must be
+    /// able to breathe. `to` must be another state with the same number of elements; it is not written if the status is
+    /// wrong_state, invalid_load, invalid_step or needs_fixed_mesh or the creepage is not finite. The status is
+    /// no_solution also if the iteration for coefficients and slip does not converge. Tangents hold at constant speed.
+    /// Does not allocate.
     Step steady(const State& from, const RollingStep& step, State& to, Workspace& workspace) const noexcept;
 
     /// Rolls by travel.dq [m], positive and finite, or 0 for a rigid shift [m] of body 1 on body 2 without rolling, in
@@ -196,9 +201,9 @@ public:
     /// of elements. It is not written if the status is invalid_step, wrong_state, invalid_load, needs_fixed_mesh or
     /// needs_places (spin, but the places of the equations are unknown) or the motion is not finite; if the result is
     /// not finite, it becomes a copy of `from`. The status is wrong_state also if a coefficient of `from` is negative
-    /// or not finite, and no_solution also if coefficients and slip do not come to agree. Tangents are at constant dq
-    /// and duration. The result depends on `from` and the step alone, to the last bit. Does not allocate; a new dq
-    /// costs a factorisation.
+    /// or not finite, and no_solution also if the iteration for coefficients and slip does not converge. Tangents hold
+    /// at constant dq and duration. The result depends on `from` and the step alone, to the last bit. Does not
+    /// allocate; a new dq costs a factorisation.
     ///
     /// If the system can breathe (log_strength), the mesh follows the half-length of the load, |da| < dq; a new
     /// half-length costs a factorisation, new pressures do not. Let steps end at kinks of the load, or sdirk2 loses its
@@ -217,7 +222,7 @@ private:
         }
     }
 
-    // Whether there can be a load after a state: ok, invalid_load or needs_fixed_mesh.
+    // Whether the load of a step can follow a state: ok, invalid_load or needs_fixed_mesh.
     Status check_load(const State& from, const RollingStep& step) const noexcept {
         if (!step.load) return Status::ok;
         const Status possible = step.load->check(core_.system().element_count());
@@ -278,7 +283,7 @@ auto FrictionModel<Law, directions, Scalar>::advance(const State& from, const Ro
     return core_.roll(*detail::stage_table<Scalar>(integrator_), asked, to, workspace);
 }
 
-// A law in braces, which is not deduced, has a constant coefficient.
+// Friction in braces, whose law cannot be deduced, has a constant coefficient.
 template <class AnyContact, class Scalar, int directions, class Law = ConstantFriction<Scalar>>
 FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, const StabilityVerdict&,
               const Friction<Law, Scalar>&, Integrator = Integrator::sdirk2) -> FrictionModel<Law, directions, Scalar>;

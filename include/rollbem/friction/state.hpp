@@ -1,4 +1,4 @@
-// What friction carries from step to step, and what a step returns: plain data, for one direction of creepage or two.
+// The state of friction between steps and the result of a step: plain data, for one direction of creepage or two.
 #pragma once
 
 #include <cstdint>
@@ -18,17 +18,18 @@ namespace rollbem {
 /// `slip` wherever an element slips.
 enum class Zone : signed char { slip_negative = -1, stick = 0, slip_positive = 1, slip = 1 };
 
-/// One row per element: longitudinal in column 0 and, with two directions, lateral in column 1.
+/// Vectors of the elements, a row each: the longitudinal component in column 0 and, with two directions, the lateral
+/// one in column 1.
 template <class Scalar, int directions = 2>
 using ElementVectors = Eigen::Matrix<Scalar, Eigen::Dynamic, directions>;
 
 namespace detail {
 
-/// What makes the next step cheaper; it changes results by round-off only, unless there are several solutions.
+/// Data that make the next step cheaper. They change results by round-off only, unless there are several solutions.
 template <class Scalar>
 struct SolverRecord {
-    /// mu [-] in the first of two stages, from which the search for that of the next step starts; empty if mu is
-    /// constant.
+    /// mu [-] from which the first stage of the next step starts its search: mu of this step's first stage or, after a
+    /// jump, mu at its end. Empty if mu is constant.
     ArrayX<Scalar> stage_coefficient;
 };
 
@@ -40,7 +41,7 @@ template <int directions = 1, class Scalar_ = double>
 struct FrictionState {
     using Scalar = Scalar_;
 
-    /// p on body 1 of each unknown element [Pa], trailing to leading: a vector, or with two directions a row each.
+    /// Traction p on body 1 of each unknown element [Pa], from the trailing to the leading edge.
     ElementVectors<Scalar, directions> traction;
     std::vector<Zone> zones;  ///< stick or slip of each element, at the end of the step
     /// The present load: p_n [Pa] of each unknown element, the half-length a and the half-width b of the contact [m];
@@ -49,18 +50,20 @@ struct FrictionState {
     Scalar half_length = 0, half_width = 0;
     std::uint64_t system = 0;  ///< fingerprint() of the model that the state belongs to
     /// mu [-] of each unknown element, finite and not negative; empty if mu is constant. Without memory it is mu_s(v),
-    /// and the next solution is sought from it. After Status::no_solution these are not coefficients to go on with.
+    /// and the search for the next solution starts from it. After Status::no_solution the coefficients must not start
+    /// another step.
     ArrayX<Scalar> friction_coefficient;
     detail::SolverRecord<Scalar> solver;
-    /// The tractions if slip had never been turned (see Friction) [Pa], on whose slip the angles of the next step
-    /// depend: like traction where slip is turned, or empty, as if they were the same.
+    /// Tractions [Pa] of the solution without turned slip (see Friction), whose slip determines the angles of the next
+    /// step. As large as `traction` where slip is turned; empty means equal to `traction`.
     ElementVectors<Scalar, directions> plain_traction;
 };
 
 namespace detail {
 
-/// Where a solution is sought: at tractions in G and the zones that go with them, in one direction at these alone.
-/// `turned_traction`: of a second solution for turned slip, unless its equations are those of the first.
+/// The point from which a search for a solution starts: tractions in G and their zones; with one direction only the
+/// zones are read. `turned_traction` starts the second solution, for turned slip; null if both solutions have the same
+/// equations.
 template <int directions, class Scalar>
 struct SolutionStart {
     const ElementVectors<Scalar, directions>& traction;
@@ -68,7 +71,7 @@ struct SolutionStart {
     const ElementVectors<Scalar, directions>* turned_traction = nullptr;
 };
 
-/// The moment aside, which may be unknown.
+/// Whether both components are finite; the moment may be unknown.
 template <class Scalar>
 bool is_finite(const TangentialForce<Scalar>& force) {
     return is_finite(force.longitudinal) && is_finite(force.lateral);
@@ -76,10 +79,10 @@ bool is_finite(const TangentialForce<Scalar>& force) {
 
 }  // namespace detail
 
-/// Result of a steady solution, a step or a rigid shift. Forces, tangents and works are totals, of a line contact over
+/// Result of a steady solution, a step or a rigid shift. Forces, tangents and works are totals, for a line contact over
 /// its width 2b; where b is infinite they are per metre of width (Contact::width()). Forces and their derivatives are
-/// numbers with one direction, vectors with two. All are NaN unless the status is ok or no_solution;
-/// tangents also if the equations of the elements are singular.
+/// numbers with one direction, vectors with two. All are NaN unless the status is ok or no_solution; tangents are NaN
+/// also if the equations of the elements are singular.
 template <int directions = 1, class Scalar_ = double>
 struct FrictionStep {
     using Scalar = Scalar_;
@@ -89,39 +92,43 @@ struct FrictionStep {
     Force force = detail::nothing<Force>();  ///< on body 1 [N]
     /// d force / d creepage at the end of the step [N]; for a rigid shift, by the shift [N/m].
     Tangent tangent = detail::nothing<Tangent>();
-    /// Derivatives with respect to the load at the end of a step, at constant half-length and half-width, and by these;
-    /// if they depend on the load, the total derivative is tangent_by_load + tangent_by_half_length da/d load +
-    /// tangent_by_half_width db/d load. NaN for steps without a load of their own; by the load also if NormalLoad has
-    /// no pressure_rate, by the others also if the system cannot breathe and for a rigid shift. A patch of constant a/b
-    /// has a tangent by the half-length at that a/b, and none by the half-width: 0. On a line that by the half-width is
-    /// NaN.
+    /// Derivatives of the force with respect to the load, at constant semi-axes, and with respect to the half-length
+    /// and the half-width, all at the end of the step. If the semi-axes depend on the load, the total derivative is
+    /// tangent_by_load + tangent_by_half_length da/d load + tangent_by_half_width db/d load. On a patch of constant
+    /// a/b, tangent_by_half_length is taken at that a/b and tangent_by_half_width is 0. NaN
+    /// - for a step without a load of its own,
+    /// - tangent_by_load: if NormalLoad has no pressure_rate,
+    /// - the other two: if the system cannot breathe, and for a rigid shift,
+    /// - tangent_by_half_width: on a line.
     Force tangent_by_load = detail::nothing<Force>();         ///< [N per unit of the load]
     Force tangent_by_half_length = detail::nothing<Force>();  ///< [N/m]
     Force tangent_by_half_width = detail::nothing<Force>();   ///< of a patch [N/m]
-    /// Frictional heat [J]; of a steady solution per distance rolled [J/m]. It is the sum over elements and directions
-    /// of traction times slip at the centre, of second order in 1/n at alpha = 0.5 (steady rolling, cosine mesh, n =
-    /// 40, against -F xi: 1.5e-3 at a creepage ratio of 0.5). For user-supplied matrices the slip is that of each
-    /// element's own equation: first order. Never negative, but with two directions and equations half an element
-    /// ahead: an element that sticks ahead of one that slips then contributes a value of either sign, 2 % of the whole
-    /// at most on 8 elements.
+    /// Frictional heat [J]; for a steady solution heat per distance rolled [J/m]. It is the sum over elements and
+    /// directions of traction times slip at the centre, of second order in 1/n at alpha = 0.5. For user-supplied
+    /// matrices the slip of each element's own equation is taken: first order. The heat is never negative, except with
+    /// two directions and equations half an element ahead: an element that sticks ahead of a slipping one then
+    /// contributes a small value of either sign.
     Scalar slip_work = detail::unknown<Scalar>;
     /// Elastic energy released by jumps of the tractions within a step [J], which slip-dependent friction permits:
     ///
     ///     work of the rigid bodies = slip work + jump work + change of elastic energy
     ///
     /// It turns into heat during a slip that is too short for the step to resolve (see detail::FrictionCore for the
-    /// expression). Without jumps it tends to 0 with dq, from either side; with constant friction, where rolling has
-    /// none, it is 0. For a rigid shift it is what the slip work would gain if the tractions were the means of those at
-    /// both ends, with the work of the rigid bodies from the mean force. 0 for a steady solution.
+    /// expression). Without jumps it tends to 0 with dq, from either side; with constant friction rolling has no jumps,
+    /// and it is 0. For a rigid shift it is the slip work by the mean tractions of both ends minus the slip work by the
+    /// tractions at the end; the balance then holds with the work of the rigid bodies by the mean force. For a steady
+    /// solution it is 0.
     Scalar jump_work = detail::unknown<Scalar>;
-    /// Largest violation of the law. Of the traction, relative to the largest mu p_n: |p| above mu p_n, or, in two
-    /// directions, below it where an element slips. Of the slip, relative to the largest slip without traction: slip of
-    /// an element that sticks, along the traction or across it. If mu depends on slip, it is at least the error of a
-    /// coefficient. The error of the equations is included, with two directions by an estimate.
+    /// Largest violation of the friction law, the error of the equations included (with two directions an estimate).
+    /// The largest of
+    /// - the error of a traction, over the largest mu p_n: |p| above mu p_n, or below it where an element slips;
+    /// - the error of a slip, over the largest slip without traction: any slip of a sticking element, slip along the
+    ///   traction or across it;
+    /// - the error of a coefficient mu that depends on slip.
     Scalar complementarity_residual = detail::unknown<Scalar>;
     Eigen::Index stick_count = 0;  ///< elements that stick
     int rounds = 0;                ///< Newton steps; in one direction rounds of an active set
-    int path_points = 0;           ///< points of the path that is followed where these do not converge; 0 if they do
+    int path_points = 0;           ///< points of the path followed where the Newton steps do not converge, else 0
     Status status = Status::not_finite;
 };
 

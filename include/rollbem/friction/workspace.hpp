@@ -9,17 +9,17 @@
 
 namespace rollbem {
 
-/// Made by a model; works with any model of the same number of elements and directions whose coefficient depends on
-/// slip if and only if that of its maker does. The factors are kept as long as the model and the distance rolled stay
-/// the same, so contacts that are stepped in turn should each have their own workspace. Two threads must not use one
-/// workspace at the same time.
+/// A workspace is made by a model and fits any model with the same number of elements and directions, the same coupling
+/// of directions and the same kind of coefficient (constant, or dependent on slip). The factors are kept as long as the
+/// model and the distance rolled stay the same, so contacts that are stepped in turn should each have their own
+/// workspace. Two threads must not use one workspace at the same time.
 template <int directions = 1, class Scalar_ = double>
 class FrictionWorkspace {
 public:
     using Scalar = Scalar_;
     using Scratch = detail::FrictionScratch<directions, Scalar>;
 
-    /// For n unknown elements.
+    /// A workspace for n unknown elements.
     explicit FrictionWorkspace(Eigen::Index n, bool slip_dependent = false, bool coupled = false)
         : scratch_(n, slip_dependent, coupled) {}
 
@@ -35,9 +35,9 @@ public:
     /// slid [m] in a step or a rigid shift, the slip velocity over the rolling velocity, s/V [-], in a steady solution.
     const ElementVectors<Scalar, directions>& slip() const { return scratch_.slip; }
 
-    /// Contribution of each element to FrictionStep::slip_work, where it is said when one may be negative: [J], or
-    /// [J/m] for a steady solution. Divided by the element's area (on a line its width times Contact::width()) it is
-    /// the work per area of contact, on which wear depends.
+    /// Contribution of each element to FrictionStep::slip_work, whose comment says when a contribution may be negative:
+    /// [J], or [J/m] for a steady solution. Divided by the element's area (on a line its width times Contact::width())
+    /// it is the work per area of contact, on which wear depends.
     const VectorX<Scalar>& slip_work() const { return scratch_.work; }
 
     Scratch& scratch() { return scratch_; }  ///< for the models

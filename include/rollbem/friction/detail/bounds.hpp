@@ -1,5 +1,5 @@
-// The bounds mu p_n of the stages of a step: with a constant coefficient, or with one that depends on the velocity of
-// slip and is found together with the tractions.
+// The bounds mu p_n of the stages of a step: with a constant coefficient, or with a coefficient that depends on the
+// slip velocity and is found together with the tractions.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ class ConstantBounds {
 public:
     using Solver = StickSlip<directions, Scalar>;
 
-    /// Of what SlipDependentBounds read.
+    /// Takes the arguments of SlipDependentBounds and ignores them.
     template <class... Read>
     explicit ConstantBounds(const Read&...) noexcept {}
 
@@ -40,14 +40,15 @@ public:
     auto solve(Solver& solver, const VectorX<Scalar>& bound, const typename Solver::Start& start) noexcept {
         return solver.solve(bound, start);
     }
-    /// To be called before respond(). A number that changes whenever the response to a change of c may; nothing if no
-    /// number tells.
+    /// To be called before respond(). Returns a number that changes whenever the response to a change of c may change;
+    /// nothing if there is no such number.
     std::optional<std::uint64_t> linearise(Solver& solver) noexcept { return solver.roles_revision(); }
-    /// dp in the stage solved last caused by a change, in the solver; `parameter` is that of the tangent.
+    /// Finds dp of the last solved stage caused by a change; the solver holds dp. The last argument is the tangent's
+    /// parameter (TangentBy).
     void respond(Solver& solver, const typename Solver::Change& change, std::size_t) noexcept {
         solver.respond(change);
     }
-    /// Keeps the response of the first of two stages for that of the second.
+    /// Keeps the response of the first of two stages, on which the response of the second depends.
     void carry_response(std::size_t) noexcept {}
     /// Completes the state at the end of the step.
     void finish(FrictionState<directions, Scalar>&) const noexcept {}
@@ -77,14 +78,15 @@ public:
         scratch_.friction = start_.matrix();
     }
 
-    /// Writes mu of the stage solved last, and mu from which the next step starts the search in its first stage: that
-    /// of the first stage of this step, unless mu has jumped.
+    /// Writes mu at the end of the step, and mu from which the first stage of the next step starts its search: mu of
+    /// this step's first stage or, if mu has jumped, mu at the end.
     void finish(State& to) const noexcept {
         to.friction_coefficient = scratch_.friction.array();
         to.solver.stage_coefficient = (is_second() && is_easy_ ? scratch_.first_friction : scratch_.friction).array();
     }
 
-    /// Refers to the frame. In steady rolling particles arrive from the equation ahead.
+    /// Called before each stage of a frame is solved; keeps a reference to the frame. In steady rolling particles
+    /// arrive from the collocation point ahead.
     void enter(const Frame& frame) noexcept {
         frame_ = &frame;
         passage_.before = frame.stage.steady ? nullptr : &scratch_.before;
@@ -133,9 +135,10 @@ public:
         const std::uint64_t revision = scratch_.set.linearise(passage_, solver);
         return remembers() && is_second() ? std::nullopt : std::optional(revision);
     }
-    /// dp in the stage solved last caused by a change, with that of the pressures in place of the bounds, by the paths
-    /// of the particles if the parameter is the half-length, and in the second stage by the response of the first, kept
-    /// by carry_response().
+    /// Finds dp of the last solved stage; the solver holds dp. Its causes are
+    /// - a change of the problem, with the change of p_n/G in place of the bounds,
+    /// - the change of the particles' paths, if the parameter is the half-length,
+    /// - in the second stage the response of the first, kept by carry_response().
     void respond(Solver& solver, const typename Solver::Change& change, std::size_t parameter) noexcept {
         typename Solver::Change direct = change;
         const Vector* before = nullptr;
@@ -153,7 +156,7 @@ public:
         scratch_.set.respond(passage_, solver, direct, before, scratch_.change);
     }
 
-    /// Keeps the response of the first of two stages for that of the second.
+    /// Keeps the response of the first of two stages, on which the response of the second depends.
     void carry_response(std::size_t parameter) noexcept {
         scratch_.carried_change[parameter] = scratch_.change;
         if (moves_paths_) scratch_.carried_change[parameter] -= scratch_.path_change;
@@ -186,8 +189,8 @@ private:
         }
     }
 
-    // Derivatives with respect to the half-length at the end of the step; that of a stage changes by `progress` times
-    // as much.
+    // Finds d before / d half-length at the end of the step; the half-length of a stage changes by `progress` times as
+    // much.
     void find_path_change() {
         const StagePlace<Scalar>& place = frame_->place;
         AlongContact<Scalar> start = at_start(), rise = in_first_stage(scratch_.rise);
@@ -208,11 +211,12 @@ private:
     const ArrayX<Scalar>* first_start_ = nullptr;
     rollbem::Travel<Scalar> travel_;
     const Frame* frame_ = nullptr;
-    // Newton's method has converged at once. A second stage then starts from mu at the start of the step, which is
-    // nearer than that of the first stage if little changes; after a jump it is the other way round.
+    // Whether Newton's method has converged after few solutions. A second stage then starts from mu at the start of the
+    // step, which is nearer to the solution than mu of the first stage if little changes; after a jump mu of the first
+    // stage is nearer.
     bool is_easy_ = false;
-    bool moves_paths_ = false;                    // the last tangent was that by the half-length
-    Scalar per_half_length_ = 1, per_first_ = 1;  // over the half-lengths at the start of the step and after one stage
+    bool moves_paths_ = false;                    // the last tangent was by the half-length
+    Scalar per_half_length_ = 1, per_first_ = 1;  // 1/half-length at the start of the step; after one stage
     Scratch& scratch_;
 };
 

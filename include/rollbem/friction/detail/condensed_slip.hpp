@@ -17,11 +17,11 @@
 
 namespace rollbem::detail {
 
-/// s = M p + c with s_S = 0, where S are the elements that stick and K all others:
-///     s_K = d + C p_K,    C = M_KK - M_KS M_SS^-1 M_SK,
-/// either by eliminating S, or, if few elements do not stick, from B = M^-1: C = (B_KK)^-1. One matrix of the size of M
-/// holds everything, for each group of M, whose unknowns are packed: S, then K, each direction by direction. A function
-/// of M and the roles alone, to the last bit. All memory is allocated by the constructor.
+/// The equations s = M p + c with s_S = 0, where S are the elements that stick and K all others:
+///     s_K = d + C p_K,    C = M_KK - M_KS M_SS^-1 M_SK
+/// C comes from eliminating S or, if few elements do not stick, from the inverse B = M^-1 as C = (B_KK)^-1. Each group
+/// of M has one matrix of its size, whose unknowns are packed: first S, then K, each direction by direction. Results
+/// depend on M and the roles alone, to the last bit. All memory is allocated by the constructor.
 template <class Scalar>
 class CondensedSlip : public RoleLists {
 public:
@@ -30,10 +30,10 @@ public:
     using Matrix = MatrixX<Scalar>;
     using M = SlipMatrix<2, Scalar>;
 
-    /// What the constants c contribute, for one set of roles.
+    /// The contribution of the constants c, for one set of roles.
     struct Base {
         explicit Base(Index n) : packed(Vectors::Zero(n, 2)), by_inverse(packed) {}
-        /// The constants have changed.
+        /// To be called when the constants have changed.
         void forget() { revision = 0, inverse_is_known = false; }
 
         Vectors packed;
@@ -52,7 +52,8 @@ public:
         for (std::size_t g = 0; g < matrix.groups(); ++g) table_[g].resize(matrix.group_size(), matrix.group_size());
     }
 
-    /// Where M_SS is singular, that of a nearby matrix takes its place. False if there is none.
+    /// Eliminates the elements that stick. Where M_SS is singular, a nearby matrix takes its place; false if that
+    /// fails, too.
     bool condense(M& matrix, const std::vector<Role>& roles) {
         if (are_of(matrix, roles)) return is_usable_;
         take(matrix, roles);
@@ -70,7 +71,7 @@ public:
         return is_usable_;
     }
 
-    /// For the constants c; null: zero.
+    /// Finds the contribution of the constants c; null means c = 0.
     void find_base(const M& matrix, const Vectors* c, Base& base) {
         if (base.revision == revision()) return;
         base.revision = revision();
@@ -87,14 +88,14 @@ public:
         base.inverse_is_known = base.inverse_is_known || by_inverse_;
     }
 
-    /// The slip of K caused by its tractions.
+    /// Finds the slip of K from the tractions of K.
     void find_slip(const M& matrix, const Base& base, const Vectors& p, Vectors& s) {
         for (std::size_t g = 0; g < matrix.groups(); ++g) {
             find_slip(g, matrix.part(base.packed, g), p);
             unpack(slip_, loose(), s.data() + place(g));
         }
     }
-    /// The same, and the tractions of S; its slip becomes zero.
+    /// Finds the slip of K and the tractions of S from the tractions of K; the slip of S becomes zero.
     void complete(const M& matrix, const Base& base, Vectors& p, Vectors& s) {
         for (std::size_t g = 0; g < matrix.groups(); ++g) {
             const auto constant = matrix.part(base.packed, g);
@@ -115,7 +116,7 @@ public:
         }
     }
 
-    /// X_k . C_kl Y_l of the elements k and l that slide; X and Y have a row for each.
+    /// Sets `target` to X_k . C_kl Y_l for all sliding elements k and l; X and Y have a row for each.
     template <class Target>
     void form(const M&, const Vectors& X, const Vectors& Y, Target&& target) const {
         const Index count = sliding();
@@ -135,18 +136,18 @@ public:
     }
 
 private:
-    // Unknowns of a group that belong to S, and to K; where a group begins, and the place in it of a packed unknown.
+    // Number of unknowns of a group in S, and in K; first unknown of a group; place in a group of a packed unknown.
     Index stuck() const { return depth_ * sticking(); }
     Index loose() const { return depth_ * others(); }
     Index place(std::size_t g) const { return static_cast<Index>(g) * size(); }
     Index unknown(Index k) const { return order_[static_cast<std::size_t>(k)]; }
     Index* swaps(std::size_t g) { return swaps_.data() + place(g); }
 
-    // The unknowns from the packed one `first` on.
+    // Copies unknowns into packed order, from the packed one `first` on.
     void pack(const Scalar* from, Index first, Scalar* to) const {
         for (Index k = first; k < packed_.size(); ++k) *to++ = from[unknown(k)];
     }
-    // The last `count` of the packed unknowns.
+    // Copies the last `count` packed unknowns back to their places.
     void unpack(const Vector& from, Index count, Scalar* to) const {
         for (Index k = from.size() - count; k < from.size(); ++k) to[unknown(k)] = from[k];
     }
@@ -164,7 +165,7 @@ private:
         is_regular_ = false;
         is_usable_ = factorise(true) && is_usable_;
     }
-    // C from B_KK, whose factors lie in the other corner.
+    // Finds C from B_KK, whose factors lie in the opposite corner of the table.
     void release(const M& matrix, std::size_t g) {
         Matrix& table = table_[g];
         for (Index k = 0; k < loose(); ++k) {
@@ -176,7 +177,7 @@ private:
         invert_factors<Scalar>(factors, swaps(g), table.bottomRightCorner(loose(), loose()));
     }
 
-    // Packed tractions of K, and their slip.
+    // Packs the tractions of K into packed_ and finds the slip of K in slip_.
     template <class Constant>
     void find_slip(std::size_t g, const Constant& constant, const Vectors& p) {
         pack(p.data() + place(g), stuck(), packed_.data() + stuck());
@@ -190,11 +191,11 @@ private:
             if (!tractions.isZero(0)) slip.noalias() += C * tractions;
         }
     }
-    // B_SK s_K
+    // Sets packed_ to B_SK s_K.
     void stick_by_inverse(const Matrix& inverse) {
         const auto column = [&](Index k) { return inverse.col(unknown(stuck() + k)); };
         const auto slip = slip_.tail(loose());
-        packed_.setZero();  // in the order of B
+        packed_.setZero();  // for now in the order of B
         Index k = 0;
         for (; k + 4 <= loose(); k += 4) {
             packed_ += slip[k] * column(k) + slip[k + 1] * column(k + 1) + slip[k + 2] * column(k + 2) +
@@ -208,7 +209,7 @@ private:
     Index depth_;
     std::array<Matrix, 2> table_;
     Vector packed_, slip_;
-    std::vector<Index> order_;  // of the unknowns of a group
+    std::vector<Index> order_;  // packed order of the unknowns of a group
     std::vector<Index> swaps_;
     bool by_inverse_ = false;
 };

@@ -1,5 +1,5 @@
-// Common core of friction in steady rolling and in the time domain: one or two stages of a step, between the units of
-// the contact and dimensionless equations s = M p + c.
+// Common core of friction in steady rolling and in the time domain: it turns each stage of a step, given in the units
+// of the contact, into dimensionless equations s = M p + c, and the solutions back into results.
 #pragma once
 
 #include <algorithm>
@@ -56,28 +56,29 @@ public:
 
     using Request = FrictionRequest<directions, Scalar>;
 
-    /// States are recognised by the fingerprint of G', factors by that of the whole system, which is that of G' where
-    /// there is no G. Throws std::invalid_argument, in the name of `who`, if the law is invalid.
+    /// A state is recognised by a fingerprint of G', the areas, the contact and the pressures; factors are recognised
+    /// by the fingerprint of the whole system or, without G, of G' and the areas. Throws std::invalid_argument, in the
+    /// name of `who`, if the law is invalid.
     FrictionCore(const char* who, const ContactUnits<Scalar>& units, System system,
                  const Friction<Law, Scalar>& friction);
 
     const System& system() const { return system_; }
     Eigen::Index size() const { return system_.size(); }
     Scalar half_length() const { return units_.length; }
-    /// The semi-axes of a state or load in those of the contact.
+    /// The semi-axes of a state or load over the semi-axes of the contact.
     template <class Loaded>
     Axes axes(const Loaded& loaded) const {
         return units_.axes(loaded);
     }
     static Load load_of(const State& state) { return {state.normal_pressure, state.half_length, state.half_width}; }
-    /// A given load, which has been checked, at the end of a step from `from`: its half-width is that of the state
-    /// where it is not given.
+    /// The load at the end of a step from `from`: the given load, already checked. A half-width of 0 is replaced by the
+    /// half-width of `from`.
     Load load_after(const State& from, const NormalLoad<Scalar>& load) const {
         const Scalar b = load.half_width == 0 ? from.half_width : load.half_width;
         return {load.normal_pressure, load.half_length, b, &load.pressure_rate};
     }
-    /// Whether the half-width of a load is known after `from`, and on a line the contact's: ok, invalid_load or
-    /// needs_fixed_mesh.
+    /// Whether the half-width of a load is usable: invalid_load if a patch changes its half-length without a new
+    /// half-width, needs_fixed_mesh if a line contact changes its half-width, else ok.
     Status check_width(const State& from, const NormalLoad<Scalar>& load) const noexcept {
         if (load.half_width == 0) {
             return units_.line || load.half_length == from.half_length ? Status::ok : Status::invalid_load;
@@ -107,7 +108,7 @@ public:
     /// Whether states and workspace belong to the model, and whether the load in a state is valid.
     Status check(const State& from, const State& to, const Workspace& workspace) const noexcept;
 
-    /// A result without the numbers that a scheme gets wrong.
+    /// The result of a scheme that does not converge: residual and counts, but NaN for forces, tangents and works.
     static Step without_forces(const Step& solved) noexcept {
         if (solved.status != Status::ok && solved.status != Status::no_solution) return solved;
         Step step = failed<Step>(Status::assists_creepage);
@@ -121,7 +122,8 @@ public:
     /// Steady rolling, s/V = creepage - G' p, at the semi-axes of the load.
     Step steady(const Request& request, State& to, Workspace& workspace) const noexcept;
 
-    /// A step by the stages of a table, of a rigid shift by one, under a load that varies linearly to that given.
+    /// A step by the stages of a table (a rigid shift has one stage), under a load that varies linearly up to the given
+    /// load.
     Step roll(const StageTable<Scalar>& table, const Request& request, State& to, Workspace& workspace) const noexcept;
 
 private:
@@ -144,7 +146,7 @@ private:
             return friction_.law.coefficient / units_.shear_modulus;
         }
     }
-    // Of the work of tractions in G and displacements in a_0.
+    // Unit [J] of the work of tractions in G and displacements in a_0.
     Scalar energy_unit(const Axes& at) const {
         return units_.width * units_.length * units_.length * units_.shear_modulus * at.half_length * at.half_width;
     }
@@ -153,9 +155,11 @@ private:
         if constexpr (directions == 2) return creepage.spin == 0 || system_.elements().places_are_known();
         return true;
     }
-    // How many solutions have constants of their own: in a step those of slip that is not turned are others.
+    // Number of solutions with constants of their own: two in a step with turned slip, as the solution without turned
+    // slip has a history of its own; else one.
     std::size_t constant_count(const Frame& frame) const { return turns_ && !frame.stage.steady ? 2 : 1; }
-    // With two directions, whose slip is judged by squares, bounds whose squares lose digits are none.
+    // Sets the bounds of the stage. Bounds that are negligible become 0; with two directions, whose slip is judged by
+    // squares, bounds whose squares lose digits.
     void set_bounds(const Frame& frame) const {
         VectorX<Scalar>& bound = frame.scratch.bound;
         const auto end = frame.request.load.pressure.head(size());
@@ -169,7 +173,7 @@ private:
         bound = (bound.array() < least).select(Scalar(0), bound);
     }
 
-    // One step or steady solution, by its stages.
+    // Solves one step or steady rolling, stage by stage.
     Step solve(Frame& frame, State& to) const {
         begin(frame);
         if constexpr (directions == 2) frame.asked[2] = system_.elements().places_are_known();
@@ -178,7 +182,7 @@ private:
         if (wants_tangents(frame)) frame.add_tangents(forces_);
         return frame.result;
     }
-    // No slip yet; the first solution is sought from the tractions at the start.
+    // Sets slip and work to 0, and the starting point of the first search to the tractions of `from`.
     void begin(Frame& frame) const {
         frame.result.complementarity_residual = 0;
         frame.result.status = Status::ok;
@@ -205,7 +209,7 @@ private:
     friend class StepFrame<Value, Scalar>;
 
     void solve_stage(Frame& frame) const;
-    // What the next stage takes from this one.
+    // Keeps the quantities of this stage from which the next one starts.
     void carry(Frame& frame) const {
         Scratch& scratch = frame.scratch;
         if constexpr (slip_dependent) scratch.first = scratch.solver.traction();
@@ -216,7 +220,8 @@ private:
             displacement += frame.place.ratio() * (scratch.change - displacement);
         }
     }
-    // M of the stage, unless the solver has it already. In steady rolling of one shape that is -G' at any semi-axes.
+    // Fills M of the stage, unless the solver has it already. In steady rolling of a contact of constant shape M is -G'
+    // at any semi-axes.
     void set_matrix(const Frame& frame) const {
         Scratch& scratch = frame.scratch;
         using Stage = RollingStage<Scalar>;
@@ -251,7 +256,8 @@ private:
     // the jump is in. A half-length that varies within the step changes J by as much as it changes (b, b). With
     // constant friction rolling has no jumps.
     //
-    // A rigid shift is a single stage whose work is that of the mean of the forces at both ends: J = integral of b s/2.
+    // A rigid shift is a single stage; the rigid bodies work by the mean of the forces at both ends, so that J is the
+    // integral of b s/2.
     Scalar jump_work(const Frame& frame) const {
         if (frame.stage.steady || (frame.rolls() && !slip_dependent)) return 0;
         Scratch& scratch = frame.scratch;
@@ -263,7 +269,7 @@ private:
         if (!frame.rolls()) return unit * slip_work_.product(change, scratch.slip) / (2 * units_.length);
         const bool two_stages = ratio != 0;
         if (two_stages) scratch.first -= start;
-        // settled: J is below the rounding of the energies
+        // the tractions have settled: J is below the rounding of the energies
         const Scalar least = std::numeric_limits<Scalar>::epsilon() * end.squaredNorm();
         if (change.squaredNorm() <= least && (!two_stages || scratch.first.squaredNorm() <= least)) return 0;
         find_displacements(system_, frame.end, change, displacement);
@@ -305,7 +311,7 @@ FrictionCore<Law, directions, Scalar>::FrictionCore(const char* who, const Conta
         for (std::size_t e = 0; e < directions; ++e) own.add(slope(system_, d, e));
     }
     own.add(system_.elements().areas);
-    pressures.add(friction_.normal_pressure);  // a state would otherwise continue under those of another model
+    pressures.add(friction_.normal_pressure);  // otherwise a state would continue under another model's pressures
     of_matrices_ = system_.has_G() ? system_.fingerprint() : own.value();
     fingerprint_ = units.fingerprint ^ own.value() ^ pressures.value();
 }

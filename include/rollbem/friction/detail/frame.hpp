@@ -23,10 +23,10 @@ template <class Scalar>
 struct StepLoad {
     const ArrayX<Scalar>& pressure;
     Scalar half_length, half_width;
-    const ArrayX<Scalar>* pressure_rate = nullptr;  ///< of a step under a load of its own, else null
+    const ArrayX<Scalar>* pressure_rate = nullptr;  ///< d pressure / d load; null without a load of its own
 };
 
-/// What is asked for. The load has been checked, and in a step the motion.
+/// The input of a step or of steady rolling. Its load has been checked and, for a step, its motion.
 template <int directions, class Scalar>
 struct FrictionRequest {
     const FrictionState<directions, Scalar>& from;
@@ -45,10 +45,10 @@ struct FrictionFrame : StepFrame<CreepageAlong<directions, Scalar>, Scalar> {
     const RigidSlip<directions, Scalar>& slip;
     FrictionScratch<directions, Scalar>& scratch;
     Bounds bounds;
-    FrictionStep<directions, Scalar> result{};  ///< of all stages so far
+    FrictionStep<directions, Scalar> result{};  ///< sums over all stages so far
     bool tangent_exists = true;
 
-    /// The constants of a stage: the rigid slip less `displacement`.
+    /// Sets the constants c of a stage: the rigid slip minus `displacement`.
     void impose(const Vectors& displacement, Vectors& constant) const {
         constant = -displacement;
         this->add_motion(slip, constant);
@@ -56,12 +56,13 @@ struct FrictionFrame : StepFrame<CreepageAlong<directions, Scalar>, Scalar> {
             const Scalar share = this->place.progress;
             constant += this->factor() * ((1 - share) * this->motion.start_rows() + share * this->motion.end_rows());
         }
-        // without creepage tractions decay for ever, but the rounding that solutions are judged by vanishes earlier
+        // without creepage tractions decay for ever, but the rounding errors by which solutions are judged underflow
+        // first
         const bool has_decayed = constant.cwiseAbs().maxCoeff() < negligible<Scalar> && all_finite(constant);
         if (has_decayed) constant.setZero();
     }
 
-    /// Keeps what the second of two stages needs of the responses of the first.
+    /// Keeps the responses of the first of two stages for the second.
     void carry_responses() {
         this->for_parameters([&](std::size_t parameter) {
             if (respond(parameter)) carry_response(parameter);
@@ -70,7 +71,7 @@ struct FrictionFrame : StepFrame<CreepageAlong<directions, Scalar>, Scalar> {
     /// Adds the tangents at the end of the last or only stage to the result.
     void add_tangents(const ContactForces<directions, Scalar>& forces) {
         const auto& solver = scratch.solver;
-        const bool follows = keeps_shape(system);  // the half-width the half-length
+        const bool follows = keeps_shape(system);  // the half-width follows the half-length
         this->for_parameters([&](std::size_t parameter) {
             auto& tangent = tangent_by(parameter);
             if (!respond(parameter)) return void(tangent = kept().tangent);
@@ -91,8 +92,8 @@ private:
     }
     static bool is_kept(std::size_t parameter) { return directions == 1 && parameter == 0; }
 
-    // Finds dp of the stage that was solved last, by one of TangentBy while no element changes its zone, in the solver.
-    // False, and nothing found, if it is the KeptResponse.
+    // Finds dp of the last solved stage with respect to a parameter (TangentBy), while no element changes its zone; the
+    // solver holds dp. False, and dp is not computed, if the KeptResponse still holds.
     bool respond(std::size_t parameter) {
         auto& solver = scratch.solver;
         const auto revision = bounds.linearise(solver);
@@ -126,7 +127,7 @@ private:
         return true;
     }
 
-    // For the next stage, what dp of this one, after respond(), adds to its constants.
+    // Keeps the change that dp of this stage, found by respond(), causes in the constants of the next stage.
     void carry_response(std::size_t parameter) {
         const auto& solver = scratch.solver;
         for (std::size_t which = 0; which < solver.constant_count(); ++which) {

@@ -1,5 +1,5 @@
-// The equations of a friction problem in one direction with the sticking elements eliminated, for a set of these that
-// changes by few elements at a time.
+// The equations of a friction problem in one direction with the sticking elements eliminated; cheap where the set of
+// sticking elements changes by few elements at a time.
 #pragma once
 
 #include <algorithm>
@@ -19,12 +19,12 @@
 
 namespace rollbem::detail {
 
-/// s = M p + c with s_S = 0, where S are the elements that stick, listed from the leading edge to the trailing edge.
-/// Normally M_SS is eliminated without pivoting, one element at a time, and the inverses of both triangles are stored.
-/// The factors of a list are the leading part of those of any longer list that begins with it: a border that moves at
-/// the end of the list costs O(n^2) per element, and the result is the same as that of a new factorisation. If a pivot
-/// is small or a multiplier large, LU with pivoting takes over. Results depend on M and the roles alone, to the last
-/// bit. All memory is allocated by the constructor.
+/// The equations s = M p + c with s_S = 0, where S are the elements that stick, listed from the leading edge to the
+/// trailing edge. Normally M_SS is eliminated without pivoting, one element at a time, and the inverses of both
+/// triangles are stored. A longer list that begins with a shorter one contains the shorter one's factors: a border that
+/// moves at the end of the list costs O(n^2) per element, with the same result as a new factorisation. If a pivot is
+/// small or a multiplier large, LU with pivoting takes over. Results depend on M and the roles alone, to the last bit.
+/// All memory is allocated by the constructor.
 template <class Scalar>
 class NestedStick : public RoleLists {
 public:
@@ -55,7 +55,8 @@ public:
           swaps_(static_cast<std::size_t>(matrix.size())),
           nested_(swaps_.size()) {}
 
-    /// Where M_SS is singular, a nearby matrix takes its place. False if there is none.
+    /// Eliminates the elements that stick. Where M_SS is singular, a nearby matrix takes its place; false if that
+    /// fails, too.
     bool condense(M& matrix, const std::vector<Role>& roles) {
         if (are_of(matrix, roles)) return is_usable_;
         if (matrix_revision_ != matrix.revision()) {
@@ -73,7 +74,8 @@ public:
 
     void find_base(const M&, const Vectors* c, Base& base) const { base.constant = c; }
 
-    /// The tractions of S and all slip, by products with M itself: that of S is the error of its tractions.
+    /// Finds the tractions of S and the slip of all elements by products with M itself: the slip of S is the error of
+    /// its tractions.
     void complete(const M& matrix, const Base& base, Vectors& p, Vectors& s) {
         for (Index k = 0; k < sticking(); ++k) p[listed(k)] = 0;
         s.setZero();
@@ -83,7 +85,7 @@ public:
         for (Index k = 0; k < sticking(); ++k) p[listed(k)] = stuck_[listed(k)];
     }
 
-    /// X_k C_kl Y_l of the elements k and l that slide.
+    /// Sets `target` to X_k C_kl Y_l for all sliding elements k and l.
     template <class Target>
     void form(const M& matrix, const Vectors& X, const Vectors& Y, Target&& target) {
         for (Index l = 0; l < sliding(); ++l) {
@@ -98,14 +100,14 @@ private:
 
     Index listed(Index k) const { return (*this)[sticking() - 1 - k]; }
 
-    // M p, usually of neither new roles nor new bounds
+    // M p, kept for the next call: roles and bounds seldom change
     const Vectors& product(const Matrix& A, const Vectors& p) {
         if (same_bits(p, placed_)) return product_;
         placed_ = p;
         product_.noalias() = A * p;
         return product_;
     }
-    // Overwrites the slip without the tractions of S, stuck_, with all slip.
+    // Finds the tractions of S, in stuck_, from the slip without them, and adds the slip that they cause.
     void stick(const Matrix& A, Vectors& s) {
         const Index count = sticking();
         if (count == 0) return;
@@ -148,7 +150,7 @@ private:
     }
 
     // Extends the nested factors to the present list. With M = [A u; l a] and A = L U: y = L^-1 u, z = l U^-1,
-    // d = a - z y; the inverse of L gains the row [-z L^-1, 1], that of U the column [-U^-1 y; 1] / d.
+    // d = a - z y; the inverse of L gains the row [-z L^-1, 1], the inverse of U the column [-U^-1 y; 1] / d.
     bool extend(const Matrix& A) {
         Index k = 0;
         while (k < sticking() && k < nested_count_ && nested_[at(k)] == listed(k)) ++k;
@@ -196,8 +198,8 @@ private:
     Matrix lower_, upper_;  // inverse triangles of the nested factors, zero outside
     Matrix pivoted_;
     Vector right_, solution_, row_;
-    Vector stuck_;              // tractions of S, and zeros
-    Vectors placed_, product_;  // the last tractions of all others, with zeros, and M times it
+    Vector stuck_;              // tractions of S; 0 for all others
+    Vectors placed_, product_;  // the last tractions, with 0 for S, and M times them
     std::vector<Index> swaps_;
     std::vector<Index> nested_;  // the elements in the nested factors
     Index nested_count_ = 0;

@@ -1,4 +1,4 @@
-// What each element of a friction problem is assumed to do: stick, slide, or neither for want of pressure.
+// Roles of the elements of a friction problem: each is assumed to stick, to slide, or to be free for want of pressure.
 #pragma once
 
 #include <algorithm>
@@ -19,10 +19,10 @@ namespace rollbem::detail {
 enum class Role : unsigned char {
     sticks,   ///< s_i = 0
     slides,   ///< |p_i| = b_i > 0, p_i along a given direction
-    is_free,  ///< p_i = 0 as b_i = 0; slips as it likes
+    is_free,  ///< p_i = 0 because b_i = 0; any slip is allowed
 };
 
-/// A vector of one element.
+/// The traction or slip of one element.
 template <int directions, class Scalar>
 using ElementVector = Eigen::Matrix<Scalar, 1, directions>;
 
@@ -54,7 +54,7 @@ struct Roles {
     Role operator[](Index i) const { return of[static_cast<std::size_t>(i)]; }
     void stick(Index i) { set(i, Role::sticks, Row::Zero()); }
     void release(Index i) { set(i, Role::is_free, Row::Zero()); }
-    /// Slides along a vector of this length, or sticks if that is not positive.
+    /// Makes an element slide along a vector of length `norm`, or stick if the length is not positive.
     void slide(Index i, const Row& along, Scalar norm) {
         if (!(norm > 0)) return stick(i);
         set(i, Role::slides, directions == 1 ? Row(Row::Constant(along[0] > 0 ? 1 : -1)) : Row(along / norm));
@@ -78,8 +78,8 @@ private:
     }
 };
 
-/// The elements that stick, slide and are free, in this order and each in ascending order: those of equations of which
-/// the sticking ones have been eliminated, for some M and roles.
+/// Lists of the elements that stick, slide and are free, in this order, each list in ascending order. They belong to
+/// equations whose sticking elements have been eliminated, for one M and one set of roles.
 class RoleLists {
 public:
     using Index = Eigen::Index;
@@ -89,17 +89,17 @@ public:
     Index size() const { return static_cast<Index>(elements_.size()); }
     Index sticking() const { return sticking_; }
     Index sliding() const { return sliding_; }
-    Index others() const { return size() - sticking_; }  ///< that do not stick
+    Index others() const { return size() - sticking_; }  ///< number of elements that do not stick
     Index operator[](Index k) const { return elements_[static_cast<std::size_t>(k)]; }
-    Index other(Index k) const { return (*this)[sticking_ + k]; }  ///< first those that slide
+    Index other(Index k) const { return (*this)[sticking_ + k]; }  ///< k-th of them; sliding ones come first
 
     template <class Matrix>
     bool are_of(const Matrix& matrix, const std::vector<Role>& roles) const {
         return matrix_revision_ == matrix.revision() && same_bits(roles, of_);
     }
-    /// Changes whenever M or the roles do.
+    /// A number that changes whenever M or the roles change.
     std::uint64_t revision() const { return revision_; }
-    /// Whether M_SS is not singular to working precision.
+    /// Whether M_SS is regular to working precision.
     bool is_regular() const { return is_regular_; }
 
 protected:
@@ -122,7 +122,7 @@ protected:
     }
 
     std::uint64_t matrix_revision_ = 0;
-    bool is_regular_ = false, is_usable_ = false;  // as it is; or that of a nearby matrix
+    bool is_regular_ = false, is_usable_ = false;  // M_SS itself can be solved; it or a nearby matrix can
 
 private:
     std::vector<Index> elements_;

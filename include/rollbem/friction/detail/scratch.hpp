@@ -1,4 +1,4 @@
-// The memory behind a workspace: factors and everything that a solution needs besides the states.
+// The memory behind a workspace: matrix factors and all vectors that a solution needs besides the states.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace rollbem::detail {
 
-/// For a coefficient that depends on slip. All memory is allocated by the constructor.
+/// Memory for a coefficient that depends on slip. All memory is allocated by the constructor.
 template <int directions, class Scalar>
 struct SlipDependentScratch {
     using Vector = VectorX<Scalar>;
@@ -44,24 +44,24 @@ struct SlipDependentScratch {
     std::array<Vector, TangentBy<directions>::count> carried_change;  // d rise of each tangent
 };
 
-/// The last response by the creepage, with one direction: in rolling it is often the next one, too. What the second
-/// stage takes of it, or the tangent, is then known.
+/// The last response to the creepage, with one direction. In rolling the next response is often the same; its tangent
+/// or its contribution to the second stage is then known.
 template <int directions, class Scalar>
 struct KeptResponse {
-    std::optional<std::uint64_t> revision;  // of the linear equations; none if nothing is kept
-    Scalar per_end = 0;                     // the creepage's effect on the constants
+    std::optional<std::uint64_t> revision;  // revision of the linear equations; none if nothing is kept
+    Scalar per_end = 0;                     // StepFrame::per_end() of the response
     SemiAxes<Scalar> axes = contact_axes<Scalar>;
     ForceAlong<directions, Scalar> tangent{};  // if the stage was the last
 };
 
-/// Dimensionless: tractions in G, lengths in a_0, the contact's half-length. All memory is allocated by the
-/// constructor; that for a coefficient that depends on slip only if `slip_dependent`, that for directions that
-/// couple only if `coupled`.
+/// The memory of all stages of a step. Dimensionless: tractions in G, lengths in a_0, the contact's half-length. All
+/// memory is allocated by the constructor, for a coefficient that depends on slip only if `slip_dependent`, and for
+/// directions that couple only if `coupled`.
 template <int directions, class Scalar>
 struct FrictionScratch {
     using Vector = VectorX<Scalar>;
     using Vectors = ElementVectors<Scalar, directions>;
-    /// One of each solution that has constants of its own (StickSlip).
+    /// One array for each solution that has constants of its own (StickSlip).
     using OfEach = std::array<Vectors, directions>;
 
     FrictionScratch(Eigen::Index n, bool slip_dependent, bool coupled)
@@ -75,22 +75,22 @@ struct FrictionScratch {
 
     StickSlip<directions, Scalar> solver;
     SlipDependentScratch<directions, Scalar> falling;
-    std::uint64_t system = 0;  // the solver's matrices are those of this system and stage
+    std::uint64_t system = 0;  // system and stage to which the solver's matrices belong
     std::optional<RollingStage<Scalar>> stage;
-    Vectors slip;         // of all stages so far
+    Vectors slip;         // sum over all stages so far
     OfEach start;         // tractions from which the search for the present stage starts
-    OfEach displacement;  // from which the present stage starts
+    OfEach displacement;  // displacements from which the present stage starts
     OfEach right;
     Vectors first;  // tractions after the first of two stages
     Vectors change;
-    Vector work;                          // of all stages so far
+    Vector work;                          // sum over all stages so far
     Vector bound;                         // mu p_n/G of the present stage; p_n/G if mu depends on slip
-    Vector bound_rate, stage_bound_rate;  // its derivative with respect to the load; in the present stage
-    // dc of the second stage, from the first
+    Vector bound_rate, stage_bound_rate;  // d bound / d load at the end of the step; in the present stage
+    // dc of the second stage caused by the first
     std::array<std::array<Vectors, TangentBy<directions>::count>, directions> carried;
 
     std::array<KeptResponse<directions, Scalar>, 3>
-        kept;  // of the first of two stages, of the only one, and of the second
+        kept;  // responses of the first of two stages, of a single stage, and of the second stage
 };
 
 }  // namespace rollbem::detail

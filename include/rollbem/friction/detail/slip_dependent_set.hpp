@@ -22,14 +22,15 @@
 
 namespace rollbem::detail {
 
-/// What determines the coefficient of an element: that of the arriving particles before a period of slip.
+/// The data that determine the friction coefficient of each element: particles arrive with a coefficient and slip for a
+/// period.
 template <class Scalar>
 struct FrictionPassage {
     const AnySlipLaw<Scalar>& law;
     const FrictionMemory<Scalar>& memory;
     Scalar at_rest;                     ///< mu_s(0)
     const VectorX<Scalar>& duration;    ///< duration of the period [s]
-    const VectorX<Scalar>* before{};    ///< mu before it; null in steady rolling: that of the element ahead
+    const VectorX<Scalar>* before{};    ///< mu before the period; null in steady rolling: mu of the element ahead
     const VectorX<Scalar>* pressure{};  ///< p_n/G; without pressure the coefficient is mu_s(0)
     Scalar velocity_per_slip = 0;       ///< slip velocity [m/s] over the solver's slip
 
@@ -60,7 +61,7 @@ public:
     using Matrix = MatrixX<Scalar>;
 
     struct Outcome {
-        typename Solver::Outcome solution;  ///< of the last solution; rounds and path points are those of all
+        typename Solver::Outcome solution;  ///< the last solution, with rounds and path points of all solutions
         int solutions = 0;                  ///< number of solutions for stick and slip
         Scalar change = 0;                  ///< largest residual of the equation above
     };
@@ -97,13 +98,15 @@ public:
         return outcome;
     }
 
-    /// To be called before respond(). Changes whenever its result may, other changes being equal.
+    /// To be called before respond(). Returns a number that changes whenever the response to the same change may
+    /// change.
     std::uint64_t linearise(const Passage& passage, Solver& solver) {
         factorise(passage, solver, true);
         return revision_;
     }
-    /// Finds dp in the solver, and d mu, of the last solution due to a change at constant mu and to d mu_before of each
-    /// particle, unless null, while no element changes its zone. `friction_change` must be none of these vectors.
+    /// Finds the response of the last solution while no element changes its zone: dp, which the solver holds, and d mu
+    /// in `friction_change`. The causes are a change of the problem at constant mu and, unless null, the change
+    /// `before` of each particle's mu_before. `friction_change` must differ from all vectors of the causes.
     void respond(const Passage& passage, Solver& solver, const Change& change, const Vector* before,
                  Vector& friction_change) {
         solver.respond(change, &response_);
@@ -128,8 +131,8 @@ private:
         const Passage& passage;
         Solver& solver;
         Vector& friction;
-        Scalar largest;      // a law that rises may lead far above where it starts
-        Scalar settled = 0;  // what rounding explains
+        Scalar largest;      // mu at rest or at the start; a rising law may lead far above it
+        Scalar settled = 0;  // residual that rounding explains
         Outcome outcome{};
 
         bool has_settled() const { return outcome.change <= settled; }
@@ -229,8 +232,8 @@ private:
     // ahead, of the last solution. The slip of sticking elements remains zero.
     void differentiate(const Passage& passage, const Solver& solver) {
         const bool steady = passage.before == nullptr;
-        // differences of a width that also suits elements that hardly slip, and not that of a least velocity which is
-        // far above any slip
+        // the width of the differences must suit elements that hardly slip, and ignore a least velocity far above any
+        // slip
         const Scalar fastest = rounded(velocity_.maxCoeff());
         const Scalar unit = (std::min)(passage.memory.least_velocity, fastest) + fastest / 1000;
         const Scalar share = std::cbrt(std::numeric_limits<Scalar>::epsilon());
@@ -249,8 +252,8 @@ private:
         }
     }
 
-    // Newton's matrix, which is factorised only if it has changed. Tangents need the `exact` derivatives; Newton's
-    // method does without those of the angles of turned slip.
+    // Factorises Newton's matrix, if it has changed. Tangents need the `exact` derivatives; Newton's method leaves out
+    // the derivatives of the angles of turned slip.
     void factorise(const Passage& passage, Solver& solver, bool exact) {
         couple(solver, exact);
         differentiate(passage, solver);
@@ -279,8 +282,8 @@ private:
         factorise_in_place<Scalar>(newton_.topLeftCorner(count_, count_), swaps_.data());
     }
 
-    // The slip of the elements that slide by their bounds, in coupling_. If there is no tangent, the derivatives are
-    // those without slip. Angles of turned slip follow if it has to be `exact`.
+    // Finds in coupling_ the derivatives of the sliding elements' slip by their bounds. If there is no tangent, no
+    // element counts as sliding. `exact` includes the angles of turned slip.
     void couple(Solver& solver, bool exact) {
         const std::uint64_t kind = is_regular_ ? exact && solver.angles_follow() ? 2 : 1 : 0;
         const std::uint64_t revision = 3 * solver.revision() + kind;
@@ -305,7 +308,7 @@ private:
     Matrix coupling_, by_friction_, newton_;
     Vector newton_slope_, newton_gain_, newton_kept_;  // for which by_friction_ and newton_ were computed
     std::uint64_t coupling_revision_ = never, newton_revision_ = never, revision_ = 0;
-    Index count_ = 0;  // of the elements that slide
+    Index count_ = 0;  // number of elements that slide
     bool is_regular_ = false;
     std::vector<Index> swaps_;
 };

@@ -1,4 +1,4 @@
-// M of a friction problem s = M p + c, and what depends on M alone.
+// The matrix M of a friction problem s = M p + c, and quantities that depend on M alone.
 #pragma once
 
 #include <array>
@@ -18,8 +18,9 @@
 
 namespace rollbem::detail {
 
-/// M by groups of unknowns that do not couple: with one direction, or with two that couple, there is one group of all
-/// unknowns, direction by direction; otherwise each direction is one. All memory is allocated by the constructor.
+/// The matrix M, divided into groups of unknowns that do not couple: with one direction, or with two directions that
+/// couple, one group holds all unknowns, direction by direction; otherwise each direction is a group. All memory is
+/// allocated by the constructor.
 template <int directions, class Scalar>
 class SlipMatrix {
 public:
@@ -45,27 +46,28 @@ public:
     bool coupled() const { return coupled_; }
     std::size_t groups() const { return coupled_ ? 1 : directions; }
     Index group_size() const { return depth() * n_; }
-    Index depth() const { return coupled_ ? directions : 1; }  ///< directions in a group
+    Index depth() const { return coupled_ ? directions : 1; }  ///< number of directions in a group
     const Matrix& group(std::size_t g) const { return group_[g]; }
-    /// The unknowns of a group.
+    /// A view of the unknowns of a group.
     template <class Either>
     auto part(Either& vectors, std::size_t g) const {
         using Part = std::conditional_t<std::is_const_v<Either>, const Vector, Vector>;
         return Eigen::Map<Part>(vectors.data() + static_cast<Index>(g) * group_size(), group_size());
     }
 
-    /// Slip in direction d by tractions in direction e; to be filled before the first solution and whenever M changes.
+    /// The block of slip in direction d due to tractions in direction e, to be filled before the first solution and
+    /// whenever M changes.
     auto renew(std::size_t d, std::size_t e) {
         ++revision_;
         reach_is_known_ = inverse_is_known_ = sums_are_known_ = false;
         return block(*this, d, e);
     }
     auto block(std::size_t d, std::size_t e) const { return block(*this, d, e); }
-    /// Changes whenever M does.
+    /// A number that changes whenever M changes.
     std::uint64_t revision() const { return revision_; }
-    /// A number that no one else gets, for what is kept of this matrix.
+    /// A new unique number for a result computed from this matrix.
     std::uint64_t next_serial() { return ++serial_; }
-    /// Whether M is for one problem only, so that its inverse is not worth its price.
+    /// Says whether M serves one problem only, so that its inverse is not worth its cost.
     void serve_once(bool once) { serves_once_ = once; }
     bool serves_once() const { return serves_once_; }
 
@@ -74,7 +76,7 @@ public:
         for (std::size_t g = 0; g < groups(); ++g) part(s, g).noalias() = group_[g] * part(p, g);
     }
 
-    /// rho of each element: from the largest influence on it, as its own may vanish.
+    /// rho of each element: 1 over the largest influence on it, because its own influence may vanish.
     const Vector& reach() {
         if (reach_is_known_) return reach_;
         reach_.setZero();
@@ -86,7 +88,7 @@ public:
         return reach_;
     }
 
-    /// What to add to the own influence of an element where M is singular.
+    /// The number to add to an element's influence on itself where M is singular.
     Scalar shift(Index i) { return std::sqrt(std::numeric_limits<Scalar>::epsilon()) / reach()[i]; }
 
     /// Finds B = M^-1 with the help of `scratch`, unless it is known. False if M is too close to singular.
@@ -105,7 +107,8 @@ public:
     }
     const Matrix& inverse(std::size_t group) const { return inverse_[group]; }
 
-    /// Two sums of M p + c - s over all elements, with irregular signs; the larger one. Costs no product with M.
+    /// Estimates the error M p + c - s: the larger of its two sums over all elements with irregular signs. Costs no
+    /// product with M.
     Scalar error(const Vectors& p, const Vectors& c, const Vectors& s) {
         Scalar largest = 0;
         for (std::size_t k = 0; k < sums_.size(); ++k) {
@@ -132,7 +135,7 @@ private:
         return own.group_[own.coupled_ ? 0 : d].block(row, column, own.n_, own.n_);
     }
 
-    // Bits of a linear congruential generator (Knuth's MMIX).
+    // Draws the signs from the bits of a linear congruential generator (Knuth's MMIX).
     void draw_signs() {
         std::uint64_t state = 1;
         for (Vectors& signs : sign_) {

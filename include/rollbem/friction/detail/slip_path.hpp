@@ -1,4 +1,4 @@
-// A friction problem followed from zero friction: the way to a solution where Newton's method has failed.
+// A path of solutions from zero friction to the given friction problem, followed where Newton's method has failed.
 #pragma once
 
 #include <algorithm>
@@ -20,10 +20,11 @@ namespace rollbem::detail {
 
 /// Follows the solutions (z, t) of
 ///     z - p + rho R (M p + c + (1 - t) d) = 0,   p = P_t(z),
-/// from t = 0, where p = 0, to t = 1, where p is a solution of the problem. P_t projects onto circles of t times the
-/// bounds and is rounded off in proportion to 1 - t, so that it is smooth below t = 1.
+/// from t = 0, where p = 0, to t = 1, where p is a solution of the problem. P_t projects onto discs (in one direction
+/// intervals) with radii of t times the bounds and is rounded off in proportion to 1 - t, so that it is smooth below t
+/// = 1.
 ///
-/// As p is bounded, for almost every d the path is one smooth curve that ends at t = 1, whatever M (Chow, Mallet-Paret
+/// Since p is bounded, for almost every d the path is one smooth curve that ends at t = 1, whatever M (Chow, Mallet-Paret
 /// and Yorke 1978). It may turn back in t, and is therefore followed by its length. Where M with its rows weighted by
 /// the elements' areas is positive definite, each t has one solution, and the path does not turn back. d points in
 /// directions that differ by an irrational angle from element to element. All memory is allocated by the constructor.
@@ -50,7 +51,7 @@ public:
           column_(n, directions),
           slope_(n, directions * directions) {}
 
-    /// To t = 0, of another path for each `number`.
+    /// Starts at t = 0; each `number` gives another path.
     void begin(const Problem& problem, int number) {
         const Index n = scale_.size(), last = at_.size() - 1;
         for (Index i = 0; i < n; ++i) {
@@ -76,7 +77,7 @@ public:
         points_ = 0;
     }
 
-    /// Some points on, fewer if the rest of t has halved; false if there are none.
+    /// Follows the path by some points, or until 1 - t has halved; false if there are no further points.
     bool advance(const Problem& problem) {
         const Index last = at_.size() - 1;
         const int stop = points_ + most_together;
@@ -100,13 +101,14 @@ public:
         return false;
     }
 
-    /// P_1(z) after advance(): near a solution if the rest of t is small.
+    /// P_1(z) after advance(): near a solution if 1 - t is small.
     const Vectors& traction() const { return traction_; }
-    int points() const { return points_; }  ///< so far
+    int points() const { return points_; }  ///< number of points so far
 
 private:
     static constexpr Scalar golden_angle = Scalar(2.39996322972865332L);
-    // Found by trial, with random matrices and patches. Steps are relative to the size of all elements together.
+    // The following values were found by trial, with random matrices and patches. Lengths are norms of the scaled
+    // unknowns of all elements.
     static constexpr Scalar longest = Scalar(0.25);
     static constexpr Scalar most_turn = Scalar(1.2);  // 1/cos of the angle from one point to the next
     static constexpr int most_together = 8;
@@ -114,8 +116,8 @@ private:
 
     static Scalar over(Scalar a, Scalar b) { return b > 0 ? a / b : Scalar(0); }
 
-    // Newton's method from trial_ to the path, at right angles to forward_; the path's direction there into change_.
-    // Number of its steps; 0 if it does not converge fast, or the path turns much.
+    // Newton's method from trial_ to the path, at right angles to forward_; change_ becomes the path's direction there.
+    // Returns the number of steps; 0 if it does not converge fast, or if the path turns much.
     int correct(const Problem& problem) {
         const Index last = trial_.size() - 1;
         Scalar before = length_ / 2;
@@ -132,7 +134,7 @@ private:
         return 0;
     }
 
-    // A Newton step of trial_, whose size is returned; the path's direction into change_.
+    // Takes a Newton step of trial_ and returns its size; change_ becomes the path's direction.
     Scalar linearise(const Problem& problem) {
         set_up(problem);
         factorise_in_place<Scalar>(matrix_, swaps_.data());
@@ -145,10 +147,10 @@ private:
         return size;
     }
 
-    // The unknowns of the elements among those of all, the last of which is t.
+    // The elements' part of all unknowns, the last of which is t.
     auto rows(Scalar* unknowns) const { return Eigen::Map<Vectors>(unknowns, scale_.size(), directions); }
 
-    // rho R times the vectors in column_, over the elements' scales, and nothing for t.
+    // Writes rho R times the vectors in column_, over the elements' scales, and 0 for t.
     void put(const Problem& problem, Scalar* target) const {
         for (Index i = 0; i < scale_.size(); ++i) {
             rows(target).row(i) = problem.reach[i] / scale_[i] * problem.turn.turned(i, Row(column_.row(i)));
@@ -156,7 +158,7 @@ private:
         target[column_.size()] = 0;
     }
 
-    // The equations' residual at trial_ into change_, their derivatives into matrix_.
+    // Writes the equations' residual at trial_ into change_ and their derivatives into matrix_.
     void set_up(const Problem& problem) {
         const Index n = scale_.size(), last = directions * n;
         const auto scale = scale_.array().template replicate<1, directions>();
@@ -174,7 +176,7 @@ private:
         }
         matrix_.row(last) = forward_.transpose();
     }
-    // By z of element i in direction e.
+    // Writes the derivatives by z of element i in direction e.
     void set_up_column(const Problem& problem, Index e, Index i) {
         const SlipMatrix<directions, Scalar>& M = problem.equations.matrix;
         const Row slope = slope_.row(i).template segment<directions>(directions * e);
@@ -191,7 +193,7 @@ private:
         target[e * scale_.size() + i] += 1;
     }
 
-    // P_t(z) = 2 g z/(|r - g, w| + |r + g, w|), r = |z|, g the bound and w the rounding, and its derivatives.
+    // Finds P_t(z) = 2 g z/(|r - g, w| + |r + g, w|), r = |z|, g the bound and w the rounding, and its derivatives.
     void find_tractions(const Problem& problem) {
         const Index n = scale_.size();
         const Scalar t = trial_[directions * n];
@@ -228,8 +230,8 @@ private:
     Vectors traction_, growth_;  // p, dp/dt
     Vectors column_;
     Eigen::Matrix<Scalar, Eigen::Dynamic, directions * directions> slope_;  // dp/dz
-    Scalar length_ = 0;                                                     // of the next step
-    Scalar rest_ = 0;                                                       // of t, where to stop
+    Scalar length_ = 0;                                                     // length of the next step
+    Scalar rest_ = 0;                                                       // value of 1 - t where advance() stops
     int points_ = 0;
 };
 

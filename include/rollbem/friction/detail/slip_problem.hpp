@@ -1,4 +1,5 @@
-// What a search for stick and slip is given: the conditions, and the equations of the elements that stick and slide.
+// The problem that a search for stick and slip is to solve: its conditions, and the equations of the elements that
+// stick and slide.
 #pragma once
 
 #include <algorithm>
@@ -20,11 +21,12 @@
 
 namespace rollbem::detail {
 
-/// The turn of tractions whose sizes are given: one unknown for each element that slides, in their order, at a point
-/// (p, s). With n along the traction, t across it, a and w the same turned back, and k = -a.s/b: the tractions change by
-/// tau t, where
-///     (w.C t + k) tau = -w.s,
-/// C from CondensedSlip. All memory is allocated by the constructor.
+/// Newton's equations for the directions of sliding tractions, whose magnitudes are given: one unknown tau for each
+/// sliding element, in the order of RoleLists. At a point (p, s), let n be the unit vector along the traction of an
+/// element, t the unit vector across it, a and w the vectors n and t turned back (SlipTurn), and k = -a.s/b the
+/// stiffness of the element. With C from CondensedSlip, the tractions change by tau t, where
+///     (w.C t + k) tau = -w.s
+/// All memory is allocated by the constructor.
 template <class Scalar>
 class Sliding {
 public:
@@ -44,7 +46,7 @@ public:
           factors_(n, n),
           swaps_(static_cast<std::size_t>(n)) {}
 
-    /// The directions and stiffnesses of the elements that slide.
+    /// Sets the directions and the stiffness of each sliding element.
     template <class Turn>
     void aim(const RoleLists& lists, const Vectors& direction, const Vectors& slip, const Vector& bound,
              const Turn& turn) {
@@ -56,7 +58,7 @@ public:
             across_.row(l) << -along[1], along[0];
             against_.row(l) = against;
             aside_.row(l) << -against[1], against[0];
-            // finite, however small the bound
+            // the stiffness stays finite, however small the bound
             stiffness_[l] = std::clamp(-against.dot(slip.row(i)) / bound[i], Scalar(0),
                                        (std::numeric_limits<Scalar>::max)() / 1000);
         }
@@ -74,7 +76,7 @@ public:
     const Vectors& across() const { return across_; }    ///< t
     const Vectors& against() const { return against_; }  ///< a
     const Vectors& aside() const { return aside_; }      ///< w
-    /// Adds tau t, for this slip, to the tractions.
+    /// Solves for tau at this slip and adds tau t to the tractions.
     void turn(const RoleLists& lists, const Vectors& slip, Vectors& traction) {
         for (Index l = 0; l < count_; ++l) turn_[l] = -aside_.row(l).dot(slip.row(lists.other(l)));
         solve_in_place<Scalar>(factors_.topLeftCorner(count_, count_), swaps_.data(), turn_.head(count_));
@@ -92,9 +94,9 @@ private:
     Index count_ = 0;
 };
 
-/// M and what is kept for its solutions, first with slip as it is, then with slip turned; with one direction there is
-/// one. Usually both have the same roles, and then share the condensed equations. All memory is allocated by the
-/// constructor.
+/// M, and for each solution the equations that are kept: entry 0 belongs to the solution without turned slip, entry 1
+/// (two directions only) to the solution with turned slip. If both solutions have the same roles, as is usual, they
+/// share the condensed equations. All memory is allocated by the constructor.
 template <int directions, class Scalar>
 struct SlipEquations {
     using Condensed = ByDirections<directions, NestedStick<Scalar>, CondensedSlip<Scalar>>;
@@ -119,7 +121,7 @@ struct SlipEquations {
     SlipMatrix<directions, Scalar> matrix;
     std::vector<Condensed> condensed;
     std::vector<Base> base;
-    std::vector<Sliding<Scalar>> sliding;  // with two directions
+    std::vector<Sliding<Scalar>> sliding;  // used with two directions only
 };
 
 /// A solution, or a point on the way to one.
@@ -139,17 +141,18 @@ struct SlipProblem {
     using Turn = SlipTurn<directions, Scalar>;
 
     SlipEquations<directions, Scalar>& equations;
-    std::size_t which;                                       ///< of the solutions
-    typename SlipEquations<directions, Scalar>::Base& base;  ///< of c
+    std::size_t which;                                       ///< entry of `equations`
+    typename SlipEquations<directions, Scalar>::Base& base;  ///< contribution of c
     const ElementVectors<Scalar, directions>& constant;      ///< c
     const VectorX<Scalar>& bound;
     const Turn& turn;              ///< R
     const VectorX<Scalar>& reach;  ///< rho
     Scalar imposed;                ///< max |c|
-    Turn* next = nullptr;          ///< of another problem, with the angles of the solution of this one
-    bool has_next = false;         ///< that is solved even if nothing turns
+    Turn* next = nullptr;          ///< turn of the next problem, whose angles come from the solution of this one
+    bool has_next = false;         ///< the next problem is solved even if no angle differs from 0
 
-    /// Whether there is another problem after this one. A point near a solution is enough to find its angles.
+    /// Whether another problem, with turned slip, follows this one. Finds its angles, for which a point near a solution
+    /// is enough.
     bool leads_on(const SlipPoint<directions, Scalar>& point) const {
         return next != nullptr && (next->find(point.slip, point.roles) || has_next);
     }

@@ -1,4 +1,4 @@
-// The search for stick and slip: Newton's method on the natural map, and what takes over where it fails.
+// The search for stick and slip: Newton's method on the natural map, and the fallbacks where it fails.
 #pragma once
 
 #include <algorithm>
@@ -22,9 +22,10 @@ namespace rollbem::detail {
 /// element with |p - rho R s| within its bound sticks in the next step, without any slip; any other keeps its traction
 /// at the bound and turns it. A step is halved while the residual of the map would grow.
 ///
-/// That can get stuck, first from where the search begins, then from full sliding. SlipPath then leads to a point near
-/// a solution, from which Newton's method finishes. If that fails, too, the best point is the result. The result
-/// depends on the problem and the starting point alone, to the last bit. All memory is allocated by the constructor.
+/// If Newton's method gets stuck, it starts once more from full sliding. If it gets stuck again, SlipPath leads to a
+/// point near a solution, from which Newton's method finishes. If that fails, too, the result is the best point found.
+/// The result depends on the problem and the starting point alone, to the last bit. All memory is allocated by the
+/// constructor.
 template <int directions, class Scalar>
 class SlipSearch {
 public:
@@ -44,8 +45,9 @@ public:
           refined_(trial_),
           path_(n) {}
 
-    /// From the roles of `point` and the directions of its tractions. A point near a solution is enough if the problem
-    /// leads on. False if there is no success.
+    /// Searches from the roles of `point` and the directions of its tractions, and writes the result to `point`. A
+    /// point near a solution is enough if another problem follows (SlipProblem::leads_on). False if no solution is
+    /// found.
     bool find(const Problem& problem, Point& point) {
         least_ = (std::numeric_limits<Scalar>::max)();
         const bool found = look(problem, point);
@@ -56,23 +58,23 @@ public:
         return found;
     }
 
-    /// Newton steps, and points of SlipPath, since they were set to 0.
+    /// Numbers of Newton steps and of points of SlipPath since they were last set to 0.
     int steps = 0, path_points = 0;
 
-    /// That of M p + c - s in the last point found; estimated with two directions.
+    /// The error M p + c - s of the last point found; an estimate with two directions.
     Scalar error() const { return error_; }
 
     static Scalar rounding(Index n) { return static_cast<Scalar>(n + 10) * epsilon; }
 
 private:
-    static constexpr int longest = 60;    // Newton steps
-    static constexpr int from_path = 20;  // Newton steps
+    static constexpr int longest = 60;    // most Newton steps of a search
+    static constexpr int from_path = 20;  // most Newton steps from a point of the path
     static constexpr int most_paths = 3, most_refinements = 3;
     static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
-    // Full adhesion underestimates the zone of slip.
+    // Share of its bound from which an element slides after full adhesion, which underestimates the zone of slip.
     static constexpr Scalar eager = Scalar(0.7);
 
-    // Residual over the sum of bounds from which on another step would not change the angles of turned slip.
+    // Residual over the sum of bounds below which another step would not change the angles of turned slip.
     inline static const Scalar nearly = std::cbrt(epsilon) * std::cbrt(epsilon);
 
     bool look(const Problem& problem, Point& point) {
@@ -84,7 +86,8 @@ private:
         }
         return false;
     }
-    // `eagerly`: if all elements stick before the first of at most so many steps.
+    // Takes at most `most_steps` Newton steps. `eagerly` applies the share `eager` in the first step if all elements
+    // stick before it.
     bool settle(const Problem& problem, int most_steps, bool eagerly, Point& point) {
         refinements_ = 0;
         const bool settled = iterate(problem, most_steps, eagerly, point);
@@ -107,7 +110,7 @@ private:
         return false;
     }
 
-    // The roles for a point by the natural map; an element without traction yet slips from `share` of its bound on.
+    // Sets the roles of a point by the natural map, where an element slides from `share` of its bound on.
     static void place(const Problem& problem, Scalar share, Point& point) {
         const Scalar factor = share * (1 + 4 * rounding(point.roles.size()));
         for (Index i = 0; i < point.roles.size(); ++i) {
@@ -149,7 +152,8 @@ private:
         error_ = 0;
     }
 
-    // The full step, into trial_: tractions that slide return to their bounds. False if there is none.
+    // Takes the full Newton step into trial_; tractions that slide return to their bounds. False if the step does not
+    // exist.
     template <class Condensed>
     bool take_step(const Problem& problem, Condensed& at, const Point& point) {
         for (Index k = 0; k < at.others(); ++k) {
@@ -162,7 +166,7 @@ private:
         at.complete(problem.equations.matrix, problem.base, trial_, trial_slip_);
         return true;
     }
-    // The tractions that slide.
+    // Turns the tractions that slide. False if their equations are singular.
     template <class Condensed>
     bool turn(const Problem& problem, Condensed& at, const Point& point) {
         auto& matrix = problem.equations.matrix;
@@ -182,9 +186,9 @@ private:
     struct Fit {
         Scalar residual = 0;  // of the natural map: sum of |p - P(p - rho R s)|
         Scalar excess = 0;    // of sticking tractions, relative to their bounds
-        Scalar creep = 0;     // slip across tractions, and along them
+        Scalar creep = 0;     // largest slip across tractions, or along them
     };
-    // Clears the slip of sticking elements, which with one direction is the error.
+    // Measures the trial, and clears the slip of sticking elements; with one direction that slip is the error.
     Fit measure(const Problem& problem, const Point& point) {
         Fit fit;
         Scalar largest = 0;  // of M p
@@ -246,7 +250,7 @@ private:
         return residual;
     }
 
-    // Whether s = M p + c, to round-off or, at last, to some more.
+    // Whether s = M p + c holds to round-off; after the last refinement a larger error is accepted.
     bool verify(const Problem& problem, const Point& point) {
         auto& matrix = problem.equations.matrix;
         if (directions == 1 ? refinements_ > 0 : matrix.serves_once()) {
@@ -261,7 +265,8 @@ private:
         problem.equations.matrix.multiply(point.traction, change_);
         change_ += problem.constant - point.slip;
     }
-    // c' with which the error repeats itself, and is thereby repaired. False if there were enough of these.
+    // Replaces c by c' = c + (M p + c - s): the next solution repeats the error and thereby cancels it. False after the
+    // last allowed refinement.
     bool refine(const Problem& problem, const Point& point) {
         if (refinements_ == most_refinements || !is_finite(error_)) return false;
         if (refinements_++ == 0) refined_ = problem.constant;

@@ -1,4 +1,5 @@
-// Friction in two directions to second order: the direction of slip is taken where the traction of the element acts.
+// Friction in two directions to second order: the direction of slip is taken at the centre of the element, where the
+// traction acts.
 #pragma once
 
 #include <cmath>
@@ -13,12 +14,12 @@
 
 namespace rollbem::detail {
 
-/// The slip s_i of a row that lies half an element ahead of the centre of its element opposes a traction that acts
-/// there. Where the direction of slip varies, that is an error of first order. Slip at the centre points along
+/// The slip s_i holds half an element ahead of the centre of its element, where the traction acts. If the traction
+/// opposed s_i, the error would be of first order where the direction of slip varies. Slip at the centre points along
 ///     m_i = (s_i + s_(i-1))/2,   at a trailing element   m_0 = (3 s_0 - s_1)/2,
-/// with the row behind in the same strip and zero where elements stick (CentreValues). Replacing s_i by m_i in the law
-/// is not well posed; turning s_i by the angle from s_i to m_i of a solution, and solving once more at fixed angles,
-/// is.
+/// with i - 1 the row behind in the same strip, and s = 0 where elements stick (CentreValues). The law with m_i in
+/// place of s_i is not well posed. Well posed is a second solution with fixed angles: it turns s_i by the angle from
+/// s_i to m_i in the first solution.
 ///
 /// Angles are at most 60 degrees, and 0 where an element does not slip, or s_i or m_i vanishes. With one direction
 /// nothing turns. All memory is allocated by the constructor.
@@ -35,7 +36,8 @@ public:
           along_centre_(rotation_),
           rate_(VectorX<Scalar>::Zero(n)) {}
 
-    /// The slip at the centres, to which slip is turned from now on; null: slip is not turned. Refers to it.
+    /// Sets the interpolation to the centres; slip is turned to its values from now on. Null: slip is not turned. Keeps
+    /// the pointer.
     void turn_to(const CentreValues<Scalar>* centres) {
         centres_ = centres;
         stop();
@@ -66,7 +68,7 @@ public:
         rate_ /= 2;
     }
 
-    /// The derivatives of the angles by those of the slip that find() was called with.
+    /// Finds the changes of the angles caused by a change of the slip that find() was called with.
     void follow(const Vectors& slip_change, VectorX<Scalar>& angle_change) const {
         angle_change.setZero();
         for (Index i = 0; i < rate_.size(); ++i) {
@@ -77,7 +79,7 @@ public:
         }
     }
 
-    /// R_i v, and v turned back.
+    /// R_i v; v turned back, R_i^-1 v.
     Row turned(Index i, const Row& v) const { return turns_ ? rotated(v, cosine_of(i), sine_of(i)) : v; }
     Row turned_back(Index i, const Row& v) const { return turns_ ? rotated(v, cosine_of(i), -sine_of(i)) : v; }
 
@@ -124,8 +126,8 @@ private:
 
     const CentreValues<Scalar>* centres_ = nullptr;
     Vectors rotation_;                   // cosine and sine of the angles
-    Vectors along_slip_, along_centre_;  // s_i and m_i of which they are the angles, over the squares of their lengths
-    VectorX<Scalar> rate_;               // 0 for angles that do not follow the slip, half for those that are halved
+    Vectors along_slip_, along_centre_;  // s_i and m_i of the angles, each over the square of its length
+    VectorX<Scalar> rate_;               // 1 for angles that follow the slip, halved with them; 0 for others
     bool turns_ = false, follows_ = false;
 };
 

@@ -1,4 +1,4 @@
-// Frictional heat of each element: slip is known at the collocation points, tractions on the elements.
+// Frictional heat of each element, from slip at the collocation points and tractions on the elements.
 #pragma once
 
 #include <utility>
@@ -12,12 +12,13 @@
 
 namespace rollbem::detail {
 
-/// Work of tractions against slip, element by element, with the slip at the element's centre: CentreValues. At alpha =
-/// 0.5 on a line, where the collocation point of an element is its leading edge, this is the mean of the slips at its
-/// two edges. The slip of the element's own equation would give an error of first order.
+/// Work of tractions against slip, element by element, with the slip interpolated to the element's centre
+/// (CentreValues). At alpha = 0.5 on a line, where the collocation point of an element is its leading edge, this is the
+/// mean of the slips at its two edges. The slip of the element's own equation would give an error of first order.
 ///
-/// Where slip is turned, with the traction against the slip at the centre, elements that slip never gain energy. One
-/// that sticks ahead of one that slips gets -p_i . s_(i-1)/2, of either sign, which the sum needs.
+/// Where slip is turned, tractions oppose the slip at the centre, so that slipping elements never gain energy. A
+/// sticking element ahead of a slipping one contributes -p_i . s_(i-1)/2, of either sign; without this term the sum is
+/// wrong.
 ///
 /// Lengths in units of a, tractions in G. The works of two directions add up in the same sum.
 template <class Scalar>
@@ -36,7 +37,8 @@ public:
 
     const CentreValues<Scalar>& centres() const { return centres_; }
 
-    /// Adds -p s dx of each element to `work`; `half_length` is that of the contact.
+    /// Adds -p s dx of each element to `work`. The widths dx grow with the contact: `half_length` is the present
+    /// half-length over the reference one, on a patch times the same ratio of the half-widths.
     template <class Traction, class Slip>
     void add(const Traction& traction, const Slip& slip, VectorX<Scalar>& work, Scalar half_length = 1) const {
         for (Index i = 0; i < widths_.size(); ++i) {

@@ -1,5 +1,5 @@
-// Stick or slip, element by element, in one direction or two: tractions within their bounds whose slip opposes them.
-// The core of the friction problems; knows neither rolling nor units.
+// The solver of friction problems: stick or slip, element by element, in one direction or two. It knows neither rolling
+// nor units.
 #pragma once
 
 #include <algorithm>
@@ -27,9 +27,9 @@ namespace rollbem::detail {
 /// |p_i| = b_i; p_i and s_i are numbers or plane vectors. Because the bounds b are finite, a solution exists for every
 /// M (a continuous variational inequality on a compact set: Hartman and Stampacchia 1966); SlipSearch looks for it.
 ///
-/// If the slip at the centres is known (turn_slip), slip is then turned once as SlipTurn says, and s_i replaced by R_i
-/// s_i in the conditions of a second solution, which begins at the first. Sticking still means s_i = 0. Where that is
-/// not found, all angles are halved.
+/// If the slip at the centres is known (turn_slip), a second solution follows, whose conditions hold for R_i s_i in
+/// place of s_i. The rotations R_i come from the first solution (SlipTurn), from which the second search starts.
+/// Sticking still means s_i = 0. If the second solution is not found, all angles are halved.
 ///
 /// The result depends on M, c, the bounds and the starting point alone, to the last bit, and not on earlier solutions.
 /// All memory is allocated by the constructor.
@@ -46,17 +46,17 @@ public:
 
     struct Outcome {
         int rounds = 0;       ///< Newton steps
-        int path_points = 0;  ///< of the fallback; 0 if it was not needed
-        /// Largest violation of a bound, or traction below it where an element slips (relative to the largest bound),
-        /// or wrong slip: of a sticking element, across the traction or along it (relative to the largest |c|), with an
-        /// estimate of the error of s = M p + c.
+        int path_points = 0;  ///< points of the fallback SlipPath; 0 if it was not needed
+        /// Largest violation of the conditions. Tractions, over the largest bound: |p| above its bound, or below it
+        /// where an element slides. Slip, over the largest |c|: slip of a sticking element, across the traction or
+        /// along it, and the estimated error of s = M p + c.
         Scalar residual = 0;
         bool tangent_exists = false;
         Status status = Status::not_finite;
     };
 
-    /// A change of the problem: dc of each solution (the second unless it has the constants of the first) and that of
-    /// the bounds; null: none.
+    /// A change of the problem: dc of each solution and the change of the bounds; null means no change. The second dc
+    /// is read only if the second solution has constants of its own.
     struct Change {
         std::array<const Vectors*, directions> constant{};
         const Vector* bound = nullptr;
@@ -82,39 +82,41 @@ public:
 
     Index size() const { return slides_.size(); }
     bool coupled() const { return equations_.matrix.coupled(); }
-    /// The slip at the centres, to which slip is turned from now on; null, as after construction: it is not turned.
+    /// Sets the interpolation to the centres; slip is turned to its values from now on. Null, as after construction:
+    /// slip is not turned. Keeps the pointer.
     void turn_slip(const CentreValues<Scalar>* centres) { turn_.turn_to(centres); }
-    /// Whether respond() will be called; otherwise no tangent exists.
+    /// Says whether respond() will be called; if not, no tangent exists.
     void want_tangents(bool wanted) { wants_tangents_ = wanted; }
 
-    /// The blocks of M, to be filled before the first solve and whenever they change: slip in direction `slip`
-    /// (0 longitudinal, 1 lateral) by tractions in direction `by`.
+    /// A block of M, to be filled before the first solve and whenever it changes: slip in direction `slip` (0
+    /// longitudinal, 1 lateral) due to tractions in direction `by`.
     auto new_matrix(std::size_t slip = 0, std::size_t by = 0) { return equations_.matrix.renew(slip, by); }
-    /// Whether M is for one solution only, not for many with other c.
+    /// Says whether M serves one solution only, rather than several with different c.
     void use_once(bool once) { equations_.matrix.serve_once(once); }
-    /// c, to be filled before begin(); of the second solution only if that has a start of its own.
+    /// The constants c, to be filled before begin(); for the second solution only if it has a start of its own.
     Vectors& constant(std::size_t which = 0) { return constant_[which]; }
-    /// How many of the solutions have constants of their own.
+    /// Number of solutions that have constants of their own.
     std::size_t constant_count() const { return has_two_ ? 2 : 1; }
 
     const Vectors& traction() const { return points_[last()].traction; }
-    /// Of the solution whose slip is not turned, of which the angles of turned slip are those.
+    /// Tractions of the solution whose slip is not turned; its slip determines the angles of turned slip.
     const Vectors& plain_traction() const { return points_[0].traction; }
-    /// Of each solution that has constants of its own.
+    /// Tractions of each solution that has constants of its own.
     const Vectors& traction(std::size_t which) const { return has_two_ && which == 0 ? plain_traction() : traction(); }
-    /// s, exactly zero where elements stick. Where they slip it is against the traction, or, if slip is turned, R s is;
-    /// then s_i stays the slip at the point of row i.
+    /// The slip s, exactly zero where elements stick. Where an element slides, s opposes the traction or, if slip is
+    /// turned, R s does; s_i is in both cases the slip at the point of row i.
     const Vectors& slip() const { return points_[last()].slip; }
     const std::vector<Zone>& zones() const { return zones_; }
     Index stick_count() const { return stick_count_; }
-    /// 1 for each element that slips under pressure, zero for others.
+    /// 1 for each element that slides (slips under pressure), 0 for others.
     const Vector& slides() const { return slides_; }
-    /// Unit vector against the slip of these: along its traction, turned back if slip is turned.
+    /// Unit vector against the slip of each sliding element: along its traction, turned back if slip is turned; 0 for
+    /// others.
     const Vectors& against_slip() const { return against_slip_; }
     /// |s| of an element.
     Scalar slip_size(Index i) const { return length(Row(slip().row(i))); }
 
-    /// Takes c, and tractions and zones that hold for other c and bounds.
+    /// Begins to solve for the present c. `start` holds tractions and zones of a solution for other c and bounds.
     void begin(const Start& start) noexcept {
         has_two_ = directions == 2 && start.turned_traction != nullptr;
         has_turned_ = false;
@@ -131,7 +133,8 @@ public:
             zone == 0 ? point.roles.stick(i) : point.roles.slide(i, along);
         }
     }
-    /// Solves for bounds >= 0, all finite, from the start or the last solution for other bounds since begin().
+    /// Solves for finite bounds >= 0. The search begins at the start or at the last solution for other bounds since
+    /// begin().
     Outcome solve(const Vector& bound) noexcept {
         search_.steps = search_.path_points = 0;
         is_apart_ = false;
@@ -152,9 +155,9 @@ public:
         return solve(bound);
     }
 
-    /// Finds dp due to a change while no element changes between stick and slip, and the change of |s| unless null.
-    /// Slipping elements follow their bounds along their traction. If angles follow, those of turned slip change with
-    /// the solution that they belong to. Only if a tangent exists according to the last outcome.
+    /// Finds dp due to a change while no element changes between stick and slip and, unless null, the change of |s|.
+    /// Tractions of sliding elements follow their bounds. If angles follow (angles_follow()), the angles of turned slip
+    /// change with the first solution. To be called only if a tangent exists according to the last outcome.
     void respond(const Change& change, Vector* size_change = nullptr) {
         const Vectors *plain = change.constant[0], *turned = change.constant[own(directions - 1)];
         response_base_.forget();
@@ -168,7 +171,7 @@ public:
         answer(last(), {turned, change.bound, turn_.follows() ? &angle_change_ : nullptr}, response_.back());
         if (size_change != nullptr) *size_change = -slip_response_.cwiseProduct(against_slip_).rowwise().sum();
     }
-    /// dp of the last solution; of each that has constants of its own.
+    /// dp of the last solution; dp of each solution that has constants of its own.
     const Vectors& response() const { return response_.back(); }
     const Vectors& response(std::size_t which) const { return has_two_ ? response_[which] : response(); }
     bool angles_follow() const { return turn_.follows(); }
@@ -176,13 +179,14 @@ public:
     /// The elements that slide, in ascending order.
     Index slipping_count() const { return equations_.condensed[at_].sliding(); }
     Index slipping(Index k) const { return equations_.condensed[at_].other(k); }
-    /// Derivatives of slip by bounds: entry (k, l) becomes the slip of the k-th sliding element, against its present
-    /// slip, due to a unit increase of the bound of the l-th. `exact`: angles of turned slip follow. Uses both scratch
-    /// matrices, of n x n.
+    /// Finds the derivatives of slip by bounds: entry (k, l) of `coupling` becomes the slip of the k-th sliding
+    /// element, against its present slip, due to a unit increase of the bound of the l-th. `exact` includes the change
+    /// of the angles of turned slip. `across` and `aside` are scratch matrices of n x n.
     void couple(bool exact, Matrix& coupling, Matrix& across, Matrix& aside);
-    /// Changes whenever the result of couple() may.
+    /// A number that changes whenever the result of couple() may change.
     std::uint64_t revision() const { return revision_; }
-    /// Changes whenever M or the roles do, on which alone respond() depends with one direction and given bounds.
+    /// A number that changes whenever M or the roles change. With one direction and given bounds, respond() depends on
+    /// nothing else.
     std::uint64_t roles_revision() const { return equations_.condensed[at_].revision(); }
 
 private:
@@ -197,7 +201,7 @@ private:
 
     std::size_t last() const { return is_apart_ ? 1 : 0; }
     bool keeps_plain() const { return is_apart_ || turn_.follows(); }
-    // Of the first solution if the constants are those of all.
+    // Index of a solution's constants: 0 if all solutions have the same.
     std::size_t own(std::size_t which) const { return has_two_ ? which : 0; }
     const SlipTurn<directions, Scalar>& turn_of(std::size_t which) const { return which == 0 ? unturned_ : turn_; }
 
@@ -220,7 +224,7 @@ private:
         return result;
     }
 
-    // The roles of a point for other bounds.
+    // Adapts the roles of a point to other bounds.
     static void adapt(const Vector& bound, Point& point) {
         for (Index i = 0; i < bound.size(); ++i) {
             if (bound[i] == 0) {
@@ -258,7 +262,7 @@ private:
     }
 
     Scalar publish(const Vector& bound);
-    // What tangents need of each solution. False if it is singular to working precision.
+    // Factorises the equations that tangents need, for each solution. False if they are singular to working precision.
     bool factorise(const Vector& bound) {
         bool is_regular = true;
         for (std::size_t which = keeps_plain() ? 0 : last(); which <= last(); ++which) {
@@ -277,7 +281,8 @@ private:
         return is_regular;
     }
 
-    // Of one solution; dc and `angle` may be null. `of_slip_alone`: not of the tractions that stick.
+    // The cause of a response of one solution: dc, the changes of the bounds and of the angles, each null if there is
+    // none. `of_slip_alone`: the tractions of sticking elements are not wanted.
     struct Cause {
         const Vectors* constant;
         const Vector* bound;
@@ -285,7 +290,7 @@ private:
         bool of_slip_alone = false;
     };
     void answer(std::size_t which, const Cause& cause, Vectors& dp);
-    // Adds to the slip across by each bound what turning it by the angles that follow adds.
+    // Adds the effect of the changing angles to the derivatives of the slip across the traction by each bound.
     void add_angles(Matrix& aside) {
         unit_.setZero();
         slip_response_.setZero();
@@ -303,26 +308,26 @@ private:
 
     Equations equations_;
     Search search_;
-    std::vector<Point> points_;  // with slip as it is; with slip turned
+    std::vector<Point> points_;  // solution without turned slip; with turned slip
     SlipTurn<directions, Scalar> turn_, unturned_{0};
     std::vector<Zone> zones_;
     Vector slides_;
     std::vector<Vectors> constant_, response_;
-    Vectors difference_;  // of the tractions that both solutions start from
+    Vectors difference_;  // starting tractions of the second solution minus starting tractions of the first
     Vectors slip_response_, against_slip_;
     Vector angle_change_, right_, unit_;
     typename Condensed::Base response_base_;
-    std::size_t at_ = 0;                        // condensed equations of the last solution
-    std::array<Scalar, directions> imposed_{};  // max |c| of each
+    std::size_t at_ = 0;                        // index of the condensed equations of the last solution
+    std::array<Scalar, directions> imposed_{};  // max |c| of each solution
     std::uint64_t revision_ = 0, roles_revision_ = 0;
     Index stick_count_ = 0;
-    bool has_two_ = false;     // solutions, with constants of their own
+    bool has_two_ = false;     // both solutions have constants of their own
     bool is_apart_ = false;    // the last solution is the second one
     bool has_turned_ = false;  // there has been a second solution since begin()
     bool wants_tangents_ = true;
 };
 
-// Zones, and slip cleared of round-off; returns the largest violation.
+// Sets the zones, clears slip of round-off and returns the largest violation of the conditions.
 template <int directions, class Scalar>
 auto StickSlip<directions, Scalar>::publish(const Vector& bound) -> Scalar {
     Point& point = points_[last()];
@@ -365,7 +370,7 @@ auto StickSlip<directions, Scalar>::publish(const Vector& bound) -> Scalar {
     return (std::max)(imposed > 0 ? slip / imposed : slip, most > 0 ? excess / most : excess);
 }
 
-// Slip in slip_response_.
+// Finds dp, and the response of the slip in slip_response_.
 template <int directions, class Scalar>
 void StickSlip<directions, Scalar>::answer(std::size_t which, const Cause& cause, Vectors& dp) {
     const Point& point = points_[which];
