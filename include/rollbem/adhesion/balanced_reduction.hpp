@@ -21,19 +21,19 @@
 
 namespace rollbem {
 
-/// A StateSpace reduced to K states. Invariant if status is ok: its A is stable, and its steady state c(0) that of the
-/// original; otherwise all of its matrices are empty.
+/// A StateSpace reduced to K states. Invariant if status is ok: its A is stable, and its steady state c(0) equals the
+/// original's; otherwise all of its matrices are empty.
 template <class Scalar>
 struct BalancedReduction {
     StateSpace<Scalar> space;  ///< K states, and D != 0
-    /// Of the original, decreasing, in the unit of c; only those above rounding, n eps times the largest. They depend
-    /// neither on K nor on the choice of states.
+    /// Hankel singular values of the original, decreasing, in the unit of c; values below rounding, n eps times the
+    /// largest, are left out. They depend neither on K nor on the choice of states.
     ArrayX<Scalar> hankel_singular_values;
     /// |c(s) - c_K(s)| <= error_bound in the 2-norm where Re s >= 0, but for rounding: twice the sum of the singular
     /// values from the (K+1)-th on (Glover, Int. J. Control 39 (1984) 1115-1193).
     Scalar error_bound = 0;
     /// unstable: a mode of the original grows; ill_conditioned: rounding of A could make one grow, or no input reaches
-    /// an output, or the reduced system does not decay, which has not been seen.
+    /// an output, or the reduced system does not decay.
     Status status = Status::not_finite;
 };
 
@@ -73,7 +73,7 @@ Eigen::Index numerical_rank(const MatrixX<Scalar>& factor) {
     return (factor.colwise().norm().array() > std::numeric_limits<Scalar>::epsilon() * factor.norm()).count();
 }
 
-/// Z^H B for real B, with the columns that gramian_factor needs.
+/// Z^H B for real B.
 template <class Scalar>
 MatrixX<std::complex<Scalar>> transformed(const MatrixX<std::complex<Scalar>>& Z, const MatrixX<Scalar>& B) {
     const MatrixX<Scalar> Z_re = Z.real(), Z_im = Z.imag();
@@ -92,7 +92,7 @@ struct Balance {
     MatrixX<Scalar> V{}, W{};
 };
 
-/// From the Schur form A = Z T Z^H, by the square-root method.
+/// Balances a state space with the Schur form A = Z T Z^H, by the square-root method.
 template <class Scalar>
 Balance<Scalar> balance(const StateSpace<Scalar>& space, const MatrixX<std::complex<Scalar>>& Z,
                         const MatrixX<std::complex<Scalar>>& T) {
@@ -122,14 +122,14 @@ Balance<Scalar> balance(const StateSpace<Scalar>& space, const MatrixX<std::comp
             .W = (M_o * svd.matrixU().leftCols(count) * scale.asDiagonal()).transpose()};
 }
 
-/// The states that the columns of V span, measured by the rows of W, where all others have settled: A^-1 is restricted
-/// to V, along the directions that W does not see, and inverted again.
+/// Reduces a state space to the states that the columns of V span and the rows of W measure, while all other states
+/// follow without delay: A^-1 is restricted to V, along the null space of W, and inverted again.
 template <class Scalar>
 StateSpace<Scalar> residualised(const StateSpace<Scalar>& space, const MatrixX<Scalar>& V, const MatrixX<Scalar>& W) {
     using Matrix = MatrixX<Scalar>;
     const Eigen::PartialPivLU<Matrix> lu(space.A);
     const Matrix inverse_B = lu.solve(space.B), inverse_V = lu.solve(V), output = space.C * inverse_V;
-    // W V is the identity but for rounding, of which this makes an exact projection
+    // W V is the identity but for rounding; solving with it makes the projection exact
     const Eigen::PartialPivLU<Matrix> along(W * V);
     const Eigen::PartialPivLU<Matrix> inverse_A(along.solve(W * inverse_V));
     StateSpace<Scalar> reduced;
@@ -162,10 +162,10 @@ void require_state_space(const char* who, const StateSpace<Scalar>& space) {
 /// as many as there are Hankel singular values above rounding, if these are fewer. The other states are taken to follow
 /// without delay (singular perturbation), not to be zero: thus c_K(0) = c(0), while c_K(infinity) = D.
 ///
-/// What is truncated is the system as a function of 1/s, A^-1, A^-1 B, -C A^-1, D - C A^-1 B, which has the same
-/// Gramians (Liu & Anderson, Int. J. Control 50 (1989) 1379-1405). These are factorised on the complex Schur form of A,
-/// and balanced by the square-root method (Tombs & Postlethwaite, Int. J. Control 46 (1987) 1319-1330). O(n^3), about
-/// half a second for n = 288.
+/// The truncated system is the one with the matrices A^-1, A^-1 B, -C A^-1, D - C A^-1 B, a function of 1/s with the
+/// same Gramians (Liu & Anderson, Int. J. Control 50 (1989) 1379-1405). These are factorised on the complex Schur form
+/// of A, and balanced by the square-root method (Tombs & Postlethwaite, Int. J. Control 46 (1987) 1319-1330). Costs
+/// O(n^3).
 ///
 /// Throws std::invalid_argument unless 1 <= states <= n, the matrices fit together, and their entries are finite.
 template <class Scalar>

@@ -23,29 +23,29 @@
 
 namespace rollbem {
 
-/// c11, or all k x k coefficients, at many frequencies. With M = G'^-1 G = U H U^T and H in Hessenberg form,
-/// (G' - s G) p = xi becomes (I - s H) (U^T p) = U^T G'^-1 xi: one O(n^3) reduction on construction, then O(n^2) per
-/// frequency. If rcond(G') is too small to rely on M, each frequency has its own LU decomposition; see reduced(). Const
-/// objects may be shared by threads.
+/// The creep coefficient c11, or all k x k coefficients, at many frequencies. With M = G'^-1 G = U H U^T and H in
+/// Hessenberg form, (G' - s G) p = xi becomes (I - s H) (U^T p) = U^T G'^-1 xi: one O(n^3) reduction on construction,
+/// then O(n^2) per frequency. If rcond(G') is too small to rely on M, each frequency has its own LU decomposition; see
+/// reduced(). Const objects may be shared by threads.
 ///
-/// Responses have no unknowns. Their residual is that of the reduced equations, and rcond, from one more right-hand
-/// side, says that coefficients are accurate to eps/rcond; of several parts they are the worse.
+/// Responses have no unknowns. Their residual belongs to the reduced equations; their rcond comes from one more
+/// right-hand side, and coefficients are accurate to eps/rcond. With several subsystems both are the worst of all.
 template <class Scalar_>
 class FrequencySweep {
 public:
     using Scalar = Scalar_;
     using Complex = std::complex<Scalar>;
 
-    /// Of one system.
+    /// A sweep of one system.
     explicit FrequencySweep(RollingSystem<Scalar> system) { add(std::move(system)); }
-    /// Of several that do not couple, as patch_parts makes them: creepages are those of the first part, then of the
-    /// next. Throws std::invalid_argument if there is none.
+    /// A sweep of several uncoupled subsystems, as patch_parts makes them: the creepages of the first come first, then
+    /// the creepages of the next. Throws std::invalid_argument if there is none.
     explicit FrequencySweep(std::vector<RollingSystem<Scalar>> parts) {
         detail::require(!parts.empty(), "FrequencySweep", "number of parts", parts.size(), "be positive");
         for (RollingSystem<Scalar>& part : parts) add(std::move(part));
     }
 
-    /// Whether the reduction is used, in all parts.
+    /// Whether the reduction is used in all subsystems.
     bool reduced() const {
         return std::all_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.reduced.has_value(); });
     }
@@ -93,7 +93,7 @@ private:
 
     struct Part {
         RollingSystem<Scalar> system;
-        Eigen::Index first;  // of its creepages among those of all parts
+        Eigen::Index first;  // index of its first creepage among all creepages
         bool consistent;     // the steady tractions oppose the creepage
         std::optional<Reduced> reduced;
     };
@@ -105,7 +105,7 @@ private:
     // again. The column operations are applied to the unknowns at the end, O(n).
     static Response<Complex> solve_reduced(const Reduced& reduced, const Complex& s);
 
-    // Adds the coefficients by input j and the largest residual so far, from the solution y.
+    // Adds the coefficients of input j and the largest residual so far, from the solution y.
     static void finish(const Reduced& reduced, const Column& y, Eigen::Index j, const Complex& ratio, Scalar scale,
                        Scalar norm, Response<Complex>& point);
 

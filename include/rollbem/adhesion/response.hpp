@@ -29,7 +29,7 @@ template <class Value>
 struct Factorised {
     Response<Value> response;
     typename Response<Value>::Scalar norm;  ///< |A| in the maximum norm
-    bool finite;                            ///< whether A, the unknowns and the coefficients are
+    bool finite;                            ///< whether A, the unknowns and the coefficients are finite
 };
 
 /// Factorises A in place and solves A p = inputs.
@@ -77,7 +77,7 @@ Response<Value> solve_copied(MatrixX<Value> A, const MatrixX<Scalar>& inputs, co
     return judge(std::move(factorised), std::move(product), inputs);
 }
 
-/// Tells if tractions of steady rolling, where known, assist the creepage.
+/// Sets Status::assists_creepage unless the tractions of steady rolling oppose the creepage.
 template <class Value>
 void judge_tractions(const MatrixX<typename Response<Value>::Scalar>& steady,
                      const ArrayX<typename Response<Value>::Scalar>& widths, Response<Value>& response) {
@@ -104,7 +104,7 @@ Scalar equation_scale(const std::complex<Scalar>& s) {
     return (std::max)({Scalar(1), std::abs(s.real()), std::abs(s.imag())});
 }
 
-/// (G' - s G) p = inputs, whatever the tractions of steady rolling are.
+/// Solves (G' - s G) p = inputs, without judging the tractions of steady rolling.
 template <class Scalar>
 Response<std::complex<Scalar>> solve_growing(const RollingSystem<Scalar>& system, const std::complex<Scalar>& s) {
     const Scalar scale = equation_scale(s);
@@ -129,8 +129,8 @@ Response<Scalar> solve_steady(MatrixX<Scalar> G_prime, const MatrixX<Scalar>& in
     return detail::solve_copied<Scalar, Scalar>(std::move(G_prime), inputs, outputs);
 }
 
-/// G' p = 1 for elements of these widths (in units of a), whose tractions must oppose the creepage. Throws
-/// std::invalid_argument unless G' is square with as many columns as there are widths.
+/// Steady rolling: G' p = 1, for elements of these widths (in units of a), whose tractions must oppose the creepage.
+/// Throws std::invalid_argument unless G' is square with as many columns as there are widths.
 template <class Scalar>
 Response<Scalar> solve_steady(MatrixX<Scalar> G_prime, const ArrayX<Scalar>& widths) {
     detail::require_equations(G_prime);
@@ -142,7 +142,7 @@ Response<Scalar> solve_steady(MatrixX<Scalar> G_prime, const ArrayX<Scalar>& wid
     return response;
 }
 
-/// The same for a system; unknowns that are not tractions may have either sign.
+/// Steady rolling of a system: tractions must oppose the creepage, other unknowns may have either sign.
 template <class Scalar>
 Response<Scalar> solve_steady(const RollingSystem<Scalar>& system) {
     Response<Scalar> response = solve_steady<Scalar>(system.G_prime(), system.inputs(), system.outputs());

@@ -22,8 +22,8 @@
 
 namespace rollbem {
 
-/// Eigenvalues of G' p = nu G p, Eq. (12) without creepage and p ~ e^{nu V t}; times a, hence dimensionless. As a
-/// verdict it is that of judge_stability; from solve_stability no sign is settled, and all are uncertain.
+/// Eigenvalues of G' p = nu G p, Eq. (12) without creepage and p ~ e^{nu V t}; times a, hence dimensionless. The base
+/// class holds the verdict of judge_stability; solve_stability settles no sign, and all are uncertain.
 template <class Scalar>
 struct StabilityResult : StabilityVerdict {
     /// nu_k = alpha_k / beta_k; beta_k >= 0, and 0 for an infinite eigenvalue. Unordered, except that conjugate pairs
@@ -62,7 +62,7 @@ Scalar two_norm(const MatrixX<Scalar>& A) {
     return std::sqrt((std::max)(solver.eigenvalues()[A.cols() - 1], Scalar(0)));
 }
 
-/// The pair (S, T) of a real QZ decomposition of (G', G): T is triangular, and S is except for 2 x 2 blocks.
+/// The pair (S, T) of a real QZ decomposition of (G', G): T is triangular, and S is triangular except for 2 x 2 blocks.
 template <class Scalar>
 struct QuasiTriangularPair {
     MatrixX<Scalar> S, T;
@@ -71,7 +71,7 @@ struct QuasiTriangularPair {
 };
 
 /// Eigenvalue alpha / beta, beta >= 0, that starts at diagonal entry i; of a pair, the one with positive imaginary
-/// part. For each 2 x 2 block of S, QZ makes that of T diagonal.
+/// part. Where S has a 2 x 2 block, QZ makes T diagonal.
 template <class Scalar>
 std::pair<std::complex<Scalar>, Scalar> eigenvalue_at(const QuasiTriangularPair<Scalar>& pair, Eigen::Index i) {
     const auto& [S, T] = pair;
@@ -114,9 +114,9 @@ void triangularise(const QuasiTriangularPair<Scalar>& pair, MatrixX<std::complex
     }
 }
 
-/// StabilityResult::uncertainty. Right and left vectors v, w of the triangular pair follow by substitution, separately
-/// for each eigenvalue: no matching of two spectra, and no inverse of an ill-conditioned matrix of vectors. As v ends
-/// and w starts at entry i of the eigenvalue, where both are 1, y^H G x = T_ii / (|v| |w|).
+/// Finds StabilityResult::uncertainty. Right and left vectors v, w of the triangular pair follow by substitution,
+/// separately for each eigenvalue: two spectra need not be matched, and no ill-conditioned matrix of vectors is
+/// inverted. Since v ends and w starts at entry i of the eigenvalue, where both are 1, y^H G x = T_ii / (|v| |w|).
 template <class Scalar>
 VectorX<Scalar> uncertainty_of_eigenvalues(const QuasiTriangularPair<Scalar>& pair, Scalar norm_G_prime,
                                            Scalar norm_G) {
@@ -163,9 +163,9 @@ VectorX<Scalar> uncertainty_of_eigenvalues(const QuasiTriangularPair<Scalar>& pa
 /// about the geometric mean of |nu|. Single eigenvalues may be too ill-conditioned to tell, y^H G x being small.
 ///
 /// The step A = (G - tau G')^-1 (G + tau G') of the trapezoidal rule has the eigenvalues (1 + tau nu)/(1 - tau nu),
-/// inside the unit circle if and only if all Re(nu) < 0. That is proved by an energy that each step diminishes: Y and R
-/// = Y - A^T Y A both positive definite, the latter by more than rounding. Y, the sum of |A^j p|^2 until powers are
-/// small, is found by doubling their number; how accurately does not matter.
+/// inside the unit circle if and only if all Re(nu) < 0. The proof is an energy p^T Y p that each step diminishes: Y
+/// and R = Y - A^T Y A are both positive definite, R by more than rounding. Y, the sum of |A^j p|^2 until powers are
+/// small, is found by doubling their number; its accuracy does not matter.
 template <class Scalar>
 bool all_decay(const RollingSystem<Scalar>& system, Scalar middle, Scalar norm_G_prime, Scalar norm_G) {
     using Matrix = MatrixX<Scalar>;
@@ -260,15 +260,15 @@ StabilityResult<Scalar> find_eigenvalues(const RollingSystem<Scalar>& system, bo
 
 }  // namespace detail
 
-/// All eigenvalues of G' p = nu G p, Eq. (33), by the QZ algorithm (that of Eigen::GeneralizedEigenSolver, whose
-/// triangular pair is needed here). No vectors are computed. If it does not converge the status is ill_conditioned.
+/// Finds all eigenvalues of G' p = nu G p, Eq. (33), by the QZ algorithm (Eigen::RealQZ), without vectors. If it does
+/// not converge, the status is ill_conditioned.
 template <class Scalar>
 StabilityResult<Scalar> solve_stability(const RollingSystem<Scalar>& system) {
     return detail::find_eigenvalues(system, false);
 }
 
-/// |A| |A^-1| in the 2-norm, infinite for a singular A; by the inverse, as the small eigenvalues of A^T A would lose
-/// condition numbers beyond 1/sqrt(eps).
+/// The condition number |A| |A^-1| in the 2-norm, infinite for a singular A. It is found from the inverse, because the
+/// small eigenvalues of A^T A would lose condition numbers beyond 1/sqrt(eps).
 template <class Scalar>
 Scalar condition_number(const MatrixX<Scalar>& A) {
     const MatrixX<Scalar> inverse = Eigen::PartialPivLU<MatrixX<Scalar>>(A).inverse();
@@ -277,7 +277,7 @@ Scalar condition_number(const MatrixX<Scalar>& A) {
 }
 
 /// The verdict on a system: its eigenvalues, how far rounding can move each of them, and which signs are settled. Costs
-/// about twice as much as solve_stability.
+/// more than solve_stability.
 template <class Scalar>
 StabilityResult<Scalar> judge_stability(const RollingSystem<Scalar>& system) {
     return detail::find_eigenvalues(system, true);
@@ -293,7 +293,8 @@ StabilityVerdict judge_stability(const ElementSystem<Scalar, 2>& system) {
     return direction(0) + direction(1);
 }
 
-/// The verdict on all eigenvalues of independent parts; two halves of a patch cost a quarter of the whole.
+/// The verdict on all eigenvalues of uncoupled subsystems; the two of a symmetric patch cost a quarter of the coupled
+/// system.
 template <class Scalar>
 StabilityVerdict judge_stability(const std::vector<RollingSystem<Scalar>>& parts) {
     StabilityVerdict all{.spectral_abscissa = -std::numeric_limits<double>::infinity(), .status = Status::ok};
@@ -301,8 +302,8 @@ StabilityVerdict judge_stability(const std::vector<RollingSystem<Scalar>>& parts
     return all;
 }
 
-/// The worst verdict on the nodes of PatchShapes, each judged by its parts: the largest of each number. Shapes between
-/// two nodes are assumed to behave like them.
+/// The worst verdict on the nodes of PatchShapes, each judged by its uncoupled subsystems: the largest of each number.
+/// Shapes between two nodes are assumed to behave like the nodes.
 template <class Shapes>
 requires requires(const Shapes& shapes) { shapes.parts(shapes.node_count()); }
 StabilityVerdict judge_stability(const Shapes& shapes) {

@@ -1,5 +1,5 @@
-// The number of growing modes of G' p = nu G p, by the standard eigenvalue problem of M = G'^-1 G: several times as
-// fast as the QZ algorithm of stability.hpp; no vectors, and no analysis of rounding.
+// The number of growing modes of G' p = nu G p, by the standard eigenvalue problem of M = G'^-1 G: faster than the QZ
+// algorithm of stability.hpp, but without an analysis of rounding.
 #pragma once
 
 #include <algorithm>
@@ -26,8 +26,8 @@ struct UnstableCount {
     Status status = Status::not_finite;  ///< ill_conditioned: no count, as rcond is too small; use QZ
 };
 
-/// Counts the eigenvalues nu = 1/mu in the right half-plane, where mu are those of M = G'^-1 G: Re(nu) and Re(mu) have
-/// the same sign.
+/// Counts the eigenvalues nu = 1/mu in the right half-plane, where mu are the eigenvalues of M = G'^-1 G: Re(nu) and
+/// Re(mu) have the same sign.
 template <class Scalar>
 UnstableCount<Scalar> count_unstable(const RollingSystem<Scalar>& system) {
     UnstableCount<Scalar> result;

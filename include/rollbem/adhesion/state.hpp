@@ -1,4 +1,4 @@
-// What a contact in full adhesion carries from step to step, and what a step returns: plain data.
+// The state of a contact in full adhesion between steps, and the result of a step: plain data.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ struct AdhesionState {
     VectorX<Scalar> traction;  ///< the system's unknowns times G: for elements p on body 1 [Pa], trailing to leading
     std::uint64_t system = 0;  ///< fingerprint() of the model that the state belongs to
     Scalar half_length = 0;    ///< a of the contact that the tractions act on [m], positive and finite
-    /// Rolled in the step that led here [m]. Makes a next step of the same distance cheaper, and changes results by
-    /// round-off only.
+    /// Distance rolled in the step that led here [m]. It makes a next step of the same distance cheaper, and changes
+    /// results by round-off only.
     Scalar distance = 0;
     Scalar half_width = 0;  ///< b of a patch [m], positive and finite; on a line it does not vary and is not read
 };
@@ -36,10 +36,11 @@ struct AdhesionStep {
     Force force_per_width = detail::nothing<Force>();  ///< F_bar [N/m], moment [N]; NaN for a patch
     /// d force / d creepage at the end of the step [N]; for a rigid shift d force / d shift [N/m].
     Tangent tangent = detail::nothing<Tangent>();
-    /// d force / d half-length at the end of the step [N/m] with motion, dq and initial state fixed. NaN for steps that
-    /// are not to a given half-length, and if the model cannot breathe.
+    /// d force / d half-length at the end of the step [N/m] with motion, dq and initial state fixed. NaN for steps
+    /// without a given half-length, and if the model cannot breathe.
     Force tangent_by_half_length = detail::nothing<Force>();
-    /// The same of a patch by its half-width. At constant a/b: see FrictionStep::tangent_by_load.
+    /// d force / d half-width of a patch, likewise [N/m]. For a patch of constant a/b see
+    /// FrictionStep::tangent_by_load.
     Force tangent_by_half_width = detail::nothing<Force>();
     Status status = Status::not_finite;
 };

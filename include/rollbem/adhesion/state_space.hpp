@@ -18,15 +18,17 @@
 
 namespace rollbem {
 
-/// d x/d(q/a) = A x + B v, C x + D v = -forces: the k inputs are creepages and spin times a, the outputs forces over a
-/// G per unit width, of a patch over G a^2, and the moment over a more, as of the system from which it was made; q = V
-/// t is the distance rolled, x are its unknowns, x = 0 at rest. The coefficients at s, in V/a, are C (s I - A)^-1 B +
-/// D; c11 if k = 1.
+/// The equations d x/d(q/a) = A x + B v, C x + D v = -forces, where q = V t is the distance rolled and x are the
+/// unknowns of the system from which they were made, x = 0 at rest. The k inputs and outputs are dimensionless:
+/// - v: creepages, and spin times a;
+/// - forces: over a G per unit width, on a patch over G a^2; the moment over one more a.
+/// The creep coefficients at s, in V/a, are C (s I - A)^-1 B + D; c11 if k = 1.
 ///
-/// in_si() returns dx/dt = A x + B v, F = C x + D v in the same form: A [1/s]; B [1/s], for spin [m/s]; C and D [N], of
-/// the moment [N m]. There is one creepage [-] and force on body 1, of a line over the width 2b, negative for positive
-/// creepage; or xi, eta [-] and spin [1/m], F_x, F_y and M_z. The states remain dimensionless (Chebyshev states:
-/// displacement coefficients over a; elements: p/G).
+/// in_si() returns dx/dt = A x + B v, F = C x + D v in the same form:
+/// - k = 1: one creepage [-] and its force on body 1 [N], of a line over the width 2b, negative for positive creepage;
+/// - k = 3: xi, eta [-] and spin [1/m], F_x, F_y [N] and M_z [N m];
+/// - A [1/s]; B [1/s], for spin [m/s]; C and D [N], for the moment [N m]; D for spin has one more [m].
+/// The states remain dimensionless (Chebyshev states: displacement coefficients over a; elements: p/G).
 template <class Scalar>
 struct StateSpace {
     MatrixX<Scalar> A;     ///< n x n
@@ -34,9 +36,9 @@ struct StateSpace {
     MatrixX<Scalar> D;     ///< k x k; zero, but for a reduced system
 };
 
-/// For any system: A = G^-1 G', B = -G^-1 inputs, C = -outputs^T. Throws std::invalid_argument, naming rcond(G), if G
-/// is singular to working precision (rcond <= 100 n eps). Elements with alpha_L = 0 approach that for n above about
-/// 150.
+/// The state space of any system: A = G^-1 G', B = -G^-1 inputs, C = -outputs^T. Throws std::invalid_argument, naming
+/// rcond(G), if G is singular to working precision (rcond <= 100 n eps), to which many elements with alpha_L = 0 come
+/// close.
 template <class Scalar>
 StateSpace<Scalar> state_space(const RollingSystem<Scalar>& system) {
     const Eigen::Index n = system.size();
@@ -72,9 +74,9 @@ StateSpace<Scalar> in_si(const StateSpace<Scalar>& dimensionless, Scalar length,
 
 }  // namespace detail
 
-/// In SI units, for a contact that rolls at `speed` V [m/s]: A V/a, B V/a, -2b a G C, -2b a G D, and times a for spin
-/// and for the moment. Throws std::invalid_argument unless V is positive and finite, the contact's half-width is
-/// finite, and there is one input or three.
+/// Converts a state space to SI units, for a contact that rolls at `speed` V [m/s]: A V/a, B V/a, -2b a G C, -2b a G D,
+/// with one more factor a for spin and for the moment. Throws std::invalid_argument unless V is positive and finite,
+/// the contact's half-width is finite, and there is one input or three.
 template <class Scalar>
 StateSpace<Scalar> in_si(const StateSpace<Scalar>& dimensionless, const Contact<Scalar>& contact,
                          std::type_identity_t<Scalar> speed) {
@@ -83,7 +85,7 @@ StateSpace<Scalar> in_si(const StateSpace<Scalar>& dimensionless, const Contact<
                                  contact.shear_modulus(), speed);
 }
 
-/// The same for a patch: G a^2 in place of 2b a G, of an outline with its c for a.
+/// Converts a state space of a patch to SI units: G a^2 takes the place of 2b a G; for an outline a is its c.
 template <class Scalar>
 StateSpace<Scalar> in_si(const StateSpace<Scalar>& dimensionless, const PatchContact<Scalar>& contact,
                          std::type_identity_t<Scalar> speed) {

@@ -38,14 +38,14 @@
 
 namespace rollbem {
 
-/// The contact as a force element without slip, stepped like FrictionModel: in one direction, or in both with spin, where
-/// the forces are F_x, F_y and the moment M_z. Immutable: threads may share it. Its
-/// interface is in SI units.
+/// The contact as a force element without slip, stepped like FrictionModel: in one direction, or in both with spin,
+/// where the forces are F_x, F_y and the moment M_z. Immutable: threads may share it. SI units.
 ///
-/// A step of the same distance as the one before costs one product of an n x n matrix and a vector; the first one
+/// A step of the same distance as the step before costs one product of an n x n matrix and a vector; the first step
 /// that repeats a distance also computes that matrix, O(n^3). A step of any other distance factorises a matrix of its
-/// own and costs a few times less than that. Integrator::matrix_exponential always computes the matrix. Results depend
-/// on state and arguments alone, to the last bit, and never on what the workspace was used for.
+/// own, O(n^3), which costs less than computing the matrix of repeated steps. Integrator::matrix_exponential always
+/// computes the matrix. Results depend on state and arguments alone, to the last bit, and never on what the workspace
+/// was used for.
 ///
 /// The half-length of a line contact, or the semi-axes of a patch, may change from step to step if can_breathe(): the
 /// unknowns then live on x = a zeta, y = b upsilon, and the state at one half-length is carried over to the next. b of
@@ -60,7 +60,7 @@ namespace rollbem {
 ///     const AdhesionStep<> step = model.advance(now, {dq, creepage}, next, workspace);  // now stays as it is
 ///     if (accepted) std::swap(now, next);
 ///
-/// with both creepages and spin, on a line or on a patch
+/// Both creepages and spin, on a line or on a patch:
 ///
 ///     const ElementSystem system(longitudinal, lateral);
 ///     const AdhesionModel model(contact, system, judge_stability(system.whole()));
@@ -76,16 +76,18 @@ public:
     using Force = typename Step::Force;                       ///< a number, or TangentialForce
     using Value = detail::CreepageAlong<directions, Scalar>;  ///< a number, or Creepage
     using Motion = RigidMotion<Value>;
-    /// The load is the half-length [m] at the end of the step, with two directions the semi-axes [m], or that of the
-    /// state.
+    /// The load is the half-length [m] (with two directions the semi-axes [m]) at the end of the step; if none is
+    /// given, the state's remains.
     using RollingStep =
         rollbem::RollingStep<Motion, std::optional<detail::ByDirections<directions, Scalar, SemiAxes<Scalar>>>>;
 
-    /// With one direction, that of the kernel with which the system was made; with two, the inputs are those of
-    /// Creepage, as both_directions() makes them. The verdict is that on the system, or `unchecked`. Throws
-    /// std::invalid_argument if the verdict does not belong to this system or does not establish that no eigenvalue
-    /// grows, if steady rolling shows that the scheme does not converge (Status::assists_creepage), or if the contact's
-    /// half-width is infinite or not that of the system's kernel.
+    /// A line contact. With one direction, creepage and force act along the direction of the system's kernel; with two,
+    /// the inputs are the three numbers of a Creepage, as both_directions() makes them. `verdict` judges `system`, or
+    /// is `unchecked`. Throws std::invalid_argument
+    /// - if the verdict does not belong to this system or does not establish that no eigenvalue grows,
+    /// - if steady rolling shows that the scheme does not converge (Status::assists_creepage),
+    /// - if the contact's half-width is infinite or differs from the half-width of the system's kernel,
+    /// - if the system has another number of inputs than 1, or 3 with two directions.
     AdhesionModel(const Contact<Scalar>& contact, RollingSystem<Scalar> system, const StabilityVerdict& verdict,
                   Integrator integrator = Integrator::sdirk2)
         : AdhesionModel(Units(contact), std::move(system), integrator) {
@@ -112,27 +114,29 @@ public:
     }
 
     Eigen::Index size() const { return forces_.columns().rows(); }  ///< number of unknowns
-    std::uint64_t fingerprint() const { return fingerprint_; }      ///< of the system and the contact
+    std::uint64_t fingerprint() const { return fingerprint_; }      ///< identifies system and contact
     Integrator integrator() const { return integrator_; }
 
-    /// Whether the half-length may change: for systems with points() and log_strength() (elements and Chebyshev states
-    /// of the plane kernel), and for patches of breathing_system and PatchShapes; by implicit_euler and sdirk2.
+    /// Whether the half-length, or the semi-axes of a patch, may change: for systems with points() and log_strength()
+    /// (elements and Chebyshev states of the plane kernel), and for patches of breathing_system and PatchShapes; by
+    /// implicit_euler and sdirk2.
     bool can_breathe() const {
         return (shapes_ || (directions == 1 && detail::can_breathe(system_))) && !is_exponential();
     }
 
-    /// No traction anywhere, at the contact's semi-axes.
+    /// The state without traction, at the contact's semi-axes.
     State at_rest() const { return {VectorX<Scalar>::Zero(size()), fingerprint_, units_.length, 0, units_.half_width}; }
     Workspace workspace() const { return Workspace(size()); }
 
-    /// 2b F_bar of a state [N] at its semi-axes. The state must have size() unknowns.
+    /// The force 2b F_bar of a state [N] at its semi-axes. The state must have size() unknowns.
     Force force(const State& state) const { return force_along(forces_.of(state.traction, axes(state))); }
 
-    /// Steady rolling with the motion at the end of a step, no shift, G' p = inputs v, Eq. (15), at the semi-axes of
-    /// the step; the tangent is that of steady rolling. Of `from` only the semi-axes are used, where the step has none;
-    /// for the status see advance().
+    /// Solves for steady rolling, G' p = inputs v, Eq. (15), with the creepage v at the end of the step's motion, which
+    /// must not be a shift, at the semi-axes of the step. A step without semi-axes takes them from `from`, of which
+    /// nothing else is used. The tangent is the derivative of the steady force. For the status see advance().
     Step steady(const State& from, const RollingStep& step, State& to, Workspace& workspace) const noexcept;
-    /// The same at the contact's half-length. Throws std::invalid_argument unless the creepage is finite.
+    /// The state of steady rolling at the contact's half-length. Throws std::invalid_argument unless the creepage is
+    /// finite.
     State steady(const Value& creepage) const;
 
     /// Rolls by dq [m], positive and finite, or 0 for a rigid shift without rolling. `to` must be another state with
@@ -140,9 +144,9 @@ public:
     /// needs_fixed_mesh or the motion is not finite; if the result is not finite, it becomes a copy of `from`. Does not
     /// allocate.
     ///
-    /// The semi-axes vary linearly to those of the step, or remain those of `from`: sdirk2 is of second order in dq if
-    /// creepage and semi-axes are smooth in each step. dq is the distance rolled by the centre of the contact. The
-    /// status is
+    /// The semi-axes vary linearly to the semi-axes of the step; without them, they remain as in `from`. sdirk2 is of
+    /// second order in dq if creepage and semi-axes are smooth in each step. dq is the distance rolled by the centre of
+    /// the contact. The status is
     /// - invalid_load if a semi-axis is not positive and finite;
     /// - needs_fixed_mesh if the length would change by dq or more (with dq = 0, if it changes at all), so that an edge
     ///   would not roll forward; if the model cannot breathe, unless all semi-axes are the contact's; and if a/b leaves
@@ -164,7 +168,8 @@ private:
 
     AdhesionModel(const Units& units, RollingSystem<Scalar> system, Integrator integrator);
 
-    // Of what workspaces prepare, also of the integrator; the matrices of shapes differ by rounding from a fixed mesh.
+    // Identifies the data that a workspace prepares for model and integrator. Matrices of shapes have a number of their
+    // own because they differ by rounding from the matrices of a fixed mesh.
     std::uint64_t preparation(bool of_shapes = false) const {
         return fingerprint_ ^ (2 * static_cast<std::uint64_t>(integrator_) + (of_shapes ? 3 : 2));
     }
@@ -202,7 +207,7 @@ private:
         return units_.axes(placed);
     }
 
-    // Per creepage, of unknowns(creepage).
+    // Forces per unit of each creepage j, which causes unknowns(j).
     template <class Unknowns>
     Square forces_of(const Unknowns& unknowns, const Axes& at) const {
         Square result;
@@ -212,7 +217,7 @@ private:
         return result;
     }
 
-    // The result of the tractions in `to`.
+    // Completes `to`, whose tractions are known, and returns the result.
     Step finish(const State& from, const SemiAxes<Scalar>& semi_axes, Scalar dq, const Square& tangent,
                 State& to) const noexcept {
         to.half_length = semi_axes.half_length;
@@ -239,7 +244,7 @@ private:
 
     using Frame = detail::AdhesionFrame<directions, Scalar>;
 
-    // At the end of a step.
+    // The semi-axes at the end of a step.
     SemiAxes<Scalar> semi_axes(const State& from, const RollingStep& step) const noexcept {
         if constexpr (directions == 1) {
             return {step.load.value_or(from.half_length), from.half_width};
@@ -247,16 +252,16 @@ private:
             return step.load.value_or(SemiAxes<Scalar>{from.half_length, from.half_width});
         }
     }
-    // Whether a step takes other equations than those of the contact's semi-axes.
+    // Whether a step needs the equations of other semi-axes than the contact's.
     bool reshapes(const Frame& frame) const {
         return shapes_ && (frame.asked[By::half_length] || frame.start != contact_axes || frame.end != contact_axes);
     }
-    // By the linear map of steps of this distance.
+    // Takes a step by the linear map for its distance.
     Step repeat(const State& from, Scalar dq, const Motion& motion, State& to, Workspace& workspace) const noexcept;
-    // By the stages of the integrator.
+    // Takes a step by the stages of the integrator.
     Step solve_stages(const State& from, const RollingStep& step, Frame& frame, State& to,
                       Workspace& workspace) const noexcept;
-    // With the derivatives by the semi-axes that the frame asks for.
+    // Adds the derivatives by the semi-axes that the frame asks for.
     void add_tangents(const Frame& frame, const Stages& stages, const State& to, Step& step) const;
 
     Units units_;
@@ -268,7 +273,7 @@ private:
     detail::ContactForces<directions, Scalar> forces_;
     MatrixX<Scalar> steady_;                                  // n x k, per creepage [Pa], per spin [Pa m]
     Scalar rates_norm_ = 0;                                   // |G^-1 G'|, for the matrix exponential
-    std::shared_ptr<const detail::ShapeSet<Scalar>> shapes_;  // of a patch that may change its semi-axes
+    std::shared_ptr<const detail::ShapeSet<Scalar>> shapes_;  // for a patch that may change its semi-axes
     Scalar a_over_b_ = 1;
 };
 

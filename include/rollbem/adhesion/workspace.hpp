@@ -9,15 +9,15 @@
 
 namespace rollbem {
 
-/// Made by a model; works with any model of the same number of unknowns and directions. What a step of one distance needs
-/// is kept as long as model and distance stay the same, so contacts that are stepped in turn should each have their own
-/// workspace, of 4 n^2 numbers. Two threads must not use one workspace at the same time.
+/// A workspace is made by a model and fits any model with the same number of unknowns and directions. The matrices for
+/// steps of one distance are kept as long as model and distance stay the same, so contacts that are stepped in turn
+/// should each have their own workspace, of 4 n^2 numbers. Two threads must not use one workspace at the same time.
 template <int directions = 1, class Scalar_ = double>
 class AdhesionWorkspace {
 public:
     using Scalar = Scalar_;
 
-    /// For n unknowns.
+    /// A workspace for n unknowns.
     explicit AdhesionWorkspace(Eigen::Index n) : factors_(n), stages_(n), map_(n) {}
 
     Eigen::Index size() const { return factors_.size(); }

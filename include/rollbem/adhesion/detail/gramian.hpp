@@ -14,12 +14,12 @@ namespace rollbem::detail {
 /// eigenvalues have negative real parts, and an n x k B. The factor is found without forming X, whose rounding would
 /// hide all singular values below the square root of eps: Hammarling, IMA J. Numer. Anal. 2 (1982) 303-323.
 ///
-/// With the last row and column of each matrix apart,
+/// Split off the last row and column of each matrix:
 ///
-///     T = [T_1 t; 0 tau],   U = [U_1 u; 0 upsilon],   B = [B_1; b^H],   alpha = sqrt(-2 Re tau),   w = b/|b|,
+///     T = [T_1 t; 0 tau],   U = [U_1 u; 0 upsilon],   B = [B_1; b^H],   alpha = sqrt(-2 Re tau),   w = b/|b|.
 ///
-/// the equation gives upsilon = |b|/alpha and (T_1 + conj(tau)) u = -(upsilon t + alpha B_1 w), and leaves that of T_1
-/// and U_1, with B_1 - alpha u w^H in place of B_1.
+/// The equation gives upsilon = |b|/alpha and (T_1 + conj(tau)) u = -(upsilon t + alpha B_1 w). The same equation
+/// remains for T_1 and U_1, with B_1 - alpha u w^H in place of B_1.
 template <class Scalar>
 MatrixX<std::complex<Scalar>> gramian_factor(const MatrixX<std::complex<Scalar>>& T, MatrixX<std::complex<Scalar>> B) {
     using Complex = std::complex<Scalar>;

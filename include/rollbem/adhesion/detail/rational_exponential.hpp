@@ -10,7 +10,7 @@
 
 namespace rollbem::detail {
 
-/// r(w) = 1 + sum_j b_j y^j, y = part w / (1 - part w): what the integrator makes of e^w. With stages it is
+/// The approximation r(w) = 1 + sum_j b_j y^j, y = part w / (1 - part w), of e^w by an integrator. With stages it is
 /// 1/(1 - w) or (1 + (1 - 2 part) w)/(1 - part w)^2. The matrix exponential has the Taylor series of e^w in y, whose
 /// coefficients are Laguerre polynomials of 1/part. It is truncated after the eighth term, where 1/part is a zero of
 /// the Laguerre polynomial of that degree, which makes r(-inf) = 0 (Noersett 1974; Hairer & Wanner II, IV.6).
@@ -49,8 +49,8 @@ private:
     std::array<Scalar, 10> b_{};
 };
 
-/// What a motion imposes on a step: the shifts at constant creepage, the contributions of a linear
-/// change, and their derivatives with respect to the motion's end values, the same for each creepage.
+/// The rigid slip of a motion in a step: shifts at constant creepage, ramps by a linear change, and their derivatives
+/// with respect to the motion's end values, the same for each creepage.
 template <int directions, class Scalar>
 struct ImposedMotion {
     ImposedMotion(const RigidMotion<CreepageAlong<directions, Scalar>>& motion, Scalar dq) noexcept

@@ -25,7 +25,7 @@ public:
     void prepare(std::uint64_t model, const Influence<Scalar>& influence, const RollingStage<Scalar>& stage) {
         prepare(model, stage, [&](MatrixX<Scalar>& M) { influence.fill_stage_matrix(stage, M); });
     }
-    /// The same with a matrix filled by `fill`.
+    /// Factorises a matrix that `fill` fills.
     template <class Fill>
     void prepare(std::uint64_t model, const RollingStage<Scalar>& stage, const Fill& fill) {
         if (model == model_ && stage == stage_) return;

@@ -17,7 +17,7 @@
 
 namespace rollbem::detail {
 
-/// A vector of unknowns, of two directions the longitudinal ones first, as columns.
+/// A view of a vector of unknowns with one column for each direction; the longitudinal unknowns come first.
 template <int columns, class Unknowns>
 auto in_columns(const Unknowns& unknowns) {
     using Columns = Eigen::Matrix<typename Unknowns::Scalar, Eigen::Dynamic, columns>;
@@ -65,7 +65,7 @@ public:
         carried_response_.fill(change_);
     }
 
-    /// with(stage, use) calls use(equations) with those of a stage.
+    /// Solves all stages; with(stage, use) must call use(equations) with the equations of a stage.
     template <class Frame, class With>
     void solve(Frame& frame, const With& with) {
         carried_.setZero();
@@ -73,7 +73,7 @@ public:
         Frame::solve_stages(frame, Stages<With>{*this, with});
     }
 
-    /// The unknowns per creepage of steady rolling of a patch, as responses.
+    /// Finds the unknowns per unit of each creepage in steady rolling of a patch, as responses.
     void solve_steady(std::uint64_t model, const ShapeEquations<Scalar>& equations,
                       const RigidSlip<directions, Scalar>& slip, StageFactors<Scalar>& factors) {
         factors.prepare(model, equations.stage, [&](MatrixX<Scalar>& M) {
@@ -86,8 +86,9 @@ public:
         }
     }
 
-    const Vector& change() const { return change_; }  ///< of the unknowns
-    /// Derivative with respect to one of TangentBy at the end of the step; semi-axes are in those of the contact.
+    const Vector& change() const { return change_; }  ///< change of the unknowns in the step
+    /// Derivative of the unknowns with respect to a parameter (TangentBy) at the end of the step; semi-axes are over
+    /// the contact's semi-axes.
     const Vector& response(std::size_t parameter) const { return response_[parameter]; }
 
 private:
@@ -157,7 +158,7 @@ private:
         });
     }
 
-    // The matrix of all unknowns, by fill_block(d, e, block).
+    // Fills the matrix of all unknowns by fill_block(d, e, block).
     template <int columns_of_unknowns, class Equations, class FillBlock>
     static void fill(MatrixX<Scalar>& M, [[maybe_unused]] const Equations& equations, const FillBlock& fill_block) {
         if constexpr (columns_of_unknowns == 1) {

@@ -1,4 +1,5 @@
-// The linear map from the unknowns before a step to those after it, for steps of one distance at one half-length.
+// The linear map from the unknowns before a step to the unknowns after it, for steps of one distance at one
+// half-length.
 #pragma once
 
 #include <algorithm>
@@ -41,18 +42,18 @@ public:
     explicit StepMap(Eigen::Index n)
         : Y_(MatrixX<Scalar>::Zero(n, n + k)), map_(MatrixX<Scalar>::Zero(n, n + 2 * k)), product_(map_) {}
 
-    /// Whether the map is that of a model's steps of dq [m].
+    /// Whether the map belongs to a model's steps of dq [m].
     bool is_of(std::uint64_t model, Scalar dq) const { return model == model_ && dq == dq_; }
 
-    /// Steps of dq [m] of a model, a_0 = `unit` [m]. The map is that of h, dq/a_0 divided `doublings` times by two,
-    /// repeated as often.
+    /// Steps of dq [m] of a model, a_0 = `unit` [m]. The map is found for h, which is dq/a_0 halved `doublings` times,
+    /// and then doubled as often.
     struct Steps {
         std::uint64_t model;
         Scalar dq, unit;
         int doublings;
     };
-    /// Computes the map, O(n^3). Powers of Y = part h (G - part h G')^-1 G' give the change of y for h; applied to the
-    /// adjacent columns, that due to the creepages, whose rigid slip is `slip`. `outputs` turn y into forces.
+    /// Computes the map, O(n^3). Powers of Y = part h (G - part h G')^-1 G' give the change of y for h and, applied to
+    /// the adjacent columns, the change due to the creepages, whose rigid slip is `slip`. `outputs` turn y into forces.
     void prepare(const Steps& steps, const Influence<Scalar>& influence, const RationalExponential<Scalar>& rational,
                  const MatrixX<Scalar>& slip, const MatrixX<Scalar>& outputs, StageFactors<Scalar>& factors) {
         model_ = steps.model;
@@ -69,7 +70,7 @@ public:
             map_.swap(product_);
             add_power(rational, j);
         }
-        // Two steps in one, for e^w - 1 rather than e^w, so that short steps keep their digits.
+        // two steps become one, with e^w - 1 in place of e^w, so that short steps keep their digits
         for (int doubling = 0; doubling < steps.doublings; ++doubling) {
             multiply(map_.leftCols(n), map_, product_);
             map_.rightCols(k) =
