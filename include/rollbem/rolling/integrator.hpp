@@ -29,7 +29,7 @@ constexpr const char* name(Integrator integrator) {
 
 namespace detail {
 
-/// Called by a row that must not compile, as it is not constexpr.
+/// Called by a stage table that must not compile, because this function is not constexpr.
 void a_scheme_has_one_stage_of_the_whole_step_or_two_with_a_part_from_1_minus_1_over_sqrt_2_to_1();
 
 /// The stages of a step, solved one by one. Each stage takes `part` of the step, gamma of Hairer & Wanner (II, IV.6).

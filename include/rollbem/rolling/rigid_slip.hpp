@@ -14,8 +14,8 @@
 
 namespace rollbem::detail {
 
-/// Rigid slip of unit creepages, a column for each. The slip of spin, (-y, x), follows the points of a patch: half of
-/// its rows are stretched with either semi-axis.
+/// Rigid slip of unit creepages, a column for each. The slip of spin, (-y, x), follows the points of a patch: its
+/// longitudinal half grows with the half-width, its lateral half with the half-length.
 template <int directions, class Scalar>
 class RigidSlip {
 public:
@@ -30,7 +30,7 @@ public:
     /// Rigid slip at the contact's own semi-axes.
     const MatrixX<Scalar>& columns() const { return columns_; }
 
-    /// Adds `factor` times the rigid slip of a unit creepage, of all directions one after the other.
+    /// Adds `factor` times the rigid slip of a unit creepage; in `sum` the directions follow one another.
     template <class Vectors>
     void add(std::size_t creepage, Scalar factor, const Axes& at, Vectors&& sum) const {
         if (creepage == 2 && at != contact_axes<Scalar>) return add_spin(factor, at, sum);
@@ -60,8 +60,8 @@ private:
     MatrixX<Scalar> columns_;
 };
 
-/// Forces of unknowns in SI units, and with two directions their moment. Areas are stretched by both semi-axes, the
-/// arms of the moment by either.
+/// Forces of unknowns in SI units, and with two directions their moment. Areas grow with both semi-axes, each arm of
+/// the moment with one of them.
 template <int directions, class Scalar>
 class ContactForces {
 public:

@@ -8,9 +8,9 @@
 namespace rollbem {
 
 /// One contact in a time loop, by any of the models. A step becomes the present state if its status is ok; otherwise
-/// the present state stays as it is. try_... leave the result in next(), until accept() makes it the present state: a
-/// loop that rejects steps calls it when it is sure. Neither throws nor allocates after construction. Refers to the
-/// model, which several runs, and threads, may share.
+/// the present state stays as it is. try_advance() and try_steady() leave the result in next(), until accept() makes it
+/// the present state: a loop that rejects steps calls accept() when it is sure. Steps neither throw nor allocate. A Run
+/// keeps a reference to the model, which several runs, and threads, may share.
 ///
 ///     Run contact(model);
 ///     const auto step = contact.advance({dq, creepage});

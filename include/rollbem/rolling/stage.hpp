@@ -106,14 +106,14 @@ struct Influence {
         }
     }
 
-    /// The displacement by tractions p at this scale.
+    /// Finds the displacement due to tractions p at this scale.
     template <class Traction, class Displacement>
     void find_displacement(const LengthScale<Scalar>& scale, const Traction& p, Displacement&& U) const {
         U.noalias() = G * p;
         rescale(scale, p, U);
     }
 
-    /// The displacement by tractions p, with G p given in `U`.
+    /// Finds the displacement due to tractions p at this scale, where `U` holds G p.
     template <class Traction, class Displacement>
     void rescale(const LengthScale<Scalar>& scale, const Traction& p, Displacement&& U) const {
         if (scale.linear == 1 && scale.logarithmic == 0) return;
@@ -128,7 +128,7 @@ Eigen::Map<const ArrayX<Scalar>> array_map(const ArrayX<Scalar>& array) {
     return {array.data(), array.size()};
 }
 
-/// The block of a system of one creepage.
+/// The influence matrices of a system with one creepage.
 template <class Scalar>
 Influence<Scalar> influence(const RollingSystem<Scalar>& system) {
     const auto& points = system.points();

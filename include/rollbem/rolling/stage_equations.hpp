@@ -25,7 +25,7 @@ inline constexpr int columns_of = 1;
 template <class Scalar>
 inline constexpr int columns_of<ElementSystem<Scalar, 2>> = 2;
 
-/// G' of tractions along direction e and slip along d.
+/// G' from tractions along direction e to slip along direction d.
 template <class Scalar>
 const MatrixX<Scalar>& slope(const RollingSystem<Scalar>& system, std::size_t, std::size_t) {
     return system.G_prime();
@@ -221,7 +221,7 @@ public:
         }
     }
 
-    /// U
+    /// Finds U = c G p.
     template <class Tractions, class Result>
     void find_displacements(const Tractions& p, Result&& U) const {
         U.setZero();
@@ -239,7 +239,7 @@ public:
         growth -= start;
     }
 
-    /// Adds ((distance + growth zeta) G' + widening upsilon G_y) p; `scratch` is as large.
+    /// Adds ((distance + growth zeta) G' + widening upsilon G_y) p; `scratch` is as large as p.
     template <class Tractions, class Scratch, class Result>
     void add_travel(const Tractions& p, Scratch&& scratch, Result&& sum) const {
         add_travel(stage.distance, stage.growth, stage.widening, weights_.values, p, scratch, sum);
@@ -256,7 +256,7 @@ public:
         add(&ShapeNode<Scalar>::G, coefficients, factor, p, sum);
     }
 
-    /// Adds the derivative with respect to a semi-axis at the end of a step of the matrix of a stage times p.
+    /// Adds the derivative of (the matrix of a stage times p) with respect to a semi-axis at the end of the step.
     template <class Tractions, class Scratch, class Result>
     void add_rates(Axis axis, const StagePlace<Scalar>& place, const Tractions& p, Scratch&& scratch,
                    Result&& sum) const {
@@ -319,7 +319,7 @@ private:
     }
 
     const ShapeSet<Scalar>& set_;
-    Scalar a_over_b_, per_width_, c_;  // half-width of the contact and present c
+    Scalar a_over_b_, per_width_, c_;  // a/b and half-width of the contact; present c
     ShapeWeights<Scalar> weights_;
 };
 
@@ -351,7 +351,7 @@ template <class Scalar>
 const ShapeSet<Scalar>* shapes_of(const ElementSystem<Scalar, 2>& system) {
     return system.shapes().get();
 }
-/// Whether the a/b of a patch may change; keeps_shape: whether its size alone may.
+/// Whether the a/b of a patch may change (changes_shape), or its size alone (keeps_shape).
 template <class System>
 bool changes_shape(const System& system) {
     return shapes_of(system) != nullptr && !shapes_of(system)->is_single();
@@ -370,9 +370,9 @@ bool can_breathe(const ElementSystem<Scalar, 2>& system) {
     return system.shapes() || (system.log_strength(0) && system.log_strength(1) && !system.coupled());
 }
 
-/// Whether the semi-axes of a contact, in its own, can change from `from` to `to` while it rolls by `distance` in a_0:
-/// ok or needs_fixed_mesh. Where the half-length changes by `distance` or more, an edge overtakes the particles, and
-/// the equations of elements that move with the edge are no longer upwind. On a line the half-width is 1. `shapes`,
+/// Whether the semi-axes of a contact, over its own, can change from `from` to `to` while it rolls by `distance` in
+/// a_0: ok or needs_fixed_mesh. Where the half-length changes by `distance` or more, an edge overtakes the particles,
+/// and the equations of elements that move with the edge are no longer upwind. On a line the half-width is 1. `shapes`,
 /// unless null, belong to a patch whose a/b is `a_over_b` at its own semi-axes.
 template <class Scalar>
 Status check_growth(bool can_breathe, Scalar half_length_limit, const ShapeSet<Scalar>* shapes, Scalar a_over_b,

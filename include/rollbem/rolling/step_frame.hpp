@@ -1,5 +1,4 @@
-// StepFrame: the data of a step that a problem in the time domain, with friction or without, has before it solves its
-// stages.
+// StepFrame: the data of a step with which a problem in the time domain, with friction or without, solves its stages.
 #pragma once
 
 #include <array>
@@ -124,8 +123,8 @@ public:
         }
         equations.add_rates(axis, place, p, scratch, sum);
     }
-    /// The contribution of a stage's response dp to a parameter to the next stage's factor() motion() - (slip by the
-    /// tractions); the next stage starts from U + ratio (U_1 - U).
+    /// Finds the contribution of a stage's response dp (to a parameter) to the next stage's factor() motion() - (slip
+    /// by the tractions); the next stage starts from U + ratio (U_1 - U).
     template <class Equations, class Tractions, class Scratch, class Result>
     void carry_response(std::size_t parameter, const Equations& equations, const Tractions& p, const Tractions& dp,
                         Scratch&& scratch, Result&& carried) const {
@@ -157,7 +156,7 @@ private:
     }
 };
 
-/// A result without numbers.
+/// A result with this status and no numbers (NaN).
 template <class Result>
 Result failed(Status status) noexcept {
     Result result;
@@ -165,8 +164,11 @@ Result failed(Status status) noexcept {
     return result;
 }
 
-/// The first reason, if any, why a step by dq [m] is impossible. The order is: a state or workspace of another model;
-/// the motion; the load, with `belongs`, its check with the state's load; and grows(), the check of its semi-axes.
+/// The first reason, if any, why a step by dq [m] is impossible, in this order:
+/// - a state or workspace of another model, if `belongs` says so;
+/// - the motion;
+/// - the loads of state and step, as `belongs` says;
+/// - the semi-axes of the load, as grows() says.
 template <class Motion, class Scalar, class Grows>
 Status check_step(Status belongs, const Motion& motion, Scalar dq, Eigen::Index size, const Grows& grows) noexcept {
     if (belongs == Status::wrong_state) return belongs;
