@@ -48,7 +48,7 @@ struct Recommendation {
     Scheme scheme;
     double error_bound = 0;  ///< bound of the relative error, at most the required tolerance
     Eigen::Index n = 0;      ///< elements; if results are extrapolated, elements of the finer mesh, an even number
-    double order = 0;        ///< of Richardson's extrapolation from n/2 and n elements; 0: none
+    double order = 0;        ///< order of Richardson's extrapolation from n/2 and n elements; 0: no extrapolation
 
     /// The cosine mesh with some number of elements. Throws std::invalid_argument if count < 1.
     template <class Scalar = double>
@@ -194,7 +194,7 @@ inline Recommendation<Chebyshev> recommended_scheme(double tolerance, Purpose::A
     return result;
 }
 
-/// For friction: elements.
+/// The elements recommended for friction.
 ///
 ///     const auto best = recommended_scheme(1e-3, Purpose::friction);
 ///     const Mesh<double> mesh = best.mesh(best.n);

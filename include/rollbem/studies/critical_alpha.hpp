@@ -28,9 +28,9 @@ struct CriticalAlphaOptions {
 
 namespace rollbem::detail {
 
-// Largest number of steps taken at once where nothing happens: both ends are stable, the angle of the eigenvalue
-// nearest to the imaginary axis changes by at most a quarter, and G is far from singular. An eigenvalue can move fast
-// only through infinity, where G is nearly singular.
+// Largest number of steps of the scan taken at once where nothing happens: both ends are stable, the angle of the
+// eigenvalue nearest to the imaginary axis changes by at most a quarter, and G is far from singular. An eigenvalue can
+// move fast only through infinity, where G is nearly singular.
 inline constexpr long largest_stride = 16;
 
 template <class Scalar, class Kernel, class SchemeOf>

@@ -94,7 +94,7 @@ struct StickBorderSolution {
     };
     std::optional<OnElements> elements;  ///< empty if the solution is exact
 
-    // of an exact solution, for traction and slip
+    // data of an exact solution, for traction() and slip()
     detail::StickZone<Scalar> zone;
     std::function<Scalar(Scalar)> bound, smooth_slope;
     Scalar sign = 1, shear_modulus = 1;
@@ -153,8 +153,8 @@ namespace rollbem::studies {
 /// shorter the last segment, the smaller its effect; points at -cos of equidistant angles make it short
 /// (docs/measured.md).
 ///
-/// kernel: of the contact's half-width in units of a. pressure: p_n [Pa] at every point and its means, e.g.
-/// hertz.pressure(); the result keeps a copy. Throws std::invalid_argument unless fallback_elements >= 1, the
+/// `kernel` has the contact's half-width in units of a; `pressure` gives p_n [Pa] at every point and its means, e.g.
+/// hertz.pressure(), and the result keeps a copy of it. Throws std::invalid_argument unless fallback_elements >= 1, the
 /// coefficient of friction and the pressure are finite and not negative, and the pressure is positive somewhere.
 template <class Scalar, LineKernel Kernel, PressureLaw<Scalar> Pressure>
 StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, const Kernel& kernel,

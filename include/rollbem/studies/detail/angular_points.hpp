@@ -1,4 +1,5 @@
-// Points of the midpoint rule in an angle, doubled from level to level, and the load of a pressure by them. Internal.
+// Points of the midpoint rule in an angle, doubled from level to level, and a pressure's load integrated with them.
+// Internal.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Steady rolling by the exact border, if a single border separates slip behind it from stick ahead of it.
+// Steady rolling with an exact border, where a single border separates slip behind it from stick ahead of it.
 // Dimensionless, a = G = 1. Internal.
 #pragma once
 
@@ -26,7 +26,7 @@ template <class Scalar>
 inline constexpr Scalar least_distance = Scalar(0.02);
 
 /// Accuracy of the stick border, level by level: the points of the pressure, and the orders for a smooth part that is
-/// analytic up to a distance d. All rates are the slowest ones, those for a zone of half-length 1.
+/// analytic up to a distance d. All rates are the slowest ones, which belong to a zone of half-length 1.
 ///
 /// - N unknowns: their sum is singular at the corners +-1 +-id and converges like exp(-k r), where r is the logarithm
 ///   of the parameter of the Bernstein ellipse through the corners, cosh r = (sqrt(4 + d^2) + d)/2; the force converges
@@ -131,10 +131,10 @@ struct Violation {
     Scalar largest = 0, integral = 0;  // over a zone, 0 ... 1
 };
 
-/// The largest rise of a function on a zone, 0 at its trailing and 1 at its leading end, above zero by more than
-/// rounding in `unit`: at points that cluster at both ends, and at the vertices of the parabolas through the points
-/// about each local maximum, so that peaks between the points are found. If there is a violation, it is measured on a
-/// dense set of points.
+/// The largest value above zero, and the integral of values above zero, of a function on a zone from its trailing end 0
+/// to its leading end 1. The function is sampled at points that cluster at both ends, and at the vertices of the
+/// parabolas through the points about each local maximum, so that peaks between the points are found. A violation
+/// beyond rounding, in units of `unit`, is measured again on a dense set of points.
 template <class Scalar, class Function>
 Violation<Scalar> worst_violation(PointsOfLevels<Scalar>& levels, int level, Scalar unit, const Function& f) {
     constexpr int dense = 5;  // 512 points

@@ -166,8 +166,8 @@ private:
         return modes;
     }
 
-    /// Column 0: D and q_k per unit creepage; column 1: the part subtracted from their multiple. The first `known`
-    /// points have their loads; without a smooth part these cause the slope `creepage`.
+    /// Solves for D and q_k: column 0 holds them per unit creepage, column 1 the part to be subtracted. The first
+    /// `known` points have their loads, which without a smooth part would cause the slope `creepage`.
     MatrixX<Scalar> amplitudes(Eigen::Index N, Eigen::Index known, Scalar creepage,
                                const MatrixX<Scalar>& modes) const {
         const Scalar pi = std::numbers::pi_v<Scalar>, half = (2 - zone_.y) / 2, centre = zone_.y / 2;
