@@ -15,7 +15,7 @@ enum class Status {
     unstable,          ///< a mode of the system grows with the distance rolled
     order_differs,     ///< values to be extrapolated do not converge with the given order
 
-    // of a step, or of a solution with friction that starts from a state
+    // statuses of a step, or of a solution with friction that starts from a state
     /// Friction: no solution was found to rounding; the complementarity residual is the distance from one. With finite
     /// bounds a solution always exists, so this happens only with matrices that are singular to rounding, and with
     /// friction that depends on slip without a memory.
@@ -38,7 +38,7 @@ enum class Status {
     unresolved,   ///< the contact on a fixed mesh is narrower than three of its strips or elements: forces are too
                   ///< rough
 
-    // contact of profiles, from the mildest to the worst
+    // statuses of the contact of profiles, from the mildest to the worst
     doubtful_plane,     ///< numbers, but surfaces turn by more than 0.2 rad over the contact: a plane is an assumption
     unbalanced,         ///< numbers, but normal forces and friction did not settle, or a wheel does not roll
     no_contact,         ///< the surfaces do not touch: a wheel is lifted, or beside the rail

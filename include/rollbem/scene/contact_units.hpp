@@ -1,4 +1,4 @@
-// The units of a contact's systems: of a line contact 2a x 2b, or of a patch.
+// The units of the systems of a line contact 2a x 2b, or of a patch.
 #pragma once
 
 #include <cstddef>

@@ -24,7 +24,7 @@ using ForceAlong = ByDirections<directions, Scalar, TangentialForce<Scalar>>;
 template <int directions, class Scalar>
 using TangentAlong = ByDirections<directions, Scalar, CreepageTangent<Scalar>>;
 
-/// The number of creepages and of forces: with two directions spin and the moment follow them.
+/// The number of creepages and of forces; with two directions spin and the moment are the third.
 template <int directions>
 inline constexpr int input_count = directions == 1 ? 1 : 3;
 /// Numbers for all creepages or forces, in the order longitudinal, lateral, spin.

@@ -20,12 +20,12 @@ public:
 
     static constexpr Mirror along_track() { return {-1, 1}; }   ///< reverses x, and with it the direction of rolling
     static constexpr Mirror across_track() { return {1, -1}; }  ///< reverses y: left and right
-    /// The reflection in which the wheel of this side is a right one.
+    /// The reflection that makes the wheel of this side a right wheel.
     static constexpr Mirror of(WheelsetSide side) { return side == WheelsetSide::left ? across_track() : Mirror(); }
 
-    /// Signs of the components along x, y, z of a place, velocity or force, and
+    /// Signs of the components along x, y, z of a place, velocity or force.
     constexpr std::array<double, 3> of_vector() const { return {x_, y_, 1}; }
-    /// of turns, rates and moments about them, which behave as a product of two vectors.
+    /// Signs of turns, rates and moments about x, y, z, which behave like a product of two vectors.
     constexpr std::array<double, 3> of_turn() const { return {y_, x_, x_ * y_}; }
 
 private:

@@ -5,7 +5,7 @@
 
 namespace rollbem {
 
-/// Semi-axes in metres, or in the semi-axes of a contact.
+/// Semi-axes in metres, or over the semi-axes of a contact.
 template <class Scalar_ = double>
 struct SemiAxes {
     using Scalar = Scalar_;
@@ -18,7 +18,7 @@ struct SemiAxes {
 
 namespace detail {
 
-/// Those of a contact in its own.
+/// The semi-axes of a contact over themselves.
 template <class Scalar>
 inline constexpr SemiAxes<Scalar> contact_axes{1, 1};
 

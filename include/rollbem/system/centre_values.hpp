@@ -1,4 +1,4 @@
-// Values at the centres of elements, from values at the points of their equations.
+// CentreValues: interpolation to the centres of elements from the points of their equations.
 #pragma once
 
 #include <algorithm>
@@ -61,7 +61,7 @@ private:
         for (Index i = 0; i < n; ++i) between_[static_cast<std::size_t>(i)] = {i, i};
     }
 
-    // `centre` is its 1 + x/a.
+    // Places the centre of an element; `centre` is its 1 + x/a.
     void place(Index element, Scalar centre, const ArrayX<Scalar>& points) {
         const Index n = static_cast<Index>(between_.size());
         if (points.size() == 0 || n < 2) return;

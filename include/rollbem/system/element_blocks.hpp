@@ -166,10 +166,8 @@ public:
     }
 
     Eigen::Index size() const { return elements_.size(); }  ///< n, number of unknown elements
-    Eigen::Index element_count() const {
-        return element_count_;
-    }  ///< number of elements of the mesh, as in one
-       ///< direction
+    /// Number of elements of the mesh, as with one direction.
+    Eigen::Index element_count() const { return element_count_; }
     const Elements<Scalar>& elements() const { return elements_; }
     bool has_G() const { return G_[0][0].size() > 0; }
     /// The block from tractions along e to d, 0 longitudinal and 1 lateral; empty if the directions do not couple. G

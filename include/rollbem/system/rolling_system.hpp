@@ -45,8 +45,8 @@ public:
                                                  ///< fails
         std::optional<Scalar> aspect{};          ///< b/a of the kernel; empty for kernels without a half-width
         std::optional<ArrayX<Scalar>> points{};  ///< x/a of the point of each equation
-        /// S, if the kernel is C - S ln|x| and nothing else (the plane's) and each equation follows its point: then G
-        /// and G' of any half-length follow from these matrices, and the contact may breathe.
+        /// S, if the kernel is exactly C - S ln|x| (the plane kernel) and each equation follows its point: then G and
+        /// G' of any half-length follow from these matrices, and the contact may breathe.
         std::optional<Scalar> log_strength{};
         /// 2 exp(C/S) of this kernel, in half-lengths of the contact: there Lambda = 0, and a mode of a longer contact
         /// grows in time. Infinite for other systems.
@@ -170,7 +170,7 @@ public:
     /// the equations. Outputs: F_y over a G and the moment M_z over a^2 G, both per width, by tractions at the centres.
     /// Throws std::invalid_argument where coordinates are not known.
     RollingSystem<Scalar> with_spin() const {
-        this->require_points("ElementSystem");  // which have places of their tractions, too
+        this->require_points("ElementSystem");  // such systems know the centres, too
         return this->with_spin_by("ElementSystem", (elements_.areas * elements_.centre_x).matrix());
     }
 
