@@ -94,8 +94,8 @@ MatrixX<Scalar> folded(const MatrixX<Scalar>& rows, Eigen::Index n, Eigen::Index
 
 /// One of the two uncoupled problems of mirrored strips, posed on the strips at y <= 0:
 ///
-/// - sign = 1, of xi: p_x even in y and p_y odd;
-/// - sign = -1, of eta and phi: p_x odd and p_y even.
+/// - sign = 1, for xi: p_x is even in y, and p_y odd;
+/// - sign = -1, for eta and phi: p_x is odd, and p_y even.
 ///
 /// The odd traction vanishes on a strip in the middle, so that there are always n m unknowns: p_x, then p_y, on `x` and
 /// `y` strips.

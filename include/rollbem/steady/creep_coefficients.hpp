@@ -113,13 +113,13 @@ MatrixX<Scalar> mirrored_coupling(MatrixX<Scalar> coefficients) {
     return coefficients;
 }
 
-/// Elements and strips of the meshes with which a patch is compared. They reveal four errors:
+/// Elements and strips of the meshes with which a patch is compared. The comparison reveals errors of
 ///
-/// - of long elements: the coupling of both directions is wrong, first c33, which is then a small difference of large
+/// - long elements: the coupling of both directions is wrong, first c33, which is then a small difference of large
 ///   numbers; a proof of dissipation does not bound c33, meshes half as fine do;
-/// - of corners of an outline;
-/// - of wide strips whose coupling is taken at their middles;
-/// - of fewer than eight strips or elements, too few for some coefficient of some patch.
+/// - corners of an outline;
+/// - wide strips whose coupling is taken at their middles;
+/// - fewer than eight strips or elements, too few for some coefficient of some patch.
 template <class Scalar, RectangleKernel Kernel>
 std::vector<std::pair<Eigen::Index, Eigen::Index>> other_meshes(const PatchMesh<Scalar>& mesh, bool ellipse) {
     constexpr Eigen::Index enough = 8, least = 12, most = 16;

@@ -167,8 +167,9 @@ public:
         return u;
     }
 
-    /// The mean of du/dx over an interval of length d about `point` by unit traction on element `c`; `difference` if
-    /// nothing cancels in it.
+    /// The mean of du/dx over an interval of length d about `point` due to unit traction on element `c`. `difference`
+    /// is this mean as a difference of u; it is the result where its rounding is smaller than the error of MeanRule, or
+    /// the kernel has no line_slope.
     RectangleInfluence<Scalar> slope(Scalar point, Scalar d, Eigen::Index c,
                                      const RectangleInfluence<Scalar>& difference) const {
         if constexpr (requires { kernel_.line_slope(d, d, d); }) {
@@ -197,7 +198,7 @@ private:
         return kernel_.coupling_integral(x, row_edges_[1] - edge) - kernel_.coupling_integral(x, row_edges_[0] - edge);
     }
 
-    /// The mean of xy of line_slope.
+    /// The mean of xy of line_slope over the width of the row's strip.
     Scalar line_coupling(Scalar x) const {
         const auto sum = [&](Scalar edge) {
             return kernel_.line_coupling_integral(x, row_edges_[1] - edge) -

@@ -59,8 +59,8 @@ public:
     static Scalar least_width() { return std::pow(std::numeric_limits<Scalar>::epsilon(), Scalar(0.625)); }
 
 private:
-    // Points, the halves of the intervals about them over which a mean is taken `averages` times, and the interval that
-    // these cover: its middle, and its reach to both sides.
+    // Points, the half-lengths of the intervals about them over which a mean is taken `averages` times, and the
+    // interval that all of them cover, by its middle and its reach to both sides.
     struct Points {
         ArrayX<Scalar> places;
         const ArrayX<Scalar>& half;
@@ -84,7 +84,7 @@ private:
         return (std::max)(Scalar(2), std::ceil(digits / std::asinh(b_ / reach)));
     }
 
-    // T_k, k < count: row by place.
+    // T_k, k < count; a row for each place.
     static MatrixX<Scalar> polynomials(const ArrayX<Scalar>& x, Eigen::Index count) {
         MatrixX<Scalar> values(x.size(), count);
         values.col(0).setOnes();
@@ -95,8 +95,8 @@ private:
         return values;
     }
 
-    // Chebyshev nodes, measured from the middle, T_k at them, row by node, and the means of T_k over the intervals, row
-    // by interval.
+    // Chebyshev nodes, measured from the middle; T_k at the nodes, a row for each node; and the means of T_k over the
+    // intervals, a row for each interval.
     struct Interpolation {
         ArrayX<Scalar> nodes;
         MatrixX<Scalar> at_nodes, means;
