@@ -10,7 +10,8 @@
 
 namespace rollbem::detail {
 
-/// Like std::hypot, but faster where squares neither overflow nor lose digits; to 2 roundings.
+/// The length by a square root where squares neither overflow nor lose digits, else by std::hypot; accurate to 2
+/// roundings.
 template <class Scalar>
 Scalar length(Scalar x, Scalar y) {
     const Scalar square = x * x + y * y;

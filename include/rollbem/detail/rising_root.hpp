@@ -8,7 +8,8 @@
 
 namespace rollbem::detail {
 
-/// Secants between bounds; the interval is halved where a secant leaves it, and at least in every third step.
+/// Finds the root by secants between bounds; the interval is halved where a secant leaves it, and at least in every
+/// third step.
 class RisingRoot {
 public:
     /// `rate` is the first guess of the derivative.
@@ -28,7 +29,7 @@ public:
         return (to > low_ && to < high_ && steps_ % 3 != 2) || !bounded ? to : (low_ + high_) / 2;
     }
 
-    double width() const { return high_ - low_; }  ///< between the bounds
+    double width() const { return high_ - low_; }  ///< distance between the bounds
 
 private:
     double rate_, largest_step_;

@@ -92,9 +92,9 @@ inline double step_response_de_hoog(double q_over_a, double poisson_ratio, doubl
 
 /// Force histories -F/(a G xi_ref) from rest, exact for the plane kernel. For q/a <= 1.5 by the Taylor series about
 /// q = 0 (its radius of convergence is 2, the distance in which a particle passes through the contact), for larger q/a
-/// by the modal series C + sum C/(s_k (1 - Lambda (Lambda-2) s_k)) e^{s_k q}, C = pi/(2(1-nu)). With the default 4000
-/// modes and b/a >= 10 the error stays below 1e-10 C; it is largest just below and at q/a = 2, where the response has a
-/// kink in its second derivative and the series decays like k^-3.
+/// by the modal series C + sum C/(s_k (1 - Lambda (Lambda-2) s_k)) e^{s_k q}, C = pi/(2(1-nu)). The error
+/// (docs/measured.md) is largest just below and at q/a = 2, where the response has a kink in its second derivative and
+/// the series decays like k^-3.
 class StepResponse {
 public:
     /// Throws std::invalid_argument unless modes > 0, 0 <= poisson_ratio <= 0.5, 0 < aspect < inf and Lambda > 0.

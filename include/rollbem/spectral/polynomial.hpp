@@ -131,7 +131,8 @@ Status polynomial_status(std::complex<Scalar> c11, Scalar error_estimate, Scalar
     return is_finite(error_estimate) && error_estimate <= tolerance ? Status::ok : Status::not_converged;
 }
 
-/// Chebyshev: at a sufficient order only rounding remains, so half the digits distinguish it from truncation.
+/// Largest error estimate of a converged Chebyshev solution: at a sufficient order only rounding remains, which half
+/// the digits distinguish from truncation.
 template <std::floating_point Scalar>
 Scalar chebyshev_tolerance() {
     return std::sqrt(std::numeric_limits<Scalar>::epsilon());
