@@ -61,8 +61,8 @@ namespace rollbem {
 /// reduces it to between first and second.
 ///
 /// In time the scheme must meet the requirements of AdhesionModel: a verdict that its eigenvalues decay, and
-/// convergence in full adhesion. With any other scheme the tractions are bounded by friction but wrong, unless alpha =
-/// 0 and several elements slip at the trailing edge.
+/// convergence in full adhesion. With any other scheme the tractions are bounded by friction but wrong, unless
+/// alpha = 0 and several elements slip at the trailing edge.
 ///
 /// If mu depends on slip, steps have a duration, and v = |slip in a stage| / its duration. With a memory, mu belongs to
 /// the particles of the surfaces, which roll through the contact: each element starts from the coefficient of the
