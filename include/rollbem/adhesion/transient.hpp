@@ -44,8 +44,8 @@ namespace rollbem {
 /// A step of the same distance as the step before costs one product of an n x n matrix and a vector; the first step
 /// that repeats a distance also computes that matrix, O(n^3). A step of any other distance factorises a matrix of its
 /// own, O(n^3), which costs less than computing the matrix of repeated steps. Integrator::matrix_exponential always
-/// computes the matrix. Results depend on state and arguments alone, to the last bit, and never on what the workspace
-/// was used for.
+/// computes the matrix. Results depend on state and arguments alone, to the last bit, and never on the history of the
+/// workspace.
 ///
 /// The half-length of a line contact, or the semi-axes of a patch, may change from step to step if can_breathe(): the
 /// unknowns then live on x = a zeta, y = b upsilon, and the state at one half-length is carried over to the next. b of

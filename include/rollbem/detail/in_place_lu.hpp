@@ -19,7 +19,8 @@ template <class Scalar>
 using VectorRef = Eigen::Ref<Eigen::Matrix<Scalar, Eigen::Dynamic, 1>>;
 
 /// target -= from u, where `from` are four columns of `count` numbers, `stride` apart: the target is read and written
-/// once instead of four times. In small pieces of fixed size, as long expressions are not inlined by -O2.
+/// once instead of four times. The loop takes small pieces of fixed size, because long expressions are not inlined by
+/// -O2.
 template <class Scalar>
 void subtract_four(const Scalar* from, Eigen::Index stride, const Eigen::Matrix<Scalar, 4, 1>& u, Scalar* target,
                    Eigen::Index count) {

@@ -38,7 +38,7 @@ struct SchemeRows {
     /// interval; the weights add up to 1.
     ArrayX<Scalar> offsets = detail::constant_array<Scalar>(1, 0), weights = detail::constant_array<Scalar>(1, 1);
     /// Number of times that the mean over the interval is taken: once for a difference between its ends, Eq. (29), and
-    /// once for Galerkin's integral in closed form, Eq. (14). At most twice for the slope and once for the
+    /// once for Galerkin's integral in closed form, Eq. (14). The number is at most 2 for the slope and 1 for the
     /// displacement.
     int averages = 0;
     /// The distance that a row stands for, from its equation to the next, in lengths of the interval.
@@ -114,9 +114,10 @@ enum class Nodes {
 };
 
 /// Differences of u between neighbouring nodes t_i, (u(t_{i+1}) - u(t_i)) / (t_{i+1} - t_i): the row follows a particle
-/// of the surface from one node to the next, and the last row ends on the leading edge, t_n = a. Of second order on the
-/// cosine mesh. The point X_i of row i, where the rigid slip is taken, is the middle between both nodes; G is evaluated
-/// at X_i, but not beyond the leading edge of element i: from the next element it would be unstable on long patches.
+/// of the surface from one node to the next, and the last row ends on the leading edge, t_n = a. The differences are of
+/// second order on the cosine mesh. The point X_i of row i, where the rigid slip is taken, is the middle between both
+/// nodes; G is evaluated at X_i, but not beyond the leading edge of element i: from the next element it would be
+/// unstable on long patches.
 struct NodeDifference {
     Nodes nodes = Nodes::centres;
 

@@ -23,7 +23,7 @@ struct Yield {
     double von_mises = 0;  ///< equivalent stress [Pa]
     double tresca = 0;     ///< largest shear stress, half the largest difference of principal stresses [Pa]
 
-    /// Of the symmetric stress tensor, tension positive.
+    /// The measures of a symmetric stress tensor, tension positive.
     static Yield of(const Eigen::Matrix3d& stress) {
         const Eigen::Matrix3d deviator = stress - stress.trace() / 3 * Eigen::Matrix3d::Identity();
         const Eigen::Vector3d principal =

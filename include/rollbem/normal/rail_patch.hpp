@@ -1,4 +1,4 @@
-// One patch of a wheel on a rail, and how it follows from the pressures in a plane.
+// RailPatch: one patch of a wheel on a rail, made from the pressures in a plane.
 #pragma once
 
 #include <algorithm>

@@ -115,7 +115,7 @@ inline constexpr double usual_cant = 0.02499479361892016;  // atan(1/40)
 inline Profile s1002() { return detail::sampled(-69.95, 60, 0.1, detail::s1002_height); }
 
 /// The rail UIC 60 (UIC 861; by the centres of its arcs, which join at 10.50 and 25.99 mm from the middle), canted
-/// inwards, towards negative y, by `cant` [rad], its highest point at y = z = 0; so are those below.
+/// inwards, towards negative y, by `cant` [rad], its highest point at y = z = 0; the profiles below likewise.
 inline Profile rail_uic60(double cant = detail::usual_cant) {
     return detail::canted_rail({{7.7, 80.1348, 80}, {23.0162, 14.9090, 13}}, 36.2, cant);
 }

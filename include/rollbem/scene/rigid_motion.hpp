@@ -69,7 +69,7 @@ public:
     /// may vanish, and dq = 0 is allowed.
     static RigidMotion shift(Value shift) { return {shift, shift, Kind::shift}; }
 
-    /// The same motion with an additional rigid slip [-], of a shift [m], for each element, at the point of the
+    /// The same motion with an additional rigid slip [-] (for a shift [m]) for each element, at the point of the
     /// element's equation (Elements::x, y): constant over the step, or linear from `start` to `end`. Refers to the
     /// rows, which a temporary cannot be. Steps that take no rows, or have another number of elements, refuse the
     /// motion (Status::invalid_step).

@@ -195,7 +195,7 @@ inline Eigen::Matrix3d law_of(const std::vector<PatchLaws>& patches, const Conta
             own += zones.weight(zone, of.patch.y + laws.s[j] * std::cos(of.patch.angle)) * laws.law[j];
         }
         const Eigen::Vector2d from = pressed.from(of.patch);
-        Eigen::Matrix3d to_place;  // creepages at the reference point from those at the place
+        Eigen::Matrix3d to_place;  // maps creepages at the reference point to creepages at the place
         to_place << 1, 0, from[1], 0, 1, mirrored ? from[0] : -from[0], 0, 0, 1;
         sum += to_place.transpose() * own * to_place;
     }

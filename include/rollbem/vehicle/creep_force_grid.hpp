@@ -18,7 +18,7 @@
 namespace rollbem {
 
 /// Ellipses of a/b in steps of a constant factor, and for each of them nodes in the space of creepage and spin. X are
-/// the forces of the linear law over those that friction allows,
+/// the forces of the linear law over the forces that friction allows,
 ///
 ///     X = (c11 xi, c22 eta + c23 phi c, s phi c) G a b/(mu N),   s = sqrt(c11 c22).
 ///

@@ -121,7 +121,7 @@ private:
     }
 
     // Coefficients belong to nodes -1 ... n+1 for xi and phi, -n-1 ... n+1 for eta, -1 ... shapes for log(a/b): the
-    // cell of any point has all its neighbours. Of four numbers in a row the last is 0.
+    // cell of any point has all its neighbours. Each node has four numbers, the last of which is 0.
     static constexpr std::size_t width = 4;
     Eigen::Index side() const { return n_ + 3; }
     Eigen::Index line() const { return 2 * n_ + 3; }

@@ -398,7 +398,7 @@ inline void require_valid(const RollingFriction& friction) {
 /// Steady rolling of the patches of a wheel, each on its own outline, under its own pressures, with the slip of both
 /// surfaces; backwards as the mirror image of rolling forward. Patches in one plane displace each other and are solved
 /// together. A patch that does not roll, V = 0, has the status invalid_step, no creepage and no force. The patches must
-/// have numbers; position and speeds are those that the right wheel sees. Throws std::invalid_argument unless mu and the
+/// have numbers; position and speeds are as the right wheel sees them. Throws std::invalid_argument unless mu and the
 /// compliance of the layer are finite and not negative, and numbers of heating can be meant.
 inline std::vector<PatchForce> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
                                             const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,

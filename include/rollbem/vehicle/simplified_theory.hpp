@@ -89,11 +89,11 @@ public:
         return solve(creepage, false, [](const SimplifiedElement&) {});
     }
 
-    /// FaStrip. In strips that stick, strip theory: Carter's solution with lateral creepage and spin, scaled to
-    /// Kalker's coefficients. Elsewhere, mu times Hertz's pressure in the direction of FASTSIM's traction, by one
-    /// flexibility in strips that slip from the leading edge on. The stick zone satisfies the strip's equations at any
-    /// Poisson's ratio; published formulae weight spin beside lateral creepage by 1 - nu. Where |3 c c23 G phi/(2 pi mu
-    /// p0)| >= 1, strip theory has no stick.
+    /// FaStrip. Elements in the stick zone follow strip theory: Carter's solution with lateral creepage and spin,
+    /// scaled to Kalker's coefficients. All other elements have mu times Hertz's pressure in the direction of FASTSIM's
+    /// traction, which has one flexibility in strips that slip from the leading edge on. The stick zone satisfies the
+    /// strip's equations at any Poisson's ratio; published formulae weight spin beside lateral creepage by 1 - nu.
+    /// Where |3 c c23 G phi/(2 pi mu p0)| >= 1, strip theory has no stick.
     template <class Visitor>
     SimplifiedForce fastrip(const Creepage<double>& creepage, Visitor&& visit) const {
         return solve(creepage, true, visit);

@@ -135,7 +135,8 @@ void influence_rows(const Mesh<Scalar>& mesh, const SchemeRows<Scalar>& scheme, 
                                          segment(halved(mesh.widths()), 0, out.cols())};
     const auto fill = [&](Scalar offset, MatrixX<Scalar>& result) {
         const RowPoints<Scalar> rows = row_points(mesh, scheme, offset);
-        // the first rows with intervals as long as an element: all but those that end on an edge of the contact
+        // the first rows with intervals as long as an element: all rows except the ones that end on an edge of the
+        // contact
         Eigen::Index regular = 0;
         while (mesh.is_uniform() && regular < mesh.size() && scheme.lengths[regular] == 1) ++regular;
         // the guard can move the points of the outermost rows differently from the others
