@@ -126,7 +126,8 @@ public:
     /// and no known points. Throws std::invalid_argument
     /// - if the verdict does not belong to this system or does not establish that no eigenvalue grows,
     /// - if steady rolling shows that the scheme does not converge (Status::assists_creepage),
-    /// - if the contact's half-width is infinite or differs from the half-width of the system's kernel,
+    /// - if a line contact's half-width is infinite or differs from the half-width of the system's kernel,
+    /// - if the system of a patch is not the system of a PatchMesh, or is made for another a/b,
     /// - if the law does not meet the requirements of Friction (one pressure per element of the mesh),
     /// - if the law has a memory although the points of the system's equations are unknown,
     /// - for Integrator::matrix_exponential, which cannot treat friction.

@@ -94,7 +94,7 @@ public:
         return 1 / units_.shear_modulus * force_along<directions, Scalar>(forces_.of(state.traction, axes(state)));
     }
 
-    /// NaN if the system cannot represent the half-length.
+    /// The elastic energy [J]; NaN if the system cannot represent the half-length.
     Scalar elastic_energy(const State& state) const {
         const Axes present = axes(state);
         if (!system_.has_G() || check_growth(system_, Scalar(0), present, present) != Status::ok)
@@ -119,11 +119,11 @@ public:
         return step;
     }
 
-    /// Steady rolling, s/V = creepage - G' p, at the semi-axes of the load.
+    /// Solves for steady rolling, s/V = creepage - G' p, at the semi-axes of the load.
     Step steady(const Request& request, State& to, Workspace& workspace) const noexcept;
 
-    /// A step by the stages of a table (a rigid shift has one stage), under a load that varies linearly up to the given
-    /// load.
+    /// Takes a step by the stages of a table (a rigid shift has one stage), under a load that varies linearly up to the
+    /// given load.
     Step roll(const StageTable<Scalar>& table, const Request& request, State& to, Workspace& workspace) const noexcept;
 
 private:
@@ -442,7 +442,7 @@ void FrictionCore<Law, directions, Scalar>::finish(Frame& frame, State& to) cons
         frame.tangent_exists = false;
         scratch.slip.setZero();
         scratch.work.setZero();
-        to = frame.request.from;  // of equal sizes
+        to = frame.request.from;  // equal sizes: no allocation
         result = failed<Step>(Status::not_finite);
         return;
     }

@@ -51,7 +51,7 @@ struct KeptResponse {
     std::optional<std::uint64_t> revision;  // revision of the linear equations; none if nothing is kept
     Scalar per_end = 0;                     // StepFrame::per_end() of the response
     SemiAxes<Scalar> axes = contact_axes<Scalar>;
-    ForceAlong<directions, Scalar> tangent{};  // if the stage was the last
+    ForceAlong<directions, Scalar> tangent{};  // tangent of the force, if the stage was the last
 };
 
 /// The memory of all stages of a step. Dimensionless: tractions in G, lengths in a_0, the contact's half-length. All

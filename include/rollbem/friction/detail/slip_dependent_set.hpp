@@ -156,7 +156,7 @@ private:
                          (std::max)(search.largest, search.friction.maxCoeff());
     }
 
-    // Slip velocities, right-hand side and residual.
+    // Finds slip velocities, right-hand side and residual.
     void evaluate(const Search& search) {
         const Passage& passage = search.passage;
         Scalar ahead = passage.at_rest;
@@ -168,8 +168,8 @@ private:
         }
     }
 
-    // Newton steps until the residual is small enough (true) or cannot be reduced:
-    // (1 - d right-hand side / d mu) step = residual. The coefficients of sticking elements have no influence.
+    // Takes Newton steps until the residual is small enough (true) or cannot be reduced: (1 - d right-hand side / d mu)
+    // step = residual. The coefficients of sticking elements have no influence.
     bool newton(Search& search) {
         for (int step = 0; step < most_steps; ++step) {
             if (search.has_settled()) return true;
@@ -228,8 +228,8 @@ private:
         }
     }
 
-    // The derivatives of the right-hand side by the slip, and in steady rolling by the coefficient of the element
-    // ahead, of the last solution. The slip of sticking elements remains zero.
+    // Finds the derivatives of the last solution's right-hand side by the slip and, in steady rolling, by the
+    // coefficient of the element ahead. The slip of sticking elements remains zero.
     void differentiate(const Passage& passage, const Solver& solver) {
         const bool steady = passage.before == nullptr;
         // the width of the differences must suit elements that hardly slip, and ignore a least velocity far above any

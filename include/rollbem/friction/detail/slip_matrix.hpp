@@ -71,7 +71,7 @@ public:
     void serve_once(bool once) { serves_once_ = once; }
     bool serves_once() const { return serves_once_; }
 
-    /// s = M p
+    /// Finds s = M p.
     void multiply(const Vectors& p, Vectors& s) const {
         for (std::size_t g = 0; g < groups(); ++g) part(s, g).noalias() = group_[g] * part(p, g);
     }

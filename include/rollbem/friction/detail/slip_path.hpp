@@ -21,8 +21,8 @@ namespace rollbem::detail {
 /// Follows the solutions (z, t) of
 ///     z - p + rho R (M p + c + (1 - t) d) = 0,   p = P_t(z),
 /// from t = 0, where p = 0, to t = 1, where p is a solution of the problem. P_t projects onto discs (in one direction
-/// intervals) with radii of t times the bounds and is rounded off in proportion to 1 - t, so that it is smooth below t
-/// = 1.
+/// intervals) with radii of t times the bounds and is rounded off in proportion to 1 - t, so that it is smooth below
+/// t = 1.
 ///
 /// Since p is bounded, for almost every d the path is one smooth curve that ends at t = 1, whatever M (Chow, Mallet-Paret
 /// and Yorke 1978). It may turn back in t, and is therefore followed by its length. Where M with its rows weighted by

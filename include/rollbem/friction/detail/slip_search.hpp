@@ -126,7 +126,7 @@ private:
         }
     }
 
-    // M p + c
+    // Finds the slip M p + c.
     static void find_slip(const Problem& problem, Point& point) {
         problem.equations.matrix.multiply(point.traction, point.slip);
         point.slip += problem.constant;
@@ -185,7 +185,7 @@ private:
     // How far the trial is from a solution.
     struct Fit {
         Scalar residual = 0;  // of the natural map: sum of |p - P(p - rho R s)|
-        Scalar excess = 0;    // of sticking tractions, relative to their bounds
+        Scalar excess = 0;    // largest excess of sticking tractions, relative to their bounds
         Scalar creep = 0;     // largest slip across tractions, or along them
     };
     // Measures the trial, and clears the slip of sticking elements; with one direction that slip is the error.
