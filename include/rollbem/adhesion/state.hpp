@@ -36,8 +36,8 @@ struct AdhesionStep {
     Force force_per_width = detail::nothing<Force>();  ///< F_bar [N/m], moment [N]; NaN for a patch
     /// d force / d creepage at the end of the step [N]; for a rigid shift d force / d shift [N/m].
     Tangent tangent = detail::nothing<Tangent>();
-    /// d force / d half-length at the end of the step [N/m] with motion, dq and initial state fixed. NaN for steps
-    /// without a given half-length, and if the model cannot breathe.
+    /// d force / d half-length at the end of the step [N/m] with motion, dq and initial state fixed. NaN for steady
+    /// rolling, for steps without a given half-length, and if the model cannot breathe.
     Force tangent_by_half_length = detail::nothing<Force>();
     /// d force / d half-width of a patch, likewise [N/m]. For a patch of constant a/b see
     /// FrictionStep::tangent_by_load.

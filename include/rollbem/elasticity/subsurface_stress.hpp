@@ -40,7 +40,7 @@ struct HalfSpacePotentials {
     double f1_xxy = 0, f1_xyy = 0, f_xx = 0, f_yy = 0, f_xy = 0, f_xxy = 0, f_xyy = 0;
     double V_x = 0, V_y = 0, V_z = 0, V_xx = 0, V_yy = 0, V_xy = 0, V_xz = 0, V_yz = 0;
 
-    /// The share of a corner, seen from which the point lies at (x, y, z), z > 0.
+    /// Adds the share of a corner, from which the point lies at (x, y, z), z > 0.
     void add(double sign, double x, double y, double z) {
         const double xz = x * x + z * z, yz = y * y + z * z, r = std::sqrt(xz + y * y);
         f1_xxy -= sign * x / (r + z);
@@ -97,13 +97,14 @@ inline Eigen::Matrix3d subsurface_stress(const std::vector<LoadedRectangle>& loa
     return sum / (2 * std::numbers::pi);
 }
 
-/// Where below one point of the surface von Mises' and Tresca's measures are largest.
+/// The largest von Mises and Tresca stresses below one point of the surface, and their depths.
 struct SubsurfacePeak {
     Yield largest;
     double von_mises_depth = 0, tresca_depth = 0;  ///< [m]
 };
 
-/// Down to a depth, which must be positive: the best of 48 depths, closer together towards the surface, refined.
+/// Finds the largest stresses below a point, down to the depth `deepest` > 0 [m]: the best of 48 depths, closer
+/// together towards the surface, is refined.
 inline SubsurfacePeak subsurface_peak(const std::vector<LoadedRectangle>& loads, double poisson_ratio,
                                       const Eigen::Vector2d& below, double deepest) {
     constexpr int count = 48;

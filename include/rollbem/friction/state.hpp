@@ -96,7 +96,7 @@ struct FrictionStep {
     /// and the half-width, all at the end of the step. If the semi-axes depend on the load, the total derivative is
     /// tangent_by_load + tangent_by_half_length da/d load + tangent_by_half_width db/d load. On a patch of constant
     /// a/b, tangent_by_half_length is taken at that a/b and tangent_by_half_width is 0. NaN
-    /// - for a step without a load of its own,
+    /// - for a steady solution, and for a step without a load of its own,
     /// - tangent_by_load: if NormalLoad has no pressure_rate,
     /// - the other two: if the system cannot breathe, and for a rigid shift,
     /// - tangent_by_half_width: on a line.

@@ -15,7 +15,8 @@ void check_line_kernel(const char* who, Scalar half_width, Scalar c1, Scalar c2)
     require_finite(who, "c2", c2);
 }
 
-/// The kernel of a contact, with the (c1, c2) of each direction of creepage; of a model if there are several.
+/// The kernel of a contact for one direction of creepage, with its (c1, c2); `model` is the first argument of kernels
+/// that have several models.
 template <class Kernel, class... Model>
 Kernel longitudinal_kernel(const Contact<typename Kernel::Scalar>& contact, Model... model) {
     return Kernel(model..., contact.aspect(), 1 - contact.poisson_ratio(), contact.poisson_ratio());
