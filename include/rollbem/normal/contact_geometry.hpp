@@ -20,9 +20,9 @@ namespace rollbem {
 struct TrackDimensions {
     double gauge = 1.435,
            gauge_depth = 0.014;     ///< least distance between the rails down to this depth below their tops [m]
-    double flange_back = 1.36;      ///< between the backs of both flanges [m]
-    double tape_offset = 0.07;      ///< of the tape circle from the flange's back [m]
-    double radius = 0.46;           ///< of the tape circle r0 [m]
+    double flange_back = 1.36;      ///< distance between the backs of both flanges [m]
+    double tape_offset = 0.07;      ///< distance of the tape circle from the flange's back [m]
+    double radius = 0.46;           ///< radius r0 of the tape circle [m]
     double shear_modulus = 8.2e10;  ///< G [Pa] of both bodies
     double poisson_ratio = 0.28;    ///< nu [-] of both bodies
     struct Origin {

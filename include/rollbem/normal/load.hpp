@@ -20,8 +20,8 @@ bool all_pressures(const ArrayX<Scalar>& values) noexcept {
 
 }  // namespace detail
 
-/// The user keeps and overwrites it, so that no step allocates. Elements without pressure carry no traction: contact
-/// may come and go element by element, and all pressures may be zero.
+/// The normal load of a contact at one instant. The user keeps and overwrites it, so that no step allocates. Elements
+/// without pressure carry no traction: contact may come and go element by element, and all pressures may be zero.
 template <class Scalar_ = double>
 struct NormalLoad {
     using Scalar = Scalar_;
