@@ -273,7 +273,7 @@ private:
     detail::ContactForces<directions, Scalar> forces_;
     MatrixX<Scalar> steady_;                                  // n x k, per creepage [Pa], per spin [Pa m]
     Scalar rates_norm_ = 0;                                   // |G^-1 G'|, for the matrix exponential
-    std::shared_ptr<const detail::ShapeSet<Scalar>> shapes_;  // for a patch that may change its semi-axes
+    std::shared_ptr<const detail::ShapeSet<Scalar>> shapes_;  // matrices of a patch that may change its semi-axes
     Scalar a_over_b_ = 1;
 };
 

@@ -9,8 +9,8 @@ namespace rollbem {
 /// wheel.
 struct LoadedRectangle {
     double x_1, x_2, y_1, y_2;      ///< its edges, ascending [m]
-    double traction_x, traction_y;  ///< on the half-space [Pa]
-    double pressure;                ///< towards z [Pa]
+    double traction_x, traction_y;  ///< tractions on the half-space [Pa]
+    double pressure;                ///< pressure towards z [Pa]
 };
 
 }  // namespace rollbem

@@ -112,7 +112,7 @@ inline SubsurfacePeak subsurface_peak(const std::vector<LoadedRectangle>& loads,
     const auto yield = [&](double i) {
         return Yield::of(subsurface_stress(loads, poisson_ratio, {below[0], below[1], depth(i)}));
     };
-    std::array<Yield, count> at;  // at 1 to count
+    std::array<Yield, count> at;  // stresses at i = 1 to count
     for (int i = 0; i < count; ++i) at[std::size_t(i)] = yield(i + 1);
     const auto largest = [&](double Yield::*of) {
         const auto best = std::max_element(at.begin(), at.end(),

@@ -89,7 +89,7 @@ struct FrictionStep {
     using Force = detail::ForceAlong<directions, Scalar>;
     using Tangent = detail::TangentAlong<directions, Scalar>;
 
-    Force force = detail::nothing<Force>();  ///< on body 1 [N]
+    Force force = detail::nothing<Force>();  ///< force on body 1 [N]
     /// d force / d creepage at the end of the step [N]; for a rigid shift, by the shift [N/m].
     Tangent tangent = detail::nothing<Tangent>();
     /// Derivatives of the force with respect to the load, at constant semi-axes, and with respect to the half-length
@@ -102,7 +102,7 @@ struct FrictionStep {
     /// - tangent_by_half_width: on a line.
     Force tangent_by_load = detail::nothing<Force>();         ///< [N per unit of the load]
     Force tangent_by_half_length = detail::nothing<Force>();  ///< [N/m]
-    Force tangent_by_half_width = detail::nothing<Force>();   ///< of a patch [N/m]
+    Force tangent_by_half_width = detail::nothing<Force>();   ///< [N/m], for a patch
     /// Frictional heat [J]; for a steady solution heat per distance rolled [J/m]. It is the sum over elements and
     /// directions of traction times slip at the centre, of second order in 1/n at alpha = 0.5. For user-supplied
     /// matrices the slip of each element's own equation is taken: first order. The heat is never negative, except with

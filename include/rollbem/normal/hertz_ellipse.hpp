@@ -175,14 +175,14 @@ public:
     /// Principal radii of curvature of a surface at the contact [m]: positive if convex, negative if concave, infinite
     /// if flat, never zero.
     struct Radii {
-        Scalar rolling;  ///< in the plane of the rolling direction x
-        Scalar lateral;  ///< in the plane across it
+        Scalar rolling;  ///< radius in the plane of the rolling direction x
+        Scalar lateral;  ///< radius in the plane across it
     };
 
     struct Parameters {
         Scalar load;                 ///< N [N], positive
-        Radii radii_1;               ///< of the wheel
-        Radii radii_2;               ///< of the rail
+        Radii radii_1;               ///< radii of the wheel
+        Radii radii_2;               ///< radii of the rail
         Scalar angle = 0;            ///< turn of the planes of radii_2 about z, from x to y [rad]
         ElasticBody<Scalar> body_1;  ///< wheel
         ElasticBody<Scalar> body_2;  ///< rail

@@ -91,8 +91,8 @@ public:
 private:
     struct Part {
         double length = 0;
-        std::vector<double> from, lengths;  // in each section; a missing part has no length
-        std::vector<std::size_t> nearest;   // for each interval between sections, the nearest interval that is covered
+        std::vector<double> from, lengths;  // s and length of the part in each section; a missing part has no length
+        std::vector<std::size_t> nearest;   // nearest covered interval of each interval between sections
         // weights of the four sections around an interval (before it, at both ends, after it): cubics in its share t
         std::vector<std::array<std::array<double, 4>, 4>> weights;
     };

@@ -26,10 +26,10 @@ namespace rollbem {
 /// s_0 is its own deepest place. Between half-spaces this pressure displaces s_0 by its remaining depth over `share`:
 /// by the approach, unless the stretch is deeper elsewhere.
 struct VirtualPenetration {
-    double y = 0, z = 0;                     ///< of the deepest place, on the rail, in track axes [m]
-    double angle = 0;                        ///< of the plane [rad]
+    double y = 0, z = 0;                     ///< deepest place on the rail, in track axes [m]
+    double angle = 0;                        ///< angle of the plane [rad]
     double approach = 0;                     ///< the largest depth of the undeformed surfaces [m]
-    double load = 0;                         ///< over the plane [N]
+    double load = 0;                         ///< load over the plane [N]
     double peak_pressure = 0;                ///< p_0 [Pa]
     double area = 0;                         ///< [m^2]
     double half_length = 0, half_width = 0;  ///< x_l(s_0), half the extent along s [m]

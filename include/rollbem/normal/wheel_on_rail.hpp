@@ -60,7 +60,7 @@ public:
 
     struct Contact {
         double height = 0;                   ///< z_ws at which the load is carried [m]
-        std::vector<RailPatch> patches;      ///< by decreasing load
+        std::vector<RailPatch> patches;      ///< patches, the most loaded first
         double dropped = 0;                  ///< vertical load of crumbs too small for patches [N]
         Status status = Status::not_finite;  ///< status of the worst patch
     };

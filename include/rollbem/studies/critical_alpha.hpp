@@ -40,7 +40,7 @@ public:
         : mesh_(mesh), scheme_of_(scheme_of), kernel_(kernel) {}
 
     struct Look {
-        bool unstable;           // by a settled sign
+        bool unstable;           // whether a settled sign is positive
         Scalar flattest_cosine;  // as in UnstableCount; 0 if unknown
         bool regular;            // whether G is far from singular
     };

@@ -13,11 +13,11 @@ namespace rollbem {
 /// Rows of a point of contact. A point stands for the pressures in one zone.
 struct ContactRow {
     enum Of : Eigen::Index {
-        share,   ///< of the wheel's vertical load [-]
-        arm_x,   ///< of the point from the middle of the axle, in track axes [m]; over the yaw [m/rad]
-        arm_y,   ///< [m]
-        arm_z,   ///< [m]
-        angle,   ///< of the pressures' mean normal [rad]
+        share,   ///< share of the wheel's vertical load [-]
+        arm_x,   ///< x of the point from the middle of the axle, in track axes, over the yaw [m/rad]
+        arm_y,   ///< y of the point from there [m]
+        arm_z,   ///< z of the point from there [m]
+        angle,   ///< angle of the pressures' mean normal [rad]
         radius,  ///< rolling radius [m]
         length,  ///< a/N^(1/3) [m/N^(1/3)]
         width,   ///< b/N^(1/3)

@@ -113,7 +113,7 @@ struct ZonePressures {
     double load = 0;                    ///< size of the resultant [N]
     Eigen::Vector3d place;              ///< point of the resultant in track axes, as deep as the wheel's undeformed
                                         ///< surface [m]
-    double angle = 0;                   ///< of the mean normal [rad]
+    double angle = 0;                   ///< angle of the mean normal [rad]
     double square_x = 0, square_s = 0;  ///< second moments about the place over the load [m^2]
     double radius = 0, rail_y = 0, wheel_y = 0, peak = 0;
 

@@ -34,13 +34,13 @@ namespace rollbem {
 
 /// Result of a look-up, in the units of the contact.
 struct TabulatedForce {
-    TangentialForce<double> force;    ///< on body 1 [N], moment about the middle of the contact [N m]; NaN unless ok
+    TangentialForce<double> force;    ///< force on body 1 [N], moment about the contact's middle [N m]; NaN unless ok
     CreepageTangent<double> tangent;  ///< d force/d creepage: the exact derivative of the interpolation, as are the
                                       ///< following
-    TangentialForce<double> tangent_by_load;                  ///< at constant semi-axes [1], [m]
+    TangentialForce<double> tangent_by_load;                  ///< derivative at constant semi-axes [1], [m]
     TangentialForce<double> tangent_by_friction_coefficient;  ///< [N], [N m]
-    TangentialForce<double> tangent_by_half_length;           ///< at constant half-width [N/m], [N]
-    TangentialForce<double> tangent_by_half_width;            ///< at constant half-length [N/m], [N]
+    TangentialForce<double> tangent_by_half_length;           ///< derivative at constant half-width [N/m], [N]
+    TangentialForce<double> tangent_by_half_width;            ///< derivative at constant half-length [N/m], [N]
     /// a/b lies on the table. If not, forces belong to its nearest ellipse with the same area: they are continuous, but
     /// their error is unknown.
     bool a_over_b_on_table = false;
@@ -67,8 +67,8 @@ public:
     struct LinearForce {
         double value;                  ///< [N]
         Creepage<double> by_creepage;  ///< its derivatives [N], by spin [N m]; 0 where creepage and spin vanish
-        double by_half_length;         ///< at constant half-width [N/m]
-        double by_half_width;          ///< at constant half-length [N/m]
+        double by_half_length;         ///< derivative at constant half-width [N/m]
+        double by_half_width;          ///< derivative at constant half-length [N/m]
     };
 
     /// `forces`: -F_x/(mu N), -F_y/(mu N) and -M_z/(mu N c) in a column for every node of the first ellipse of the
@@ -174,7 +174,7 @@ private:
         bool on_table;
         double shape;          ///< coordinate of the lattice; beyond the table its last ellipse's
         double shape_per_log;  ///< its derivative by log(a/b), 0 beyond the table
-        Eigen::Index cell;     ///< of the shape
+        Eigen::Index cell;     ///< cell of the lattice that contains the shape
         SplineWeights by_shape;
         Eigen::Array4d linear, linear_by_shape;  ///< the scales of the grid
     };
@@ -183,7 +183,7 @@ private:
     /// lattice, and its derivative by the shape.
     struct Lack {
         Eigen::Matrix3d value, by_shape;
-        Eigen::Vector3d moment_by_shape;  ///< of the linear law itself
+        Eigen::Vector3d moment_by_shape;  ///< derivative of the linear law's moment
     };
     Lack lack_at_rest(const Ellipse& on) const noexcept;
     /// X mu N/(G a b) from scales of the grid.
@@ -576,7 +576,7 @@ TabulatedForce BasicCreepForceTable<Real>::look_up(const PatchContact<double>& c
     const Ellipse on = ellipse(contact.a_over_b());
     const Eigen::Array4d &linear = on.linear, &linear_by_shape = on.linear_by_shape;
     result.a_over_b_on_table = on.on_table;
-    const Eigen::Array4d unit = linear * Eigen::Array4d(1, 1, c, c);  // of creepages in coordinates X mu N/(G a b)
+    const Eigen::Array4d unit = linear * Eigen::Array4d(1, 1, c, c);  // coordinates X mu N/(G a b) per creepage
     const Eigen::Array3d w = linear_law(linear, c, creepage);
     const double size = w.matrix().stableNorm();
     const CreepForceGrid::Stretch stretch = CreepForceGrid::stretch(bound / stiffness, size);

@@ -51,7 +51,7 @@ struct ContactTableMaking {
 /// One wheel at a node of the grid, in the numbers of a table.
 struct ContactNode {
     bool known = false;                       ///< whether both wheels carry their loads at the node
-    double support = 0, roll = 0;             ///< as ContactTable::Side::on_rails [m], [rad]
+    double support = 0, roll = 0;             ///< numbers of ContactTable::Side::on_rails [m], [rad]
     std::vector<ContactRow::Values> zones{};  ///< a row for each
 };
 

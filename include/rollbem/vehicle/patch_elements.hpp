@@ -90,7 +90,7 @@ inline std::vector<std::vector<std::size_t>> pieces_of_planes(const std::vector<
 /// The pieces of one plane as one mesh for friction with NodeDifference{Nodes::chebyshev}.
 struct PieceMeshes {
     double unit;                            ///< unit of length [m]: half_length() of the first piece's contact
-    std::vector<PatchMesh<double>> pieces;  ///< in the order of the patches
+    std::vector<PatchMesh<double>> pieces;  ///< meshes in the order of the patches
 
     /// Index of the first element of piece k in joined(), and number of its elements.
     Eigen::Index first(std::size_t k) const {

@@ -40,7 +40,7 @@ struct RollingFriction {
     /// CONTACT's planes.
     bool curved_slip = false;
     std::optional<RailFriction> rail{};  ///< mu over the rail, in place of the coefficient, one for each strip
-    std::optional<Heating> heating{};    ///< for the temperature, and friction that depends on it
+    std::optional<Heating> heating{};    ///< data for the temperature, and for friction that depends on it
     double layer = 0;  ///< compliance L of a layer between both bodies, which adds L p to the displacement [m/Pa]
 };
 
@@ -48,9 +48,9 @@ struct RollingFriction {
 /// arrays empty; a patch that does not roll has neither force nor work.
 struct PatchForce {
     Creepage<double> creepage{};      ///< wheel minus rail, see creepage_of
-    TangentialForce<double> force{};  ///< on the wheel [N], and its moment about n [N m], at creepage_place
+    TangentialForce<double> force{};  ///< force on the wheel [N], moment about n [N m], at creepage_place
     double slip_work = std::numeric_limits<double>::quiet_NaN();  ///< heat per distance rolled [J/m]
-    Eigen::ArrayXd edges{}, strip_work{};  ///< of the strips along s [m], and the part of each in slip_work [J/m]
+    Eigen::ArrayXd edges{}, strip_work{};  ///< edges of the strips along s [m]; each strip's part of slip_work [J/m]
     Eigen::Index elements = 0;
     /// Elements of all pieces of its plane, with the loads of the rail, in (x, s): tractions opposite to the wheel's.
     std::vector<LoadedRectangle> surface{};

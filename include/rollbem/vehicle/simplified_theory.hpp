@@ -42,11 +42,11 @@ inline void require_mesh(const char* who, const SimplifiedMesh& mesh) {
 
 /// An element in simplified theory; elements are found from the leading to the trailing edge of each strip.
 struct SimplifiedElement {
-    int strip;                       ///< from -b to b
+    int strip;                       ///< number of the strip, counted from y = -b
     double x, y;                     ///< its centre [m]
     double area;                     ///< [m^2]
     std::array<double, 2> traction;  ///< p_x, p_y on body 1 [Pa]
-    std::array<double, 2> slip;      ///< of body 1 on body 2 over the rolling velocity [-]; of FaStrip by FASTSIM
+    std::array<double, 2> slip;  ///< slip of body 1 on body 2 over the rolling velocity [-]; FaStrip takes FASTSIM's
     bool slips;
 };
 

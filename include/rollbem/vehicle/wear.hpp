@@ -148,7 +148,7 @@ public:
         }
     }
 
-    double width() const { return length_ / double(work_.size()); }  ///< of a cell [m]
+    double width() const { return length_ / double(work_.size()); }  ///< width of a cell [m]
     /// Work in each cell, per metre rolled and metre of profile [J/m^2].
     const Eigen::ArrayXd& work() const { return work_; }
 

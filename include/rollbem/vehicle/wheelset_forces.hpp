@@ -41,7 +41,7 @@ struct WheelsetForces {
     WheelsetOnTrack::Contacts contacts;
     double pitch_rate =
         std::numeric_limits<double>::quiet_NaN();    ///< [rad/s]; NaN if no wheel touches, or none has the force
-    std::array<std::vector<PatchForce>, 2> patches;  ///< in the order of the contacts
+    std::array<std::vector<PatchForce>, 2> patches;  ///< friction of the patches, in the order of the contacts
     /// Wrenches of the rails on each wheel and on both, in track axes; moments are about the middle of the axle. Zero
     /// where there is no contact; NaN if friction has no result.
     std::array<Wrench, 2> on_wheel;

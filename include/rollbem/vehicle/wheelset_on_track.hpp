@@ -130,12 +130,12 @@ public:
     /// Quantities that follow from the loads; the others are given by the position.
     enum class Free {
         height_and_roll,  ///< a wheelset on its rails
-        height,           ///< of each wheel for itself, at the given roll
+        height,           ///< height of each wheel for itself, at the given roll
         nothing,          ///< the loads follow from the position
     };
 
     struct Contacts {
-        WheelsetPosition position;  ///< with the height and the roll that carry the loads; a wheel has its own height
+        WheelsetPosition position;  ///< position whose height and roll carry the loads; a wheel has its own height
         /// Left, right, each as on the right wheel: y, angle, roll, yaw and lateral quantities of the left one
         /// reversed.
         std::array<WheelOnRail::Contact, 2> wheels;
@@ -193,7 +193,7 @@ inline auto WheelsetOnTrack::solve(WheelsetPosition position, const std::array<d
     contacts.position = position;
     if (free != Free::height_and_roll) return contacts;
     // contacts, and with them heights, jump a little where grids change
-    constexpr double precise = 1e-10, jump = 1e-6;  // of the height [m]
+    constexpr double precise = 1e-10, jump = 1e-6;  // tolerances of the height [m]
     detail::RisingRoot root(wheels_[0].wheel_origin() + wheels_[1].wheel_origin(), 5e-3);
     // a piece with few cells at one roll need not have few at the next
     const auto goes_on = [&] { return has_numbers(contacts.status) || contacts.status == Status::few_cells; };

@@ -442,7 +442,7 @@ void FrictionCore<Law, directions, Scalar>::finish(Frame& frame, State& to) cons
         frame.tangent_exists = false;
         scratch.slip.setZero();
         scratch.work.setZero();
-        to = frame.request.from;  // equal sizes: no allocation
+        to = frame.request.from;  // sizes are equal: no allocation
         result = failed<Step>(Status::not_finite);
         return;
     }

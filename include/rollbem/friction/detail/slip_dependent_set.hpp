@@ -306,7 +306,7 @@ private:
     Vector velocity_, slope_, kept_;  // v; d right-hand side / d slip and / d mu of the element ahead
     Vector response_, gain_;
     Matrix coupling_, by_friction_, newton_;
-    Vector newton_slope_, newton_gain_, newton_kept_;  // for which by_friction_ and newton_ were computed
+    Vector newton_slope_, newton_gain_, newton_kept_;  // data of the present by_friction_ and newton_
     std::uint64_t coupling_revision_ = never, newton_revision_ = never, revision_ = 0;
     Index count_ = 0;  // number of elements that slide
     bool is_regular_ = false;

@@ -184,14 +184,14 @@ private:
 
     // How far the trial is from a solution.
     struct Fit {
-        Scalar residual = 0;  // of the natural map: sum of |p - P(p - rho R s)|
+        Scalar residual = 0;  // residual of the natural map: sum of |p - P(p - rho R s)|
         Scalar excess = 0;    // largest excess of sticking tractions, relative to their bounds
         Scalar creep = 0;     // largest slip across tractions, or along them
     };
     // Measures the trial, and clears the slip of sticking elements; with one direction that slip is the error.
     Fit measure(const Problem& problem, const Point& point) {
         Fit fit;
-        Scalar largest = 0;  // of M p
+        Scalar largest = 0;  // largest component of M p
         Scalar error = 0;
         for (Index i = 0; i < point.roles.size(); ++i) {
             const Row p = trial_.row(i), slip = trial_slip_.row(i);

@@ -157,7 +157,7 @@ private:
     const PlacedWheel* wheel_ = nullptr;
     const ContactPlane* plane_ = nullptr;
     double height_ = 0, track_x_ = 0;
-    Eigen::ArrayXd wheel_s_, rail_s_;  // of the columns in the row before
+    Eigen::ArrayXd wheel_s_, rail_s_;  // s of the columns in the previous row
 };
 
 }  // namespace rollbem::detail

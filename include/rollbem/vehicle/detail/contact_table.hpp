@@ -59,16 +59,16 @@ struct WheelLoad {
 struct WheelForces {
     /// Contact of a wheel in one zone of the rail, as on the right wheel.
     struct Point {
-        double load_share = 0;        ///< of the wheel's vertical load, without friction [-]; 0: no contact, no numbers
-        std::array<double, 3> arm{};  ///< of the point from the middle of the axle, in track axes [m]
-        double angle = 0;             ///< delta, of the pressures' mean normal [rad]
+        double load_share = 0;        ///< share of the vertical load, without friction [-]; 0: no contact, no numbers
+        std::array<double, 3> arm{};  ///< place of the point from the middle of the axle, in track axes [m]
+        double angle = 0;             ///< angle delta of the pressures' mean normal [rad]
         double rolling_radius = 0;    ///< [m]
-        double rail_y = 0, wheel_y = 0;              ///< of the point in both profiles [m]
+        double rail_y = 0, wheel_y = 0;              ///< y of the point in both profiles [m]
         double normal_load = 0;                      ///< N [N]
         double peak_pressure = 0;                    ///< largest pressure in the zone [Pa]
         PatchContact<double> ellipse{{1, 1, 1, 0}};  ///< equivalent ellipse used for the creep forces
         Creepage<double> creepage{};                 ///< wheel minus rail, as creepage_of
-        TangentialForce<double> force{};             ///< on the wheel, in the plane [N], [N m]
+        TangentialForce<double> force{};             ///< force on the wheel in the plane [N], moment [N m]
         double rolling_velocity = 0;                 ///< V [m/s], below 0 where the wheel rolls backwards
         double heat = 0;                             ///< heat of friction [W]
     };

@@ -54,7 +54,7 @@ template <std::size_t most>
 RowWeights<most> even_weights(const std::vector<double>& yaws, double yaw) {
     RowWeights<most> weights;
     for (std::size_t i = 0; i < yaws.size(); ++i) {
-        double value = 1, slope = 0;  // by yaw^2
+        double value = 1, slope = 0;  // weight, and its slope by yaw^2
         for (std::size_t j = 0; j < yaws.size(); ++j) {
             if (j == i) continue;
             const double apart = yaws[i] * yaws[i] - yaws[j] * yaws[j],

@@ -150,7 +150,7 @@ private:
         bool carries = false, is_sampled = false;
         std::array<ContactTable::Sample<1>, ContactTable::most_loads> share;
         ContactTable::RowsByLoad rows;
-        Values value, by_shift, by_yaw, by_sum;  // at the present sum of loads
+        Values value, by_shift, by_yaw, by_sum;  // rows and their derivatives at the present sum of loads
     };
 
     std::ptrdiff_t carry_count() const {
@@ -260,7 +260,7 @@ private:
 
     template <int partials>
     struct Contact {
-        double share = 0;                     // of the vertical load; 0: no contact
+        double share = 0;                     // share of the vertical load; 0: no contact
         std::array<Dual<partials>, 3> force;  // force in the plane, and moment about its normal
         Dual<partials> normal, angle, sine, cosine, half_length, half_width;
         std::array<Dual<partials>, 3> arm, creepage;

@@ -18,7 +18,7 @@ namespace rollbem::detail {
 
 /// A right wheel on its rail.
 struct WheelNode {
-    WheelsetPosition at;             ///< as the wheel sees it, with its own height
+    WheelsetPosition at;             ///< position as the wheel sees it, with its own height
     double support = 0;              ///< height of the wheelset, z_ws, plus support_y times the roll [m]
     double pitch_per_metre = 0;      ///< pitch of the wheelset that rolls freely straight on [rad/m]
     std::vector<PatchLaws> patches;  ///< empty: not found
