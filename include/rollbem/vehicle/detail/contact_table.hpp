@@ -280,14 +280,18 @@ private:
     template <int Rows, class Field>
     Sample<Rows> sample(const Cell& at, const Field& values, const Field& slopes, Eigen::Index row,
                         Eigen::Index first) const noexcept;
+    /// Number of rows in whole packets that have derivatives; places on the profiles follow without.
+    static constexpr int differentiated_rows = packed_rows - 4;
+    static_assert(ContactRow::rail_y >= differentiated_rows);
     /// Rows of a point over their means, at the place, under one load of the table.
     struct LoadedRows {
-        Eigen::Array<double, packed_rows, 1> value, by_shift, by_yaw;
+        Eigen::Array<double, packed_rows, 1> value;
+        Eigen::Array<double, differentiated_rows, 1> by_shift, by_yaw;
     };
-    using RowsByLoad = std::array<LoadedRows, most_loads>;
     /// Without `derivatives`, the derivatives in `found` are left unchanged.
     template <bool derivatives>
-    void sample_rows(const Cell& at, const Stored& side, Eigen::Index zone, RowsByLoad& found) const noexcept;
+    void sample_rows(const Cell& at, const Stored& side, Eigen::Index zone, std::size_t load,
+                     LoadedRows& found) const noexcept;
     Eigen::Index first_node(std::size_t load) const { return grid_.node(load, 0, 0); }
 
     /// Height of a wheel and roll at a load, with derivatives by shift, yaw and load.
@@ -459,31 +463,29 @@ auto ContactTable::sample(const Cell& at, const Field& values, const Field& slop
 }
 
 template <bool derivatives>
-void ContactTable::sample_rows(const Cell& at, const Stored& side, Eigen::Index zone,
-                               RowsByLoad& found) const noexcept {
-    using Four = Eigen::Array4f;
-    const auto& [w, rate] = at.along;
-    for (std::size_t l = 0; l < grid_.loads.size(); ++l) {
-        for (Eigen::Index i = 0; i < packed_rows; i += 4) {
-            Eigen::Array4d value = Eigen::Array4d::Zero(), by_shift = value, by_yaw = value;
-            for (std::size_t k = 0; k < grid_.yaws.size(); ++k) {
-                const Eigen::Index j = zone * grid_.nodes() + grid_.node(l, k, at.shift);
-                const Four one = side.points.col(j).segment<4>(i), two = side.points.col(j + 1).segment<4>(i),
-                           one_slope = side.slopes.col(j).segment<4>(i),
-                           two_slope = side.slopes.col(j + 1).segment<4>(i);
-                const Eigen::Array4d rise = detail::widened(two - one), low = detail::widened(one_slope),
-                                     high = detail::widened(two_slope);
-                // the first two weights add up to 1
-                const Eigen::Array4d here = detail::widened(one) + w[1] * rise + w[2] * low + w[3] * high;
-                value += at.across.value[k] * here;
-                if constexpr (!derivatives) continue;
-                by_shift += at.across.value[k] * (rate[1] * rise + rate[2] * low + rate[3] * high);
-                by_yaw += at.across.rate[k] * here;
-            }
-            found[l].value.segment<4>(i) = value;
+void ContactTable::sample_rows(const Cell& at, const Stored& side, Eigen::Index zone, std::size_t load,
+                               LoadedRows& found) const noexcept {
+    using Four = Eigen::Map<const Eigen::Array4f, Eigen::Aligned16>;
+    const double w1 = at.along.value[1], w2 = at.along.value[2], w3 = at.along.value[3];
+    for (std::size_t k = 0; k < grid_.yaws.size(); ++k) {
+        const Eigen::Index node = zone * grid_.nodes() + grid_.node(load, k, at.shift);
+        const float *points = side.points.col(node).data(), *slopes = side.slopes.col(node).data();
+        const double across = at.across.value[k], turning = at.across.rate[k], r1 = across * at.along.rate[1],
+                     r2 = across * at.along.rate[2], r3 = across * at.along.rate[3];
+        const bool is_first = k == 0;
+        const auto add = [is_first](auto to, const Eigen::Array4d& more) { is_first ? to = more : to += more; };
+        for (int i = 0; i < packed_rows; i += 4) {
+            const Eigen::Array4d one = detail::widened(Four(points + i)),
+                                 rise = detail::widened(Four(points + packed_rows + i) - Four(points + i)),
+                                 low = detail::widened(Four(slopes + i)),
+                                 high = detail::widened(Four(slopes + packed_rows + i));
+            // the first two weights add up to 1
+            const Eigen::Array4d here = one + w1 * rise + w2 * low + w3 * high;
+            add(found.value.template segment<4>(i), across * here);
             if constexpr (!derivatives) continue;
-            found[l].by_shift.segment<4>(i) = by_shift;
-            found[l].by_yaw.segment<4>(i) = by_yaw;
+            if (i >= differentiated_rows) continue;
+            add(found.by_shift.template segment<4>(i), r1 * rise + r2 * low + r3 * high);
+            add(found.by_yaw.template segment<4>(i), turning * here);
         }
     }
 }
@@ -494,7 +496,7 @@ inline auto ContactTable::wheel_on_rails(const Stored& side, double lateral, dou
     const auto weights = detail::hermite_weights<most_loads>(roots_, root);
     const Cell at = cell(lateral, yaw);
     WheelOnRails found{};
-    for (std::size_t l = 0; l < roots_.size(); ++l) {
+    for (std::size_t l = weights.first; l < weights.last; ++l) {
         const Sample<2> own = sample<2>(at, side.given.on_rails, side.on_rails_slopes, 0, first_node(l));
         for (auto [of, row] : {std::pair(&found.height, 0), {&found.roll, 1}}) {
             (*of)[0] += weights.value[l] * own.value[row];

@@ -68,16 +68,24 @@ RowWeights<most> even_weights(const std::vector<double>& yaws, double yaw) {
     return weights;
 }
 
+/// Weights of the nodes in [first, last); all others are 0.
+template <std::size_t most>
+struct LocalWeights : RowWeights<most> {
+    std::size_t first, last;
+};
+
 /// Weights of cubic Hermite interpolation with slopes of parabolas through three nodes; beyond the nodes constant.
 template <std::size_t most>
-RowWeights<most> hermite_weights(const std::vector<double>& nodes, double at) {
-    RowWeights<most> weights;
+LocalWeights<most> hermite_weights(const std::vector<double>& nodes, double at) {
     const std::size_t count = nodes.size();
     if (count == 1 || at <= nodes.front() || at >= nodes.back()) {
-        weights.value[count > 1 && at >= nodes.back() ? count - 1 : 0] = 1;
+        const std::size_t end = count > 1 && at >= nodes.back() ? count - 1 : 0;
+        LocalWeights<most> weights{{}, end, end + 1};
+        weights.value[end] = 1;
         return weights;
     }
     const std::size_t i = interval_of(nodes, at);
+    LocalWeights<most> weights{{}, i > 0 ? i - 1 : 0, (std::min)(i + 3, count)};
     const HermiteWeights own(at, nodes[i], nodes[i + 1]);
     const auto step = [&](std::size_t k) { return nodes[k + 1] - nodes[k]; };
     const auto add_difference = [&](std::size_t k, double value, double rate) {  // difference of nodes k, k + 1

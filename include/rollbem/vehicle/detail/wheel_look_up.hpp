@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -20,51 +21,65 @@ namespace rollbem::detail {
 /// One look-up. Lengths and loads refer to the right wheel; a left wheel, and rolling backwards, are mirror images.
 class WheelLookUp {
 public:
-    WheelLookUp(const ContactTable& table, const CreepForceTable& creep, const WheelFriction& friction, bool tangents)
-        : table_(table), creep_(creep), friction_(friction), tangents_(tangents) {}
+    /// The look-up writes into `result`, whose numbers must be those of an empty WheelForces.
+    WheelLookUp(const ContactTable& table, const CreepForceTable& creep, const WheelFriction& friction,
+                WheelForces& result)
+        : table_(table), creep_(creep), friction_(friction), result_(result) {}
 
-    WheelForces operator()(WheelsetSide side, const WheelsetPosition& position, const WheelsetSpeeds& speeds,
-                           const WheelLoad& load) {
+    void operator()(WheelsetSide side, const WheelsetPosition& position, const WheelsetSpeeds& speeds,
+                    const WheelLoad& load, bool tangents) {
+        tangents_ = tangents;
         result_.status = take(side, position, speeds, load);
-        if (result_.status != Status::ok) return result_;
+        if (result_.status != Status::ok) return;
         const auto& loads = table_.grid_.loads;
         result_.load_on_table = inputs_[WheelForces::load] >= loads.front() * (1 - 1e-12) &&
                                 inputs_[WheelForces::load] <= loads.back() * (1 + 1e-12);
         if (inputs_[WheelForces::load] < least_load) {
             result_.force.setZero();
-            return result_;
+            return;
         }
         result_.status = locate();
-        if (result_.status != Status::ok) return result_;
-        tangents_ ? balance<all>() : balance_values();
-        return result_;
+        if (result_.status == Status::ok) tangents_ ? balance() : balance_values();
     }
 
 private:
     static constexpr double least_load = 1e-100, most_load = 1e150;  // [N]; under a larger load an ellipse has no size
     static constexpr double least_share = 1e-3;
 
-    // A number with its derivatives: by all of WheelForces::Input if tangents are asked for, and last by the sum of the
-    // vertical normal loads; or without derivatives.
-    template <int partials>
-    using Gradient = Eigen::Matrix<double, partials, 1>;
-    template <int partials>
-    using Dual = Eigen::AutoDiffScalar<Gradient<partials>>;
-    static constexpr int none = 0, one = 1, all = WheelForces::inputs + 1;
-    template <int partials>
-    static constexpr bool by_inputs = partials == all;
-    template <int partials>
-    static constexpr int by_sum = partials - 1;
-    template <int partials>
-    static Dual<partials> constant(double value) {
-        return {value, Gradient<partials>::Zero()};
+    /// What the geometry of a contact depends on: the shift at which the profiles meet, the yaw, the sum of the
+    /// vertical normal loads, and a given roll.
+    enum Place : Eigen::Index { by_shift, by_yaw, by_sum, by_roll };
+    /// A number with its derivatives by Place.
+    using Dual = Eigen::AutoDiffScalar<Eigen::Vector4d>;
+    /// What forces depend on besides: the speeds, in the order of WheelForces::Input, and mu.
+    static constexpr int speed_count = int(WheelForces::yaw_rate - WheelForces::forward) + 1,
+                         motion_count = speed_count + 1;
+    using BySpeeds = Eigen::Matrix<double, 3, speed_count>;
+
+    template <class Number>
+    static constexpr bool has_slopes = std::same_as<Number, Dual>;
+    template <class Number>
+    static Number constant(double value) {
+        if constexpr (has_slopes<Number>) {
+            return {value, Eigen::Vector4d::Zero()};
+        } else {
+            return value;
+        }
     }
-    template <int partials>
-    Dual<partials> input(WheelForces::Input which) const {
-        const double value = inputs_[std::size_t(which)];
-        if constexpr (by_inputs<partials>) return {value, partials, static_cast<int>(which)};
-        return constant<partials>(value);
+    template <class Number>
+    static Number variable(double value, Place of) {
+        Number found = constant<Number>(value);
+        if constexpr (has_slopes<Number>) found.derivatives()[of] = 1;
+        return found;
     }
+    static SineCosine<double> turn_by(double angle) { return sine_cosine(angle); }
+    static SineCosine<Dual> turn_by(const Dual& angle) {
+        const auto [sine, cosine] = sine_cosine(angle.value());
+        return {{sine, cosine * angle.derivatives()}, {cosine, -sine * angle.derivatives()}};
+    }
+    static double value_of(double number) { return number; }
+    static double value_of(const Dual& number) { return number.value(); }
+    double input(WheelForces::Input which) const { return inputs_[std::size_t(which)]; }
 
     // --- inputs
 
@@ -106,21 +121,21 @@ private:
              {WheelForces::yaw, WheelForces::forward, WheelForces::pitch_rate, WheelForces::yaw_rate}) {
             inputs_[std::size_t(which)] *= along_;
         }
-        shift_ = input<all>(WheelForces::lateral);
+        shift_ = {.value = inputs_[WheelForces::lateral]};
         if (has_roll_) {
             // a roll beyond the roll of equal loads moves the wheel's profile on the rail
-            const auto table = table_
+            const auto equal = table_
                                    .wheel_on_rails(*side_, inputs_[WheelForces::lateral], inputs_[WheelForces::yaw],
                                                    inputs_[WheelForces::load])
                                    .roll;
-            Dual<all> equal = constant<all>(table[0]);
-            equal.derivatives()[WheelForces::lateral] = table[1];
-            equal.derivatives()[WheelForces::yaw] = table[2];
-            equal.derivatives()[WheelForces::load] = table[3];
-            shift_ = Dual<all>(shift_ - radius * (input<all>(WheelForces::roll) - equal));
-            if (!table_.covers(shift_.value(), inputs_[WheelForces::yaw])) return Status::wrong_table;
+            shift_ = {.value = shift_.value - radius * (inputs_[WheelForces::roll] - equal[0]),
+                      .by_lateral = 1 + radius * equal[1],
+                      .by_yaw = radius * equal[2],
+                      .by_load = radius * equal[3],
+                      .by_roll = -radius};
+            if (!table_.covers(shift_.value, inputs_[WheelForces::yaw])) return Status::wrong_table;
         }
-        cell_ = table_.cell(shift_.value(), inputs_[WheelForces::yaw]);
+        cell_ = table_.cell(shift_.value, inputs_[WheelForces::yaw]);
         loads_ = table_.grid_.loads.size();
         for (std::size_t l = 0; l < loads_ && !has_roll_; ++l) {
             rolls_[l] = table_.sample<1>(cell_, side_->given.on_rails, side_->on_rails_slopes, 1, table_.first_node(l));
@@ -145,12 +160,15 @@ private:
 
     // --- geometry at a load
 
-    using Values = ContactRow::Values;
+    using LoadWeights = LocalWeights<ContactTable::most_loads>;
     struct Zone {
-        bool carries = false, is_sampled = false;
+        bool carries = false;
+        std::array<bool, ContactTable::most_loads> is_sampled{};
         std::array<ContactTable::Sample<1>, ContactTable::most_loads> share;
-        ContactTable::RowsByLoad rows;
-        Values value, by_shift, by_yaw, by_sum;  // rows and their derivatives at the present sum of loads
+        std::array<ContactTable::LoadedRows, ContactTable::most_loads> rows;
+        // rows and their derivatives at the present sum of loads
+        decltype(ContactTable::LoadedRows::value) value, by_sum;
+        decltype(ContactTable::LoadedRows::by_shift) by_shift, by_yaw;
     };
 
     std::ptrdiff_t carry_count() const {
@@ -158,72 +176,60 @@ private:
     }
 
     /// The rows of a zone at a sum of loads. Odd parts are divided by the yaw.
-    template <int partials>
-    void interpolate(Zone& of, Eigen::Index zone, const RowWeights<ContactTable::most_loads>& weights, double root) {
+    template <class Number>
+    void interpolate(Zone& of, Eigen::Index zone, const LoadWeights& weights, double root) {
         using enum ContactRow::Of;
-        const double yaw = inputs_[WheelForces::yaw];
-        const auto times_yaw = [&](Values& values) {
+        const double yaw = input(WheelForces::yaw);
+        const auto times_yaw = [&](auto& values) {
             values[arm_x] *= yaw;
-            values.segment<9>(correction) += yaw * values.segment<9>(correction_by_yaw);
+            values.template segment<9>(correction) += yaw * values.template segment<9>(correction_by_yaw);
         };
-        if (!std::exchange(of.is_sampled, true)) {
-            tangents_ ? table_.sample_rows<true>(cell_, *side_, zone, of.rows)
-                      : table_.sample_rows<false>(cell_, *side_, zone, of.rows);
+        for (std::size_t l = weights.first; l < weights.last; ++l) {
+            if (std::exchange(of.is_sampled[l], true)) continue;
+            tangents_ ? table_.sample_rows<true>(cell_, *side_, zone, l, of.rows[l])
+                      : table_.sample_rows<false>(cell_, *side_, zone, l, of.rows[l]);
         }
-        const auto at_load = [&](const auto& weight, auto part) -> Values {
-            auto sum = (weight[0] * part(of.rows[0])).eval();
-            for (std::size_t l = 1; l < loads_; ++l) sum += weight[l] * part(of.rows[l]);
-            return sum.template head<ContactRow::rows>();
+        const auto at_load = [&](const auto& weight, auto part) {
+            auto sum = (weight[weights.first] * (of.rows[weights.first].*part)).eval();
+            for (std::size_t l = weights.first + 1; l < weights.last; ++l) sum += weight[l] * (of.rows[l].*part);
+            return sum;
         };
         using Rows = ContactTable::LoadedRows;
-        const auto values = [](const Rows& rows) -> const auto& { return rows.value; };
-        of.value = side_->means + at_load(weights.value, values);
-        if constexpr (partials > none) {
-            of.by_sum = at_load(weights.rate, values) / (3 * root * root);
+        of.value = at_load(weights.value, &Rows::value);
+        of.value.template head<ContactRow::rows>() += side_->means;
+        if constexpr (has_slopes<Number>) {
+            of.by_sum = at_load(weights.rate, &Rows::value) / (3 * root * root);
+            of.by_shift = at_load(weights.value, &Rows::by_shift);
+            of.by_yaw = at_load(weights.value, &Rows::by_yaw);
             times_yaw(of.by_sum);
-        }
-        if constexpr (by_inputs<partials>) {
-            of.by_shift = at_load(
-                weights.value, [](const Rows& rows) -> const auto& { return rows.by_shift; });
             times_yaw(of.by_shift);
-            of.by_yaw = at_load(
-                weights.value, [](const Rows& rows) -> const auto& { return rows.by_yaw; });
             times_yaw(of.by_yaw);
             of.by_yaw[arm_x] += of.value[arm_x];
-            of.by_yaw.segment<9>(correction) += of.value.segment<9>(correction_by_yaw);
+            of.by_yaw.template segment<9>(correction) += of.value.template segment<9>(correction_by_yaw);
         }
         times_yaw(of.value);
     }
-    template <int partials>
-    Dual<partials> dual(const Zone& of, Eigen::Index row) const {
-        Dual<partials> found = constant<partials>(of.value[row]);
-        if constexpr (by_inputs<partials>) {
-            if (has_roll_) {
-                found.derivatives() = of.by_shift[row] * shift_.derivatives();
-            } else {
-                found.derivatives()[WheelForces::lateral] = of.by_shift[row];
-            }
-            found.derivatives()[WheelForces::yaw] += of.by_yaw[row];
+    template <class Number>
+    static Number number(const Zone& of, Eigen::Index row) {
+        if constexpr (has_slopes<Number>) {
+            return {of.value[row], Eigen::Vector4d(of.by_shift[row], of.by_yaw[row], of.by_sum[row], 0)};
+        } else {
+            return of.value[row];
         }
-        if constexpr (partials > none) found.derivatives()[by_sum<partials>] = of.by_sum[row];
-        return found;
     }
 
     /// The share of a zone before normalisation (division by the sum of shares), not negative: by limited cubics over
     /// the loads.
-    template <int partials>
-    Dual<partials> share(const Zone& of, double root) const {
-        using Number = Dual<partials>;
+    template <class Number>
+    Number share(const Zone& of, double root) const {
         const auto& nodes = table_.roots_;
         const auto at = [&](std::size_t l) {
-            Number found = constant<partials>(of.share[l].value[0]);
-            if constexpr (by_inputs<partials>) {
-                found.derivatives() = of.share[l].by_shift[0] * shift_.derivatives();
-                found.derivatives()[WheelForces::yaw] += of.share[l].by_yaw[0];
-            }
+            Number found = constant<Number>(of.share[l].value[0]);
+            if constexpr (has_slopes<Number>)
+                found.derivatives().template head<2>() << of.share[l].by_shift[0], of.share[l].by_yaw[0];
             return found;
         };
-        Number found = constant<partials>(0);
+        Number found = constant<Number>(0);
         if (loads_ == 1 || root <= nodes.front() || root >= nodes.back()) {
             found = at(loads_ > 1 && root >= nodes.back() ? loads_ - 1 : 0);
         } else {
@@ -236,176 +242,229 @@ private:
                 if (l == 0 || l + 1 == loads_) return difference(l == 0 ? 0 : l - 1);
                 const Number before = difference(l - 1), after = difference(l);
                 const Number middle = slope_between(before, nodes[l] - nodes[l - 1], after, nodes[l + 1] - nodes[l]);
-                const double most = limited(middle.value(), before.value(), after.value());
-                if (most == middle.value()) return middle;
-                if (most == 0) return constant<partials>(0);
-                const Number& lesser = std::abs(before.value()) < std::abs(after.value()) ? before : after;
+                const double most = limited(value_of(middle), value_of(before), value_of(after));
+                if (most == value_of(middle)) return middle;
+                if (most == 0) return constant<Number>(0);
+                const Number& lesser = std::abs(value_of(before)) < std::abs(value_of(after)) ? before : after;
                 return lesser * 3;
             };
             const Number low = at(i), high = at(i + 1), low_slope = slope(i), high_slope = slope(i + 1);
             found = w.value[0] * low + w.value[1] * high + w.value[2] * low_slope + w.value[3] * high_slope;
-            if constexpr (partials > none)
-                found.derivatives()[by_sum<partials>] =
-                    (w.rate[0] * low.value() + w.rate[1] * high.value() + w.rate[2] * low_slope.value() +
-                     w.rate[3] * high_slope.value()) /
-                    (3 * root * root);
+            if constexpr (has_slopes<Number>)
+                found.derivatives()[by_sum] = (w.rate[0] * low.value() + w.rate[1] * high.value() +
+                                               w.rate[2] * low_slope.value() + w.rate[3] * high_slope.value()) /
+                                              (3 * root * root);
         }
         constexpr double e = least_share;
-        if (!(found.value() > 0)) return constant<partials>(0);
-        if (found.value() < 2 * e) return found * found * (1 / (4 * e));
-        return found - constant<partials>(e);
+        if (!(value_of(found) > 0)) return constant<Number>(0);
+        if (value_of(found) < 2 * e) return found * found * (1 / (4 * e));
+        return found - constant<Number>(e);
     }
 
     // --- forces
 
-    template <int partials>
+    template <class Number>
     struct Contact {
-        double share = 0;                     // share of the vertical load; 0: no contact
-        std::array<Dual<partials>, 3> force;  // force in the plane, and moment about its normal
-        Dual<partials> normal, angle, sine, cosine, half_length, half_width;
-        std::array<Dual<partials>, 3> arm, creepage;
-        Dual<partials> rolling;  // V [m/s]
+        double share = 0;             // share of the vertical load; 0: no contact
+        std::array<Number, 3> force;  // force in the plane, and moment about its normal
+        Number normal, angle, sine, cosine, half_length, half_width;
+        std::array<Number, 3> arm, creepage;
+        Number rolling;                                    // V [m/s]
+        Eigen::Matrix<double, 3, motion_count> by_motion;  // derivatives of the force by speeds and mu
     };
     /// All zones at one sum of loads.
-    template <int partials>
+    template <class Number>
     struct Pass {
-        Dual<partials> excess;  // load carried by the zones minus the wheel's load
+        Number excess;  // load carried by the zones minus the wheel's load
+        Eigen::Matrix<double, 1, motion_count> excess_by_motion;
         bool stands = false;
-        std::optional<WheelsetVelocity<Dual<partials>>> velocity;
-        std::array<Contact<partials>, ContactZones::most> contacts;
+        Number roll;  // of the wheelset
+        std::array<Contact<Number>, ContactZones::most> contacts;
     };
 
     /// Forces of one zone under its normal load.
-    template <int partials>
-    Status press(Pass<partials>& pass, std::size_t zone, const Dual<partials>& load) {
-        using Number = Dual<partials>;
+    template <class Number>
+    Status press(Pass<Number>& pass, std::size_t zone, const Number& load) {
+        using std::cbrt;
         using enum ContactRow::Of;
         const Zone& of = zones_[zone];
-        Contact<partials>& found = pass.contacts[zone];
-        const auto row = [&](Eigen::Index which) { return dual<partials>(of, which); };
+        Contact<Number>& found = pass.contacts[zone];
+        const auto row = [&](Eigen::Index which) { return number<Number>(of, which); };
         found.angle = row(angle);
-        found.sine = sin(found.angle);
-        found.cosine = cos(found.angle);
+        const SineCosine<Number> turned = turn_by(found.angle);
+        found.sine = turned.sine;
+        found.cosine = turned.cosine;
         found.arm = {row(arm_x), row(arm_y), row(arm_z)};
         found.normal = load / found.cosine;
-        const Number& N = found.normal;
-        found.rolling =
-            (input<partials>(WheelForces::forward) - input<partials>(WheelForces::pitch_rate) * row(radius)) * 0.5;
-        const Number& reference = found.rolling;
-        const double root = std::cbrt(N.value());
-        const Number size(root, (root / (3 * N.value())) * N.derivatives());
+        found.rolling = (input(WheelForces::forward) - input(WheelForces::pitch_rate) * row(radius)) * 0.5;
+        Number size = constant<Number>(cbrt(value_of(found.normal)));
+        if constexpr (has_slopes<Number>)
+            size.derivatives() = size.value() / (3 * found.normal.value()) * found.normal.derivatives();
         const auto positive = [&](Eigen::Index which) {  // cubics may undershoot where a zone begins to carry
             constexpr double least = 1e-9;
-            return of.value[which] > least ? row(which) : constant<partials>(least);
+            return of.value[which] > least ? row(which) : constant<Number>(least);
         };
         found.half_length = positive(length) * size;
         found.half_width = positive(width) * size;
-        found.force.fill(constant<partials>(0));
-        found.creepage.fill(constant<partials>(0));
-        if (!(reference.value() >= (std::numeric_limits<double>::min)())) {
+        found.force.fill(constant<Number>(0));
+        found.by_motion.setZero();
+        found.creepage.fill(constant<Number>(0));
+        if (!(value_of(found.rolling) >= (std::numeric_limits<double>::min)())) {
             pass.stands = true;
             return Status::ok;
         }
-        const std::array<Number, 3> slip = pass.velocity->slip(found.arm, found.sine, found.cosine);
-        found.creepage = {slip[0] / reference, slip[1] / reference, slip[2] / reference};
-        const Number &a = found.half_length, &b = found.half_width;
-        const Number mu = input<partials>(WheelForces::mu) * friction_.factor[zone];
-        const std::array<Number, 3> own =
-            ellipse_creepages<Number>(found.creepage, a, b, table_.shear_modulus(), mu * N, row);
-        return creep_forces<partials>(own, {N, mu, a, b, reference}, found.force);
+        const std::array<Number, 3> slip = velocity<Number>(pass.roll).slip(found.arm, found.sine, found.cosine);
+        for (std::size_t i = 0; i < 3; ++i) found.creepage[i] = slip[i] / found.rolling;
+        const double mu = input(WheelForces::mu) * friction_.factor[zone];
+        const std::array<Number, 3> own = ellipse_creepages<Number>(found.creepage, found.half_length, found.half_width,
+                                                                    table_.shear_modulus(), mu * found.normal, row);
+        return creep_forces(pass, zone, own);
+    }
+
+    /// The wheel's motion.
+    template <class Number>
+    WheelsetVelocity<Number> velocity(const Number& roll) const {
+        const auto speed = [&](WheelForces::Input of) { return constant<Number>(input(of)); };
+        return {{speed(WheelForces::forward), speed(WheelForces::pitch_rate), speed(WheelForces::lateral_speed),
+                 speed(WheelForces::vertical_speed), speed(WheelForces::roll_rate), speed(WheelForces::yaw_rate)},
+                turn_by(roll),
+                turn_by(variable<Number>(input(WheelForces::yaw), by_yaw))};
     }
 
     PatchContact<double>::Parameters ellipse(double a, double b) const {
         return {a, b, table_.shear_modulus(), table_.poisson_ratio()};
     }
-    template <int partials>
-    struct Terms {
-        const Dual<partials>&N, &mu, &a, &b, &speed;
-    };
-    template <int partials>
-    Status creep_forces(const std::array<Dual<partials>, 3>& own, const Terms<partials>& terms,
-                        std::array<Dual<partials>, 3>& force) const {
-        const Creepage<double> creepage{own[0].value(), own[1].value(), own[2].value()};
-        const PatchContact<double>::Parameters axes = ellipse(terms.a.value(), terms.b.value());
-        TabulatedForce now;
-        TangentialForce<double> by_speed{0, 0, 0};
-        if constexpr (partials == none) {
-            if (friction_.reduced == nullptr) {
-                const double mu = terms.mu.value(), N = terms.N.value();
-                const TangentialForce<double> alone = is_rough_ ? creep_.force<float>(axes, mu, N, creepage)
-                                                                : creep_.force<double>(axes, mu, N, creepage);
-                force = {constant<none>(alone.longitudinal), constant<none>(alone.lateral),
-                         constant<none>(alone.moment)};
-                return Status::ok;
-            }
-        }
-        const PatchContact<double> ellipse(axes);
+
+    /// Forces on the ellipse of a zone at its own creepages, without derivatives.
+    Status creep_forces(Pass<double>& pass, std::size_t zone, const std::array<double, 3>& own) const {
+        Contact<double>& found = pass.contacts[zone];
+        const Creepage<double> creepage{own[0], own[1], own[2]};
+        const PatchContact<double>::Parameters axes = ellipse(found.half_length, found.half_width);
+        const double mu = input(WheelForces::mu) * friction_.factor[zone], N = found.normal;
+        TangentialForce<double> force;
+        Status status = Status::ok;
         if (friction_.reduced != nullptr) {
-            const ReducedFriction::Force reduced = friction_.reduced->look_up(
-                creep_, ellipse, terms.mu.value(), terms.N.value(), terms.speed.value(), creepage);
-            now = reduced;
-            by_speed = reduced.tangent_by_speed;
+            const ReducedFriction::Force now =
+                friction_.reduced->look_up(creep_, PatchContact<double>(axes), mu, N, found.rolling, creepage);
+            force = now.force;
+            status = now.status;
         } else {
-            now = creep_.look_up(ellipse, terms.mu.value(), terms.N.value(), creepage);
+            force =
+                is_rough_ ? creep_.force<float>(axes, mu, N, creepage) : creep_.force<double>(axes, mu, N, creepage);
         }
-        const auto combine = [&](auto part) {
-            return Dual<partials>(part(now.force),
-                                  part(now.tangent.by_longitudinal) * own[0].derivatives() +
-                                      part(now.tangent.by_lateral) * own[1].derivatives() +
-                                      part(now.tangent.by_spin) * own[2].derivatives() +
-                                      part(now.tangent_by_load) * terms.N.derivatives() +
-                                      part(now.tangent_by_friction_coefficient) * terms.mu.derivatives() +
-                                      part(now.tangent_by_half_length) * terms.a.derivatives() +
-                                      part(now.tangent_by_half_width) * terms.b.derivatives() +
-                                      part(by_speed) * terms.speed.derivatives());
+        found.force = {force.longitudinal, force.lateral, force.moment};
+        return status;
+    }
+
+    /// The same with derivatives.
+    Status creep_forces(Pass<Dual>& pass, std::size_t zone, const std::array<Dual, 3>& own) const {
+        Contact<Dual>& found = pass.contacts[zone];
+        const double factor = friction_.factor[zone], mu = input(WheelForces::mu) * factor, N = found.normal.value();
+        const Creepage<double> creepage{own[0].value(), own[1].value(), own[2].value()};
+        const PatchContact<double> contact(ellipse(found.half_length.value(), found.half_width.value()));
+        TabulatedForce now;
+        Eigen::Vector3d by_speed = Eigen::Vector3d::Zero();
+        const auto column = [](const TangentialForce<double>& of) {
+            return Eigen::Vector3d(of.longitudinal, of.lateral, of.moment);
         };
-        force = {combine([](const TangentialForce<double>& f) { return f.longitudinal; }),
-                 combine([](const TangentialForce<double>& f) { return f.lateral; }),
-                 combine([](const TangentialForce<double>& f) { return f.moment; })};
+        if (friction_.reduced != nullptr) {
+            const ReducedFriction::Force reduced =
+                friction_.reduced->look_up(creep_, contact, mu, N, found.rolling.value(), creepage);
+            now = reduced;
+            by_speed = column(reduced.tangent_by_speed);
+        } else {
+            now = creep_.look_up(contact, mu, N, creepage);
+        }
+        Eigen::Matrix3d by_creepage;
+        by_creepage << column(now.tangent.by_longitudinal), column(now.tangent.by_lateral), column(now.tangent.by_spin);
+        const Eigen::Vector3d force = column(now.force);
+        Eigen::Matrix<double, 3, 4> by_place =
+            column(now.tangent_by_load) * found.normal.derivatives().transpose() +
+            column(now.tangent_by_half_length) * found.half_length.derivatives().transpose() +
+            column(now.tangent_by_half_width) * found.half_width.derivatives().transpose() +
+            by_speed * found.rolling.derivatives().transpose();
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            by_place += by_creepage.col(i) * own[std::size_t(i)].derivatives().transpose();
+        }
+        for (Eigen::Index i = 0; i < 3; ++i) found.force[std::size_t(i)] = {force[i], by_place.row(i).transpose()};
+
+        // the ellipse's creepages by the contact's three, and by mu N
+        const std::array<Dual, 3> given{Dual(found.creepage[0].value(), 4, 0), Dual(found.creepage[1].value(), 4, 1),
+                                        Dual(found.creepage[2].value(), 4, 2)};
+        const std::array<Dual, 3> moved = ellipse_creepages<Dual>(
+            given, constant<Dual>(found.half_length.value()), constant<Dual>(found.half_width.value()),
+            table_.shear_modulus(), Dual(mu * N, 4, 3), [&](Eigen::Index row) { return zones_[zone].value[row]; });
+        Eigen::Matrix<double, 3, 4> by_given;
+        for (Eigen::Index i = 0; i < 3; ++i) by_given.row(i) = moved[std::size_t(i)].derivatives().transpose();
+        const Eigen::Matrix<double, 3, 4> by_own = by_creepage * by_given;
+        Eigen::Matrix<double, 1, speed_count> rolling_by_speeds = Eigen::Matrix<double, 1, speed_count>::Zero();
+        rolling_by_speeds[0] = 0.5;
+        rolling_by_speeds[WheelForces::pitch_rate - WheelForces::forward] =
+            -0.5 * zones_[zone].value[ContactRow::radius];
+        found.by_motion.template leftCols<speed_count>() =
+            by_own.leftCols<3>() * creepage_by_speeds(pass, found, rolling_by_speeds) + by_speed * rolling_by_speeds;
+        found.by_motion.col(speed_count) = factor * (column(now.tangent_by_friction_coefficient) + N * by_own.col(3));
         return now.status;
     }
 
-    /// The wheel's motion; the roll is given, or follows from equal loads.
-    template <int partials>
-    void move(Pass<partials>& pass, const RowWeights<ContactTable::most_loads>& weights, double root) const {
-        using Number = Dual<partials>;
-        Number rolled = input<partials>(WheelForces::roll);
-        if (!has_roll_) {
-            rolled = constant<partials>(0);
-            for (std::size_t l = 0; l < loads_; ++l) {
-                const ContactTable::Sample<1>& own = rolls_[l];
-                rolled.value() += weights.value[l] * own.value[0];
-                if constexpr (by_inputs<partials>) {
-                    rolled.derivatives()[WheelForces::lateral] += weights.value[l] * own.by_shift[0];
-                    rolled.derivatives()[WheelForces::yaw] += weights.value[l] * own.by_yaw[0];
-                }
-                if constexpr (partials > none)
-                    rolled.derivatives()[by_sum<partials>] += weights.rate[l] * own.value[0] / (3 * root * root);
+    BySpeeds creepage_by_speeds(const Pass<Dual>& pass, const Contact<Dual>& of,
+                                const Eigen::Matrix<double, 1, speed_count>& rolling_by_speeds) const {
+        using Number = Eigen::AutoDiffScalar<Eigen::Matrix<double, speed_count, 1>>;
+        const auto speed = [&](int which) {
+            return Number(inputs_[std::size_t(WheelForces::forward + which)], speed_count, which);
+        };
+        const auto fixed = [](double number) { return Number(number, Eigen::Matrix<double, speed_count, 1>::Zero()); };
+        const auto turned = [&](double angle) {
+            const auto [sine, cosine] = sine_cosine(angle);
+            return SineCosine<Number>{fixed(sine), fixed(cosine)};
+        };
+        const WheelsetVelocity<Number> velocity({speed(0), speed(1), speed(2), speed(3), speed(4), speed(5)},
+                                                turned(pass.roll.value()), turned(input(WheelForces::yaw)));
+        const std::array<Number, 3> slip =
+            velocity.slip({fixed(of.arm[0].value()), fixed(of.arm[1].value()), fixed(of.arm[2].value())},
+                          fixed(of.sine.value()), fixed(of.cosine.value()));
+        BySpeeds found;
+        for (Eigen::Index i = 0; i < 3; ++i) {
+            found.row(i) = (slip[std::size_t(i)].derivatives().transpose() -
+                            of.creepage[std::size_t(i)].value() * rolling_by_speeds) /
+                           of.rolling.value();
+        }
+        return found;
+    }
+
+    /// The roll of the wheelset: given, or that under equal loads.
+    template <class Number>
+    Number roll(const LoadWeights& weights, double root) const {
+        if (has_roll_) return variable<Number>(input(WheelForces::roll), by_roll);
+        Number found = constant<Number>(0);
+        for (std::size_t l = weights.first; l < weights.last; ++l) {
+            const ContactTable::Sample<1>& own = rolls_[l];
+            if constexpr (has_slopes<Number>) {
+                found.value() += weights.value[l] * own.value[0];
+                found.derivatives() +=
+                    Eigen::Vector4d(weights.value[l] * own.by_shift[0], weights.value[l] * own.by_yaw[0],
+                                    weights.rate[l] * own.value[0] / (3 * root * root), 0);
+            } else {
+                found += weights.value[l] * own.value[0];
             }
         }
-        pass.velocity.emplace(
-            typename WheelsetVelocity<Number>::Speeds{
-                input<partials>(WheelForces::forward), input<partials>(WheelForces::pitch_rate),
-                input<partials>(WheelForces::lateral_speed), input<partials>(WheelForces::vertical_speed),
-                input<partials>(WheelForces::roll_rate), input<partials>(WheelForces::yaw_rate)},
-            rolled, input<partials>(WheelForces::yaw));
+        return found;
     }
 
     // --- balance
 
     /// Finds the sum of vertical normal loads with which normal forces and friction carry the load: Newton's method,
     /// whose last step is taken along the tangents.
-    template <int partials>
     void balance() {
-        // errors of values are as the square of the last step, errors of tangents as the step
-        constexpr double settled = by_inputs<partials> ? 1e-7 : 1e-5;
-        Pass<partials> pass;
-        Pass<none> values;
-        double sum = secants(values).value_or(inputs_[WheelForces::load]);
+        constexpr double settled =
+            1e-7;  // errors of values are as the square of the last step, of tangents as the step
+        Pass<Dual> pass;
+        Pass<double> values;
+        double sum = secants(values).value_or(input(WheelForces::load));
         for (int round = 0; round < 30; ++round) {
             result_.status = at_sum(pass, sum);
             if (result_.status != Status::ok) return;
-            const double change = pass.excess.value() / pass.excess.derivatives()[by_sum<partials>];
+            const double change = pass.excess.value() / pass.excess.derivatives()[by_sum];
             if (!is_finite(change)) break;
             if (std::abs(change) <= settled * sum) return finish(pass, change);
             sum -= std::clamp(change, -sum, sum / 2);
@@ -415,22 +474,27 @@ private:
 
     /// The balance without tangents.
     void balance_values() {
-        Pass<none> pass;
-        if (!secants(pass)) return balance<one>();
-        result_.status = Status::ok;
-        finish(pass, 0);
+        Pass<double> pass;
+        if (secants(pass)) {
+            result_.status = Status::ok;
+            return finish(pass, 0);
+        }
+        tangents_ = true;
+        for (Zone& of : zones_) of.is_sampled.fill(false);
+        balance();
+        result_.tangent.setZero();
     }
 
     /// The sum of vertical normal loads by secants on values alone, first in single precision and, if no tangents
     /// follow, then in double precision; nothing if the secants do not converge at once.
-    std::optional<double> secants(Pass<none>& pass) {
+    std::optional<double> secants(Pass<double>& pass) {
         constexpr double settled = 1e-8, known = 1e-5;
-        const double load = inputs_[WheelForces::load], missed = tangents_ ? 3e-8 : settled / 2;
+        const double load = input(WheelForces::load), missed = tangents_ ? 3e-8 : settled / 2;
         double sum = load, last = 0, before = -load, rate = 0;  // without normal loads nothing is carried
         is_rough_ = true;
         for (int round = 0; round < 10; ++round) {
             if (at_sum(pass, sum) != Status::ok) break;
-            const double excess = pass.excess.value(), step = std::abs(sum - last);
+            const double excess = pass.excess, step = std::abs(sum - last);
             if (step > known * sum) rate = (excess - before) / (sum - last);
             const double change = excess / rate;
             if (!(std::abs(change) < sum / 2)) break;
@@ -447,62 +511,59 @@ private:
     }
 
     /// Forces of all zones whose vertical normal loads sum up to `sum`, and their excess over the load.
-    template <int partials>
-    Status at_sum(Pass<partials>& pass, double sum) {
-        using Number = Dual<partials>;
+    template <class Number>
+    Status at_sum(Pass<Number>& pass, double sum) {
         const double root = std::cbrt(sum);
-        const auto weights = hermite_weights<ContactTable::most_loads>(table_.roots_, root);
-        move(pass, weights, root);
+        const LoadWeights weights = hermite_weights<ContactTable::most_loads>(table_.roots_, root);
+        pass.roll = roll<Number>(weights, root);
         const auto count = std::size_t(side_->given.zones.count());
         std::array<Number, ContactZones::most> shares;
-        Number total = constant<partials>(0);
+        Number total = constant<Number>(0);
         const bool one_carries = carry_count() == 1;
         for (std::size_t k = 0; k < count; ++k) {
-            shares[k] = constant<partials>(one_carries && zones_[k].carries ? 1 : 0);
-            if (!one_carries && zones_[k].carries) shares[k] = share<partials>(zones_[k], root);
+            shares[k] = constant<Number>(one_carries && zones_[k].carries ? 1 : 0);
+            if (!one_carries && zones_[k].carries) shares[k] = share<Number>(zones_[k], root);
             total += shares[k];
         }
-        if (!(total.value() > 0)) return Status::wrong_table;
-        Number whole = constant<partials>(sum);
-        if constexpr (partials > none) whole.derivatives()[by_sum<partials>] = 1;
-        pass.excess = whole - input<partials>(WheelForces::load);
+        if (!(value_of(total) > 0)) return Status::wrong_table;
+        const Number whole = variable<Number>(sum, by_sum);
+        pass.excess = whole - constant<Number>(input(WheelForces::load));
+        pass.excess_by_motion.setZero();
         pass.stands = false;
         for (std::size_t k = 0; k < count; ++k) {
-            pass.contacts[k].share = 0;
-            if (!(shares[k].value() > 0)) continue;
+            Contact<Number>& of = pass.contacts[k];
+            of.share = 0;
+            if (!(value_of(shares[k]) > 0)) continue;
             const Number part = shares[k] / total, load = part * whole;
-            if (load.value() < least_load) continue;
-            interpolate<partials>(zones_[k], Eigen::Index(k), weights, root);
-            pass.contacts[k].share = part.value();
+            if (value_of(load) < least_load) continue;
+            interpolate<Number>(zones_[k], Eigen::Index(k), weights, root);
+            of.share = value_of(part);
             const Status status = press(pass, k, load);
             if (status != Status::ok) return status;
-            pass.excess -= pass.contacts[k].force[1] * pass.contacts[k].sine;
+            pass.excess -= of.force[1] * of.sine;
+            if constexpr (has_slopes<Number>) pass.excess_by_motion -= of.sine.value() * of.by_motion.row(1);
         }
         return Status::ok;
     }
 
     /// Value of a number after the sum has fallen by `change`.
-    template <int partials>
-    static double after(const Dual<partials>& number, double change) {
-        if constexpr (partials == none) {
-            return number.value();
-        } else {
-            return number.value() - number.derivatives()[by_sum<partials>] * change;
-        }
+    static double after(double number, double /*change*/) { return number; }
+    static double after(const Dual& number, double change) {
+        return number.value() - number.derivatives()[by_sum] * change;
     }
 
     /// Writes a point as after the last step, so that its numbers agree with the wrench.
-    template <int partials>
-    void settle(std::size_t zone, const Contact<partials>& of, double change) {
-        const auto settled = [&](const Dual<partials>& number) { return after(number, change); };
+    template <class Number>
+    void settle(std::size_t zone, const Contact<Number>& of, double change) {
+        const auto settled = [&](const Number& number) { return after(number, change); };
         WheelForces::Point& point = result_.points[zone];
-        const ContactRow::Values& row = zones_[zone].value;
+        const auto& row = zones_[zone].value;
         point.load_share = of.share;
         point.rolling_radius = row[ContactRow::radius];
         point.rail_y = row[ContactRow::rail_y];
         point.wheel_y = row[ContactRow::wheel_y];
-        point.peak_pressure = row[ContactRow::peak] * std::cbrt(of.normal.value());
-        point.ellipse = PatchContact<double>(ellipse(of.half_length.value(), of.half_width.value()));
+        point.peak_pressure = row[ContactRow::peak] * std::cbrt(value_of(of.normal));
+        point.ellipse = PatchContact<double>(ellipse(value_of(of.half_length), value_of(of.half_width)));
         point.normal_load = settled(of.normal);
         point.angle = settled(of.angle);
         point.arm = {along_ * settled(of.arm[0]), settled(of.arm[1]), settled(of.arm[2])};
@@ -516,13 +577,13 @@ private:
 
     /// The wrench. The sum of normal loads, which falls by `change`, is the function of the inputs that keeps the
     /// excess at 0.
-    template <int partials>
-    void finish(const Pass<partials>& pass, double change) {
-        using Number = Dual<partials>;
+    template <class Number>
+    void finish(const Pass<Number>& pass, double change) {
         std::array<Number, 6> wrench;
-        wrench.fill(constant<partials>(0));
+        wrench.fill(constant<Number>(0));
+        Eigen::Matrix<double, 6, motion_count> by_motion = Eigen::Matrix<double, 6, motion_count>::Zero();
         for (std::size_t k = 0; k < std::size_t(side_->given.zones.count()); ++k) {
-            const Contact<partials>& of = pass.contacts[k];
+            const Contact<Number>& of = pass.contacts[k];
             if (!(of.share > 0)) continue;
             const auto& [r_x, r_y, r_z] = of.arm;
             const Number f_x = of.force[0], f_y = of.force[1] * of.cosine + of.normal * of.sine,
@@ -533,20 +594,34 @@ private:
             wrench[3] += r_y * f_z - r_z * f_y;
             wrench[4] += r_z * f_x - r_x * f_z - of.force[2] * of.sine;
             wrench[5] += r_x * f_y - r_y * f_x + of.force[2] * of.cosine;
+            if constexpr (has_slopes<Number>) {
+                const double sine = of.sine.value(), cosine = of.cosine.value(), x = r_x.value(), y = r_y.value(),
+                             z = r_z.value();
+                Eigen::Matrix<double, 6, 3> by_force;
+                by_force << 1, 0, 0, 0, cosine, 0, 0, sine, 0, 0, y * sine - z * cosine, 0, z, -x * sine, -sine, -y,
+                    x * cosine, cosine;
+                by_motion.noalias() += by_force.lazyProduct(of.by_motion);
+            }
             settle(k, of, change);
             result_.heat += result_.points[k].heat;
         }
         const std::array<double, 6> signs{along_, mirror_, 1, mirror_, along_, along_ * mirror_};
-        for (Eigen::Index i = 0; i < 6; ++i) {
-            const Number& component = wrench[std::size_t(i)];
-            result_.force[i] = signs[std::size_t(i)] * after(component, change);
-            if constexpr (by_inputs<partials>) {
-                const double slope = component.derivatives()[by_sum<partials>];
-                const Gradient<partials> gradient =
-                    component.derivatives() -
-                    slope / pass.excess.derivatives()[by_sum<partials>] * pass.excess.derivatives();
+        for (std::size_t i = 0; i < 6; ++i) result_.force[Eigen::Index(i)] = signs[i] * after(wrench[i], change);
+        if constexpr (has_slopes<Number>) {
+            for (std::size_t i = 0; i < 6; ++i) {
+                const double slope = wrench[i].derivatives()[by_sum] / pass.excess.derivatives()[by_sum];
+                const Eigen::Vector4d place = wrench[i].derivatives() - slope * pass.excess.derivatives();
+                Eigen::Matrix<double, 1, WheelForces::inputs> row;
+                row[WheelForces::lateral] = place[by_shift] * shift_.by_lateral;
+                row[WheelForces::yaw] = place[by_shift] * shift_.by_yaw + place[by_yaw];
+                row[WheelForces::load] = place[by_shift] * shift_.by_load + slope;
+                row[WheelForces::roll] = place[by_shift] * shift_.by_roll + place[by_roll];
+                const Eigen::Matrix<double, 1, motion_count> motion =
+                    by_motion.row(Eigen::Index(i)) - slope * pass.excess_by_motion;
+                row.segment<speed_count>(WheelForces::forward) = motion.head<speed_count>();
+                row[WheelForces::mu] = motion[speed_count];
                 for (Eigen::Index j = 0; j < WheelForces::inputs; ++j) {
-                    result_.tangent(i, j) = signs[std::size_t(i)] * sign_of(j) * gradient[j];
+                    result_.tangent(Eigen::Index(i), j) = signs[i] * sign_of(j) * row[j];
                 }
             }
         }
@@ -576,11 +651,14 @@ private:
     const CreepForceTable& creep_;
     const WheelFriction& friction_;
     const ContactTable::Stored* side_ = nullptr;
-    WheelForces result_;
+    WheelForces& result_;
     std::array<double, WheelForces::inputs> inputs_{};
     double mirror_ = 1, along_ = 1;
-    bool tangents_, is_rough_ = true, has_roll_ = false;
-    Dual<all> shift_;
+    bool tangents_ = false, is_rough_ = true, has_roll_ = false;
+    struct Shift {
+        double value = 0, by_lateral = 1, by_yaw = 0, by_load = 0, by_roll = 0;
+    };
+    Shift shift_;
     ContactTable::Cell cell_{0, {0, 0, 1}, {}};
     std::size_t loads_ = 0;
     std::array<ContactTable::Sample<1>, ContactTable::most_loads> rolls_;  // rolls of equal loads
@@ -595,14 +673,18 @@ template <std::same_as<double> Scalar>
 WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
                                   const WheelsetSpeeds& speeds, const WheelLoad& load,
                                   const WheelFriction& friction) const noexcept {
-    return detail::WheelLookUp(*this, creep, friction, true)(side, position, speeds, load);
+    WheelForces result;
+    detail::WheelLookUp(*this, creep, friction, result)(side, position, speeds, load, true);
+    return result;
 }
 
 template <std::same_as<double> Scalar>
 WheelForces ContactTable::forces(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
                                  const WheelsetSpeeds& speeds, const WheelLoad& load,
                                  const WheelFriction& friction) const noexcept {
-    return detail::WheelLookUp(*this, creep, friction, false)(side, position, speeds, load);
+    WheelForces result;
+    detail::WheelLookUp(*this, creep, friction, result)(side, position, speeds, load, false);
+    return result;
 }
 
 }  // namespace rollbem

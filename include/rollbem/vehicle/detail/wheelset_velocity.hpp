@@ -8,6 +8,13 @@
 
 namespace rollbem::detail {
 
+/// Sine and cosine of an angle.
+template <class Number>
+struct SineCosine {
+    Number sine, cosine;
+};
+inline SineCosine<double> sine_cosine(double angle) { return {std::sin(angle), std::cos(angle)}; }
+
 /// Velocity of the wheelset as a rigid body, in track axes. Number is double, or dual for derivatives.
 template <class Number>
 class WheelsetVelocity {
@@ -17,13 +24,12 @@ public:
         Number forward, pitch_rate, lateral, vertical, roll_rate, yaw_rate;
     };
 
-    WheelsetVelocity(const Speeds& speeds, const Number& roll, const Number& yaw)
+    WheelsetVelocity(const Speeds& speeds, const SineCosine<Number>& roll, const SineCosine<Number>& yaw)
         : middle_{speeds.forward, speeds.lateral, speeds.vertical} {
-        using std::cos, std::sin;
-        const Number level = speeds.pitch_rate * cos(yaw);  // component of the pitch rate that is level, across the
-                                                            // track
-        turn_ = {speeds.roll_rate - speeds.pitch_rate * sin(yaw), level * cos(roll),
-                 speeds.yaw_rate + level * sin(roll)};
+        const Number level = speeds.pitch_rate * yaw.cosine;  // component of the pitch rate that is level, across the
+                                                              // track
+        turn_ = {speeds.roll_rate - speeds.pitch_rate * yaw.sine, level * roll.cosine,
+                 speeds.yaw_rate + level * roll.sine};
     }
 
     const std::array<Number, 3>& middle() const { return middle_; }  ///< velocity at the middle of the axle [m/s]
@@ -48,8 +54,8 @@ private:
 
 inline WheelsetVelocity<double> velocity_of(const WheelsetPosition& at, const WheelsetSpeeds& speeds) {
     return {{speeds.forward, speeds.pitch_rate, speeds.lateral, speeds.vertical, speeds.roll_rate, speeds.yaw_rate},
-            at.roll,
-            at.yaw};
+            sine_cosine(at.roll),
+            sine_cosine(at.yaw)};
 }
 
 }  // namespace rollbem::detail
