@@ -51,6 +51,12 @@ bool is_finite(const std::complex<Scalar>& z) {
     return is_finite(z.real()) && is_finite(z.imag());
 }
 
+/// Whether a number is finite, positive and not negligible.
+template <class Value>
+bool is_positive(const Value& x) {
+    return x >= negligible<Value> && is_finite(x);
+}
+
 inline bool is_nan(const float& x) { return magnitude_bits(x) > float_exponent; }
 inline bool is_nan(const double& x) { return magnitude_bits(x) > double_exponent; }
 inline bool is_nan(const long double& x) { return magnitude_bits(x) > double_exponent; }

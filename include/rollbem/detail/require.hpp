@@ -37,6 +37,7 @@ void require(bool holds, const char* who, const char* quantity, Value value, con
 
 template <std::floating_point Value>
 void require_positive(const char* who, const char* quantity, Value value) {
+    if (is_positive(value)) return;
     require(is_finite(value) && value > 0, who, quantity, value, "be positive and finite");
     require(value >= negligible<Value>, who, quantity, value, "be positive and finite, and not next to nothing");
 }

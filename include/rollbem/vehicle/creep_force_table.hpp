@@ -115,7 +115,11 @@ private:
     static constexpr std::uint32_t version = 4;
     static constexpr double most = 100;
 
-    explicit BasicCreepForceTable(CreepForceGrid grid) : grid_(std::move(grid)), n_(grid_.levels()) {
+    explicit BasicCreepForceTable(CreepForceGrid grid)
+        : grid_(std::move(grid)),
+          n_(grid_.levels()),
+          first_log_(std::log(grid_.smallest_a_over_b())),
+          per_log_(1 / (std::log(grid_.largest_a_over_b()) - first_log_)) {
         scales_ = with_ends(grid_.scales());
         coefficients_.resize(static_cast<std::size_t>((grid_.shapes() + 2) * per_shape()) * width);
     }
@@ -196,7 +200,8 @@ private:
 
     CreepForceGrid grid_;
     Eigen::Index n_;
-    Eigen::ArrayXXd scales_;  ///< coefficients of splines in log(a/b)
+    double first_log_, per_log_;  ///< log(a/b) of the first ellipse, and 1 over its distance from the last one's
+    Eigen::ArrayXXd scales_;      ///< coefficients of splines in log(a/b)
     /// Derivatives of the splines where creepage vanishes (F_x by u_x, F_y by u_y and u_phi, M_z by u_y and u_phi), and
     /// c32 and c33, which correct them; coefficients of splines in log(a/b).
     Eigen::ArrayXXd at_rest_;
@@ -410,28 +415,38 @@ auto BasicCreepForceTable<Real>::sample(double shape, double x, double y, double
                 slope_3 = single(by_shape.slope[3]);
     const std::size_t next_shape = static_cast<std::size_t>(per_shape()) * width;
     for (std::size_t p = 0; p < 4; ++p) {
+        Number line = Number::Zero(), line_y = line, line_spin = line;
+        Single line_shape = Single::Zero();
         for (std::size_t q = 0; q < 4; ++q) {
-            const float* from = row_of(cell, p, q);
+            const float* const first = row_of(cell, p, q);
             Number here = Number::Zero(), here_spin = here;
-            Single here_shape = Single::Zero();
-            for (std::size_t t = 0; t < 4; ++t, from += width) {
-                const Single first = Quad(from), second = Quad(from + next_shape), third = Quad(from + 2 * next_shape),
-                             fourth = Quad(from + 3 * next_shape);
-                const Number node = share[0] * widened(first) + share[1] * widened(second) + share[2] * widened(third) +
-                                    share[3] * widened(fourth);
+            for (std::size_t t = 0; t < 4; ++t) {
+                const float* const from = first + t * width;
+                const Number node = share[0] * widened(Quad(from)) + share[1] * widened(Quad(from + next_shape)) +
+                                    share[2] * widened(Quad(from + 2 * next_shape)) +
+                                    share[3] * widened(Quad(from + 3 * next_shape));
                 here += by_spin.value[t] * node;
                 here_spin += by_spin.slope[t] * node;
-                // differences between ellipses suffice, as the slopes add up to 0
-                here_shape += single(by_spin.value[t]) *
-                              (slope_1 * (second - first) + slope_2 * (third - first) + slope_3 * (fourth - first));
             }
-            const double both = by_x.value[p] * by_y.value[q];
-            value += both * here;
-            along_x += (by_x.slope[p] * by_y.value[q]) * here;
-            along_y += (by_x.value[p] * by_y.slope[q]) * here;
-            along_spin += both * here_spin;
-            along_shape += single(both) * here_shape;
+            Single here_shape = Single::Zero();
+            for (std::size_t t = 0; t < 4; ++t) {
+                const float* const from = first + t * width;
+                const Single one = Quad(from);
+                // differences between ellipses suffice, as the slopes add up to 0
+                here_shape += single(by_spin.value[t]) * (slope_1 * (Quad(from + next_shape) - one) +
+                                                          slope_2 * (Quad(from + 2 * next_shape) - one) +
+                                                          slope_3 * (Quad(from + 3 * next_shape) - one));
+            }
+            line += by_y.value[q] * here;
+            line_y += by_y.slope[q] * here;
+            line_spin += by_y.value[q] * here_spin;
+            line_shape += single(by_y.value[q]) * here_shape;
         }
+        value += by_x.value[p] * line;
+        along_x += by_x.slope[p] * line;
+        along_y += by_x.value[p] * line_y;
+        along_spin += by_x.value[p] * line_spin;
+        along_shape += single(by_x.value[p]) * line_shape;
     }
     return {value.head<3>(), along_x.head<3>(), along_y.head<3>(), along_spin.head<3>(),
             along_shape.head<3>().cast<double>()};
@@ -454,6 +469,8 @@ Eigen::Array3d BasicCreepForceTable<Real>::value(double shape, double x, double 
     const auto digits = [](double weight) { return static_cast<Digits>(weight); };
     const Digits share_0 = digits(share[0]), share_1 = digits(share[1]), share_2 = digits(share[2]),
                  share_3 = digits(share[3]);
+    std::array<Digits, 16> both;
+    for (std::size_t i = 0; i < 16; ++i) both[i] = digits(cell.by_y.value[i / 4] * by_spin[i % 4]);
     Eigen::Array4d sum = Eigen::Array4d::Zero();
     for (std::size_t p = 0; p < 4; ++p) {
         Number line = Number::Zero();
@@ -463,7 +480,7 @@ Eigen::Array3d BasicCreepForceTable<Real>::value(double shape, double x, double 
                 const Number node = share_0 * wide(Quad(from)) + share_1 * wide(Quad(from + next_shape)) +
                                     share_2 * wide(Quad(from + 2 * next_shape)) +
                                     share_3 * wide(Quad(from + 3 * next_shape));
-                line += digits(cell.by_y.value[q] * by_spin[t]) * node;
+                line += both[4 * q + t] * node;
             }
         }
         sum += cell.by_x.value[p] * line.template cast<double>();
@@ -473,13 +490,12 @@ Eigen::Array3d BasicCreepForceTable<Real>::value(double shape, double x, double 
 
 template <std::same_as<double> Real>
 auto BasicCreepForceTable<Real>::ellipse(double a_over_b) const noexcept -> Ellipse {
-    const double first = std::log(grid_.smallest_a_over_b()), last = std::log(grid_.largest_a_over_b());
-    const double position = (std::log(a_over_b) - first) / (last - first);
+    const double position = (std::log(a_over_b) - first_log_) * per_log_;
     const bool on_table = position >= -1e-12 && position <= 1 + 1e-12;
     const double shape = std::clamp(position, 0.0, 1.0) * static_cast<double>(grid_.shapes() - 1);
     const auto cell = (std::min)(static_cast<Eigen::Index>(shape), grid_.shapes() - 2);
     const SplineWeights by_shape(shape - static_cast<double>(cell));
-    const double shape_per_log = on_table ? static_cast<double>(grid_.shapes() - 1) / (last - first) : 0;
+    const double shape_per_log = on_table ? static_cast<double>(grid_.shapes() - 1) * per_log_ : 0;
     Eigen::Array4d linear = Eigen::Array4d::Zero(), linear_by_shape = linear;
     for (Eigen::Index k = 0; k < 4; ++k) {
         const Eigen::Array4d of = scales_.col(cell + k).head<4>();

@@ -14,9 +14,12 @@ struct SplineWeights {
     std::array<double, 4> value, slope;  ///< slope by t
 
     explicit SplineWeights(double t)
-        : value{(1 - t) * (1 - t) * (1 - t) / 6, (4 + t * t * (3 * t - 6)) / 6, (1 + 3 * t * (1 + t * (1 - t))) / 6,
-                t * t * t / 6},
-          slope{-(1 - t) * (1 - t) / 2, t * (1.5 * t - 2), 0.5 + t * (1 - 1.5 * t), t * t / 2} {}
+        : value{sixth * (1 - t) * (1 - t) * (1 - t), sixth * (4 + t * t * (3 * t - 6)),
+                sixth * (1 + 3 * t * (1 + t * (1 - t))), sixth * t * t * t},
+          slope{-0.5 * (1 - t) * (1 - t), t * (1.5 * t - 2), 0.5 + t * (1 - 1.5 * t), 0.5 * t * t} {}
+
+private:
+    static constexpr double sixth = 1.0 / 6;
 };
 
 /// Turns values at `count` >= 4 nodes, `stride` apart, into the coefficients of the interpolating spline. At both ends
