@@ -89,10 +89,11 @@ LocalWeights<most> hermite_weights(const std::vector<double>& nodes, double at) 
     const HermiteWeights own(at, nodes[i], nodes[i + 1]);
     const auto step = [&](std::size_t k) { return nodes[k + 1] - nodes[k]; };
     const auto add_difference = [&](std::size_t k, double value, double rate) {  // difference of nodes k, k + 1
-        weights.value[k] -= value / step(k);
-        weights.value[k + 1] += value / step(k);
-        weights.rate[k] -= rate / step(k);
-        weights.rate[k + 1] += rate / step(k);
+        const double per_step = 1 / step(k);
+        weights.value[k] -= value * per_step;
+        weights.value[k + 1] += value * per_step;
+        weights.rate[k] -= rate * per_step;
+        weights.rate[k + 1] += rate * per_step;
     };
     for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
         const std::size_t node = i + end;

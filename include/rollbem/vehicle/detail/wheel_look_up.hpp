@@ -72,10 +72,15 @@ private:
         if constexpr (has_slopes<Number>) found.derivatives()[of] = 1;
         return found;
     }
-    static SineCosine<double> turn_by(double angle) { return sine_cosine(angle); }
-    static SineCosine<Dual> turn_by(const Dual& angle) {
-        const auto [sine, cosine] = sine_cosine(angle.value());
-        return {{sine, cosine * angle.derivatives()}, {cosine, -sine * angle.derivatives()}};
+    /// Sine and cosine of an angle, from those of its value.
+    template <class Number>
+    static SineCosine<Number> turned(const Number& angle, const SineCosine<double>& value) {
+        if constexpr (has_slopes<Number>) {
+            return {{value.sine, value.cosine * angle.derivatives()},
+                    {value.cosine, -value.sine * angle.derivatives()}};
+        } else {
+            return value;
+        }
     }
     static double value_of(double number) { return number; }
     static double value_of(const Dual& number) { return number.value(); }
@@ -121,6 +126,7 @@ private:
              {WheelForces::yaw, WheelForces::forward, WheelForces::pitch_rate, WheelForces::yaw_rate}) {
             inputs_[std::size_t(which)] *= along_;
         }
+        yawed_ = sine_cosine(input(WheelForces::yaw));
         shift_ = {.value = inputs_[WheelForces::lateral]};
         if (has_roll_) {
             // a roll beyond the roll of equal loads moves the wheel's profile on the rail
@@ -267,7 +273,7 @@ private:
     struct Contact {
         double share = 0;             // share of the vertical load; 0: no contact
         std::array<Number, 3> force;  // force in the plane, and moment about its normal
-        Number normal, angle, sine, cosine, half_length, half_width;
+        Number normal, size, angle, sine, cosine, half_length, half_width;  // size: N^(1/3)
         std::array<Number, 3> arm, creepage;
         Number rolling;                                    // V [m/s]
         Eigen::Matrix<double, 3, motion_count> by_motion;  // derivatives of the force by speeds and mu
@@ -278,34 +284,34 @@ private:
         Number excess;  // load carried by the zones minus the wheel's load
         Eigen::Matrix<double, 1, motion_count> excess_by_motion;
         bool stands = false;
-        Number roll;  // of the wheelset
+        Number roll;                // of the wheelset
+        SineCosine<double> rolled;  // sine and cosine of the roll
         std::array<Contact<Number>, ContactZones::most> contacts;
     };
 
     /// Forces of one zone under its normal load.
     template <class Number>
     Status press(Pass<Number>& pass, std::size_t zone, const Number& load) {
-        using std::cbrt;
         using enum ContactRow::Of;
         const Zone& of = zones_[zone];
         Contact<Number>& found = pass.contacts[zone];
         const auto row = [&](Eigen::Index which) { return number<Number>(of, which); };
         found.angle = row(angle);
-        const SineCosine<Number> turned = turn_by(found.angle);
-        found.sine = turned.sine;
-        found.cosine = turned.cosine;
+        const SineCosine<Number> inclined = turned(found.angle, sine_cosine(value_of(found.angle)));
+        found.sine = inclined.sine;
+        found.cosine = inclined.cosine;
         found.arm = {row(arm_x), row(arm_y), row(arm_z)};
         found.normal = load / found.cosine;
         found.rolling = (input(WheelForces::forward) - input(WheelForces::pitch_rate) * row(radius)) * 0.5;
-        Number size = constant<Number>(cbrt(value_of(found.normal)));
+        found.size = constant<Number>(std::cbrt(value_of(found.normal)));
         if constexpr (has_slopes<Number>)
-            size.derivatives() = size.value() / (3 * found.normal.value()) * found.normal.derivatives();
+            found.size.derivatives() = found.size.value() / (3 * found.normal.value()) * found.normal.derivatives();
         const auto positive = [&](Eigen::Index which) {  // cubics may undershoot where a zone begins to carry
             constexpr double least = 1e-9;
             return of.value[which] > least ? row(which) : constant<Number>(least);
         };
-        found.half_length = positive(length) * size;
-        found.half_width = positive(width) * size;
+        found.half_length = positive(length) * found.size;
+        found.half_width = positive(width) * found.size;
         found.force.fill(constant<Number>(0));
         found.by_motion.setZero();
         found.creepage.fill(constant<Number>(0));
@@ -313,7 +319,7 @@ private:
             pass.stands = true;
             return Status::ok;
         }
-        const std::array<Number, 3> slip = velocity<Number>(pass.roll).slip(found.arm, found.sine, found.cosine);
+        const std::array<Number, 3> slip = velocity(pass).slip(found.arm, found.sine, found.cosine);
         for (std::size_t i = 0; i < 3; ++i) found.creepage[i] = slip[i] / found.rolling;
         const double mu = input(WheelForces::mu) * friction_.factor[zone];
         const std::array<Number, 3> own = ellipse_creepages<Number>(found.creepage, found.half_length, found.half_width,
@@ -323,12 +329,12 @@ private:
 
     /// The wheel's motion.
     template <class Number>
-    WheelsetVelocity<Number> velocity(const Number& roll) const {
+    WheelsetVelocity<Number> velocity(const Pass<Number>& pass) const {
         const auto speed = [&](WheelForces::Input of) { return constant<Number>(input(of)); };
         return {{speed(WheelForces::forward), speed(WheelForces::pitch_rate), speed(WheelForces::lateral_speed),
                  speed(WheelForces::vertical_speed), speed(WheelForces::roll_rate), speed(WheelForces::yaw_rate)},
-                turn_by(roll),
-                turn_by(variable<Number>(input(WheelForces::yaw), by_yaw))};
+                turned(pass.roll, pass.rolled),
+                turned(variable<Number>(input(WheelForces::yaw), by_yaw), yawed_)};
     }
 
     PatchContact<double>::Parameters ellipse(double a, double b) const {
@@ -414,12 +420,9 @@ private:
             return Number(inputs_[std::size_t(WheelForces::forward + which)], speed_count, which);
         };
         const auto fixed = [](double number) { return Number(number, Eigen::Matrix<double, speed_count, 1>::Zero()); };
-        const auto turned = [&](double angle) {
-            const auto [sine, cosine] = sine_cosine(angle);
-            return SineCosine<Number>{fixed(sine), fixed(cosine)};
-        };
         const WheelsetVelocity<Number> velocity({speed(0), speed(1), speed(2), speed(3), speed(4), speed(5)},
-                                                turned(pass.roll.value()), turned(input(WheelForces::yaw)));
+                                                {fixed(pass.rolled.sine), fixed(pass.rolled.cosine)},
+                                                {fixed(yawed_.sine), fixed(yawed_.cosine)});
         const std::array<Number, 3> slip =
             velocity.slip({fixed(of.arm[0].value()), fixed(of.arm[1].value()), fixed(of.arm[2].value())},
                           fixed(of.sine.value()), fixed(of.cosine.value()));
@@ -516,6 +519,7 @@ private:
         const double root = std::cbrt(sum);
         const LoadWeights weights = hermite_weights<ContactTable::most_loads>(table_.roots_, root);
         pass.roll = roll<Number>(weights, root);
+        pass.rolled = sine_cosine(value_of(pass.roll));
         const auto count = std::size_t(side_->given.zones.count());
         std::array<Number, ContactZones::most> shares;
         Number total = constant<Number>(0);
@@ -562,7 +566,7 @@ private:
         point.rolling_radius = row[ContactRow::radius];
         point.rail_y = row[ContactRow::rail_y];
         point.wheel_y = row[ContactRow::wheel_y];
-        point.peak_pressure = row[ContactRow::peak] * std::cbrt(value_of(of.normal));
+        point.peak_pressure = row[ContactRow::peak] * value_of(of.size);
         point.ellipse = PatchContact<double>(ellipse(value_of(of.half_length), value_of(of.half_width)));
         point.normal_load = settled(of.normal);
         point.angle = settled(of.angle);
@@ -608,6 +612,8 @@ private:
         const std::array<double, 6> signs{along_, mirror_, 1, mirror_, along_, along_ * mirror_};
         for (std::size_t i = 0; i < 6; ++i) result_.force[Eigen::Index(i)] = signs[i] * after(wrench[i], change);
         if constexpr (has_slopes<Number>) {
+            Eigen::Matrix<double, 1, WheelForces::inputs> signs_of_inputs;
+            for (Eigen::Index j = 0; j < WheelForces::inputs; ++j) signs_of_inputs[j] = sign_of(j);
             for (std::size_t i = 0; i < 6; ++i) {
                 const double slope = wrench[i].derivatives()[by_sum] / pass.excess.derivatives()[by_sum];
                 const Eigen::Vector4d place = wrench[i].derivatives() - slope * pass.excess.derivatives();
@@ -620,9 +626,7 @@ private:
                     by_motion.row(Eigen::Index(i)) - slope * pass.excess_by_motion;
                 row.segment<speed_count>(WheelForces::forward) = motion.head<speed_count>();
                 row[WheelForces::mu] = motion[speed_count];
-                for (Eigen::Index j = 0; j < WheelForces::inputs; ++j) {
-                    result_.tangent(Eigen::Index(i), j) = signs[i] * sign_of(j) * row[j];
-                }
+                result_.tangent.row(Eigen::Index(i)) = signs[i] * row.cwiseProduct(signs_of_inputs);
             }
         }
         const double sum = result_.force.sum() + result_.tangent.sum() + result_.heat;
@@ -659,6 +663,7 @@ private:
         double value = 0, by_lateral = 1, by_yaw = 0, by_load = 0, by_roll = 0;
     };
     Shift shift_;
+    SineCosine<double> yawed_{0, 1};
     ContactTable::Cell cell_{0, {0, 0, 1}, {}};
     std::size_t loads_ = 0;
     std::array<ContactTable::Sample<1>, ContactTable::most_loads> rolls_;  // rolls of equal loads
