@@ -2,6 +2,8 @@
 // vehicle/contact_table.hpp and vehicle/wheelset_forces.hpp; link rollbem::compiled.
 #pragma once
 
+#include <vector>
+
 #include "../vehicle/contact_table.hpp"
 #include "../vehicle/wheelset_forces.hpp"
 #include "creep_force_table.hpp"
@@ -22,6 +24,9 @@ extern template WheelForces ContactTable::look_up<double>(const CreepForceTable&
 extern template WheelForces ContactTable::forces<double>(const CreepForceTable&, WheelsetSide, const WheelsetPosition&,
                                                          const WheelsetSpeeds&, const WheelLoad&,
                                                          const WheelFriction&) const noexcept;
+extern template std::vector<PatchForce> patch_forces<double>(const std::vector<RailPatch>&, const WheelsetPosition&,
+                                                             const WheelsetSpeeds&, const TrackDimensions&,
+                                                             const RollingFriction&);
 extern template WheelsetForces rolling_forces<double>(const WheelsetOnTrack&, const WheelsetRolling&,
                                                       const RollingFriction&, WheelsetOnTrack::Workspace&,
                                                       const WheelOnRail::Options&);

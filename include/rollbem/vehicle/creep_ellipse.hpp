@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -62,7 +63,8 @@ inline StripLaws strip_laws_of(const PieceMeshes& meshes, std::size_t piece, con
 
 /// Laws of the strips of all patches of a wheel: pieces of one plane stick together. A patch has no law if it has no
 /// outline, or if rolling would gain energy on all meshes.
-inline std::vector<StripLaws> strip_laws(const std::vector<RailPatch>& patches, const TrackDimensions& dimensions) {
+template <std::same_as<double> Real = double>
+std::vector<StripLaws> strip_laws(const std::vector<RailPatch>& patches, const TrackDimensions& dimensions) {
     std::vector<StripLaws> laws(patches.size());
     const HalfSpace<double> half_space(dimensions.poisson_ratio);
     for (const std::vector<std::size_t>& plane : pieces_of_planes(patches)) {
@@ -94,8 +96,9 @@ struct PatchLaws {
 };
 
 /// Laws of all patches of a wheel; `symmetric` patches are their own mirror images.
-inline std::vector<PatchLaws> patch_laws(const std::vector<RailPatch>& patches, const TrackDimensions& dimensions,
-                                         bool symmetric) {
+template <std::same_as<double> Real = double>
+std::vector<PatchLaws> patch_laws(const std::vector<RailPatch>& patches, const TrackDimensions& dimensions,
+                                  bool symmetric) {
     const std::vector<StripLaws> own = strip_laws(patches, dimensions);
     std::vector<StripLaws> other = own;
     if (!symmetric) {
@@ -205,7 +208,8 @@ inline Eigen::Matrix3d law_of(const std::vector<PatchLaws>& patches, const Conta
 }
 
 /// An ellipse's rows of c11, c22, c23, and its linear law in the form of law_of.
-inline Eigen::Matrix3d law_of_ellipse(const PatchContact<double>& contact, double load, const CreepForceTable& creep) {
+template <std::same_as<double> Real = double>
+Eigen::Matrix3d law_of_ellipse(const PatchContact<double>& contact, double load, const CreepForceTable& creep) {
     const TabulatedForce rest = creep.look_up(contact, 1, load, {0, 0, 0});
     require(rest.status == Status::ok, "creep_ellipse", "status of the table of creep forces", name(rest.status),
             "be ok");
@@ -218,9 +222,10 @@ inline Eigen::Matrix3d law_of_ellipse(const PatchContact<double>& contact, doubl
 }
 
 /// Rows of a zone from its pressures and laws, without share and arm; `yaw` is the position's yaw, 0 or positive.
-inline ContactRow::Values rows_of(const std::vector<PatchLaws>& patches, const ContactZones& zones, Eigen::Index zone,
-                                  const ZonePressures& pressed, const TrackDimensions& dimensions,
-                                  const CreepForceTable& creep, double yaw) {
+template <std::same_as<double> Real = double>
+ContactRow::Values rows_of(const std::vector<PatchLaws>& patches, const ContactZones& zones, Eigen::Index zone,
+                           const ZonePressures& pressed, const TrackDimensions& dimensions,
+                           const CreepForceTable& creep, double yaw) {
     using enum ContactRow::Of;
     ContactRow::Values v = ContactRow::Values::Zero();
     double a = std::sqrt(5 * pressed.square_x), b = std::sqrt(5 * pressed.square_s);
@@ -292,8 +297,8 @@ struct PatchEllipse {
 /// - a/b beyond the table: the longer semi-axis is kept, and the correction also holds in full sliding.
 ///
 /// Throws std::invalid_argument unless the patch has numbers.
-inline PatchEllipse creep_ellipse(const RailPatch& patch, const TrackDimensions& dimensions,
-                                  const CreepForceTable& creep) {
+template <std::same_as<double> Real = double>
+PatchEllipse creep_ellipse(const RailPatch& patch, const TrackDimensions& dimensions, const CreepForceTable& creep) {
     using enum ContactRow::Of;
     detail::require(patch.load > 0, "creep_ellipse", "load of the patch", patch.load, "be positive");
     const std::vector<detail::PatchLaws> one = detail::patch_laws({patch}, dimensions, true);

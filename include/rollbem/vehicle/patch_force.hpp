@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -211,6 +212,7 @@ struct MeshFriction {
 };
 
 /// Solves friction on a mesh for given coefficients of its elements.
+template <std::same_as<double> Real = double>
 class MeshSolver {
 public:
     MeshSolver(const PieceMeshes& meshes, const PatchContact<double>& contact, const RollingPieces& rolling,
@@ -311,9 +313,10 @@ private:
     Eigen::ArrayXd pressures_;
 };
 
-inline std::vector<PatchForce> friction_on(const PieceMeshes& meshes, const PatchContact<double>& contact,
-                                           const RollingPieces& rolling, const RollingFriction& friction) {
-    const MeshSolver solver(meshes, contact, rolling, friction);
+template <std::same_as<double> Real = double>
+std::vector<PatchForce> friction_on(const PieceMeshes& meshes, const PatchContact<double>& contact,
+                                    const RollingPieces& rolling, const RollingFriction& friction) {
+    const MeshSolver<Real> solver(meshes, contact, rolling, friction);
     const MeshFriction solved = solver.solve();
     std::vector<PatchForce> found;
     for (std::size_t k = 0; k < meshes.pieces.size(); ++k) {
@@ -340,9 +343,10 @@ inline std::vector<PatchForce> friction_on(const PieceMeshes& meshes, const Patc
 }
 
 /// Friction on the pieces of one plane, which may also roll backwards or stand still.
-inline std::vector<PatchForce> plane_forces(const std::vector<RailPatch>& pieces, const WheelsetPosition& at,
-                                            const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
-                                            const RollingFriction& friction) {
+template <std::same_as<double> Real = double>
+std::vector<PatchForce> plane_forces(const std::vector<RailPatch>& pieces, const WheelsetPosition& at,
+                                     const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
+                                     const RollingFriction& friction) {
     const double rolls = rolling_velocity_of(pieces[0], speeds);
     if (rolls < 0) {
         constexpr Mirror mirror = Mirror::along_track();
@@ -400,9 +404,10 @@ inline void require_valid(const RollingFriction& friction) {
 /// together. A patch that does not roll, V = 0, has the status invalid_step, no creepage and no force. The patches must
 /// have numbers; position and speeds are as the right wheel sees them. Throws std::invalid_argument unless mu and the
 /// compliance of the layer are finite and not negative, and numbers of heating can be meant.
-inline std::vector<PatchForce> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
-                                            const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
-                                            const RollingFriction& friction) {
+template <std::same_as<double> Real = double>  // for rollbem::compiled
+std::vector<PatchForce> patch_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
+                                     const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
+                                     const RollingFriction& friction) {
     detail::require_valid(friction);
     std::vector<PatchForce> found(patches.size());
     for (const std::vector<std::size_t>& plane : pieces_of_planes(patches)) {
@@ -413,8 +418,9 @@ inline std::vector<PatchForce> patch_forces(const std::vector<RailPatch>& patche
     }
     return found;
 }
-inline PatchForce patch_force(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
-                              const TrackDimensions& dimensions, const RollingFriction& friction) {
+template <std::same_as<double> Real = double>
+PatchForce patch_force(const RailPatch& patch, const WheelsetPosition& at, const WheelsetSpeeds& speeds,
+                       const TrackDimensions& dimensions, const RollingFriction& friction) {
     return patch_forces({patch}, at, speeds, dimensions, friction)[0];
 }
 

@@ -127,6 +127,7 @@ private:
 };
 
 /// Contacts and friction in turn, until they carry the loads.
+template <std::same_as<double> Real = double>
 class RollingBalance {
 public:
     RollingBalance(const WheelsetOnTrack& wheelset, const WheelsetRolling& rolling, const RollingFriction& friction)
@@ -275,13 +276,13 @@ inline void take_friction_out(WheelsetForces& forces) {
 }
 
 /// The pitch rate at which friction has the wanted longitudinal force, between -20 and 20 % of creepage.
-inline WheelsetForces roll_at_force(const WheelsetOnTrack& wheelset, WheelsetRolling rolling,
-                                    const RollingFriction& friction, WheelsetOnTrack::Workspace& workspace,
-                                    const WheelOnRail::Options& options) {
+template <std::same_as<double> Real = double>
+WheelsetForces roll_at_force(const WheelsetOnTrack& wheelset, WheelsetRolling rolling, const RollingFriction& friction,
+                             WheelsetOnTrack::Workspace& workspace, const WheelOnRail::Options& options) {
     constexpr double steepest = 100, largest_step = 0.02, most = 0.2, enough = 1e-6, jumps = 1e-9;
     const double wanted = *std::exchange(rolling.force, std::nullopt), forward = rolling.speeds.forward < 0 ? -1 : 1;
     rolling.free_pitch = true;
-    WheelsetForces result = RollingBalance(wheelset, rolling, friction).solve(workspace, options);
+    WheelsetForces result = RollingBalance<Real>(wheelset, rolling, friction).solve(workspace, options);
     rolling.free_pitch = false;
     const double free = result.pitch_rate;
     RisingRoot root(steepest, largest_step);
@@ -300,7 +301,7 @@ inline WheelsetForces roll_at_force(const WheelsetOnTrack& wheelset, WheelsetRol
             return result;
         }
         rolling.speeds.pitch_rate = free * (1 + creepage);
-        result = RollingBalance(wheelset, rolling, friction).solve(workspace, options);
+        result = RollingBalance<Real>(wheelset, rolling, friction).solve(workspace, options);
     }
     take_friction_out(result);
     return result;
@@ -323,7 +324,7 @@ WheelsetForces rolling_forces(const WheelsetOnTrack& wheelset, const WheelsetRol
                               const WheelOnRail::Options& options = {}) {
     if (!detail::is_finite(rolling.speeds)) return {};
     if (rolling.force) return detail::roll_at_force(wheelset, rolling, friction, workspace, options);
-    return detail::RollingBalance(wheelset, rolling, friction).solve(workspace, options);
+    return detail::RollingBalance<Scalar>(wheelset, rolling, friction).solve(workspace, options);
 }
 
 }  // namespace rollbem

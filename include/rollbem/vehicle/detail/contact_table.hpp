@@ -116,6 +116,7 @@ struct WheelForces {
 };
 
 namespace detail {
+template <std::same_as<double> Real>
 class WheelLookUp;
 }
 
@@ -236,6 +237,7 @@ public:
                        const WheelFriction& friction) const noexcept;
 
 private:
+    template <std::same_as<double> Real>
     friend class detail::WheelLookUp;
 
     static constexpr const char* name = "ContactTable";

@@ -19,6 +19,7 @@
 namespace rollbem::detail {
 
 /// One look-up. Lengths and loads refer to the right wheel; a left wheel, and rolling backwards, are mirror images.
+template <std::same_as<double> Real = double>
 class WheelLookUp {
 public:
     /// The look-up writes into `result`, whose numbers must be those of an empty WheelForces.
@@ -679,7 +680,7 @@ WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide sid
                                   const WheelsetSpeeds& speeds, const WheelLoad& load,
                                   const WheelFriction& friction) const noexcept {
     WheelForces result;
-    detail::WheelLookUp(*this, creep, friction, result)(side, position, speeds, load, true);
+    detail::WheelLookUp<Scalar>(*this, creep, friction, result)(side, position, speeds, load, true);
     return result;
 }
 
@@ -688,7 +689,7 @@ WheelForces ContactTable::forces(const CreepForceTable& creep, WheelsetSide side
                                  const WheelsetSpeeds& speeds, const WheelLoad& load,
                                  const WheelFriction& friction) const noexcept {
     WheelForces result;
-    detail::WheelLookUp(*this, creep, friction, result)(side, position, speeds, load, false);
+    detail::WheelLookUp<Scalar>(*this, creep, friction, result)(side, position, speeds, load, false);
     return result;
 }
 
