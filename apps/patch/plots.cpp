@@ -143,7 +143,7 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const f
     plot.title += ", ν = " + shown(contact.poisson_ratio()) + ", " + std::to_string(patch.mesh.elements_per_strip()) +
                   " × " + std::to_string(patch.mesh.strip_count()) + " elements, ξ = " + shown(point.longitudinal) +
                   ", η = " + shown(point.lateral) + ", φ c = " + shown(point.spin) + " in μ N / (G a b)";
-    study::Series stick{.label = "stick", .style = 5, .shape = study::Shape::rectangles};
+    study::Series stick{.label = "stick", .style = 0, .shape = study::Shape::rectangles};
     study::Series slip{.label = "slip", .style = 4, .shape = study::Shape::rectangles};
     study::Series arrows{.reference = true, .shape = study::Shape::arrows};
     const auto number = [&](const study::Row& row, const char* name) { return tractions.number(row, name); };

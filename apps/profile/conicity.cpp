@@ -56,7 +56,7 @@ study::Plot difference_plot(const RadiusDifference& radii) {
 }
 
 study::Series curve(const std::vector<study::Row>& rows, const char* label, std::size_t column, double unit) {
-    study::Series series{.label = label};
+    study::Series series{.label = label, .markers = rows.size() <= 30};
     for (const study::Row& row : rows) {
         series.points.emplace_back(1e3 * row[0].number().value_or(std::nan("")),
                                    unit * row[column].number().value_or(std::nan("")));

@@ -1,7 +1,8 @@
-#include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "profile.hpp"
 
@@ -16,26 +17,21 @@ study::Plot draw_patches(const std::vector<Drawn>& patches, std::size_t without)
                                   " kN, p_{max} = " + text(1e-6 * patch.peak_pressure, 4) +
                                   " MPa, δ = " + text(sign * patch.angle, 3) + " rad",
                          .x_label = "x [mm], rolling to the right",
-                         .y_label = "s [mm]"};
-        constexpr std::array<std::size_t, 5> styles{5, 2, 4, 1, 3};
+                         .y_label = "s [mm]",
+                         .z_label = "p / p_{max}"};
+        study::Series pressure{.shape = study::Shape::rectangles};
         const rollbem::CellGrid& grid = patch.grid;
-        for (std::size_t level = 0; level < 5; ++level) {
-            study::Series series{.label = "p > " + text(0.2 * double(level), 2) + " p_{max}",
-                                 .style = styles[level],
-                                 .shape = study::Shape::rectangles};
-            for (Eigen::Index i = 0; i < grid.nx; ++i) {
-                for (Eigen::Index j = 0; j < grid.ny; ++j) {
-                    const double p = patch.pressure(i, j);
-                    if (!(p > 0) || std::min(std::size_t(5 * p / patch.pressure.maxCoeff()), std::size_t(4)) != level) {
-                        continue;
-                    }
-                    const double x = 1e3 * grid.x(i), s = sign * 1e3 * grid.y(j);
-                    series.points.emplace_back(x - 500 * grid.dx, s - 500 * grid.dy);
-                    series.points.emplace_back(x + 500 * grid.dx, s + 500 * grid.dy);
-                }
+        for (Eigen::Index i = 0; i < grid.nx; ++i) {
+            for (Eigen::Index j = 0; j < grid.ny; ++j) {
+                const double p = patch.pressure(i, j);
+                if (!(p > 0)) continue;
+                const double x = 1e3 * grid.x(i), s = sign * 1e3 * grid.y(j);
+                pressure.points.emplace_back(x - 500 * grid.dx, s - 500 * grid.dy);
+                pressure.points.emplace_back(x + 500 * grid.dx, s + 500 * grid.dy);
+                pressure.values.push_back(p / patch.pressure.maxCoeff());
             }
-            if (!series.points.empty()) plot.series.push_back(std::move(series));
         }
+        plot.series.push_back(std::move(pressure));
         study::Series edge{.label = "outline", .markers = false, .reference = true};
         const rollbem::Outline<double>& outline = *patch.outline;
         const Eigen::ArrayXd& y = outline.y();
@@ -88,15 +84,16 @@ study::Plot draw_contact_points(const rollbem::WheelsetOnTrack& wheelset, const 
         if (all == 0) continue;
         if (without > 0)
             plot.title += "; " + std::to_string(without) + " of " + std::to_string(all) + " rows have none";
-        const auto curve = [&](const rollbem::Profile& profile, double dy, double dz, const char* label) {
-            study::Series series{.label = label, .markers = false, .reference = true};
+        const auto curve = [&](const rollbem::Profile& profile, double dy, double dz, const char* label,
+                               std::size_t style) {
+            study::Series series{.label = label, .markers = false, .style = style, .reference = true};
             for (Eigen::Index i = 0; i < profile.size(); ++i) {
                 series.points.emplace_back(1e3 * profile.y()[i] + dy, 1e3 * profile.z()[i] + dz);
             }
             plot.series.push_back(std::move(series));
         };
-        curve(wheel.rail(), 0, 0, "rail");
-        curve(wheel.wheel(), offset, -apart, "wheel");
+        curve(wheel.rail(), 0, 0, "rail", 4);
+        curve(wheel.wheel(), offset, -apart, "wheel", 1);
         plot.series.push_back(std::move(joined));
         study::fit_to_scale(plot);
         panels.push_back(std::move(plot));

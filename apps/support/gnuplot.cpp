@@ -79,11 +79,11 @@ std::string marks_command(const PlotAxis& axis, const std::vector<double>& marks
     return std::string("set ") + axis.name + "tics (" + line + ")\n";
 }
 
-/// 1, 2, 5, 10, ... around a range and some beyond.
-std::vector<double> marks_of_decades(const PlotRange& range) {
+/// 1, 2, 5, 10, ... around a range and some beyond, or other digits.
+std::vector<double> marks_of_decades(const PlotRange& range, const std::vector<int>& digits = {1, 2, 5}) {
     std::vector<double> marks;
     for (int k = int(std::floor(std::log10(range.low))) - 1; k <= int(std::floor(std::log10(range.high))) + 1; ++k) {
-        for (const int digit : {1, 2, 5}) marks.push_back(digit * std::pow(10, k));
+        for (const int digit : digits) marks.push_back(digit * std::pow(10, k));
     }
     return marks;
 }
@@ -108,23 +108,25 @@ std::string logarithmic_x(const Plot& plot, const PlotAxis& axis) {
                             : "");
     std::vector<double> marks;  // none on top of another
     for (const double value : values) {
-        const bool apart = marks.empty() || std::log(value / marks.back()) > 0.04 * std::log(range.high / range.low);
+        const bool apart = marks.empty() || std::log(value / marks.back()) > 0.08 * std::log(range.high / range.low);
         if (apart) marks.push_back(value);
     }
     return scale + marks_command(axis, marks);
 }
 
-/// A logarithmic y axis. A short one gets marks and a range between two of them: gnuplot's are powers of ten.
+/// A logarithmic y axis, with a margin around the values and, if it is short, marks between powers of ten. Without a
+/// range and over less than a factor of 3, it is linear.
 std::string logarithmic_y(Plot& plot, const PlotAxis& axis) {
     const PlotRange range = plot.y_range.value_or(extent(plot, axis));
-    if (range.high >= 100 * range.low) return "set logscale y 10\nset format y '10^{%T}'\n";
-    const std::vector<double> marks = marks_of_decades(range);
-    if (!plot.y_range) {
-        const auto above = std::upper_bound(marks.begin(), marks.end(), 1.02 * range.high);
-        const auto below = std::lower_bound(marks.begin(), marks.end(), range.low / 1.02);
-        plot.y_range = PlotRange{*std::prev(below), *above};
+    if (!plot.y_range && range.high < 3 * range.low) {
+        plot.log_y = false;
+        return "";
     }
-    return "set logscale y 10\n" + marks_command(axis, marks);
+    if (!plot.y_range) plot.y_range = PlotRange{axis.at_share(-0.05, range), axis.at_share(1.05, range)};
+    const std::string scale = "set logscale y 10\n";
+    if (range.high < 10 * range.low) return scale + marks_command(axis, marks_of_decades(range, {1, 2, 3, 5, 7}));
+    if (range.high < 100 * range.low) return scale + marks_command(axis, marks_of_decades(range, {1, 2, 3, 5}));
+    return scale + "set format y '10^{%T}'\n";
 }
 
 /// Axes that are linear near 0 and logarithmic beyond, with marks at powers of ten of either sign.
@@ -265,14 +267,33 @@ std::vector<Point> isolated_points(const Plot& plot, const Series& series) {
 
 // --- gnuplot's commands --------------------------------------------------------------------------------------------
 
-/// "set title", in two lines if one would be longer than `widest` characters.
-std::string title_command(const std::string& title, std::ptrdiff_t widest) {
-    const auto is_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80 && c != '_'; };
-    const bool fits = std::count_if(title.begin(), title.end(), is_character) <= widest;
-    const std::size_t end = fits ? std::string::npos : title.rfind(", ", title.size() * 3 / 5);
-    if (end == std::string::npos) return "set title " + gnuplot_string(title) + "\n";
-    return "set title " + gnuplot_string(title.substr(0, end + 1)) + ".\"\\n\"." +
-           gnuplot_string(title.substr(end + 2)) + "\n";
+/// How many characters of a text are shown, but for the marks of subscripts.
+std::ptrdiff_t shown_length(std::string_view text) {
+    return std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xC0) != 0x80 && c != '_' && c != '{' && c != '}' && c != '^';
+    });
+}
+
+/// A text in lines of at most `widest` characters, if commas and semicolons allow it: that is where they end.
+std::vector<std::string> broken(std::string_view text, std::ptrdiff_t widest) {
+    std::vector<std::string> lines;
+    for (std::size_t from = 0; from < text.size();) {
+        const auto next = [&](std::size_t at) { return std::min(text.find_first_of(",;", at), text.size()); };
+        std::size_t end = next(from);
+        while (end < text.size() && shown_length(text.substr(from, next(end + 1) - from)) < widest) end = next(end + 1);
+        lines.emplace_back(text.substr(from, end + 1 - from));
+        from = std::min(text.find_first_not_of(' ', end + 1), text.size());
+    }
+    return lines;
+}
+
+/// The lines of a title, no more than the picture's width asks for, and about equally long.
+std::vector<std::string> title_lines(std::string_view title) {
+    constexpr std::ptrdiff_t widest = 52;
+    const std::size_t least = broken(title, widest).size();
+    std::ptrdiff_t narrow = widest;
+    while (narrow > 1 && broken(title, narrow - 1).size() == least) --narrow;
+    return broken(title, narrow);
 }
 
 /// Colour, dashes and markers of a series. References are black.
@@ -293,10 +314,10 @@ std::string style_of(const Series& given, std::size_t style) {
     if (given.shape == Shape::arrows) return "vectors head filled size graph 0.012,20 lw 1.2" + colour;
     if (given.alarm) return "points pt 2 ps 1.8 lw 3 lc rgb '#D55E00'";
     std::string text = !series.markers ? "lines" : series.line ? "linespoints" : "points";
-    text += " lw 2" + colour;
+    text += (series.line ? " lw 2" : " lw 1") + colour;
     if (series.line) text += " dt " + std::string(dashes[(style + (series.reference ? 1 : 0)) % dashes.size()]);
     if (series.markers) text += " pt " + std::to_string((series.open ? open : filled)[style % open.size()]);
-    if (series.markers && series.open) text += " ps 1.2";
+    if (series.markers && series.open) text += series.reference ? " ps 0.9" : " ps 1.2";
     return text;
 }
 
@@ -339,43 +360,120 @@ std::string title_of(const Plot& plot) {
     return title;
 }
 
-std::string panel_script(Plot plot, bool alone) {
-    if (!can_be_drawn(plot)) throw PlotError("the plot has no point to draw");
-    const auto usable = [&](const Point& point) { return has_place(plot, point); };
-    const auto shows = [&](const Series& series) {
-        return std::any_of(series.points.begin(), series.points.end(), usable);
-    };
-    const auto is_counted = [&](const Series& series) {
-        return shows(series) && !series.label.empty() && !series.reference && !series.alarm;
-    };
-    const auto labelled = static_cast<std::size_t>(std::count_if(plot.series.begin(), plot.series.end(), is_counted));
-    if (labelled > most_curves) {
-        throw PlotError("the plot would have " + std::to_string(labelled) + " curves, of which at most " +
-                        std::to_string(most_curves) + " can be told apart; give fewer values of what is not along x");
+// --- panels --------------------------------------------------------------------------------------------------------
+
+// A picture is one column of a page wide, 85 mm: its text is then printed in 7 points.
+constexpr double width = 600, font = 18, line = 27;
+constexpr double character = 0.6 * font;
+constexpr double left = 122;  // of the frame: marks and label of the y axis
+
+bool shows(const Plot& plot, const Series& series) {
+    return std::any_of(series.points.begin(), series.points.end(),
+                       [&](const Point& point) { return has_place(plot, point); });
+}
+
+void require_few_curves(const Plot& plot) {
+    const auto labelled =
+        static_cast<std::size_t>(std::count_if(plot.series.begin(), plot.series.end(), [&](const Series& series) {
+            return shows(plot, series) && !series.label.empty() && !series.reference && !series.alarm;
+        }));
+    if (labelled <= most_curves) return;
+    throw PlotError("the plot would have " + std::to_string(labelled) + " curves, of which at most " +
+                    std::to_string(most_curves) + " can be told apart; give fewer values of what is not along x");
+}
+
+struct EndLabel {
+    double height;  ///< along the y axis
+    std::string text;
+};
+
+/// Labels of two to five curves where they end, at the right of the frame; none where a legend serves better: ends lie
+/// elsewhere or too near to one another, or labels are long.
+std::vector<EndLabel> end_labels(const Plot& plot) {
+    constexpr std::size_t most = 5;
+    constexpr double apart = 0.09, furthest = 0.06;  // shares of the frame's height: a line, and how far one may move
+    const auto [x, y] = axes_of(plot);
+    const PlotRange wide = plot.x_range.value_or(extent(plot, x)), high = plot.y_range.value_or(extent(plot, y));
+    std::vector<EndLabel> labels;
+    for (const Series& series : plot.series) {
+        if (series.label.empty() || !shows(plot, series)) continue;
+        std::optional<Point> end;
+        for (const Point& point : series.points) {
+            if (has_place(plot, point)) end = point;
+        }
+        const double height = y.share(end->second, high);
+        const bool ends_at_frame = x.share(end->first, wide) > 0.97 && height >= 0 && height <= 1;
+        const bool is_line = series.shape == Shape::curve && series.line && !series.alarm && series.points.size() > 1;
+        if (!is_line || !ends_at_frame || shown_length(series.label) > 17) return {};
+        labels.push_back({end->second, series.label});
     }
-    std::string script = title_command(title_of(plot), alone ? 105 : 76) + "set xlabel " +
-                         gnuplot_string(plot.x_label) + "\nset ylabel " + gnuplot_string(plot.y_label) +
-                         "\nset grid lt 1 lc rgb '#dddddd' lw 1\n";
-    script += "set key above Left reverse samplen 3\nset autoscale xfix\nset format '%h'\n";
-    script += axis_commands(plot);
-    if (!plot.z_label.empty()) {
-        script +=
-            "set palette defined (0 '#f7fbff', 0.001 '#c6dbef', 0.5 '#2171b5', 1 '#08306b')\nset cbrange [0:1]\n"
-            "set cblabel " +
-            gnuplot_string(plot.z_label) + "\n";
+    if (labels.size() < 2 || labels.size() > most) return {};
+    std::sort(labels.begin(), labels.end(), [&](const EndLabel& one, const EndLabel& other) {
+        return y.share(one.height, high) < y.share(other.height, high);
+    });
+    double lowest = -1;
+    for (EndLabel& label : labels) {
+        const double share = y.share(label.height, high);
+        if (lowest - share > furthest) return {};
+        label.height = y.at_share(std::max(share, lowest), high);
+        lowest = std::max(share, lowest) + apart;
     }
-    plot.series.push_back(arrows_to_hidden(plot));
+    return labels;
+}
+
+std::string label_commands(const std::vector<EndLabel>& labels) {
+    std::string script;
+    for (const auto& [height, text] : labels) {
+        script += "set label " + gnuplot_string(text) + " at graph 1.02, first " + Cell(height).text() + " left\n";
+    }
+    return script;
+}
+
+double longest(const std::vector<std::string>& texts) {
+    std::ptrdiff_t most = 0;
+    for (const std::string& text : texts) most = std::max(most, shown_length(text));
+    return double(most);
+}
+
+struct Legend {
+    std::set<std::string> listed{};  ///< label and style of the entries of this panel and those above
+    std::vector<std::string> labels{};
+
+    /// How gnuplot's command lists a curve: a panel need not repeat what one above it says.
+    std::string title_of(const std::string& label, const std::string& style) {
+        if (label.empty() || !listed.insert(label + style).second) return " notitle";
+        labels.push_back(label);
+        return " title " + gnuplot_string(label);
+    }
+    /// Of gnuplot's width of an entry, which overestimates letters: that of its text and of seven characters.
+    double excess() const { return 0.15 * longest(labels); }
+    std::size_t columns() const {
+        const double entry = 0.7 * font * (longest(labels) - excess() + 7);
+        return std::clamp<std::size_t>(std::size_t(width / entry), 1, 4);
+    }
+    std::size_t rows() const { return (labels.size() + columns() - 1) / columns(); }
+    double height() const { return labels.empty() ? 0 : line * double(rows()) + 12; }
+
+    /// gnuplot would choose the columns by the frame: in this way it does not.
+    std::string layout() const {
+        if (labels.empty()) return "set key off\n";
+        const std::string rows_of_columns = "vertical maxrows " + std::to_string(rows());
+        return "set key center top Left reverse samplen 3 width " + Cell(1 - excess()).text(3) + " " +
+               (columns() > 1 ? rows_of_columns : "horizontal maxcols 1") + "\n";
+    }
+};
+
+/// The series as data, and gnuplot's commands that draw them.
+std::vector<std::string> curve_commands(const Plot& plot, std::string& script, Legend& legend) {
     std::vector<std::string> commands;
     std::size_t curves = 0, references = 0;
-    for (std::size_t k = 0; k < plot.series.size(); ++k) {
-        const Series& series = plot.series[k];
+    for (const Series& series : plot.series) {
         const std::size_t style = series.style.value_or(series.reference ? references++ : curves++);
-        if (!shows(series)) continue;
+        if (!shows(plot, series)) continue;
         const auto add = [&](const Series& one, const std::string& label) {
-            const std::string data = "$data" + std::to_string(commands.size());
+            const std::string data = "$data" + std::to_string(commands.size()), drawn = style_of(one, style);
             script += data + " << EOD\n" + data_of(plot, one) + "EOD\n";
-            commands.push_back(data + " with " + style_of(one, style) +
-                               (label.empty() ? " notitle" : " title " + gnuplot_string(label)));
+            commands.push_back(data + " with " + drawn + legend.title_of(label, drawn));
         };
         add(series, series.label);
         Series points = series;
@@ -384,40 +482,91 @@ std::string panel_script(Plot plot, bool alone) {
         points.line = false, points.markers = true;
         if (lost && series.points.size() > 1) add(points, "");
     }
-    if (commands.size() == 1) script += "set key off\n";  // the title and the axes say it all
-    return script + "plot " + join(commands, ", ") + "\n";
+    return commands;
 }
 
-/// The height of a panel of this width: as usual, or to scale what its ranges ask for.
-double height_of(const Plot& panel, double width, double usual) {
-    if (!panel.true_scale) return usual;
-    const double wide = std::abs(panel.x_range->high - panel.x_range->low);
-    const double high = std::abs(panel.y_range->high - panel.y_range->low);
-    constexpr double texts_above_and_below = 160, beside = 110;
-    return std::clamp(texts_above_and_below + (width - beside) * high / wide, 0.4 * width, 1.2 * width);
+/// What gnuplot draws, and the space around its frame.
+struct Panel {
+    std::string script, plot;
+    double above, height, below, beside;
+};
+
+/// The height of a frame: as usual, or to scale what its ranges ask for.
+double frame_height(const Plot& plot, double frame_width) {
+    constexpr double usual = 280, least = 100, most = 480;
+    if (!plot.true_scale) return usual;
+    const double wide = std::abs(plot.x_range->high - plot.x_range->low);
+    return std::clamp(frame_width * std::abs(plot.y_range->high - plot.y_range->low) / wide, least, most);
+}
+
+/// Title, axes and colours.
+std::string frame_commands(Plot& plot, const std::vector<std::string>& title) {
+    std::vector<std::string> quoted;
+    for (const std::string& text : title) quoted.push_back(gnuplot_string(text));
+    std::string script = "set title " + (title.empty() ? "''" : join(quoted, ".\"\\n\".")) + "\nset xlabel " +
+                         gnuplot_string(plot.x_label) + " offset 0,0.4\nset label " + gnuplot_string(plot.y_label) +
+                         " center rotate at screen 0.035, graph 0.5" +
+                         "\nset grid lt 1 lc rgb '#dddddd' lw 1\nset autoscale xfix\nset format '%h'\n" +
+                         axis_commands(plot);
+    if (plot.z_label.empty()) return script;
+    return script +
+           "set palette defined (0 '#f7fbff', 0.001 '#c6dbef', 0.5 '#2171b5', 1 '#08306b')\nset cbrange [0:1]\n"
+           "set cbtics 0.5\nset mcbtics 5\n"
+           "set cblabel " +
+           gnuplot_string(plot.z_label) + "\n";
+}
+
+Panel panel_of(Plot plot, Legend& legend) {
+    if (!can_be_drawn(plot)) throw PlotError("the plot has no point to draw");
+    require_few_curves(plot);
+    const std::vector<std::string> title = title_lines(title_of(plot));
+    std::string script = frame_commands(plot, title);
+    plot.series.push_back(arrows_to_hidden(plot));
+    const std::vector<EndLabel> ends = end_labels(plot);
+    legend.labels.clear();
+    Legend shown = legend, none;
+    const std::vector<std::string> commands = curve_commands(plot, script, ends.empty() ? shown : none);
+    if (commands.size() > 1) legend = shown;  // otherwise title and axes say it all
+    script += legend.layout();
+    std::vector<std::string> texts;
+    for (const EndLabel& end : ends) texts.push_back(end.text);
+    const double beside = !plot.z_label.empty() ? 110 : ends.empty() ? 25 : character * longest(texts) + 20;
+    return {script + label_commands(ends),
+            "plot " + join(commands, ", ") + "\n",
+            title.empty() ? 20 : 34 + line * double(title.size()),
+            frame_height(plot, width - left - beside),
+            75 + legend.height(),
+            beside};
 }
 
 std::string gnuplot_script(const Plot& plot, bool png) {
-    const std::size_t panels = 1 + plot.beside.size();
-    const bool one = panels == 1;  // several are smaller, so that text remains legible when the picture is scaled down
-    const double width = one ? 900 : 675, usual = one ? 600 : 585;
-    double height = height_of(plot, width, usual);
-    for (const Plot& panel : plot.beside) height = std::max(height, height_of(panel, width, usual));
-    const double pixels = png ? 4.0 / 3 : 1;
-    const std::string size = "size " + std::to_string(std::lround(pixels * double(panels) * width)) + "," +
+    Legend legend;
+    std::vector<Panel> panels{panel_of(plot, legend)};
+    for (const Plot& panel : plot.beside) panels.push_back(panel_of(panel, legend));
+    double height = 0;
+    for (const Panel& panel : panels) height += panel.above + panel.height + panel.below;
+    const double pixels = png ? 5.0 / 3 : 1;
+    const std::string size = "size " + std::to_string(std::lround(pixels * width)) + "," +
                              std::to_string(std::lround(pixels * height)) + " ";
     std::string script = "set encoding utf8\n";
     if (png) {
         script += "set terminal pngcairo " + size +
-                  "enhanced font 'sans,14' linewidth 1.3 dashlength 1.3 pointscale 1.4 background '#ffffff'\n";
+                  "enhanced font 'sans,22.5' linewidth 1.7 dashlength 1.3 pointscale 1.7 background '#ffffff'\n";
     } else {
-        script += "set terminal svg " + size + "dynamic enhanced font 'sans-serif,14' background '#ffffff'\n";
+        script += "set terminal svg " + size + "enhanced font 'sans-serif,18' background '#ffffff'\n";
     }
-    if (!one) script += "set multiplot layout 1," + std::to_string(panels) + "\n";
-    script += panel_script(plot, one);
-    for (const Plot& panel : plot.beside) script += "reset\n" + panel_script(panel, one);
-    if (!one) script += "unset multiplot\n";
-    return script;
+    script += "set multiplot\n";
+    const auto share = [](double part) { return " screen " + Cell(part).text(6); };
+    double top = height;  // of what is left
+    for (const Panel& panel : panels) {
+        const double bottom = top - panel.above - panel.height;
+        script += "reset\nset lmargin at" + share(left / width) + "\nset rmargin at" + share(1 - panel.beside / width) +
+                  "\nset tmargin at" + share((top - panel.above) / height) + "\nset bmargin at" +
+                  share(bottom / height) + "\nset key at" + share(0.5) + "," + share((bottom - 72) / height) + "\n" +
+                  panel.script + panel.plot;
+        top = bottom - panel.below;
+    }
+    return script + "unset multiplot\n";
 }
 
 /// The output of gnuplot for `script`. It goes through a pipe, not into the file: gnuplot does not report a failure to
