@@ -399,8 +399,9 @@ std::vector<EndLabel> end_labels(const Plot& plot) {
         if (series.label.empty() || !shows(plot, series)) continue;
         std::optional<Point> end;
         for (const Point& point : series.points) {
-            if (has_place(plot, point)) end = point;
+            if (has_place(plot, point) && x.share(point.first, wide) < 1.001) end = point;
         }
+        if (!end) return {};
         const double height = y.share(end->second, high);
         const bool ends_at_frame = x.share(end->first, wide) > 0.97 && height >= 0 && height <= 1;
         const bool is_line = series.shape == Shape::curve && series.line && !series.alarm && series.points.size() > 1;
