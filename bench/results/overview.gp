@@ -1,6 +1,6 @@
 # gnuplot overview.gp > overview.svg: from two profiles to the patch and its creep curve, and error against run time
 set datafile separator ','
-set terminal svg size 840,540 enhanced font 'sans,22' background '#ffffff'
+set terminal svg size 840,540 enhanced font 'sans,24.5' background '#ffffff'
 set multiplot
 stats 'overview_contact.csv' using (area = $17, load = $14, rail = 1e3 * $10, wheel = 1e3 * $11, \
     rail_z = 1e3 * $9, wheel_z = 1e3 * ($13 - 0.46), 0) every ::1 nooutput
@@ -20,8 +20,8 @@ set title 'wheel on rail' offset 0,-0.5
 set xrange [-62:56]
 set yrange [44:-46]
 set object 1 circle at 0,0 size 5 fs empty border rgb red lw 3 front
-set label 1 'S1002' at 2,-18 left
-set label 2 '60E1' at 12,26 center
+set label 1 'S1002' at 2,-18 left front
+set label 2 '60E1' at 12,26 center front
 plot '../manchester/rail.csv' using ($1 - rail):($2 - rail_z) with filledcurves y=44 lc rgb '#cccccc', \
     '../manchester/wheel.csv' using ($1 - wheel):($2 - wheel_z) with filledcurves y=-46 lc rgb '#e6eef5', \
     '' using ($1 - wheel):($2 - wheel_z) with lines lw 3 lc rgb 'black'
@@ -60,7 +60,7 @@ plot 'overview_curve.csv' using (-percent * $5):(-$8) every ::1 with lines lw 3 
 unset label
 
 set lmargin at screen 0.11; set rmargin at screen 0.6; set bmargin at screen 0.09; set tmargin at screen 0.41
-set title 'relative error of a creep coefficient over run time'
+set title 'relative error of a creep coefficient over run time' offset 1,-0.6
 set logscale xy
 set xrange [0.2:2e4]
 set yrange [1e-18:1]

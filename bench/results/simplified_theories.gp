@@ -1,6 +1,6 @@
 set datafile separator ','
-set terminal svg size 1100,430 enhanced font 'sans-serif,14' background '#ffffff'
-set multiplot layout 1,2
+set terminal svg size 600,820 enhanced font 'sans-serif,18' background '#ffffff'
+set multiplot layout 2,1
 set key bottom right
 set grid
 set xlabel 'longitudinal creepage, G a b c_{11} ξ / (μ N)'
@@ -19,3 +19,4 @@ plot f(0.8,3) with lines lw 2.5 lc rgb '#0072b2' title 'rollbem', \
     f(0.8,4) with lines lw 2 dt 2 lc rgb '#d55e00' title 'FASTSIM', \
     f(0.8,6) with lines lw 2 dt 3 lc rgb '#009e73' title 'FaStrip', \
     f(0.8,7) with lines lw 2 dt 4 lc rgb '#555555' title 'linear, saturated'
+unset multiplot
