@@ -1,10 +1,13 @@
+// Creep forces of one contact by a table, with the tangent that an implicit integrator wants.
+//
+//     ./examples/creep_force [table]
 #include <cstdio>
 
 #include <rollbem/vehicle/creep_force_table.hpp>
 
-int main(int, char** argv) {
+int main(int argc, char** argv) {
     using namespace rollbem;
-    const auto table = CreepForceTable::read(argv[1]);  // once: apps/creep/steel.creep
+    const auto table = CreepForceTable::read(argc > 1 ? argv[1] : "../apps/creep/steel.creep");  // once
     const PatchContact<double> contact(
         {.half_length = 6e-3, .half_width = 4e-3, .shear_modulus = 8.2e10, .poisson_ratio = 0.28});
     // each step: mu = 0.3, 80 kN, longitudinal and lateral creepage [-], spin [1/m]

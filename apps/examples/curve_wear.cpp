@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -147,7 +146,7 @@ double sum_of(const ProfileWear& wear) { return wear.work().sum() * wear.width()
 
 }  // namespace
 
-int main(int argc, char** argv) try {
+int main(int argc, char** argv) {
     const double radius = argc > 1 ? std::atof(argv[1]) : 400;
     const int positions = argc > 2 ? std::atoi(argv[2]) : 40;
     if (!(radius >= 100) || positions < 4) {
@@ -205,7 +204,4 @@ int main(int argc, char** argv) try {
                  (inner + outer) / by_patches, misplaced / by_patches);
     const bool agrees = std::abs(inner + outer - by_patches) < 0.1 * by_patches;
     return std::abs(inner + outer - work) < 1e-9 * work && outer > inner && agrees ? EXIT_SUCCESS : EXIT_FAILURE;
-} catch (const std::exception& error) {
-    std::fprintf(stderr, "curve_wear: %s\n", error.what());
-    return 1;
 }

@@ -1,3 +1,4 @@
+// A wheel that slips, step by step: its force, the heat of friction and the energy of the elastic half-spaces.
 #include <iostream>
 
 #include <rollbem/rollbem.hpp>

@@ -1,3 +1,4 @@
+// Patches of a wheelset from the profiles of wheel and rail, and the forces of friction on them.
 #include <cstdio>
 
 #include <rollbem/vehicle/wheelset_forces.hpp>

@@ -1,3 +1,4 @@
+// Steady rolling of a line contact: the creep coefficient c11 by 10, 40 and 160 elements.
 #include <cstdio>
 
 #include <rollbem/steady/steady.hpp>

@@ -1,3 +1,4 @@
+// A wheel that slips under a load that varies by half, on a mesh that is as long as the contact in every step.
 #include <cmath>
 #include <iostream>
 
