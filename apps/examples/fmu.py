@@ -11,8 +11,8 @@ result = simulate_fmu(sys.argv[1], fmi_type="CoSimulation", start_values={"initi
                       output=["normal_load", "longitudinal_force", "lateral_force"])
 rows = "\n".join(f"{2000 * s} {0.3 * N / 1000} {-x / 1000} {-y / 1000}" for s, N, x, y in result)
 subprocess.run(["gnuplot"], check=True, text=True, input=f"""$data << EOD\n{rows}\nEOD
-set terminal svg size 720,400 font 'sans,14' background '#ffffff'; set output '{sys.argv[2]}'; set grid
-set xlabel 'distance rolled [cm]'; set ylabel 'force on the wheel [kN]'; set yrange [0:60]
-plot $data using 1:2 with lines lw 2 lc rgb '#888888' title 'friction coefficient times load', \\
-     '' using 1:3 with lines lw 2 lc rgb '#1f77b4' title 'longitudinal, reversed', \\
-     '' using 1:4 with lines lw 2 lc rgb '#d62728' title 'lateral, reversed'""")
+set terminal svg size 600,420 font 'sans-serif,18' background '#ffffff'; set output '{sys.argv[2]}'; set grid
+set xlabel 'distance rolled [cm]'; set ylabel 'force on the wheel [kN]'; set yrange [0:70]
+plot $data using 1:2 with lines lw 2 dt 2 lc rgb 'black' title 'friction coefficient times load', \\
+     '' using 1:3 with lines lw 2 lc rgb '#0072b2' title 'longitudinal, reversed', \\
+     '' using 1:4 with lines lw 2 dt 4 lc rgb '#d55e00' title 'lateral, reversed'""")
