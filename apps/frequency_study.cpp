@@ -277,8 +277,8 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
     parts.title.clear();
     errors.title.clear();
     study::raise_to_drawn(errors);
-    argand.beside.push_back(std::move(parts));
-    if (can_be_drawn(errors)) argand.beside.push_back(std::move(errors));
+    argand.below.push_back(std::move(parts));
+    if (can_be_drawn(errors)) argand.below.push_back(std::move(errors));
     return argand;
 }
 

@@ -164,7 +164,7 @@ study::Plot draw_force(const Creepage& creepage, const std::vector<study::Row>& 
     if (rows.empty()) return plot;  // of a shard
     sheet.draw_exact(plot, rows, "q_over_a", "q_over_a", "exact");
     plot.x_range = study::PlotRange{0, rows.back()[0].number().value_or(0)};
-    study::Plot beside{
+    study::Plot below{
         .x_label = plot.x_label, .y_label = "|F - F_{exact}| / (a G ξ_{ref})", .log_y = true, .x_range = plot.x_range};
     const std::vector<std::string> names = sheet.names();
     std::vector<study::Row> errors = rows;
@@ -173,10 +173,10 @@ study::Plot draw_force(const Creepage& creepage, const std::vector<study::Row>& 
         const std::optional<double> force = cell.number(), known = row[study::index_of(names, "exact")].number();
         cell = force && known ? study::Cell(*force - *known) : study::Cell();
     }
-    sheet.draw(beside, errors, {.x = "q_over_a", .y = "force", .absolute = true, .markers = false});
-    beside.title.clear();
-    study::raise_to_drawn(beside);
-    if (can_be_drawn(beside)) plot.beside.push_back(std::move(beside));
+    sheet.draw(below, errors, {.x = "q_over_a", .y = "force", .absolute = true, .markers = false});
+    below.title.clear();
+    study::raise_to_drawn(below);
+    if (can_be_drawn(below)) plot.below.push_back(std::move(below));
     return plot;
 }
 

@@ -192,7 +192,7 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
     study::Plot plot{.title = "Creep curve" + curve.line.title,
                      .x_label = creepage_label(falling, "δ = ξ"),
                      .y_label = force_label(falling),
-                     .beside = draw_tractions(tractions, curve.line)};
+                     .below = draw_tractions(tractions, curve.line)};
     study::add_series(plot, columns, rows,
                       {.by = scheme_columns,
                        .x = "creepage_ratio",
@@ -232,7 +232,7 @@ study::Plot combined_creep(const std::vector<std::string>& columns, const std::v
         return plot;
     };
     study::Plot plot = panel("Longitudinal force" + curve.line.title, "-F_x", "force_ratio");
-    plot.beside.push_back(panel("Lateral force", "-F_y", "lateral_force_ratio"));
+    plot.below.push_back(panel("Lateral force", "-F_y", "lateral_force_ratio"));
     return plot;
 }
 

@@ -257,7 +257,7 @@ study::Plot force_in_time(const std::vector<study::Row>& rows, const Scenario& s
         }
         if (carter) loop.series.push_back(carter_curve(-most, most));
         if (!load_changes) loop.y_range = force_range(loop);
-        plot.beside.push_back(std::move(loop));
+        plot.below.push_back(std::move(loop));
     } else if (carter && scenario.creepage_constant) {
         const double force = rollbem::carter_force_ratio(scenario.at(end, false).longitudinal);
         plot.series.push_back(

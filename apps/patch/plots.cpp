@@ -210,7 +210,7 @@ study::Plot draw_coefficients(const Columns& columns, const Rows& rows) {
     }
     panels.erase(std::remove_if(panels.begin() + 1, panels.end(), [](const auto& one) { return !can_be_drawn(one); }),
                  panels.end());
-    return study::side_by_side(std::move(panels));
+    return study::in_one_column(std::move(panels));
 }
 
 study::Plot draw_responses(const Columns& columns, const Rows& rows) {
@@ -232,7 +232,7 @@ study::Plot draw_responses(const Columns& columns, const Rows& rows) {
         }
         if (panels.size() > 1) panel.title.clear();
     }
-    return study::side_by_side(std::move(panels));
+    return study::in_one_column(std::move(panels));
 }
 
 study::Plot draw_friction(const Columns& columns, const Rows& rows, bool by_force) {
@@ -247,7 +247,7 @@ study::Plot draw_friction(const Columns& columns, const Rows& rows, bool by_forc
         shown[0] = picture_axes[0];
     }
     std::vector<study::Plot> panels = panels_of(frame, columns, rows, selection, shown);
-    return study::side_by_side(std::move(panels));
+    return study::in_one_column(std::move(panels));
 }
 
 study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint& point,
@@ -258,7 +258,7 @@ study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint&
             panels.push_back(std::move(panel));
         }
     }
-    return study::side_by_side(std::move(panels));
+    return study::in_one_column(std::move(panels));
 }
 
 study::Plot draw_in_time(const Columns& columns, const Rows& rows, bool load_varies, bool by_force) {
@@ -277,7 +277,7 @@ study::Plot draw_in_time(const Columns& columns, const Rows& rows, bool load_var
     selection.prefix = "load N/N_0";
     selection.reference = true;
     if (load_varies && !rows.empty()) study::add_series(panels[0], columns, rows, selection);
-    return study::side_by_side(std::move(panels));
+    return study::in_one_column(std::move(panels));
 }
 
 }  // namespace patch

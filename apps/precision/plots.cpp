@@ -112,7 +112,7 @@ study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<
     if (schemes > study::most_curves) {
         plot.title += " (" + std::to_string(study::most_curves) + " of " + std::to_string(schemes) + " schemes drawn)";
     }
-    for (std::size_t i = 1; i < shown.size(); ++i) plot.beside.push_back(panel(shown[i], rows, points));
+    for (std::size_t i = 1; i < shown.size(); ++i) plot.below.push_back(panel(shown[i], rows, points));
     return plot;
 }
 

@@ -84,7 +84,7 @@ study::Table conicity_table(const Wheelset& wheelset, const std::vector<double>&
         plot.series = {curve(rows, "kinematic wave", 1, 1), curve(rows, "harmonic", 2, 1)};
         if (!wheelset.radii) return plot;
         study::Plot left = difference_plot(*wheelset.radii);
-        left.beside.push_back(std::move(plot));
+        left.below.push_back(std::move(plot));
         return left;
     };
     return table;
@@ -109,7 +109,7 @@ study::Table radii_table(const Wheelset& wheelset, const std::vector<double>& po
         plot.series = {curve(rows, "right less left", 1, 1e3)};
         study::Plot angles{.title = "Angles of contact", .x_label = "y [mm]", .y_label = "δ [rad]"};
         angles.series = {curve(rows, "right", 4, 1), curve(rows, "left", 5, 1)};
-        plot.beside.push_back(std::move(angles));
+        plot.below.push_back(std::move(angles));
         return plot;
     };
     return table;

@@ -135,7 +135,7 @@ study::Plot draw(const std::vector<study::Row>& rows) {
         ": load off by " + study::Cell(100 * largest).text(3) + " % at " + study::Cell(1e3 * where).text(4) + " mm";
     std::vector<study::Plot> panels{std::move(errors)};
     if (study::can_be_drawn(cost)) panels.push_back(std::move(cost));
-    return study::side_by_side(std::move(panels));
+    return study::in_one_column(std::move(panels));
 }
 
 }  // namespace

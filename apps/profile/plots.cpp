@@ -50,7 +50,7 @@ study::Plot draw_patches(const std::vector<Drawn>& patches, std::size_t without)
         panels.back().title +=
             "; " + std::to_string(without) + (without == 1 ? " row has" : " rows have") + " no patch";
     }
-    return study::side_by_side(std::move(panels));
+    return study::in_one_column(std::move(panels));
 }
 
 study::Plot draw_contact_points(const rollbem::WheelsetOnTrack& wheelset, const std::vector<std::string>& columns,
@@ -98,7 +98,7 @@ study::Plot draw_contact_points(const rollbem::WheelsetOnTrack& wheelset, const 
         study::fit_to_scale(plot);
         panels.push_back(std::move(plot));
     }
-    return study::side_by_side(std::move(panels));
+    return study::in_one_column(std::move(panels));
 }
 
 }  // namespace profile

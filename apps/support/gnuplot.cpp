@@ -313,11 +313,13 @@ std::string style_of(const Series& given, std::size_t style) {
     if (given.shape == Shape::rectangles) return "boxxyerror" + colour + " fs solid 0.5 border rgb '#ffffff'";
     if (given.shape == Shape::arrows) return "vectors head filled size graph 0.012,20 lw 1.2" + colour;
     if (given.alarm) return "points pt 2 ps 1.8 lw 3 lc rgb '#D55E00'";
+    // the markers of a seventh curve have the shape of the first one's
+    const bool shows_through = series.open || (series.line && style >= filled.size());
     std::string text = !series.markers ? "lines" : series.line ? "linespoints" : "points";
     text += (series.line ? " lw 2" : " lw 1") + colour;
     if (series.line) text += " dt " + std::string(dashes[(style + (series.reference ? 1 : 0)) % dashes.size()]);
-    if (series.markers) text += " pt " + std::to_string((series.open ? open : filled)[style % open.size()]);
-    if (series.markers && series.open) text += series.reference ? " ps 0.9" : " ps 1.2";
+    if (series.markers) text += " pt " + std::to_string((shows_through ? open : filled)[style % open.size()]);
+    if (series.markers && shows_through) text += series.reference ? " ps 0.9" : " ps 1.2";
     return text;
 }
 
@@ -514,7 +516,7 @@ std::string frame_commands(Plot& plot, const std::vector<std::string>& title) {
            "set palette defined (0 '#f7fbff', 0.001 '#c6dbef', 0.5 '#2171b5', 1 '#08306b')\nset cbrange [0:1]\n"
            "set cbtics 0.5\nset mcbtics 5\n"
            "set cblabel " +
-           gnuplot_string(plot.z_label) + "\n";
+           gnuplot_string(plot.z_label) + " offset 0.5,0\n";
 }
 
 Panel panel_of(Plot plot, Legend& legend) {
@@ -543,7 +545,7 @@ Panel panel_of(Plot plot, Legend& legend) {
 std::string gnuplot_script(const Plot& plot, bool png) {
     Legend legend;
     std::vector<Panel> panels{panel_of(plot, legend)};
-    for (const Plot& panel : plot.beside) panels.push_back(panel_of(panel, legend));
+    for (const Plot& panel : plot.below) panels.push_back(panel_of(panel, legend));
     double height = 0;
     for (const Panel& panel : panels) height += panel.above + panel.height + panel.below;
     const double pixels = png ? 5.0 / 3 : 1;
@@ -552,7 +554,7 @@ std::string gnuplot_script(const Plot& plot, bool png) {
     std::string script = "set encoding utf8\n";
     if (png) {
         script += "set terminal pngcairo " + size +
-                  "enhanced font 'sans,22.5' linewidth 1.7 dashlength 1.3 pointscale 1.7 background '#ffffff'\n";
+                  "enhanced font 'sans,22.5' linewidth 1.7 dashlength 1.3 pointscale 2.2 background '#ffffff'\n";
     } else {
         script += "set terminal svg " + size + "enhanced font 'sans-serif,18' background '#ffffff'\n";
     }

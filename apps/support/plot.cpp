@@ -133,10 +133,10 @@ Series map_of(const std::vector<std::string>& columns, const std::vector<Row>& r
     return series;
 }
 
-Plot side_by_side(std::vector<Plot> panels) {
+Plot in_one_column(std::vector<Plot> panels) {
     if (panels.empty()) return {};
     Plot first = std::move(panels.front());
-    first.beside.assign(std::make_move_iterator(panels.begin() + 1), std::make_move_iterator(panels.end()));
+    first.below.assign(std::make_move_iterator(panels.begin() + 1), std::make_move_iterator(panels.end()));
     return first;
 }
 

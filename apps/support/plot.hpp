@@ -53,7 +53,7 @@ struct Plot {
     bool x_is_part = false;                         ///< x_range is a part, as the title says: beyond, nothing is marked
     bool true_scale = false;                        ///< a length is as long along either axis; takes ranges
     std::vector<Series> series{};
-    std::vector<Plot> beside{};  ///< panels to the right of this one
+    std::vector<Plot> below{};  ///< further panels
 };
 
 /// Raises smaller values of y to `least`, and marks that as a line: a logarithmic axis has no zero, and results can be
@@ -85,8 +85,8 @@ void add_series(Plot& plot, const std::vector<std::string>& columns, const std::
 Series map_of(const std::vector<std::string>& columns, const std::vector<Row>& rows, const std::string& x,
               const std::string& y, const std::string& z);
 
-/// The first panel with the others to its right; an empty plot if there is none.
-Plot side_by_side(std::vector<Plot> panels);
+/// The first panel with the others below it; an empty plot if there is none.
+Plot in_one_column(std::vector<Plot> panels);
 
 /// Whether the file's name asks for a PNG; false is SVG. Throws BadInput for any other ending.
 bool plot_is_png(const Options& options);
