@@ -115,9 +115,10 @@ std::string logarithmic_x(const Plot& plot, const PlotAxis& axis) {
 }
 
 /// A logarithmic y axis, with a margin around the values and, if it is short, marks between powers of ten. Without a
-/// range and over less than a factor of 3, it is linear.
+/// range and over less than a factor of 3, it is linear; nearly equal values lie in the middle of a factor of 4.
 std::string logarithmic_y(Plot& plot, const PlotAxis& axis) {
-    const PlotRange range = plot.y_range.value_or(extent(plot, axis));
+    PlotRange range = plot.y_range.value_or(extent(plot, axis));
+    if (range.high < 1.02 * range.low) range = {range.low / 2, 2 * range.high};
     if (!plot.y_range && range.high < 3 * range.low) {
         plot.log_y = false;
         return "";
