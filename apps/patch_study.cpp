@@ -123,7 +123,7 @@ Found steady(const study::Options& options, const Patch& patch) {
         result.assembly_us = study::median_time_us(
             [&] { return rollbem::assemble_G_prime(patch.mesh, patch.scheme, patch.kernel())[0][0](0, 0); });
         // the equations of each half, matrices ready
-        const auto parts = rollbem::patch_parts(patch.mesh, patch.scheme, patch.kernel());
+        const auto parts = rollbem::patch_subsystems(patch.mesh, patch.scheme, patch.kernel());
         result.solve_us = study::median_time_us([&] {
             double sum = 0;
             for (const auto& part : parts) sum += rollbem::solve_steady(part).coefficients(0, 0);
@@ -132,7 +132,7 @@ Found steady(const study::Options& options, const Patch& patch) {
     }
     // 4. All eigenvalues of G' p = nu G p.
     if (options.flag("stability")) {
-        result.verdict = rollbem::judge_stability(rollbem::patch_parts(patch.mesh, patch.scheme, patch.kernel()));
+        result.verdict = rollbem::judge_stability(rollbem::patch_subsystems(patch.mesh, patch.scheme, patch.kernel()));
     }
     return result;
 }
@@ -140,7 +140,7 @@ Found steady(const study::Options& options, const Patch& patch) {
 void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::RowRange range,
                 const study::Results<Found>& emit) {
     // 5. One reduction to Hessenberg form for each half, then little work for each frequency.
-    const rollbem::FrequencySweep<double> sweep(rollbem::patch_parts(patch.mesh, patch.scheme, patch.kernel()));
+    const rollbem::FrequencySweep<double> sweep(rollbem::patch_subsystems(patch.mesh, patch.scheme, patch.kernel()));
     const rollbem::Response<double> steady =
         rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, patch.kernel());
     for (std::size_t i = range.first; i < range.last; ++i) {
@@ -160,7 +160,7 @@ void write_state_space(const study::Options& options, study::OutputFiles& files,
         rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, patch.kernel());
     const auto make = [&] {
         rollbem::StateSpace<double> space =
-            rollbem::state_space(rollbem::rolling_system(patch.mesh, patch.scheme, patch.kernel()).whole());
+            rollbem::state_space(rollbem::rolling_system(patch.mesh, patch.scheme, patch.kernel()).joined());
         // from forces over G a^2, moments over G a^3 and spin times a to Kalker's a b and c
         const double force = patch.contact.a_over_b(), length = std::sqrt(force);
         space.B.col(2) *= length;

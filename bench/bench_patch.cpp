@@ -44,7 +44,7 @@ FrictionModel<ConstantFriction<>, 2> steady_model(const PatchMesh<double>& mesh)
 
 void BM_PatchLu(benchmark::State& state) {
     const PatchMesh<double> mesh = patch_mesh(contact, state.range(0), state.range(0));
-    const MatrixX<double> G_prime = rolling_system(mesh, scheme, kernel).whole().G_prime();
+    const MatrixX<double> G_prime = rolling_system(mesh, scheme, kernel).joined().G_prime();
     for (auto _ : state) benchmark::DoNotOptimize(Eigen::PartialPivLU<MatrixX<double>>(G_prime));
 }
 

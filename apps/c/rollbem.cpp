@@ -107,7 +107,7 @@ struct rollbem_patch {
           b_(contact.half_width()),
           pressure_(hertz_pressures(contact, mesh, load)),
           model_(contact, breathing_system(contact, mesh, scheme, HalfSpace<double>(contact.poisson_ratio())),
-                 judge_stability(patch_parts(mesh, scheme, HalfSpace<double>(contact.poisson_ratio()))),
+                 judge_stability(patch_subsystems(mesh, scheme, HalfSpace<double>(contact.poisson_ratio()))),
                  Friction<>{mu, pressure_}),
           run_(model_),
           under_{pressure_, a_, pressure_ / (3 * load), b_} {}

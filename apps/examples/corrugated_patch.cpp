@@ -35,7 +35,7 @@ double ride(Eigen::Index n, int steps_per_wave) {
     const auto hertz = HertzPatchLoad<double>::breathing(ellipse, contact, mesh);
     NormalLoad<double> load = hertz.at(mean_load);
     const FrictionModel model(contact, breathing_system(contact, mesh, scheme, kernel),
-                              judge_stability(patch_parts(mesh, scheme, kernel)), {0.3, load.normal_pressure});
+                              judge_stability(patch_subsystems(mesh, scheme, kernel)), {0.3, load.normal_pressure});
 
     // 2. Two waves to forget the start, and one to look at
     Run run(model);

@@ -144,7 +144,7 @@ private:
     /// All equations of an ellipse.
     rollbem::RollingSystem<double> equations_at(const Axes& axes) const {
         const double a = axes.half_length;
-        const auto unit = (shapes_ ? shapes_->system(a / axes.half_width) : system_).whole();
+        const auto unit = (shapes_ ? shapes_->system(a / axes.half_width) : system_).joined();
         return rollbem::RollingSystem<double>(a * unit.G(), unit.G_prime(),
                                               unit.inputs() * Eigen::Vector3d(1, 1, a).asDiagonal(),
                                               unit.outputs() * Eigen::Vector3d(a * a, a * a, a * a * a).asDiagonal());

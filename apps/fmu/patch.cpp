@@ -220,7 +220,7 @@ private:
             fixed ? Hertz::fixed(*ellipse_, contact, mesh) : Hertz::breathing(*ellipse_, contact, mesh),
             FrictionModel(
                 contact, fixed ? rolling_system(mesh, scheme, kernel) : breathing_system(contact, mesh, scheme, kernel),
-                judge_stability(patch_parts(mesh, scheme, kernel)),
+                judge_stability(patch_subsystems(mesh, scheme, kernel)),
                 rollbem::Friction{friction_coefficient_, hertz_pressures(contact, mesh, largest_load_)}));
     }
 

@@ -132,7 +132,7 @@ rollbem::FrictionContact make_contact(const Scene& scene, const Patch& patch, co
         }
         return make(scene.breathes() ? rollbem::breathing_system(contact, mesh, patch.scheme, patch.kernel())
                                      : rollbem::rolling_system(mesh, patch.scheme, patch.kernel()),
-                    rollbem::judge_stability(rollbem::patch_parts(mesh, patch.scheme, patch.kernel())));
+                    rollbem::judge_stability(rollbem::patch_subsystems(mesh, patch.scheme, patch.kernel())));
     });
 }
 

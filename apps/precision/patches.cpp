@@ -136,7 +136,7 @@ std::optional<bool> stable(const PatchContact& contact, const PatchScheme& schem
     const rollbem::PatchMesh<double> mesh = mesh_of(contact, scheme.grading(), n, strips);
     if (mesh.size() > most_judged) return std::nullopt;
     const rollbem::StabilityVerdict verdict = rollbem::judge_stability(
-        rollbem::patch_parts(mesh, scheme.difference(), rollbem::HalfSpace<double>(contact.poisson_ratio())));
+        rollbem::patch_subsystems(mesh, scheme.difference(), rollbem::HalfSpace<double>(contact.poisson_ratio())));
     if (verdict.status != rollbem::Status::ok) return std::nullopt;
     return verdict.unstable_count == 0;
 }

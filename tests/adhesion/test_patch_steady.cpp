@@ -154,7 +154,7 @@ TEST_CASE("patch_steady: couplings of wide patches in the time domain are those 
     const auto response = [](Eigen::Index strips) {
         const auto contact = PatchContact<double>::dimensionless(0.03, 0.5);
         const PatchMesh<double> mesh = patch_mesh(contact, 6, strips);
-        const FrequencySweep<double> sweep(patch_parts(mesh, chebyshev, HalfSpace<double>(0.5)));
+        const FrequencySweep<double> sweep(patch_subsystems(mesh, chebyshev, HalfSpace<double>(0.5)));
         return creep_coefficients(contact, sweep(1));
     };
     const auto few = response(8), many = response(24);
@@ -168,8 +168,8 @@ TEST_CASE("patch_steady: shapes on both sides of wide patches are interpolated a
                                      {.least = 0.1, .largest = 0.18, .factor = 1.16});
     for (const double a_over_b : {0.11, 0.125}) {
         const auto contact = PatchContact<double>::dimensionless(a_over_b, 0.5);
-        const auto whole = shapes.system(a_over_b).whole();
-        const auto own = rolling_system(patch_mesh(contact, 6, 6), chebyshev, HalfSpace<double>(0.5)).whole();
+        const auto whole = shapes.system(a_over_b).joined();
+        const auto own = rolling_system(patch_mesh(contact, 6, 6), chebyshev, HalfSpace<double>(0.5)).joined();
         CHECK((whole.G_prime() - own.G_prime()).cwiseAbs().maxCoeff() < 1e-3 * own.G_prime().cwiseAbs().maxCoeff());
         const auto found = solve_steady<double>(whole.G_prime(), whole.inputs(), whole.outputs());
         CHECK(relative(found.coefficients(1, 2),
@@ -359,7 +359,7 @@ TEST_CASE("patch_steady: frequency response") {
             const PatchMesh<double> mesh = patch_mesh(contact, n, n);
             if (!sweeps.contains(known.a_over_b)) {
                 const HalfSpace<double> kernel(0.28);
-                sweeps.try_emplace(known.a_over_b, patch_parts(mesh, chebyshev, kernel));
+                sweeps.try_emplace(known.a_over_b, patch_subsystems(mesh, chebyshev, kernel));
             }
             const Response<std::complex<double>> response = sweeps.at(known.a_over_b)(known.z);
             const auto patch = creep_coefficients(contact, response);
@@ -377,7 +377,7 @@ TEST_CASE("patch_steady: frequency response") {
 TEST_CASE("patch_steady: at omega = 0 the response is steady, at -omega conjugate; patches decay") {
     const auto contact = PatchContact<double>::dimensionless(2, 0.3);
     const PatchMesh<double> mesh = patch_mesh(contact, 8, 6);
-    const auto parts = patch_parts(mesh, chebyshev, HalfSpace<double>(0.3));
+    const auto parts = patch_subsystems(mesh, chebyshev, HalfSpace<double>(0.3));
     const FrequencySweep<double> sweep(parts);
     const auto steady = solved(contact, mesh);
     CHECK_THAT(creep_coefficients(contact, sweep(0)).c33.real(), WithinRel(steady.c33, 1e-12));
@@ -388,14 +388,14 @@ TEST_CASE("patch_steady: at omega = 0 the response is steady, at -omega conjugat
     const StabilityVerdict halves = judge_stability(parts);
     CHECK(halves.n == 96);
     CHECK(halves.stable());
-    const StabilityVerdict whole = judge_stability(rolling_system(mesh, chebyshev, HalfSpace<double>(0.3)).whole());
+    const StabilityVerdict whole = judge_stability(rolling_system(mesh, chebyshev, HalfSpace<double>(0.3)).joined());
     CHECK_THAT(halves.spectral_abscissa, WithinRel(whole.spectral_abscissa, 1e-9));
 }
 
 TEST_CASE("patch_steady: the decay of all modes is proved where single eigenvalues are uncertain") {
     const auto parts = [](Eigen::Index n) {
         const auto contact = PatchContact<double>::dimensionless(1, 0.28);
-        return patch_parts(patch_mesh(contact, n, n), chebyshev, HalfSpace<double>(0.28));
+        return patch_subsystems(patch_mesh(contact, n, n), chebyshev, HalfSpace<double>(0.28));
     };
     const StabilityVerdict verdict = judge_stability(parts(18));
     CHECK(verdict.uncertain_count > 0);
@@ -429,8 +429,8 @@ TEST_CASE("patch_steady: rows that belong to the element ahead grow on long patc
     };
     const PatchMesh<double> mesh = ellipse_mesh<double>(10, cosine_mesh(8), cosine_mesh(8));
     const HalfSpace<double> kernel(0.5);
-    CHECK(judge_stability(patch_parts(mesh, chebyshev, kernel)).stable());
-    CHECK(judge_stability(patch_parts(mesh, BareMiddle{}, kernel)).certainly_unstable());
+    CHECK(judge_stability(patch_subsystems(mesh, chebyshev, kernel)).stable());
+    CHECK(judge_stability(patch_subsystems(mesh, BareMiddle{}, kernel)).certainly_unstable());
 }
 
 }  // namespace patch_steady_tests

@@ -37,7 +37,7 @@ Patch ellipse(double b, Eigen::Index n) {
     const PatchMesh<double> mesh = patch_mesh(contact, n, n);
     const HalfSpace<double> kernel(nu);
     return {contact, mesh, rolling_system(mesh, chebyshev, kernel),
-            judge_stability(patch_parts(mesh, chebyshev, kernel))};
+            judge_stability(patch_subsystems(mesh, chebyshev, kernel))};
 }
 
 /// The force at each distance, in steps of dq after a step of creepage from rest.
@@ -97,7 +97,7 @@ TEST_CASE("patch_transient: a step of each creepage and of spin, up to steady ro
 
 TEST_CASE("patch_transient: the state space in SI units settles at the steady forces") {
     const Patch longer = ellipse(a / 2, 6);
-    const StateSpace<double> space = in_si(state_space(longer.system.whole()), longer.contact, 30);
+    const StateSpace<double> space = in_si(state_space(longer.system.joined()), longer.contact, 30);
     const MatrixX<double> gains = space.D - space.C * space.A.lu().solve(space.B);
     const auto steady = solve_steady(longer.contact, longer.mesh, chebyshev);
     for (const auto& [xi, eta, phi] : {Creepage<double>{1e-3, 0, 0}, {0, -2e-3, 0}, {0, 0, 0.4}, {1e-3, -2e-3, 0.4}}) {
@@ -121,7 +121,7 @@ TEST_CASE("patch_transient: the state space in SI units settles at the steady fo
 TEST_CASE("patch_transient: 14 balanced states are the patch") {
     // 0.14, 0.12, 0.16 % of 12 x 12 elements at a/b = 0.5, 1, 2
     for (const double b : {2 * a, a, a / 2}) {
-        const RollingSystem<double> whole = ellipse(b, 8).system.whole();
+        const RollingSystem<double> whole = ellipse(b, 8).system.joined();
         const BalancedReduction<double> reduced = balanced_reduction(state_space(whole), 14);
         REQUIRE(reduced.status == Status::ok);
         const FrequencySweep<double> sweep(whole);

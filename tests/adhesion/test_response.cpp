@@ -27,7 +27,7 @@ struct Both {
     ElementSystem<double> longitudinal =
         rolling_system(mesh, Collocation{}, StripKernel<double>::longitudinal(contact));
     ElementSystem<double> lateral = rolling_system(mesh, Collocation{}, StripKernel<double>::lateral(contact));
-    RollingSystem<double> whole = ElementSystem(longitudinal, lateral).whole();
+    RollingSystem<double> whole = ElementSystem(longitudinal, lateral).joined();
 };
 
 }  // namespace

@@ -116,7 +116,7 @@ TEST_CASE("Without coupling, each direction is stepped as on its own, and latera
 TEST_CASE("A step on a patch solves the equations of all inputs together, in SI units", "[transient]") {
     // implicit Euler: (G - dq G') p = G p_old - inputs v dq; lengths in a, tractions in G
     const ElementSystem<double, 2> system = patch_system();
-    const RollingSystem<double> whole = system.whole();
+    const RollingSystem<double> whole = system.joined();
     const Model model(patch, system, unchecked, Integrator::implicit_euler);
     Model::Workspace workspace = model.workspace();
     Model::State from = model.at_rest(), to = from;
@@ -203,7 +203,7 @@ TEST_CASE("The result of a step depends on state and arguments alone, to the las
 TEST_CASE("A model of three inputs refuses what has one, and says so", "[transient]") {
     using Catch::Matchers::ContainsSubstring;
     const ElementSystem<double, 2> system(along, across);
-    CHECK_THROWS_WITH(AdhesionModel(contact, system.whole(), unchecked),
+    CHECK_THROWS_WITH(AdhesionModel(contact, system.joined(), unchecked),
                       ContainsSubstring("number of inputs = 3 must be 1"));
     CHECK_THROWS_WITH(AdhesionModel(contact, system, StabilityVerdict{.n = 12, .status = Status::ok}),
                       ContainsSubstring("n of the verdict = 12 must equal"));

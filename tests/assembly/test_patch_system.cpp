@@ -52,8 +52,8 @@ TEST_CASE("patch_system: a layer adds to each strip what it adds to a line") {
     const double L = 0.7;
     const auto contact = PatchContact<double>::dimensionless(2, 0.3);
     const PatchMesh<double> mesh = patch_mesh(contact, 6, 4);
-    const auto layered = rolling_system(mesh, scheme, HalfSpace<double>(0.3, L)).whole(),
-               bare = rolling_system(mesh, scheme, HalfSpace<double>(0.3)).whole();
+    const auto layered = rolling_system(mesh, scheme, HalfSpace<double>(0.3, L)).joined(),
+               bare = rolling_system(mesh, scheme, HalfSpace<double>(0.3)).joined();
     const auto line = PlaneKernel<double>::longitudinal(Contact<double>::dimensionless(100, 0.3));
     const auto with = rolling_system(mesh.along(), scheme, LayeredKernel(line, L)),
                without = rolling_system(mesh.along(), scheme, line);
@@ -264,7 +264,7 @@ TEST_CASE("patch_system: places, areas, slip and forces of the elements") {
     CHECK((elements.x.head(6) > elements.centre_x.head(6)).all());
     CHECK_THAT(elements.areas.sum(), WithinRel(2 * (mesh.half_lengths() * mesh.widths()).sum(), 1e-15));
     // uniform tractions p_x = y, p_y = 0 and p_x = 0, p_y = x: -int y^2, int x^2 by rectangles' middles
-    const RollingSystem<double> system = rolling_system(mesh, chebyshev, HalfSpace<double>(0.2)).whole();
+    const RollingSystem<double> system = rolling_system(mesh, chebyshev, HalfSpace<double>(0.2)).joined();
     REQUIRE(system.size() == 48);
     REQUIRE(system.input_count() == 3);
     VectorX<double> traction = VectorX<double>::Zero(48);
@@ -281,8 +281,8 @@ TEST_CASE("patch_system: the parts of a mirrored patch respond as the whole") {
         const PatchMesh<double> mesh = ellipse_mesh<double>(0.7, cosine_mesh(5), cosine_mesh(m));
         const HalfSpace<double> kernel(0.3);
         const std::complex<double> s(0, 0.8);
-        const auto whole = solve_response(rolling_system(mesh, chebyshev, kernel).whole(), s);
-        const auto parts = patch_parts(mesh, chebyshev, kernel);
+        const auto whole = solve_response(rolling_system(mesh, chebyshev, kernel).joined(), s);
+        const auto parts = patch_subsystems(mesh, chebyshev, kernel);
         REQUIRE(parts.size() == 2);
         MatrixX<std::complex<double>> joined = MatrixX<std::complex<double>>::Zero(3, 3);
         Eigen::Index first = 0;
@@ -294,8 +294,8 @@ TEST_CASE("patch_system: the parts of a mirrored patch respond as the whole") {
         }
         CHECK((joined - whole.coefficients).cwiseAbs().maxCoeff() < 1e-12);
     }
-    CHECK(patch_parts(support::moved(ellipse_mesh<double>(1, cosine_mesh(3), cosine_mesh(3)), 0, 0.1), chebyshev,
-                      HalfSpace<double>(0.3))
+    CHECK(patch_subsystems(support::moved(ellipse_mesh<double>(1, cosine_mesh(3), cosine_mesh(3)), 0, 0.1), chebyshev,
+                           HalfSpace<double>(0.3))
               .size() == 1);
 }
 

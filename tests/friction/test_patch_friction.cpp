@@ -345,8 +345,8 @@ TEST_CASE("patch_friction: bad input and foreign states") {
               6e-3 * 6e-3 ==
           Approx(2).epsilon(1e-13));
     const auto system = rolling_system(scene.mesh, chebyshev, scene.kernel);
-    const FrictionModel model(scene.contact, system, judge_stability(patch_parts(scene.mesh, chebyshev, scene.kernel)),
-                              scene.friction);
+    const FrictionModel model(scene.contact, system,
+                              judge_stability(patch_subsystems(scene.mesh, chebyshev, scene.kernel)), scene.friction);
     CHECK(model.fingerprint() == scene.steady().fingerprint());
     CHECK(model.fingerprint() != other.steady().fingerprint());
     auto workspace = model.workspace();

@@ -38,10 +38,10 @@ public:
 
     /// A sweep of one system.
     explicit FrequencySweep(RollingSystem<Scalar> system) { add(std::move(system)); }
-    /// A sweep of several uncoupled subsystems, as patch_parts makes them: the creepages of the first come first, then
+    /// A sweep of several uncoupled subsystems, as patch_subsystems makes them: the creepages of the first come first, then
     /// the creepages of the next. Throws std::invalid_argument if there is none.
     explicit FrequencySweep(std::vector<RollingSystem<Scalar>> parts) {
-        detail::require(!parts.empty(), "FrequencySweep", "number of parts", parts.size(), "be positive");
+        detail::require(!parts.empty(), "FrequencySweep", "number of subsystems", parts.size(), "be positive");
         for (RollingSystem<Scalar>& part : parts) add(std::move(part));
     }
 

@@ -286,7 +286,7 @@ StabilityResult<Scalar> judge_stability(const RollingSystem<Scalar>& system) {
 /// The verdict on all 2n eigenvalues; directions that do not couple are judged one by one.
 template <class Scalar>
 StabilityVerdict judge_stability(const ElementSystem<Scalar, 2>& system) {
-    if (system.coupled()) return judge_stability(system.whole());
+    if (system.coupled()) return judge_stability(system.joined());
     const auto direction = [&](std::size_t d) -> StabilityVerdict {
         return judge_stability(RollingSystem<Scalar>(system.G(d, d), system.G_prime(d, d), system.elements().areas));
     };
@@ -296,20 +296,20 @@ StabilityVerdict judge_stability(const ElementSystem<Scalar, 2>& system) {
 /// The verdict on all eigenvalues of uncoupled subsystems; the two of a symmetric patch cost a quarter of the coupled
 /// system.
 template <class Scalar>
-StabilityVerdict judge_stability(const std::vector<RollingSystem<Scalar>>& parts) {
+StabilityVerdict judge_stability(const std::vector<RollingSystem<Scalar>>& subsystems) {
     StabilityVerdict all{.spectral_abscissa = -std::numeric_limits<double>::infinity(), .status = Status::ok};
-    for (const RollingSystem<Scalar>& part : parts) all = all + judge_stability(part);
+    for (const RollingSystem<Scalar>& subsystem : subsystems) all = all + judge_stability(subsystem);
     return all;
 }
 
 /// The worst verdict on the nodes of PatchShapes, each judged by its uncoupled subsystems: the largest of each number.
 /// Shapes between two nodes are assumed to behave like the nodes.
 template <class Shapes>
-requires requires(const Shapes& shapes) { shapes.parts(shapes.node_count()); }
+requires requires(const Shapes& shapes) { shapes.subsystems(shapes.node_count()); }
 StabilityVerdict judge_stability(const Shapes& shapes) {
     StabilityVerdict worst{.spectral_abscissa = -std::numeric_limits<double>::infinity(), .status = Status::ok};
     for (std::size_t node = 0; node < shapes.node_count(); ++node) {
-        const StabilityVerdict own = judge_stability(shapes.parts(node));
+        const StabilityVerdict own = judge_stability(shapes.subsystems(node));
         worst.n = own.n;
         worst.decay_proved = (node == 0 || worst.decay_proved) && own.stable();
         worst.unstable_count = (std::max)(worst.unstable_count, own.unstable_count);

@@ -63,7 +63,7 @@ namespace rollbem {
 /// Both creepages and spin, on a line or on a patch:
 ///
 ///     const ElementSystem system(longitudinal, lateral);
-///     const AdhesionModel model(contact, system, judge_stability(system.whole()));
+///     const AdhesionModel model(contact, system, judge_stability(system.joined()));
 ///     const AdhesionStep<2> step = model.advance(now, {dq, {1e-3, 5e-4, 0.1}}, next, workspace);
 template <int directions_ = 1, class Scalar_ = double>
 class AdhesionModel {
@@ -96,11 +96,11 @@ public:
     }
 
     /// Both directions of a line, or a patch (PatchContact, whose half_length() is the system's unit of length), with
-    /// the verdict on system.whole(). Throws std::invalid_argument for the same reasons.
+    /// the verdict on system.joined(). Throws std::invalid_argument for the same reasons.
     template <class AnyContact>
     AdhesionModel(const AnyContact& contact, const ElementSystem<Scalar, 2>& system, const StabilityVerdict& verdict,
                   Integrator integrator = Integrator::sdirk2) requires(directions == 2)
-        : AdhesionModel(Units(contact), system.whole(), integrator) {
+        : AdhesionModel(Units(contact), system.joined(), integrator) {
         if constexpr (std::is_same_v<AnyContact, Contact<Scalar>>) {
             detail::require_same_aspect(name, contact, system);
         } else {

@@ -161,8 +161,11 @@ public:
     /// covers it.
     ElementSystem<Scalar, 2> system(std::type_identity_t<Scalar> a_over_b) const;
 
-    /// The system at a node as uncoupled subsystems, see patch_parts.
-    std::vector<RollingSystem<Scalar>> parts(std::size_t node) const;
+    /// The system at a node as uncoupled subsystems, see patch_subsystems.
+    std::vector<RollingSystem<Scalar>> subsystems(std::size_t node) const;
+    [[deprecated("subsystems")]] std::vector<RollingSystem<Scalar>> parts(std::size_t node) const {
+        return subsystems(node);
+    }
 
 private:
     // Elements at semi-axes 1 and 1/a_over_b.
@@ -186,9 +189,9 @@ ElementSystem<Scalar_, 2> PatchShapes<Scalar_>::system(std::type_identity_t<Scal
 }
 
 template <class Scalar_>
-std::vector<RollingSystem<Scalar_>> PatchShapes<Scalar_>::parts(std::size_t node) const {
+std::vector<RollingSystem<Scalar_>> PatchShapes<Scalar_>::subsystems(std::size_t node) const {
     const Scalar a_over_b = std::exp(set_->first + static_cast<Scalar>(node) * set_->step);
-    if (!mirrored_) return {{system(a_over_b).whole()}};
+    if (!mirrored_) return {{system(a_over_b).joined()}};
     const detail::ShapeNode<Scalar>& at = set_->nodes[node];
     return detail::mirrored_parts<Scalar>(at.G, at.G_prime, elements(a_over_b), strips_, std::sqrt(a_over_b));
 }

@@ -192,15 +192,22 @@ ElementSystem<Scalar, 2> rolling_system(const PatchMesh<Scalar>& mesh, const Sch
 /// std::invalid_argument unless the scheme takes differences of u and fits the strips' mesh, and all entries are
 /// finite.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
-std::vector<RollingSystem<Scalar>> patch_parts(const PatchMesh<Scalar>& mesh, const Scheme& scheme,
-                                               const Kernel& kernel) {
-    if (!mesh.is_mirrored()) return {{rolling_system(mesh, scheme, kernel).whole()}};
+std::vector<RollingSystem<Scalar>> patch_subsystems(const PatchMesh<Scalar>& mesh, const Scheme& scheme,
+                                                    const Kernel& kernel) {
+    if (!mesh.is_mirrored()) return {{rolling_system(mesh, scheme, kernel).joined()}};
     const auto rows = [&](Quantity quantity) {
         return detail::patch_rows(mesh, detail::strip_rows(mesh.along(), scheme, quantity), kernel, quantity,
                                   detail::has_wide_strips(mesh));
     };
     return detail::mirrored_parts<Scalar>(rows(Quantity::displacement), rows(Quantity::slope),
                                           patch_elements(mesh, scheme), mesh.strip_count(), 1);
+}
+
+template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
+[[deprecated("patch_subsystems")]] std::vector<RollingSystem<Scalar>> patch_parts(const PatchMesh<Scalar>& mesh,
+                                                                                  const Scheme& scheme,
+                                                                                  const Kernel& kernel) {
+    return patch_subsystems(mesh, scheme, kernel);
 }
 
 }  // namespace rollbem

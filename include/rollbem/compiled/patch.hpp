@@ -24,7 +24,7 @@ extern template ElementSystem<double, 2>::Blocks assemble_G_prime<double, NodeDi
     const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
 extern template ElementSystem<double, 2> rolling_system<double, NodeDifference, HalfSpace<double>>(
     const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
-extern template std::vector<RollingSystem<double>> patch_parts<double, NodeDifference, HalfSpace<double>>(
+extern template std::vector<RollingSystem<double>> patch_subsystems<double, NodeDifference, HalfSpace<double>>(
     const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&);
 extern template detail::ShapeNode<double> detail::shape_node<double, NodeDifference, HalfSpace<double>>(
     const PatchMesh<double>&, const NodeDifference&, const HalfSpace<double>&, double, bool);

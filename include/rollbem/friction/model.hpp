@@ -90,7 +90,7 @@ namespace rollbem {
 ///     const PatchContact<double> contact({...});
 ///     const PatchMesh<double> mesh = patch_mesh(contact, 12, 12);
 ///     const FrictionModel model(contact, rolling_system(mesh, scheme, kernel),
-///                               judge_stability(patch_parts(mesh, scheme, kernel)),
+///                               judge_stability(patch_subsystems(mesh, scheme, kernel)),
 ///                               {0.3, hertz_pressures(contact, mesh, load)});
 ///     const FrictionStep<2> step = model.advance(now, {dq, {1e-3, 5e-4, 0.1}}, next, workspace);
 ///

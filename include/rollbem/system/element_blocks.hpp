@@ -190,10 +190,11 @@ public:
     Scalar a_over_b() const { return a_over_b_; }  ///< a/b of the patch for which the blocks hold; 0 where not known
 
     /// All 2n equations, longitudinal ones first, with inputs (xi, eta, phi) and outputs (F_x, F_y, M_z).
-    RollingSystem<Scalar> whole() const {
+    RollingSystem<Scalar> joined() const {
         return {detail::joined(G_), detail::joined(G_prime_), detail::rigid_slip(elements_),
                 detail::force_weights(elements_)};
     }
+    [[deprecated("joined")]] RollingSystem<Scalar> whole() const { return joined(); }
 
     /// Fingerprint as in RollingSystem.
     std::uint64_t fingerprint() const {

@@ -292,7 +292,7 @@ private:
 
     /// Forces of one zone under its normal load.
     template <class Number>
-    Status press(Pass<Number>& pass, std::size_t zone, const Number& load) {
+    Status forces_on(Pass<Number>& pass, std::size_t zone, const Number& load) {
         using enum ContactRow::Of;
         const Zone& of = zones_[zone];
         Contact<Number>& found = pass.contacts[zone];
@@ -543,7 +543,7 @@ private:
             if (value_of(load) < least_load) continue;
             interpolate<Number>(zones_[k], Eigen::Index(k), weights, root);
             of.share = value_of(part);
-            const Status status = press(pass, k, load);
+            const Status status = forces_on(pass, k, load);
             if (status != Status::ok) return status;
             pass.excess -= of.force[1] * of.sine;
             if constexpr (has_slopes<Number>) pass.excess_by_motion -= of.sine.value() * of.by_motion.row(1);
