@@ -57,9 +57,9 @@ RowWeights<most> even_weights(const std::vector<double>& yaws, double yaw) {
         double value = 1, slope = 0;  // weight, and its slope by yaw^2
         for (std::size_t j = 0; j < yaws.size(); ++j) {
             if (j == i) continue;
-            const double apart = yaws[i] * yaws[i] - yaws[j] * yaws[j],
-                         factor = (yaw * yaw - yaws[j] * yaws[j]) / apart;
-            slope = slope * factor + value / apart;
+            const double per_apart = 1 / (yaws[i] * yaws[i] - yaws[j] * yaws[j]),
+                         factor = (yaw * yaw - yaws[j] * yaws[j]) * per_apart;
+            slope = slope * factor + value * per_apart;
             value *= factor;
         }
         weights.value[i] = value;
