@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "precision/comparison.hpp"
-#include "support/named_scheme.hpp"
+#include "support/input.hpp"
 #include "support/options.hpp"
 #include "support/table.hpp"
 #include "support/timing.hpp"
@@ -32,38 +32,35 @@ constexpr const char* help =
   precision_study --output precision.csv --cheapest cheapest.csv --plot precision.svg
 
 One row for each scheme, n and quantity. n counts elements, those of the finer mesh where two (n/2 and n) are
-extrapolated; for chebyshev it is the number of states (1 to 48 without --n), for polynomial, the paper's
-approach, the order; the closed form has none. relative_error is measured against the closed forms of the plane
-model. traction: the norm of the differences from Carter's mean traction of each element over the norm of those
-mean tractions, both with the weight sqrt(1 - x^2/a^2). Without the weight, Carter's traction, singular at the
-trailing edge, has no such norm; with it, the norm bounds the error of the force.
-response: c11 at --omega. transient: the largest relative error at q = dq, 2 dq, ... 10 dq after a step of creepage,
-exact in time. friction: steady, at --creepage-ratio. closed-form: the difference of two closed forms where there
-are two.
-combined_force: the creepage ratio at 45 degrees to the rolling direction; the error of the force as a vector,
-|F - reference| over |reference|. load_force: from steady rolling over a period of a load
-N = N_0 (1 + 0.5 sin(2 pi q/(8 a_0))), in 160 steps of sdirk2; the largest error of F/(mu N_0). Collocation
-and node differences on graded meshes breathe with the half-length where the kernel is plane; all other meshes
-cover the largest contact. Neither force has a closed form: references are extrapolated from cosine meshes of 320
-and 640 elements (160 and 320 that breathe, in 640 steps), to about 1e-6 and 4e-6.
-time_us: from the mesh to the result, the median of at least 5 runs, one if it takes a second; all schemes take
-turns. stable: no eigenvalue grows, as computed. on_front: no other scheme is both as fast and as precise; a
-scheme's error counts as the largest at this and every larger n, so that a change of sign does not pass for
-precision. on_front is empty for polynomial and closed-form, and with --shard or --jobs above 1, where times are
-missing: concatenate the shards and use --front. model_error is the error that the strip kernel alone makes.
+extrapolated; states of chebyshev (1 to 48 without --n); the order of the paper's polynomial; the closed form has none.
+Without --n, c11_z* and response stop at n = 320, transient and the forces with friction at 160: a minute in all.
+relative_error is measured against the closed forms of the plane model. traction: the norm of the differences from
+Carter's mean traction of each element over that of those means, both with the weight sqrt(1 - x^2/a^2), without which
+Carter's traction has none; so the norm bounds the error of the force. response: c11 at --omega. transient: the largest
+error at q = dq, 2 dq, ... 10 dq after a step of creepage, exact in time. friction: steady, at --creepage-ratio.
+closed-form: the difference of two closed forms where there are two.
+combined_force: the creepage ratio at 45 degrees to the rolling direction; |F - reference| over |reference|, as vectors.
+load_force: from steady rolling over a period of a load N = N_0 (1 + 0.5 sin(2 pi q/(8 a_0))), in 160 steps of sdirk2;
+the largest error of F/(mu N_0). Collocation and node differences on graded meshes breathe with the half-length where
+the kernel is plane; other meshes cover the largest contact. References of both are extrapolated from cosine meshes of
+320 and 640 elements (160 and 320 that breathe, in 640 steps), to about 1e-6 and 4e-6.
+time_us: from the mesh to the result, the median of at least 5 runs, one if it takes a second; all schemes take turns.
+stable: no eigenvalue grows, as computed. on_front: no other scheme is both as fast and as precise; a scheme's error
+counts as the largest at this and every larger n, so that a change of sign does not pass for precision. on_front is
+empty for polynomial and closed-form, and with --shard or --jobs above 1: concatenate the shards and use --front.
+model_error is the error that the strip kernel alone makes. status: ok, or why relative_error is empty, by the
+library's names; in the file of --cheapest none where no scheme reaches the tolerance.
 --plot draws up to three quantities; of more, those of c11, response and friction that are there.
-status: ok, or why relative_error is empty, by the library's names; in the file of --cheapest none where no
-scheme reaches the tolerance. size_ratio and epsilon are those of the scheme's mesh.
 patch_c11 ... patch_c33: Kalker's creep coefficients of an ellipse between half-spaces, by n elements in each of as
 many strips (--strips: others) along the rolling direction, with richardson: extrapolated from n/2 and strips/2; two
-more columns, a_over_b and strips. They have no closed form: the reference is extrapolated from 24 x 24 and 48 x 48 elements; from 32 x 32 and 64 x 64 it differs by 2e-4 (a/b = 0.5, 1) and 6e-4 (a/b = 5, 20).
-uniform-strips: strips of equal width, without --strips as many as recommended_patch gives (a/b from 0.1 to 25).
-patch_force: -F_x and -F_y under Hertz's pressure for three creepages, xi with eta, spin alone, all three. Alone, each
-would make 0.7, 2.5 and 0.6 mu N without slip (by Kalker's c11, c22, c23). relative_error is the largest
-difference over mu N from strips of equal width, at most 500 elements, extrapolated from a third of them in each
-direction; that reference is good to about 1e-3 (below a/b = 0.1 5e-3, above 25 1e-2). time_us is that of all three from
-the mesh to the forces. stable is empty above 256 elements. Without --n, n is 4 to 24, with patch_force to 16.
-Without --n, c11_z* and response stop at n = 320, transient and the forces with friction at 160: a minute in all.
+more columns, a_over_b and strips. The reference is extrapolated from 24 x 24 and 48 x 48 elements, to about 2e-4
+(a/b = 0.5, 1) and 6e-4 (a/b = 5, 20). uniform-strips: of equal width, without --strips as many as recommended_patch
+gives (a/b from 0.1 to 25).
+patch_force: -F_x and -F_y under Hertz's pressure for three creepages, xi with eta, spin alone, all three, of 0.7, 2.5
+and 0.6 mu N without slip (by Kalker's c11, c22, c23). relative_error is the largest difference over mu N from at most
+500 elements in strips of equal width, extrapolated from a third of them in each direction, good to about 1e-3 (below
+a/b = 0.1 5e-3, above 25 1e-2). time_us is that of all three. stable is empty above 256 elements. n is 4 to 24 without
+--n, with patch_force to 16.
 )";
 
 const std::string elements_by_default = "4,6,8,10,14,20,28,40,56,80,112,160,224,320,448,640";
@@ -74,8 +71,8 @@ void add_options(study::Options& options) {
     options.set_help("scheme",
                      "MESH:METHOD[:PARAMETERS] or richardson:MESH:METHOD[:PARAMETERS], from n/2 and n; chebyshev, "
                      "polynomial, closed-form. Default: " +
-                         study::join(line_schemes, ", ") + "; for quantities of patches " +
-                         study::join(patch_schemes, ", "));
+                         study::join(study::cells_of(line_schemes), ", ") + "; for quantities of patches " +
+                         study::join(study::cells_of(patch_schemes), ", "));
     options.set_help("aspect", "b/a, one value above 0; inf for quantities of steady rolling (dimensionless)");
     options.set_help("poisson", "Poisson's ratio, 0 to 0.5 (dimensionless)", "NU");
     options.add("quantity", "LIST",
@@ -112,31 +109,28 @@ void add_options(study::Options& options) {
 
 // --- times
 
-/// Median times [us] of the `wanted` tasks for each of their problems. All take turns, one run each, so that changes in
-/// the machine's speed affect all of them. Reports the progress, 0 ... 1, by done(part).
-std::vector<std::map<Problem, double>> measure(const std::vector<Task>& tasks, const std::vector<std::size_t>& wanted,
-                                               const std::function<void(double part)>& done) {
-    std::vector<std::pair<std::pair<std::size_t, Problem>, study::Timer>> timers;
+/// Finds the median times [us] of the `wanted` tasks for each of their problems. All take turns, one run each, so that
+/// changes in the machine's speed affect all of them. Reports the progress, 0 ... 1, by done(part).
+void measure(std::vector<Task>& tasks, const std::vector<std::size_t>& wanted,
+             const std::function<void(double part)>& done) {
+    std::vector<std::pair<double*, study::Timer>> timers;
     for (const std::size_t i : wanted) {
         for (const Quantity& quantity : tasks[i].quantities) {
-            const std::pair key(i, quantity.problem);
-            if (!timers.empty() && timers.back().first == key) continue;
-            timers.emplace_back(key, study::Timer([&run = tasks[i].run, quantity] { return run(quantity); }));
+            const auto [time, is_new] = tasks[i].time_us.try_emplace(quantity.problem);
+            if (!is_new) continue;
+            timers.emplace_back(&time->second, study::Timer([&compute = tasks[i].compute, quantity] {
+                return compute(quantity).values[0].real();
+            }));
         }
     }
-    bool again = true;
-    for (int round = 0; again; ++round) {
-        again = false;
+    const auto is_open = [](const auto& timer) { return !timer.second.done(); };
+    for (int round = 0; std::any_of(timers.begin(), timers.end(), is_open); ++round) {
         done(std::min(round, 5) / 5.0);
-        for (auto& [key, timer] : timers) {
-            if (timer.done()) continue;
-            timer.run_again();
-            again = true;
+        for (auto& timer : timers) {
+            if (is_open(timer)) timer.second.run_again();
         }
     }
-    std::vector<std::map<Problem, double>> times(tasks.size());
-    for (auto& [key, timer] : timers) times[key.first][key.second] = timer.median();
-    return times;
+    for (auto& [time, timer] : timers) *time = timer.median();
 }
 
 // --- rows
@@ -144,77 +138,97 @@ std::vector<std::map<Problem, double>> measure(const std::vector<Task>& tasks, c
 /// The rows of a comparison. References, times, and errors for on_front are found before the first row is written.
 class Computation {
 public:
-    Computation(const study::Options& options, Comparison comparison)
+    /// `all` becomes all rows of this run; none without times.
+    Computation(const study::Options& options, Comparison comparison, std::vector<Point>& all)
         : comparison_(std::move(comparison)),
           with_times_(study::has_times(options)),
-          partial_(options.given("shard") || !with_times_) {}
+          partial_(options.given("shard") || !with_times_),
+          points_(all) {}
 
     void fill(study::Table& table) {
         table.columns = comparison_.columns;
-        for (const Task& task : comparison_.tasks) table.rows_of_task.push_back(task.quantities.size());
+        for (const Task& task : comparison_.tasks) {
+            first_.push_back(first_.empty() ? 0 : first_.back() + table.rows_of_task.back());
+            table.rows_of_task.push_back(task.quantities.size());
+        }
         table.prepare = [&](const auto& wanted, const auto& done) { prepare(wanted, done); };
         table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
             const std::vector<Point> own = partial_ ? points_of(task) : std::vector<Point>{};
             for (std::size_t k = range.first; k < range.last; ++k) {
                 emit(row(partial_ ? own[k] : points_[first_[task] + k]));
+                if (partial_ && with_times_) points_.push_back(own[k]);  // by a single job
             }
         };
     }
 
-    /// All rows; none where on_front is not known.
-    const std::vector<Point>& points() const { return points_; }
-
 private:
+    /// What each of the quantities is computed to be; the coefficients of a patch come together.
+    template <class Value, class Compute>
+    static std::vector<Value> each(const std::vector<Quantity>& quantities, const Compute& compute) {
+        std::vector<Value> all;
+        for (const Quantity& quantity : quantities) {
+            const bool same = !all.empty() && quantity.problem == Problem::patch;
+            all.push_back(same ? all.back() : compute(quantity));
+        }
+        return all;
+    }
+
     /// Measures the times of all rows, and computes their errors if on_front is wanted.
     void prepare(const std::vector<std::size_t>& wanted, const std::function<void(double part)>& done) {
-        comparison_.prepare();
-        if (comparison_.model_error) {
-            for (const Quantity& each : comparison_.quantities) {
-                model_errors_[each.name] = comparison_.model_error(each);
-            }
+        const std::vector<Quantity>& quantities = comparison_.quantities;
+        const std::vector<Values> references = each<Values>(quantities, comparison_.reference);
+        for (std::size_t k = 0; k < quantities.size(); ++k) {
+            references_[quantities[k].name] = references[k];
+            if (comparison_.model_error) model_errors_[quantities[k].name] = comparison_.model_error(quantities[k]);
         }
-        const auto& tasks = comparison_.tasks;
-        times_.resize(tasks.size());
-        if (with_times_) times_ = measure(tasks, wanted, [&](double part) { done(part / 2); });
+        const std::size_t count = comparison_.tasks.size();
+        if (with_times_) measure(comparison_.tasks, wanted, [&](double part) { done(part / 2); });
         if (partial_) return;
-        for (std::size_t i = 0; i < tasks.size(); ++i) {
-            first_.push_back(points_.size());
+        for (std::size_t i = 0; i < count; ++i) {
             for (Point& point : points_of(i)) points_.push_back(std::move(point));
-            done((1 + static_cast<double>(i + 1) / static_cast<double>(tasks.size())) / 2);
+            done((1 + static_cast<double>(i + 1) / static_cast<double>(count)) / 2);
         }
         mark_front(points_);
     }
 
     std::vector<Point> points_of(std::size_t index) const {
         const Task& task = comparison_.tasks[index];
-        std::vector<Point> points;
+        const std::vector<Found> found = each<Found>(task.quantities, task.compute);
+        std::vector<Point> points(found.size(), task.point);
         const std::optional<bool> stable = task.stable();
-        for (const Quantity& quantity : task.quantities) {
-            Point point{task.scheme, task.n, quantity.name, task.error(quantity), std::nullopt, stable};
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            Point& point = points[k];
+            const Quantity& quantity = task.quantities[k];
+            const Values& exact = found[k].exact.empty() ? references_.at(quantity.name) : found[k].exact;
+            point.quantity = quantity.name;
+            point.stable = stable;
+            point.relative_error = quantity.error(found[k].values, exact);
             if (!std::isfinite(*point.relative_error)) {
                 point.relative_error.reset();
-                point.status = task.status(quantity);
+                point.status = name(task.status(found[k]));
             }
-            const auto time = times_[index].find(quantity.problem);
-            if (time != times_[index].end()) point.time_us = time->second;
+            const auto time = task.time_us.find(quantity.problem);
+            if (time != task.time_us.end()) point.time_us = time->second;
             const auto model = model_errors_.find(quantity.name);
             if (model != model_errors_.end()) point.model_error = model->second;
-            point.setting = task.setting;
-            point.series = task.series;
-            points.push_back(std::move(point));
         }
         return points;
     }
 
     Comparison comparison_;
     bool with_times_, partial_;
-    std::map<std::string, std::optional<double>> model_errors_;
-    std::vector<std::map<Problem, double>> times_;
-    std::vector<Point> points_;
+    std::vector<Point>& points_;
     std::vector<std::size_t> first_;  // of each task in points_
+    std::map<std::string, Values> references_;
+    std::map<std::string, std::optional<double>> model_errors_;
 };
 
 }  // namespace
+
+std::vector<study::NamedScheme> chosen_schemes(const study::Options& options, bool of_patch) {
+    const char* usual = of_patch ? patch_schemes : line_schemes;
+    return study::named_schemes(options.given("scheme") ? options.texts("scheme") : study::cells_of(usual), of_patch);
+}
 
 std::vector<Quantity> chosen(const study::Options& options, const std::vector<Quantity>& all) {
     const std::vector<std::string> asked = options.choices("quantity", names_of(all));
@@ -247,24 +261,24 @@ int main(int argc, char** argv) {
             given.ignored("cheapest", "with --shard or --jobs or --no-timing, where times lack; use --front");
         }
         study::Table table;
-        std::vector<precision::Point> read;
+        std::vector<precision::Point> points;
         std::optional<precision::Computation> computed;
         if (given.given("front") && !patches) {
             // 2. Rows from a file.
-            read = precision::read_points(given, quantities);
-            precision::mark_front(read);
+            points = precision::read_points(given, quantities);
+            precision::mark_front(points);
             table.columns = precision::columns();
-            table.rows_of_task.assign(read.size(), 1);
+            table.rows_of_task.assign(points.size(), 1);
             table.compute = [&](std::size_t i, study::RowRange, const study::Emit& emit) {
-                emit(precision::row(read[i]));
+                emit(precision::row(points[i]));
             };
         } else {
             // 3. Or schemes to compute.
-            computed.emplace(given, patches ? precision::compare_on_patch(given) : precision::compare_on_line(given));
+            computed.emplace(given, patches ? precision::compare_on_patch(given) : precision::compare_on_line(given),
+                             points);
             computed->fill(table);
         }
-        const std::vector<precision::Point>& points = computed ? computed->points() : read;
-        table.plot = [&](const std::vector<study::Row>& rows) { return precision::pictures(quantities, rows, points); };
+        table.plot = [&](const std::vector<study::Row>&) { return precision::pictures(quantities, points); };
 
         // 4. The rows, and the cheapest scheme for each tolerance.
         study::OutputFiles files;

@@ -5,12 +5,19 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
+#include <rollbem/accuracy/richardson.hpp>
+#include <rollbem/status.hpp>
+
 #include "front.hpp"
 #include "support/csv.hpp"
+#include "support/named_scheme.hpp"
 #include "support/options.hpp"
 #include "support/plot.hpp"
 #include "support/table.hpp"
@@ -22,69 +29,85 @@ inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// A problem is computed, and timed, as a whole.
 enum class Problem { steady, harmonic, transient, friction, combined_friction, varying_load, patch, patch_friction };
 
+/// Numbers that a quantity consists of; all but c11 under harmonic creepage are real.
+using Values = std::vector<std::complex<double>>;
+
 struct Quantity {
     std::string name;
     Problem problem;
+    /// relative_error as the study defines it, of what was found and what it should be.
+    std::function<double(const Values& found, const Values& exact)> error;
     double frequency = 0;  ///< omega a/V, harmonic problems
 };
 
-/// Numbers that a quantity consists of; all but c11 under harmonic creepage are real.
-using Values = std::vector<std::complex<double>>;
+/// The relative error of the k-th value, signed, if it is real.
+inline auto relative(std::size_t k = 0) {
+    return [k](const Values& found, const Values& exact) { return found[k].real() / exact[k].real() - 1; };
+}
+
+inline Eigen::ArrayXd real(const Values& of) { return Eigen::ArrayXcd::Map(of.data(), std::ssize(of)).real(); }
+inline double largest(const Eigen::ArrayXd& errors) { return errors.abs().maxCoeff<Eigen::PropagateNaN>(); }
+
+inline double largest_difference(const Values& found, const Values& exact) {
+    return largest(real(found) - real(exact));
+}
+
+/// What was computed; not numbers unless the status is ok.
+struct Found {
+    Values values, exact{};  ///< and what they should be, if that is not the reference
+    rollbem::Status status = rollbem::Status::ok;
+};
+
+/// Extrapolated from what a coarser mesh gives.
+inline Found extrapolate(const Found& coarse, Found fine, double order) {
+    for (std::size_t k = 0; k < fine.values.size(); ++k) {
+        fine.values[k] = rollbem::richardson(coarse.values[k], fine.values[k], order);
+    }
+    if (fine.status == rollbem::Status::ok) fine.status = coarse.status;
+    return fine;
+}
 
 /// One scheme at one n (elements, on the finer mesh where two are extrapolated; Chebyshev states; order of the
 /// polynomial; none for the closed form) and the quantities it is measured for.
 struct Task {
-    std::string scheme;
-    std::optional<long> n;
-    std::vector<Quantity> quantities;
-    std::vector<std::string> setting;  ///< cells of the columns behind `status`
-    std::string series{};              ///< see Point
-    /// relative_error as the study defines it; NaN if there is no trustworthy result.
-    std::function<double(const Quantity&)> error{};
-    /// Why there is none, by the library's names.
-    std::function<std::string(const Quantity&)> status{};
-    /// Computes everything from the mesh to the result, which the value depends on.
-    std::function<double(const Quantity&)> run{};
+    Point point;  ///< what the rows of all quantities have in common
+    std::vector<Quantity> quantities{};
+    std::map<Problem, double> time_us{};
+    /// Everything from the mesh to the result.
+    std::function<Found(const Quantity&)> compute{};
+    /// Why there is no error.
+    std::function<rollbem::Status(const Found&)> status{};
     /// Whether no mode grows, as computed; empty if that was not found out.
     std::function<std::optional<bool>()> stable{};
 };
 
-/// What is compared. `prepare` finds the references, before anything else is computed.
+/// What is compared, and what the quantities should be.
 struct Comparison {
     std::vector<std::string> columns;
     std::vector<Quantity> quantities;
     std::vector<Task> tasks;
-    std::function<void()> prepare;
+    std::function<Values(const Quantity&)> reference;
     std::function<std::optional<double>(const Quantity&)> model_error;
 };
 
 /// All quantities of a line, in the order of the rows; the response is at --omega.
 std::vector<Quantity> line_quantities(const study::Options& options);
 /// The same of patches.
-const std::vector<Quantity>& patch_quantities();
+std::vector<Quantity> patch_quantities();
 
 /// What --scheme is by default, of a line and of patches.
-inline const std::vector<std::string> line_schemes{"uniform:collocation:0.5/0.5",
-                                                   "uniform:collocation:0/0.63",
-                                                   "geometric-1.89:collocation:0.5/0.5",
-                                                   "knothe-0.37:collocation:0.5/0.5",
-                                                   "cosine:collocation:0.5/0.5",
-                                                   "uniform:galerkin:0/0.63",
-                                                   "uniform:galerkin:0/0.75:q7",
-                                                   "cosine:galerkin:0.5/0.5",
-                                                   "cosine:galerkin:0.5/0.5:q7",
-                                                   "richardson:uniform:collocation:0.5/0.5",
-                                                   "richardson:cosine:collocation:0.5/0.5",
-                                                   "uniform:nodes",
-                                                   "cosine:nodes",
-                                                   "cosine:nodes-chebyshev",
-                                                   "richardson:cosine:nodes",
-                                                   "chebyshev",
-                                                   "polynomial",
-                                                   "closed-form"};
-inline const std::vector<std::string> patch_schemes{"cosine:nodes-chebyshev:cosine-strips",
-                                                    "richardson:cosine:nodes-chebyshev:cosine-strips",
-                                                    "cosine:nodes-chebyshev:uniform-strips"};
+inline constexpr const char* line_schemes =
+    "uniform:collocation:0.5/0.5,uniform:collocation:0/0.63,geometric-1.89:collocation:0.5/0.5,"
+    "knothe-0.37:collocation:0.5/0.5,cosine:collocation:0.5/0.5,uniform:galerkin:0/0.63,uniform:galerkin:0/0.75:q7,"
+    "cosine:galerkin:0.5/0.5,cosine:galerkin:0.5/0.5:q7,richardson:uniform:collocation:0.5/0.5,"
+    "richardson:cosine:collocation:0.5/0.5,uniform:nodes,cosine:nodes,cosine:nodes-chebyshev,richardson:cosine:nodes,"
+    "chebyshev,polynomial,closed-form";
+inline constexpr const char* patch_schemes =
+    "cosine:nodes-chebyshev:cosine-strips,richardson:cosine:nodes-chebyshev:cosine-strips,"
+    "cosine:nodes-chebyshev:uniform-strips";
+
+/// The schemes of --scheme. Throws BadInput.
+std::vector<study::NamedScheme> chosen_schemes(const study::Options& options, bool of_patch);
 
 /// Those of `all` that --quantity gives.
 std::vector<Quantity> chosen(const study::Options& options, const std::vector<Quantity>& all);
@@ -94,6 +117,7 @@ Comparison compare_on_line(const study::Options& options);
 Comparison compare_on_patch(const study::Options& options);
 
 inline constexpr std::ptrdiff_t largest_n = 100000;
+inline constexpr std::size_t first_setting = 9;  ///< of the columns: kernel, ...
 const std::vector<std::string>& columns();
 study::Row row(const Point& point);
 
@@ -109,7 +133,6 @@ void print_recommendations(const study::Options& options);
 
 /// Panels for up to three quantities; of more, those of c11, response and friction that are there. Each shows the
 /// error of every scheme over its time, and the front of `points`.
-study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<study::Row>& rows,
-                     const std::vector<Point>& points);
+study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<Point>& points);
 
 }  // namespace precision

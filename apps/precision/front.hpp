@@ -19,10 +19,10 @@ namespace precision {
 struct Point {
     std::string scheme;
     std::optional<long> n;  ///< elements, states, or the order of a polynomial; none for a closed form
-    std::string quantity;
-    std::optional<double> relative_error;  ///< none if the scheme gave no result
-    std::optional<double> time_us;
-    std::optional<bool> stable;
+    std::string quantity{};
+    std::optional<double> relative_error{};  ///< none if the scheme gave no result
+    std::optional<double> time_us{};
+    std::optional<bool> stable{};
     std::optional<bool> on_front{};
     std::optional<double> model_error{};
     std::string status = "ok";           ///< why there is no error

@@ -1,79 +1,102 @@
-#include "lines.hpp"
-
+// Schemes of a line contact as precision_study compares them: quantities, references, and what is computed.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
-#include <rollbem/accuracy/richardson.hpp>
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/closed_form/friction.hpp>
 #include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/friction.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
 #include <rollbem/normal/hertz.hpp>
 #include <rollbem/normal/hertz_load.hpp>
+#include <rollbem/reference/bessel.hpp>
 #include <rollbem/reference/step_response.hpp>
 #include <rollbem/rolling/run.hpp>
 #include <rollbem/spectral/polynomial.hpp>
 
+#include "comparison.hpp"
 #include "support/non_steady.hpp"
+#include "support/scenes.hpp"
 
 namespace precision {
 
 namespace {
 
+using rollbem::Contact;
+using rollbem::LineModel;
 using rollbem::Mesh;
 using rollbem::Status;
 using rollbem::Topology;
+using study::NamedScheme, study::Scene;
 using Array = rollbem::ArrayX<double>;
 using Complex = std::complex<double>;
 using Kernel = rollbem::AnyKernel<double>;
 
+constexpr double peak = 1e-3;           // mu p0 / G
+constexpr int steps = 10;               // of the response to a step of creepage
 constexpr double load_amplitude = 0.5;  // N = N_0 (1 + A sin(2 pi q/L))
 constexpr double load_length = 8;       // L/a_0
 constexpr int load_steps = 160;         // in a period
 
-double creepage(const study::Scene& scene, const Settings& settings) {
+/// What the schemes are applied to besides a contact.
+struct Settings {
+    double dq = 1;                ///< [a]
+    double creepage_ratio = 0.5;  ///< of the problems with friction
+    int load_parts = 1;           ///< of each step under a load that varies
+    bool may_breathe = true;      ///< whether a mesh may follow that load
+};
+
+double creepage(const Scene& scene, const Settings& settings) {
     return 2 * (1 - scene.contact.poisson_ratio()) * peak * settings.creepage_ratio;
 }
 
 /// mu N of Hertz's pressure.
-double full(const study::Scene& scene) { return peak * std::numbers::pi / 2 * scene.contact.width(); }
+double full(const Scene& scene) { return peak * std::numbers::pi / 2 * scene.contact.width(); }
 
-rollbem::ElementSystem<double> slopes(const study::Scene& scene, const Kernel& kernel) {
+rollbem::ElementSystem<double> slopes(const Scene& scene, const Kernel& kernel) {
     return steady_system(*scene.mesh, scene.scheme, kernel);
 }
 
-rollbem::Friction<> friction(const study::Scene& scene) {
-    return {1, peak * rollbem::mean_hertz_pressure(*scene.mesh)};
-}
+rollbem::Friction<> friction(const Scene& scene) { return {1, peak * rollbem::mean_hertz_pressure(*scene.mesh)}; }
 
-/// With the half-length if the load varies: a uniform mesh gains nothing from edges that move with those of the
-/// contact, and only equations that hold at points, with the plane kernel, can change the half-length.
-bool breathes(const study::Scene& scene, const Settings& settings) {
-    return settings.may_breathe && scene.topology() != Topology::uniform && scene.is_plane() &&
-           scene.method != "galerkin" && scene.lambda.value_or(1) == 1;
+/// In steady rolling, on one mesh or by states.
+rollbem::Response<double> steady(const Scene& scene) {
+    if (scene.chebyshev) return solve_steady(*scene.chebyshev, scene.kernel);
+    return rollbem::solve_steady<double>(rollbem::assemble_G_prime(*scene.mesh, scene.scheme, scene.kernel),
+                                         rollbem::unknown_widths(*scene.mesh, scene.scheme));
 }
 
 // --- what a quantity consists of; not a number if the status is not ok
 
-/// -F/(a G xi) at q = dq, 2 dq, ... after a step of creepage, exact in the time domain.
-Values step_forces(const study::Scene& scene, const Settings& settings) {
-    const rollbem::AdhesionModel<> model(scene.contact, study::system_of(scene), rollbem::unchecked,
-                                         rollbem::Integrator::matrix_exponential);
-    rollbem::Run contact(model);
-    Values forces(steps);
-    for (Complex& force : forces) force = -contact.advance({settings.dq, 1.0}).force_per_width;
+/// force(q) at q = dq, 2 dq, ...
+template <class Force>
+Values after_step(const Settings& settings, const Force& force) {
+    Values forces;
+    for (int k = 1; k <= steps; ++k) forces.emplace_back(force(k * settings.dq));
     return forces;
 }
 
+/// -F/(a G xi) after a step of creepage, exact in the time domain.
+Values step_forces(const Scene& scene, const Settings& settings) {
+    const rollbem::AdhesionModel<> model(scene.contact, study::system_of(scene), rollbem::unchecked,
+                                         rollbem::Integrator::matrix_exponential);
+    rollbem::Run contact(model);
+    return after_step(settings, [&](double) { return -contact.advance({settings.dq, 1.0}).force_per_width; });
+}
+
 /// -F/(mu N) at the creepage ratio.
-Values friction_force(const study::Scene& scene, const Settings& settings) {
+Values friction_force(const Scene& scene, const Settings& settings) {
     const rollbem::FrictionModel<> model(scene.contact, slopes(scene, scene.kernel), friction(scene));
     const auto step = rollbem::Run(model).steady({.motion = creepage(scene, settings)});
     return {step.status == Status::ok ? -step.force / full(scene) : nan};
 }
 
 /// The same along and across at 45 degrees.
-Values combined_forces(const study::Scene& scene, const Settings& settings) {
+Values combined_forces(const Scene& scene, const Settings& settings) {
     // from kernels, as only then the model knows where the equations hold and turns the slip
     const rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2> model(
         scene.contact,
@@ -85,17 +108,24 @@ Values combined_forces(const study::Scene& scene, const Settings& settings) {
     return {-step.force.longitudinal / full(scene), -step.force.lateral / full(scene)};
 }
 
+/// Whether a mesh follows the half-length if the load varies: a uniform mesh gains nothing from edges that move with
+/// those of the contact, and only equations that hold at points, with the plane kernel, can change the half-length.
+bool breathes(const Scene& scene, const Settings& settings) {
+    return settings.may_breathe && scene.topology() != Topology::uniform && scene.is_plane() &&
+           scene.method != "galerkin" && scene.lambda.value_or(1) == 1;
+}
+
 /// -F/(mu N_0) after each of 160 steps in a period of the load.
-Values load_forces(const study::Scene& scene, const Settings& settings) {
+Values load_forces(const Scene& scene, const Settings& settings) {
     const auto line = rollbem::HertzLine<double>::dimensionless(peak);  // a_0 = 1 and p_0 = mu p_0 = peak under N_0
     const bool follows = breathes(scene, settings);
     const double half_length = follows ? 1 : std::sqrt(1 + load_amplitude);
     const auto hertz = follows ? rollbem::HertzLoad<double>::breathing(line, *scene.mesh)
                                : rollbem::HertzLoad<double>::fixed(line, *scene.mesh, half_length);
-    const rollbem::Contact<double> covered({.half_length = half_length,
-                                            .half_width = scene.contact.half_width(),
-                                            .shear_modulus = 1,
-                                            .poisson_ratio = scene.contact.poisson_ratio()});
+    const Contact<double> covered({.half_length = half_length,
+                                   .half_width = scene.contact.half_width(),
+                                   .shear_modulus = 1,
+                                   .poisson_ratio = scene.contact.poisson_ratio()});
     const auto load_at = [&](double q) {
         return line.load_per_width() * (1 + load_amplitude * std::sin(2 * std::numbers::pi * q / load_length));
     };
@@ -118,8 +148,56 @@ Values load_forces(const study::Scene& scene, const Settings& settings) {
     return forces;
 }
 
+/// Tractions times the root of their weight in the norm that the study's help defines, with Carter's.
+Found weighted(const Array& tractions, const Array& carter, const Array& weights) {
+    const auto scaled = [&](const Array& of) {
+        const Array all = of * weights.sqrt();
+        return Values(all.begin(), all.end());
+    };
+    return {scaled(tractions), scaled(carter)};
+}
+
+/// Of a function of x/a: with x = cos(theta) the integral of (p sin(theta))^2, by the midpoint rule.
+template <class Traction>
+Found at_points(double nu, const Traction& traction) {
+    constexpr int points = 64;
+    Array own(points), carter(points), weights(points);
+    for (int k = 0; k < points; ++k) {
+        const double x = std::cos((k + 0.5) * std::numbers::pi / points);
+        own[k] = std::real(traction(x));
+        carter[k] = rollbem::carter_traction(x, nu);
+        weights[k] = 1 - x * x;
+    }
+    return weighted(own, carter, weights);
+}
+
+/// On one mesh, or extrapolated from two to pairs of elements, which form the coarser mesh. Tractions are constant on
+/// each element and compared with Carter's means: the integral of p^2 sqrt(1 - x^2).
+Found tractions(const Scene& scene) {
+    const double nu = scene.contact.poisson_ratio();
+    if (scene.chebyshev) {
+        const auto states = steady(scene);
+        if (states.status != Status::ok) return {{nan}, {1}};
+        return at_points(nu, rollbem::ChebyshevTraction<double>{states.unknowns.col(0)});
+    }
+    const auto of = [](const Scene& one) {  // Knothe and Gross-Thebing's leading element carries none
+        const Array found = steady(one).unknowns.col(0);
+        Array all = Array::Zero(one.mesh->size());
+        all.head(found.size()) = found;
+        return all;
+    };
+    const std::vector<Scene> meshes = scene.meshes();
+    Array found = of(meshes.front());
+    if (scene.coarse) found = study::extrapolate_tractions(scene, found, of(meshes.back()));
+    const Mesh<double>& mesh = scene.coarse ? *scene.coarse : *scene.mesh;
+    return weighted(found, rollbem::carter_mean_tractions(mesh, nu),
+                    mesh.widths() * rollbem::mean_hertz_pressure(mesh));
+}
+
+bool is_traction(const Quantity& quantity) { return quantity.name == "traction"; }
+
 /// What a quantity other than the traction consists of on one mesh, or by states.
-Values values(const study::Scene& scene, const Settings& settings, const Quantity& quantity) {
+Values values(const Scene& scene, const Settings& settings, const Quantity& quantity) {
     switch (quantity.problem) {
         case Problem::harmonic: {
             const auto response = rollbem::solve_response<double>(study::system_of(scene), {0, quantity.frequency});
@@ -135,117 +213,235 @@ Values values(const study::Scene& scene, const Settings& settings, const Quantit
     return {response.status == Status::ok ? response.c11() : nan};
 }
 
-/// Tractions times the root of their weight in the norm that the study's help defines, with Carter's.
-Found weighted(const Array& tractions, const Array& carter, const Array& weights) {
-    const auto scaled = [&](const Array& of) {
-        const Array all = of * weights.sqrt();
-        return Values(all.begin(), all.end());
-    };
-    return {scaled(tractions), scaled(carter)};
-}
-
-/// Of tractions that are constant on each element, against their means: the integral of p^2 sqrt(1 - x^2).
-Found on_elements(const Mesh<double>& mesh, const Array& tractions, double nu) {
-    return weighted(tractions, rollbem::carter_mean_tractions(mesh, nu),
-                    mesh.widths() * rollbem::mean_hertz_pressure(mesh));
-}
-
-/// The same of a function of x/a: with x = cos(theta) the integral of (p sin(theta))^2, by the midpoint rule.
-template <class Traction>
-Found at_points(double nu, const Traction& traction) {
-    constexpr int points = 64;
-    Array own(points), carter(points), weights(points);
-    for (int k = 0; k < points; ++k) {
-        const double x = std::cos((k + 0.5) * std::numbers::pi / points);
-        own[k] = std::real(traction(x));
-        carter[k] = rollbem::carter_traction(x, nu);
-        weights[k] = 1 - x * x;
+/// By a polynomial of the order `degree`. Steady results of the plane do not depend on the aspect.
+Found by_polynomial(const Contact<double>& contact, Eigen::Index degree, const Settings& settings,
+                    const Quantity& quantity) {
+    const double nu = contact.poisson_ratio(), aspect = std::isfinite(contact.aspect()) ? contact.aspect() : 1000;
+    if (is_traction(quantity)) {
+        const auto solution = rollbem::solve_polynomial(Complex(0), nu, aspect, degree);
+        return at_points(nu, [&](double x) { return solution.traction(x); });
     }
-    return weighted(own, carter, weights);
-}
-
-/// Tractions, on one mesh, or extrapolated from two to pairs of elements, which form the coarser mesh.
-Found tractions(const study::Scene& scene) {
-    const double nu = scene.contact.poisson_ratio();
-    if (scene.chebyshev) {
-        const auto states = steady(scene);
-        if (states.status != Status::ok) return {{nan}, {1}};
-        return at_points(nu, rollbem::ChebyshevTraction<double>{states.unknowns.col(0)});
-    }
-    const auto of = [](const study::Scene& one) {  // Knothe and Gross-Thebing's leading element carries none
-        const Array found = steady(one).unknowns.col(0);
-        Array all = Array::Zero(one.mesh->size());
-        all.head(found.size()) = found;
-        return all;
+    if (quantity.problem != Problem::transient)
+        return {{rollbem::polynomial_c11(Complex(0, quantity.frequency), nu, aspect, degree).c11}};
+    const auto transform = [&](std::complex<long double> s) {
+        return rollbem::polynomial_c11<long double>(s, nu, aspect, degree).c11 / s;
     };
-    const std::vector<study::Scene> meshes = scene.meshes();
-    const Array fine = of(meshes.front());
-    if (!scene.coarse) return on_elements(*scene.mesh, fine, nu);
-    return on_elements(*scene.coarse, study::extrapolate_tractions(scene, fine, of(meshes.back())), nu);
+    return {after_step(settings, [&](double q) { return rollbem::reference::invert_laplace(transform, q); })};
 }
 
-}  // namespace
+Found evaluate(const Scene& scene, const Settings& settings, const Quantity& quantity);
 
-bool exists(const study::NamedScheme& scheme, long n) {
-    if (scheme.method == "closed-form") return n == 0;
-    if (scheme.method == "polynomial") return n >= 1;
-    if (!scheme.has_elements()) return n >= 1 && n <= 10000;
+/// What a quantity consists of in the plane model, by closed forms where there are any, none of which depends on an
+/// infinite aspect. The force in both directions is extrapolated from cosine meshes of 320 and 640 elements. Those
+/// under a load that varies are extrapolated from cosine meshes of 160 and 320 elements that breathe, in steps of a
+/// quarter of those of the schemes.
+Values reference(const Contact<double>& contact, const Settings& settings, const Quantity& quantity) {
+    const double nu = contact.poisson_ratio();
+    switch (quantity.problem) {
+        case Problem::harmonic: return {rollbem::reference::plane_c11({0, quantity.frequency}, nu, contact.aspect())};
+        case Problem::transient: {
+            const rollbem::reference::StepResponse response(nu, contact.aspect());
+            return after_step(settings, [&](double q) { return response.step(q); });
+        }
+        case Problem::friction: return {rollbem::carter_force_ratio(settings.creepage_ratio)};
+        case Problem::combined_friction:
+        case Problem::varying_load: {
+            const long n = quantity.problem == Problem::varying_load ? 320 : 640;
+            const Scene fine = study::make_scene(study::scheme_named("richardson:cosine:collocation:0.5/0.5"), n,
+                                                 contact, LineModel::plane);
+            return evaluate(fine, {.creepage_ratio = settings.creepage_ratio, .load_parts = 4}, quantity).values;
+        }
+        default: return {rollbem::steady_c11(nu)};
+    }
+}
+
+/// The closed form, against a second one where there are two.
+Found in_closed_form(const Contact<double>& contact, const Settings& settings, const Quantity& quantity) {
+    const double nu = contact.poisson_ratio(), aspect = contact.aspect();
+    if (quantity.problem == Problem::transient)
+        return {
+            after_step(settings, [&](double q) { return rollbem::reference::step_response_de_hoog(q, nu, aspect); })};
+    Found found{reference(contact, settings, quantity)};
+    if (quantity.problem == Problem::harmonic) {
+        const auto order = rollbem::default_polynomial_order(Complex(0, quantity.frequency));
+        found.exact = by_polynomial(contact, order, settings, quantity).values;
+    }
+    return found;
+}
+
+Found evaluate(const Scene& scene, const Settings& settings, const Quantity& quantity) {
+    if (scene.degree > 0) return by_polynomial(scene.contact, scene.degree, settings, quantity);
+    if (!scene.is_discrete()) return in_closed_form(scene.contact, settings, quantity);
+    if (is_traction(quantity)) return tractions(scene);
+    const std::vector<Scene> meshes = scene.meshes();
+    const Found found{values(meshes.front(), settings, quantity)};
+    if (!scene.coarse) return found;
+    return extrapolate({values(meshes.back(), settings, quantity)}, found, scene.order());
+}
+
+/// The relative difference that the strip makes to the plane limit: the model's error, on one mesh.
+double model_error(const Contact<double>& contact, Settings settings, const Quantity& quantity) {
+    settings.may_breathe = false;
+    const auto on = [&](LineModel model) {
+        const auto scene = study::make_scene(study::scheme_named("cosine:collocation:0.5/0.5"), 60, contact, model);
+        return evaluate(scene, settings, quantity).values;
+    };
+    return quantity.error(on(LineModel::strip), on(LineModel::plane));
+}
+
+Status status_of(const Scene& scene) {
+    Status status = Status::not_finite;
+    if (!scene.is_discrete()) return status;
+    for (const Scene& one : scene.meshes()) {
+        const Status own = steady(one).status;
+        if (own != Status::ok) status = own;
+    }
+    return status;
+}
+
+std::optional<bool> stable(const Scene& scene) {
+    if (!std::isfinite(scene.contact.aspect())) return std::nullopt;
+    const bool plane_decays = study::plane_model_decays(scene.contact);
+    if (!scene.is_discrete()) return plane_decays;  // of the model itself
+    if (scene.is_plane() && !plane_decays) return std::nullopt;
+    for (const Scene& one : scene.meshes()) {
+        const auto count = rollbem::count_unstable<double>(study::system_of(one));
+        if (count.status != Status::ok) return std::nullopt;
+        if (count.unstable_count > 0) return false;
+    }
+    return true;
+}
+
+// --- the command line
+
+/// Times and the front are those of one contact and one model of it.
+std::pair<Contact<double>, LineModel> make_contact(const study::Options& options,
+                                                   const std::vector<NamedScheme>& schemes,
+                                                   const std::vector<Quantity>& quantities) {
+    for (const char* name : {"kernel", "aspect", "poisson"}) {
+        options.require(options.said(name).find(',') == std::string::npos, name,
+                        "be a single value: schemes are compared for one contact; run the study once for each value");
+    }
+    const auto asked = [&](const auto& is) { return std::any_of(quantities.begin(), quantities.end(), is); };
+    const auto solve = [&](Problem problem) { return asked([=](const Quantity& q) { return q.problem == problem; }); };
+    if (!asked([](const Quantity& q) { return q.name == "response"; }))
+        options.ignored("omega", "without the quantity response");
+    if (!solve(Problem::transient)) options.ignored("dq", "without the quantity transient");
+    if (!asked([](const Quantity& q) { return q.problem >= Problem::friction; }))
+        options.ignored("creepage-ratio", "without a quantity with friction");
+    const bool steady = !solve(Problem::harmonic) && !solve(Problem::transient) && !solve(Problem::varying_load);
+    const Contact<double> contact =
+        study::make_contacts(options, steady ? study::Problem::steady : study::Problem::non_steady).front();
+    if (!steady) study::require_plane_model(contact);
+    // the strip of infinite width is the plane
+    const bool plane = options.choice("kernel", {"strip", "plane"}) == "plane" || !std::isfinite(contact.aspect());
+    const bool has_states =
+        std::any_of(schemes.begin(), schemes.end(), [](const NamedScheme& s) { return s.method == "chebyshev"; });
+    options.require(plane || !has_states || contact.aspect() >= 0.001, "aspect",
+                    "be at least 0.001 for the scheme chebyshev");
+    return {contact, plane ? LineModel::plane : LineModel::strip};
+}
+
+/// Whether a scheme has n elements or states, which are at least 1.
+bool exists(const NamedScheme& scheme, long n) {
+    if (!scheme.has_elements()) return scheme.method != "chebyshev" || n <= 10000;
     const long least = std::max(2l, long(rollbem::topology_info(scheme.topology()).least_n));
     return scheme.richardson ? n % 2 == 0 && n / 2 >= least : n >= least;
 }
 
-bool solves(const study::NamedScheme& scheme, Problem problem) {
+/// Whether it solves the problem: Coulomb's law takes elements.
+bool solves(const NamedScheme& scheme, Problem problem) {
     return scheme.has_elements() || problem < Problem::friction ||
            (scheme.method == "closed-form" && problem == Problem::friction);
 }
 
-rollbem::Response<double> steady(const study::Scene& scene) {
-    if (scene.chebyshev) return solve_steady(*scene.chebyshev, scene.kernel);
-    return rollbem::solve_steady<double>(rollbem::assemble_G_prime(*scene.mesh, scene.scheme, scene.kernel),
-                                         rollbem::unknown_widths(*scene.mesh, scene.scheme));
+/// Without --n, costly problems stop at smaller n.
+bool affordable(Problem problem, long n) {
+    return n <= (problem == Problem::steady ? 640 : problem == Problem::harmonic ? 320 : 160);
 }
 
-Found evaluate(const study::Scene& scene, const Settings& settings, const Quantity& quantity, const Values& reference) {
-    const double nu = scene.contact.poisson_ratio();
-    // steady results of the plane do not depend on it
-    const double aspect = std::isfinite(scene.contact.aspect()) ? scene.contact.aspect() : 1000;
-    const bool traction = quantity.name == "traction", step = quantity.problem == Problem::transient;
-    const auto after_step = [&](const auto& force) {
-        Values forces(steps);
-        for (int k = 0; k < steps; ++k) forces[std::size_t(k)] = force((k + 1) * settings.dq);
-        return forces;
-    };
-    const auto polynomial_c11 = [&](Eigen::Index order) {
-        return rollbem::polynomial_c11(Complex(0, quantity.frequency), nu, aspect, order).c11;
-    };
-    if (scene.is_discrete()) {
-        if (traction) return tractions(scene);
-        const std::vector<study::Scene> meshes = scene.meshes();
-        Values found = values(meshes.front(), settings, quantity);
-        if (!scene.coarse) return {found};
-        const Values coarse = values(meshes.back(), settings, quantity);
-        for (std::size_t k = 0; k < found.size(); ++k) {
-            found[k] = rollbem::richardson(coarse[k], found[k], scene.order());
-        }
-        return {found};
+/// Numbers of elements, states, or the order of the polynomial; 0 for the closed form, which has none.
+std::vector<std::ptrdiff_t> sizes_of(const study::Options& options, const NamedScheme& scheme) {
+    if (scheme.method == "closed-form") return {0};
+    if (scheme.method == "chebyshev" && !options.given("n")) {
+        return {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 20, 24, 32, 48};
     }
-    if (scene.degree > 0) {
-        if (traction) {
-            const auto solution = rollbem::solve_polynomial(Complex(0), nu, aspect, scene.degree);
-            return at_points(nu, [&](double x) { return solution.traction(x); });
+    std::vector<std::ptrdiff_t> sizes = options.integers("n", 1, largest_n);
+    std::erase_if(sizes, [&](long n) { return !exists(scheme, n); });
+    return sizes;
+}
+
+}  // namespace
+
+std::vector<Quantity> line_quantities(const study::Options& options) {
+    const auto complex = [](const Values& found, const Values& exact) { return std::abs(found[0] / exact[0] - 1.0); };
+    const auto largest_relative = [](const Values& found, const Values& exact) {
+        return largest(real(found) / real(exact) - 1);
+    };
+    // |difference| over |exact|
+    const auto vector = [](const Values& found, const Values& exact) {
+        double error = 0, size = 0;
+        for (std::size_t k = 0; k < exact.size(); ++k) {
+            error += std::norm(found[k] - exact[k]);
+            size += std::norm(exact[k]);
         }
-        if (!step) return {{polynomial_c11(scene.degree)}};
-        const auto transform = [&](std::complex<long double> s) {
-            return rollbem::polynomial_c11<long double>(s, nu, aspect, scene.degree).c11 / s;
-        };
-        return {after_step([&](double q) { return rollbem::reference::invert_laplace(transform, q); })};
+        return std::sqrt(error / size);
+    };
+    return {{"c11", Problem::steady, relative()},
+            {"traction", Problem::steady, vector},
+            {"c11_z0.1", Problem::harmonic, complex, 0.1},
+            {"c11_z1", Problem::harmonic, complex, 1},
+            {"response", Problem::harmonic, complex, options.number("omega", study::positive())},
+            {"transient", Problem::transient, largest_relative},
+            {"friction", Problem::friction, relative()},
+            {"combined_force", Problem::combined_friction, vector},
+            {"load_force", Problem::varying_load, largest_difference}};
+}
+
+Comparison compare_on_line(const study::Options& options) {
+    const std::vector<NamedScheme> schemes = chosen_schemes(options, false);
+    const std::vector<Quantity> quantities = chosen(options, line_quantities(options));
+    const auto given = make_contact(options, schemes, quantities);
+    const Contact<double> contact = given.first;
+    const LineModel model = given.second;
+    const Settings settings{options.number("dq", study::positive()),
+                            options.number("creepage-ratio", study::positive())};
+    Comparison result{columns(), quantities, {}, {}, {}};
+    for (const NamedScheme& scheme : schemes) {
+        for (const long n : sizes_of(options, scheme)) {
+            Task task{{.scheme = scheme.word(), .n = n > 0 ? std::optional(n) : std::nullopt}};
+            for (const Quantity& quantity : quantities) {
+                const bool wanted = options.given("n") || affordable(quantity.problem, n);
+                if (wanted && solves(scheme, quantity.problem)) task.quantities.push_back(quantity);
+            }
+            if (task.quantities.empty()) continue;
+            const Scene scene = study::make_scene(scheme, n, contact, model);
+            for (std::size_t k = first_setting; k < columns().size(); ++k) {
+                task.point.setting.push_back(scene_cell(scene, columns()[k]).text());
+            }
+            task.compute = [=](const Quantity& quantity) {
+                return evaluate(study::make_scene(scheme, n, contact, model), settings, quantity);
+            };
+            task.status = [=](const Found&) { return status_of(scene); };
+            task.stable = [=] { return stable(scene); };
+            result.tasks.push_back(std::move(task));
+        }
     }
-    // the closed form, against a second one where there are two
-    if (traction) return {{rollbem::carter_traction(0.5, nu)}, {rollbem::carter_traction(0.5, nu)}};
-    if (step) return {after_step([&](double q) { return rollbem::reference::step_response_de_hoog(q, nu, aspect); })};
-    if (quantity.problem == Problem::harmonic)
-        return {reference, {polynomial_c11(rollbem::default_polynomial_order(Complex(0, quantity.frequency)))}};
-    return {reference, reference};
+    options.require(!result.tasks.empty(), "n", "fit at least one of the schemes and quantities");
+    // by n, as given or increasing, and within it in the order of the schemes; what has no n comes last
+    const std::vector<std::ptrdiff_t> numbers = options.integers("n", 1, largest_n);
+    const auto place = [&](const Task& task) {
+        const std::optional<long> n = task.point.n;
+        if (!n) return std::numeric_limits<std::ptrdiff_t>::max();
+        return options.given("n") ? std::find(numbers.begin(), numbers.end(), *n) - numbers.begin() : *n;
+    };
+    std::stable_sort(result.tasks.begin(), result.tasks.end(),
+                     [&](const Task& one, const Task& other) { return place(one) < place(other); });
+    result.reference = [=](const Quantity& quantity) { return reference(contact, settings, quantity); };
+    result.model_error = [=](const Quantity& quantity) {
+        return model == LineModel::plane ? std::nullopt : std::optional(model_error(contact, settings, quantity));
+    };
+    return result;
 }
 
 }  // namespace precision

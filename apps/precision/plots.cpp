@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -15,26 +13,24 @@ namespace {
 
 constexpr double floor = 1e-14;  // smaller errors are round-off, or 0, which a logarithmic axis cannot show
 
-/// The schemes of all rows. The place of one among them is its colour, dashes and marker, the same in all panels.
-std::vector<std::string> all_schemes(const std::vector<study::Row>& rows) {
+/// The schemes of all points. The place of one among them is its colour, dashes and marker, the same in all panels.
+std::vector<std::string> all_schemes(const std::vector<Point>& points) {
     std::vector<std::string> names;
-    for (const study::Row& cells : rows) {
-        if (!study::contains(names, cells[0].text())) names.push_back(cells[0].text());
+    for (const Point& point : points) {
+        if (!study::contains(names, point.scheme)) names.push_back(point.scheme);
     }
     return names;
 }
 
 /// As many schemes as can be told apart, those on the front of a quantity first.
-std::vector<std::string> drawn_schemes(const std::vector<std::string>& schemes, const std::vector<Point>& points) {
-    std::vector<std::string> drawn;
-    for (const bool on_front : {true, false}) {
-        for (const std::string& scheme : schemes) {
-            const bool leads = std::any_of(points.begin(), points.end(), [&](const Point& point) {
-                return point.scheme == scheme && point.on_front.value_or(false);
-            });
-            if (leads == on_front && drawn.size() < study::most_curves) drawn.push_back(scheme);
-        }
-    }
+std::vector<std::string> drawn_schemes(const std::vector<Point>& points) {
+    std::vector<std::string> drawn = all_schemes(points);
+    std::stable_partition(drawn.begin(), drawn.end(), [&](const std::string& scheme) {
+        return std::any_of(points.begin(), points.end(), [&](const Point& point) {
+            return point.scheme == scheme && point.on_front.value_or(false);
+        });
+    });
+    drawn.resize(std::min(drawn.size(), study::most_curves));
     return drawn;
 }
 
@@ -48,36 +44,34 @@ std::string title_of(const Quantity& quantity) {
 
 /// A panel for one quantity: the error of every scheme over its time, and the front with the errors that put it there.
 /// Errors below the floor are drawn on it.
-study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, const std::vector<Point>& points) {
-    const std::string& quantity = shown.name;
+study::Plot panel(const Quantity& shown, const std::vector<Point>& points) {
     study::Plot plot{.title = title_of(shown),
                      .x_label = "time [microseconds]",
-                     .y_label = quantity == "patch_force" ? "largest error of F_x, F_y over μ N" : "|relative error|",
+                     .y_label = shown.name == "patch_force" ? "largest error of F_x, F_y over μ N" : "|relative error|",
                      .log_x = true,
                      .log_y = true};
     study::Series front{.label = "Pareto front", .markers = false, .reference = true};
+    const std::vector<std::string> schemes = all_schemes(points), drawn = drawn_schemes(points);
+    std::vector<study::Series> of_scheme(schemes.size());
     const std::vector<double> sustained = sustained_errors(points);
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (points[i].quantity != quantity || !points[i].on_front.value_or(false)) continue;
-        front.points.emplace_back(*points[i].time_us, sustained[i]);
+        const Point& point = points[i];
+        const bool is_reference = point.scheme == "closed-form" && point.relative_error == 0.0;
+        if (point.quantity != shown.name || !point.time_us) continue;
+        if (point.on_front.value_or(false)) front.points.emplace_back(*point.time_us, sustained[i]);
+        if (is_reference || !study::contains(drawn, point.scheme)) continue;
+        of_scheme[study::index_of(schemes, point.scheme)].points.emplace_back(
+            *point.time_us, std::abs(point.relative_error.value_or(nan)));
     }
     std::sort(front.points.begin(), front.points.end());
     front.markers = front.points.size() == 1;
     int left_out = 0;  // of the front: they serve for comparison
-    const std::vector<std::string> schemes = all_schemes(rows), drawn = drawn_schemes(schemes, points);
     for (std::size_t k = 0; k < schemes.size(); ++k) {
-        const std::string& scheme = schemes[k];
-        if (!study::contains(drawn, scheme)) continue;
-        study::Series series{.label = scheme, .style = k};
-        for (const study::Row& cells : rows) {
-            if (cells[0].text() != scheme || cells[2].text() != quantity) continue;
-            const std::optional<double> error = cells[3].number(), time = cells[4].number();
-            if (!time || (scheme == "closed-form" && error == 0.0)) continue;  // not timed, or the reference itself
-            series.points.emplace_back(*time, std::abs(error.value_or(nan)));
-        }
-        if (series.points.empty()) continue;
-        plot.series.push_back(std::move(series));
-        if (!is_discretisation(scheme)) front.label += (left_out++ == 0 ? " without " : ", ") + scheme;
+        if (of_scheme[k].points.empty()) continue;
+        of_scheme[k].label = schemes[k];
+        of_scheme[k].style = k;
+        plot.series.push_back(std::move(of_scheme[k]));
+        if (!is_discretisation(schemes[k])) front.label += (left_out++ == 0 ? " without " : ", ") + schemes[k];
     }
     if (!front.points.empty()) plot.series.push_back(std::move(front));
     study::raise_to_drawn(plot, floor);
@@ -86,33 +80,26 @@ study::Plot panel(const Quantity& shown, const std::vector<study::Row>& rows, co
 
 }  // namespace
 
-study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<study::Row>& rows,
-                     const std::vector<Point>& points) {
+study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<Point>& points) {
     constexpr std::size_t most = 3;
-    const auto has_points = [&](const Quantity& quantity) {
-        return std::any_of(rows.begin(), rows.end(), [&](const study::Row& cells) {
-            return cells[2].text() == quantity.name && cells[3].number() && cells[4].number();
+    std::vector<Quantity> shown = quantities;
+    std::erase_if(shown, [&](const Quantity& quantity) {
+        return std::none_of(points.begin(), points.end(), [&](const Point& point) {
+            return point.quantity == quantity.name && point.relative_error && point.time_us;
         });
-    };
-    const auto is_usual = [](const Quantity& quantity) {
-        return quantity.name == "c11" || quantity.name == "response" || quantity.name == "friction";
-    };
-    std::vector<Quantity> all, shown;
-    std::copy_if(quantities.begin(), quantities.end(), std::back_inserter(all), has_points);
-    if (all.empty()) all.push_back(quantities.front());
-    if (all.size() > most) std::copy_if(all.begin(), all.end(), std::back_inserter(shown), is_usual);
-    if (shown.empty()) shown.assign(all.begin(), all.begin() + std::ptrdiff_t(std::min(most, all.size())));
+    });
+    const auto unusual = [](const Quantity& q) { return !study::contains({"c11", "response", "friction"}, q.name); };
+    if (shown.size() > most && !std::all_of(shown.begin(), shown.end(), unusual)) std::erase_if(shown, unusual);
+    if (shown.size() > most) shown.erase(shown.begin() + most, shown.end());
+    if (shown.empty()) shown.push_back(quantities.front());
 
-    study::Plot plot = panel(shown.front(), rows, points);
-    if (shown.size() < quantities.size()) {
-        plot.title +=
-            " (" + std::to_string(shown.size()) + " of " + std::to_string(quantities.size()) + " quantities drawn)";
-    }
-    const std::size_t schemes = all_schemes(rows).size();
-    if (schemes > study::most_curves) {
-        plot.title += " (" + std::to_string(study::most_curves) + " of " + std::to_string(schemes) + " schemes drawn)";
-    }
-    for (std::size_t i = 1; i < shown.size(); ++i) plot.below.push_back(panel(shown[i], rows, points));
+    study::Plot plot = panel(shown.front(), points);
+    const auto note = [&](std::size_t part, std::size_t all, const char* of) {
+        if (part < all) plot.title += " (" + std::to_string(part) + " of " + std::to_string(all) + of;
+    };
+    note(shown.size(), quantities.size(), " quantities drawn)");
+    note(study::most_curves, all_schemes(points).size(), " schemes drawn)");
+    for (std::size_t i = 1; i < shown.size(); ++i) plot.below.push_back(panel(shown[i], points));
     return plot;
 }
 
