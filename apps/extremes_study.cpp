@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <vector>
 
 #include "extremes/cases.hpp"
 #include "support/csv.hpp"
@@ -53,19 +54,27 @@ std::string status(const Outcome& outcome) {
     return outcome.told.empty() ? "ok" : "not_converged";
 }
 
-extremes::Cases all_cases(bool large) {
+/// Random scenes where they are asked for, or all named cases.
+extremes::Cases cases_of(const study::Options& given) {
     extremes::Cases cases;
-    extremes::adhesion_cases(cases, large);
-    extremes::chebyshev_cases(cases, large);
+    for (const char* option : {"patches", "contacts"}) {
+        if (!given.given(option)) continue;
+        const auto count = static_cast<std::uint64_t>(given.integer(option, 1, 10'000'000));
+        const bool patches = option == std::string("patches");
+        for (std::uint64_t seed = 1; seed <= count; ++seed) {
+            cases.all.push_back(patches ? extremes::patch_scene(seed) : extremes::contact_scene(seed, seed % 99 == 0));
+        }
+        return cases;
+    }
+    extremes::adhesion_cases(cases, given.flag("large"));
     extremes::friction_cases(cases);
-    extremes::load_cases(cases);
     extremes::patch_cases(cases);
     // Newton's method alone does not solve these
-    for (const std::uint64_t seed : {5405, 7148, 24326, 24949}) cases.push_back(extremes::patch_scene(seed));
+    for (const std::uint64_t seed : {5405u, 7148u, 24326u, 24949u}) cases.all.push_back(extremes::patch_scene(seed));
     // a flank and a gauge corner in one run of depths, far apart along x
-    for (const std::uint64_t seed : {115512, 136686}) cases.push_back(extremes::contact_scene(seed, false));
+    for (const std::uint64_t seed : {115512u, 136686u}) cases.all.push_back(extremes::contact_scene(seed, false));
     // a tread that lies two millimetres above the rail when the flank touches
-    cases.push_back(extremes::contact_scene(17164, true));
+    cases.all.push_back(extremes::contact_scene(17164, true));
     return cases;
 }
 
@@ -91,38 +100,19 @@ void add_options(study::Options& options) {
 
 verdict is right if |relative_error| <= bound, told if a status or an exception says why there is no result
 (column told), and broken if the case does neither; the exit code is then 1, after all rows. status is ok, the
-library's name of what went wrong, or exception. References are closed forms, Bessel functions, the spectral
-solution of the strip, other solvers of the same elements, Chebyshev states, or the same discretisation in
-long double; there the bound is the rounding error times the condition of the problem, in the column condition.
+library's name of what went wrong, or exception. References are closed forms, other solutions of the same problem, or
+the same equations in long double; there the bound is the rounding error times their condition.
 With --patches: a/b from 0.05 to 20, nu = 0, 0.28 or 0.5, up to 12 elements in each of up to 10 strips, creepages over
-four decades (spin alone in every sixth), steps of 1e-3 to 10 a, creepages and loads that jump in half of the scenes; a
-varies in half of them, in half of these also a/b. The error is the largest violation of Coulomb's law and of the
-equations, set up anew from G, G' and du/dy (with sdirk2, whose stages are not seen from outside, of |p| <= mu p_n in
-its steps); value is the last -F_y over mu N. Steps that a mesh cannot follow must be refused.
-With --contacts: S1002 on UIC 60, and in every second scene one of ten pairs of profiles with hollows, bumps and waves,
-shifted by up to 12 mm, yaw to 30 mrad, roll to 5 mrad, under 10 kN to 1 MN, on 24 x 16 cells, or on 48 x 32 where the
-error would be above 1; every 99th is searched in slices, as if surfaces changed along the way. value is the least gap
-[m] of a brute-force search after the displacements of all patches; relative_error the largest of its size over 1 um (3
-if something was dropped) and 4 % of the deepest approach (10 % with doubtful_plane), of the error of the vertical load
-over 1e-6, and of the load dropped over 2e-3 of all. A status other than not_finite and not_converged is told.
+four decades, steps of 1e-3 to 10 a; creepages, loads, a and a/b vary in some. The error is the largest violation of
+Coulomb's law and of the equations, set up anew (in steps of sdirk2 of |p| <= mu p_n); value is the last -F_y over mu
+N. Steps that a mesh cannot follow must be refused.
+With --contacts: S1002 on UIC 60, and in every second scene one of ten pairs of rough profiles, shifted by up to 12 mm,
+yaw to 30 mrad, roll to 5 mrad, under 10 kN to 1 MN, on 24 x 16 cells, or on 48 x 32 where the error would be above 1;
+every 99th is searched in slices. value is the least gap [m] of a brute-force search after the displacements of all
+patches; relative_error the largest of its size over 1 um (3 if something was dropped) and 4 % of the deepest approach
+(10 % with doubtful_plane), of the error of the vertical load over 1e-6, and of the load dropped over 2e-3 of all. A
+status other than not_finite and not_converged is told.
 )");
-}
-
-/// Random scenes where they are asked for, or all cases.
-extremes::Cases asked_for(const study::Options& given) {
-    extremes::Cases cases;
-    const auto add_scenes = [&](const char* option, auto scene) {
-        const auto count = static_cast<std::uint64_t>(given.integer(option, 1, 10'000'000));
-        for (std::uint64_t seed = 1; seed <= count; ++seed) cases.push_back(scene(seed));
-    };
-    if (given.given("patches")) {
-        add_scenes("patches", extremes::patch_scene);
-    } else if (given.given("contacts")) {
-        add_scenes("contacts", [](std::uint64_t seed) { return extremes::contact_scene(seed, seed % 99 == 0); });
-    } else {
-        cases = all_cases(given.flag("large"));
-    }
-    return cases;
 }
 
 }  // namespace
@@ -134,10 +124,8 @@ int main(int argc, char** argv) {
     add_options(options);
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        // 2. The cases.
-        const extremes::Cases cases = asked_for(given);
-
-        // 3. One row each.
+        // 2. The cases, with one row each.
+        const std::vector<Case> cases = cases_of(given).all;
         std::atomic<bool> all_kept{true};
         study::Table table;
         table.columns = {"case",      "quantity", "value", "reference", "relative_error", "residual",
@@ -148,7 +136,7 @@ int main(int argc, char** argv) {
             const Outcome outcome = run(one);
             const std::string result = verdict(one, outcome);
             if (result == "broken") all_kept = false;
-            const study::Cell bound = one.says.empty() ? study::Cell(outcome.bound) : study::Cell();
+            const double bound = one.says.empty() ? outcome.bound : extremes::nothing;
             emit({one.name, one.quantity, outcome.value, outcome.reference, outcome.error, outcome.residual,
                   outcome.condition, result, bound, outcome.told, status(outcome)});
         };

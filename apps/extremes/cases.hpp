@@ -55,7 +55,13 @@ struct Case {
     std::function<Outcome()> run;
     std::string says{};
 };
-using Cases = std::vector<Case>;
+struct Cases {
+    std::vector<Case> all{};
+
+    void add(std::string name, std::string quantity, std::function<Outcome()> run, std::string says = "") {
+        all.push_back({std::move(name), std::move(quantity), std::move(run), std::move(says)});
+    }
+};
 
 /// Empty for ok.
 inline std::string told_by(rollbem::Status status) {
@@ -106,9 +112,7 @@ inline Outcome against_estimate(Outcome outcome, const rollbem::EstimatedC11<dou
 }
 
 void adhesion_cases(Cases& cases, bool large);
-void chebyshev_cases(Cases& cases, bool large);
 void friction_cases(Cases& cases);
-void load_cases(Cases& cases);
 void patch_cases(Cases& cases);
 
 /// A random patch with friction, steady and in the time domain.

@@ -59,13 +59,14 @@ void add_ellipses(Cases& cases) {
             for (std::size_t k = 0; k < 4; ++k) {
                 const Entry entry = std::array{c11, c22, c23, c33}[k];
                 const double reference = references[k], bound = bounds[k];
-                cases.push_back({kind + (" a/b = " + shown(a_over_b)) + ", nu = " + shown(nu),
-                                 entry.name + std::string(a_over_b < 1 ? " against a/b -> 0" : " against a/b -> inf"),
-                                 [=] {
-                                     const auto contact = PatchContact<double>::dimensionless(a_over_b, nu);
-                                     return coefficient(contact, n, m, entry, reference, bound);
-                                 },
-                                 says[k]});
+                cases.add(
+                    kind + (" a/b = " + shown(a_over_b)) + ", nu = " + shown(nu),
+                    entry.name + std::string(a_over_b < 1 ? " against a/b -> 0" : " against a/b -> inf"),
+                    [=] {
+                        const auto contact = PatchContact<double>::dimensionless(a_over_b, nu);
+                        return coefficient(contact, n, m, entry, reference, bound);
+                    },
+                    says[k]);
             }
         };
         for (const double a_over_b : {0.02, 1e-3, 1e-6}) {
@@ -82,22 +83,23 @@ void add_ellipses(Cases& cases) {
     }
     // n and m apart, against the limit of small elements
     for (const auto& [n, m] : {std::pair{24, 8}, {8, 24}, {30, 15}}) {
-        cases.push_back({"patch a/b = 1, nu = 0.25, " + std::to_string(n) + " x " + std::to_string(m),
-                         "c11 against its limit", [n = n, m = m] {
-                             return coefficient(PatchContact<double>::dimensionless(1, 0.25), n, m, c11, 4.111, 8e-3);
-                         }});
+        cases.add("patch a/b = 1, nu = 0.25, " + std::to_string(n) + " x " + std::to_string(m), "c11 against its limit",
+                  [n = n, m = m] {
+                      return coefficient(PatchContact<double>::dimensionless(1, 0.25), n, m, c11, 4.111, 8e-3);
+                  });
     }
     // the same in the limit of small elements
     for (const double a_over_b : {0.02, 1.0, 20.0}) {
-        cases.push_back({"patch a/b = " + shown(a_over_b) + ", nu = 0.28", "c32 against -c23", [=] {
-                             const auto contact = PatchContact<double>::dimensionless(a_over_b, steel);
-                             const double other = coefficient(contact, 24, 12, c23, 1, 0).value;
-                             return coefficient(contact, 24, 12, c32, -other, 3e-2);
-                         }});
+        cases.add("patch a/b = " + shown(a_over_b) + ", nu = 0.28", "c32 against -c23", [=] {
+            const auto contact = PatchContact<double>::dimensionless(a_over_b, steel);
+            const double other = coefficient(contact, 24, 12, c23, 1, 0).value;
+            return coefficient(contact, 24, 12, c32, -other, 3e-2);
+        });
     }
-    cases.push_back({"patch a/b = 9.99989e-321", "c11",
-                     [] { return coefficient(PatchContact<double>::dimensionless(1e-320, steel), 4, 4, c11, 1, 0); },
-                     "must be positive and finite"});
+    cases.add(
+        "patch a/b = 9.99989e-321", "c11",
+        [] { return coefficient(PatchContact<double>::dimensionless(1e-320, steel), 4, 4, c11, 1, 0); },
+        "must be positive and finite");
 }
 
 /// Rolling the other way leaves the force per creepage as it is (reciprocity): corners ahead, behind and beside.
@@ -105,17 +107,16 @@ void add_outlines(Cases& cases) {
     using Edges = std::vector<double>;
     const auto reversed = [&](const std::string& name, const Edges& y, const Edges& trailing, const Edges& leading,
                               double bound) {
-        cases.push_back(
-            {name, "c11 against the same rolling backwards", [=] {
-                 const auto array = [](const Edges& from) {
-                     return ArrayX<double>(Eigen::Map<const ArrayX<double>>(from.data(), Index(from.size())));
-                 };
-                 const auto outlined = [&](const ArrayX<double>& behind, const ArrayX<double>& ahead) {
-                     return PatchContact<double>(rollbem::Outline<double>(array(y), behind, ahead), 1, steel);
-                 };
-                 const Outcome other = coefficient(outlined(-array(leading), -array(trailing)), 16, 16, c11, 1, 0);
-                 return coefficient(outlined(array(trailing), array(leading)), 16, 16, c11, other.value, bound);
-             }});
+        cases.add(name, "c11 against the same rolling backwards", [=] {
+            const auto array = [](const Edges& from) {
+                return ArrayX<double>(Eigen::Map<const ArrayX<double>>(from.data(), Index(from.size())));
+            };
+            const auto outlined = [&](const ArrayX<double>& behind, const ArrayX<double>& ahead) {
+                return PatchContact<double>(rollbem::Outline<double>(array(y), behind, ahead), 1, steel);
+            };
+            const Outcome other = coefficient(outlined(-array(leading), -array(trailing)), 16, 16, c11, 1, 0);
+            return coefficient(outlined(array(trailing), array(leading)), 16, 16, c11, other.value, bound);
+        });
     };
     reversed("outline with a corner ahead", {-1, 0, 1}, {-1, -1, -1}, {-1, 1, -1}, 5e-4);
     reversed("outline with an end of finite length", {-1, 1}, {-1, -0.2}, {0.6, 0.3}, 1e-4);

@@ -11,6 +11,7 @@
 #include <rollbem/assembly/patch_shapes.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
+#include <rollbem/rolling/run.hpp>
 
 #include "cases.hpp"
 #include "drawn.hpp"
@@ -27,7 +28,7 @@ using State = rollbem::FrictionState<2>;
 constexpr int steps = 4;
 
 /// mu N = 1, and so are the contact's a and G.
-struct Scene {
+struct PatchScene {
     double a_over_b, nu;
     int n, strips;
     bool cosine;
@@ -42,7 +43,7 @@ struct Scene {
     bool varies, reshapes;              ///< the size; and the shape
     double half_length, narrowing = 1;  ///< in the beginning: a; a/b over that of the contact
 
-    explicit Scene(std::uint64_t seed) {
+    explicit PatchScene(std::uint64_t seed) {
         drawn::Draw draw(seed);
         a_over_b = draw.logarithmic(0.05, 20);
         nu = std::array{0.0, steel, 0.5}[static_cast<std::size_t>(draw.integer(0, 2))];
@@ -89,9 +90,9 @@ struct Scene {
 double size(const VectorXd& vector) { return vector.cwiseAbs().maxCoeff(); }
 
 /// A scene's contact, and the equations of its present ellipse, set up anew.
-class Run {
+class RollingPatch {
 public:
-    explicit Run(const Scene& scene)
+    explicit RollingPatch(const PatchScene& scene)
         : scene_(scene),
           contact_(rollbem::PatchContact<double>::dimensionless(scene.a_over_b, scene.nu)),
           mesh_(rollbem::patch_mesh(contact_, rollbem::cosine_mesh(scene.n), across())),
@@ -102,21 +103,18 @@ public:
                  scene.euler ? rollbem::Integrator::implicit_euler : rollbem::Integrator::sdirk2),
           axes_{scene.half_length, scene.half_length / scene.narrowing * contact_.half_width()},
           whole_(equations_at(axes_)),
-          workspace_(model_.workspace()),
-          now_(model_.at_rest()),
-          next_(now_) {}
+          run_(model_) {}
 
     /// Steady rolling from rest, then steps in the time domain; the error is the largest violation of the law, of the
     /// equations by the slip that the library gives, and of the forces' sum.
     Outcome operator()() {
         const auto first = load_of(1, axes_);
-        const auto steady = model_.steady(now_, {.motion = scene_.creepage, .load = first}, next_, workspace_);
-        const VectorXd w = rigid(scene_.creepage), u_prime = whole_.G_prime() * stacked(next_);
+        const auto steady = run_.try_steady({.motion = scene_.creepage, .load = first});
+        const VectorXd w = rigid(scene_.creepage), u_prime = whole_.G_prime() * stacked(run_.next());
         check(steady, first.normal_pressure, w - u_prime, size(w) + size(u_prime));
-        for (const Scene::Later& later : scene_.later) {
-            if (!outcome_.told.empty()) break;
-            std::swap(now_, next_);
-            step(later);
+        run_.accept();
+        for (const PatchScene::Later& later : scene_.later) {
+            if (outcome_.told.empty() && step(later)) run_.accept();
         }
         return outcome_;
     }
@@ -181,47 +179,51 @@ private:
     void check(const rollbem::FrictionStep<2>& step, const VectorXd& bound, const VectorXd& slip, double terms) {
         outcome_.told = told_by(step.status);
         outcome_.residual = std::max(outcome_.residual, step.complementarity_residual);
-        const VectorXd sum = whole_.outputs().transpose() * stacked(next_);
+        const State& next = run_.next();
+        const VectorXd sum = whole_.outputs().transpose() * stacked(next);
         double error = std::max({std::abs(step.force.longitudinal - sum[0]), std::abs(step.force.lateral - sum[1]),
                                  std::abs(step.force.moment - sum[2])});
         if (slip.size() > 0) {
             const MatrixXd own = Eigen::Map<const MatrixXd>(slip.data(), mesh_.size(), 2);
-            const auto law = drawn::violation(next_.traction, own, bound, next_.zones, true);
+            const auto law = drawn::violation(next.traction, own, bound, next.zones, true);
             error = std::max({error, law.bound / std::max(bound.maxCoeff(), 1e-300), law.stick / terms,
-                              law.direction / terms, (own - workspace_.slip()).cwiseAbs().maxCoeff() / terms});
+                              law.direction / terms, (own - run_.workspace().slip()).cwiseAbs().maxCoeff() / terms});
         } else {
-            error = std::max(error, (next_.traction.rowwise().norm() - bound).maxCoeff() / bound.maxCoeff());
+            error = std::max(error, (next.traction.rowwise().norm() - bound).maxCoeff() / bound.maxCoeff());
         }
         outcome_.error = std::max(outcome_.error, error);
         outcome_.value = -step.force.lateral;
     }
 
-    void step(const Scene::Later& later) {
+    /// Whether the mesh could follow.
+    bool step(const PatchScene::Later& later) {
         const double a = axes_.half_length, da = std::min(later.dq, a / 2) * later.growth;
         const Axes ended{a + da, axes_.half_width * ((a + da) / a) / later.narrowing};
         const auto load = load_of(later.load, ended);
-        const auto step = model_.advance(now_, {later.dq, later.creepage, load}, next_, workspace_);
+        const auto step = run_.try_advance({later.dq, later.creepage, load});
         const bool covered = !system_.shapes() || system_.shapes()->covers(ended.half_length / ended.half_width);
-        if (!covered || std::abs(da) >= later.dq) {  // the mesh cannot follow
+        if (!covered || std::abs(da) >= later.dq) {
             if (step.status != rollbem::Status::needs_fixed_mesh) outcome_.told = "not refused";
-            return std::swap(now_, next_);
+            return false;
         }
-        const VectorXd before = whole_.G() * stacked(now_);
+        const VectorXd before = whole_.G() * stacked(run_.now());
         const double db = ended.half_width - axes_.half_width;
         axes_ = ended;
         whole_ = equations_at(axes_);
-        if (later.load == 0 && step.status == rollbem::Status::ok && next_.traction.isZero(0)) return;
-        if (!scene_.euler) return check(step, load.normal_pressure, {}, 1);
-        const VectorXd p = stacked(next_), rolled = later.dq * rigid(later.creepage), change = whole_.G() * p - before;
+        if (later.load == 0 && step.status == rollbem::Status::ok && run_.next().traction.isZero(0)) return true;
+        const VectorXd p = stacked(run_.next()), rolled = later.dq * rigid(later.creepage),
+                       change = whole_.G() * p - before;
         const VectorXd travelled =
             (later.dq + da * system_.elements().x.replicate(2, 1)) * (whole_.G_prime() * p).array();
         const VectorXd slope = travelled + db * stretched(p);
-        check(step, load.normal_pressure, rolled - slope + change, size(rolled) + size(slope) + size(change));
+        const VectorXd slip = scene_.euler ? VectorXd(rolled - slope + change) : VectorXd();
+        check(step, load.normal_pressure, slip, size(rolled) + size(slope) + size(change));
+        return true;
     }
 
     using Model = rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2>;
 
-    const Scene& scene_;
+    const PatchScene& scene_;
     rollbem::PatchContact<double> contact_;
     rollbem::PatchMesh<double> mesh_;
     std::optional<rollbem::PatchShapes<double>> shapes_;
@@ -230,17 +232,16 @@ private:
     Model model_;
     Axes axes_;
     rollbem::RollingSystem<double> whole_;
-    Model::Workspace workspace_;
-    State now_, next_;
+    rollbem::Run<Model> run_;
     Outcome outcome_{.reference = 0, .error = 0, .residual = 0, .bound = 1e-9};
 };
 
 }  // namespace
 
 Case patch_scene(std::uint64_t seed) {
-    return {Scene(seed).name(seed), "violation of the law of friction", [=] {
-                const Scene scene(seed);
-                return Run(scene)();
+    return {PatchScene(seed).name(seed), "violation of the law of friction", [=] {
+                const PatchScene scene(seed);
+                return RollingPatch(scene)();
             }};
 }
 
