@@ -21,10 +21,6 @@
 
 #include "build_info.hpp"
 #include "paper/claims.hpp"
-#include "paper/figures.hpp"
-#include "paper/page.hpp"
-#include "paper/results.hpp"
-#include "support/csv.hpp"
 #include "support/options.hpp"
 #include "support/output.hpp"
 #include "support/plot.hpp"
@@ -48,15 +44,13 @@ void in_parallel(const std::string& what, std::size_t count, const Settings& set
 }
 
 paper::Results compute_figures(const Settings& settings) {
-    paper::Results results(paper::panels());
-    std::vector<std::pair<paper::PanelResult*, std::size_t>> curves;
-    for (paper::PanelResult& result : results.panels()) {
-        for (std::size_t k = 0; k < result.curves.size(); ++k) curves.emplace_back(&result, k);
+    paper::Results results{paper::panels()};
+    std::vector<std::pair<const paper::Panel*, paper::Curve*>> curves;
+    for (paper::Panel& panel : results.panels) {
+        for (paper::Curve& curve : panel.curves) curves.emplace_back(&panel, &curve);
     }
-    in_parallel("curves", curves.size(), settings, [&](std::size_t task) {
-        const auto& [result, k] = curves[task];
-        result->curves[k] = paper::compute(result->panel, result->panel.curves[k]);
-    });
+    in_parallel("curves", curves.size(), settings,
+                [&](std::size_t k) { paper::compute(*curves[k].first, *curves[k].second); });
     return results;
 }
 
@@ -90,15 +84,6 @@ paper::Claims judge_claims(const Settings& settings, const paper::Results& resul
     return all;
 }
 
-std::string csv_of(const paper::PanelResult& result) {
-    const std::vector<std::string> columns = paper::columns(result.panel.quantity);
-    std::string text = study::csv_line({columns.begin(), columns.end()});
-    for (const paper::CurveResult& curve : result.curves) {
-        for (const study::Row& row : curve.rows) text += study::csv_line(row);
-    }
-    return text;
-}
-
 int run(const Settings& settings) {
     // 1. The folder, and two of the files, so that a folder that cannot be written to costs no computing time.
     study::OutputFiles files;
@@ -114,14 +99,14 @@ int run(const Settings& settings) {
     // 3. Each panel as CSV and SVG. Without gnuplot there is no SVG.
     std::set<std::string> drawn;
     std::string note;
-    for (const paper::PanelResult& result : results.panels()) {
-        const std::string name = "fig" + result.panel.figure;
-        files.add(path_of(name + ".csv"), "DIR", csv_of(result));
+    for (const paper::Panel& panel : results.panels) {
+        const std::string name = "fig" + panel.figure;
+        files.add(path_of(name + ".csv"), "DIR", paper::csv_of(panel));
         if (!note.empty()) continue;
         try {
-            const std::string drawing = study::picture(paper::plot(result), false, path_of(name + ".svg"));
+            const std::string drawing = study::picture(paper::plot(panel), false, path_of(name + ".svg"));
             files.add(path_of(name + ".svg"), "DIR", drawing);
-            drawn.insert(result.panel.figure);
+            drawn.insert(panel.figure);
         } catch (const study::PlotError&) {
             note = "No plots: gnuplot is missing or failed. The data of every panel are there as CSV.";
             drawn.clear();
@@ -130,25 +115,21 @@ int run(const Settings& settings) {
     if (!note.empty()) std::fprintf(stderr, "reproduce_paper: %s\n", note.c_str());
 
     // 4. The claims and the page.
-    std::string rows = study::csv_line(paper::claim_columns);
     bool as_expected = true;
     for (const paper::Claim& claim : claims) {
-        rows += study::csv_line(paper::claim_row(claim));
         if (claim.as_expected()) continue;
         as_expected = false;
         std::fprintf(stderr, "reproduce_paper: Fig. %s: %s: %s; measured: %s\n", claim.figure.c_str(),
                      claim.claim.c_str(), paper::reason(claim).c_str(), claim.finding.measured.c_str());
     }
-    claims_file.write(rows);
+    claims_file.write(paper::csv_of(claims));
     page_file.write(paper::page(results, claims, drawn, note));
 
     // 5. The files take their names when all of them are on the disk. No drawing of an earlier run remains.
     files.commit();
-    for (const paper::PanelResult& result : results.panels()) {
+    for (const paper::Panel& panel : results.panels) {
         std::error_code error;
-        if (drawn.count(result.panel.figure) == 0) {
-            std::filesystem::remove(path_of("fig" + result.panel.figure + ".svg"), error);
-        }
+        if (drawn.count(panel.figure) == 0) std::filesystem::remove(path_of("fig" + panel.figure + ".svg"), error);
     }
     study::OutputFile summary = study::OutputFile::standard_output();
     summary.write(paper::summary(claims) + ". See " + path_of("index.html") + "\n");

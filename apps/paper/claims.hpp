@@ -8,14 +8,12 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <vector>
 
-#include "evaluate.hpp"
 #include "figures.hpp"
-#include "measures.hpp"
-#include "results.hpp"
 
 namespace paper {
 
@@ -53,6 +51,22 @@ Claims stability_of_collocation(const Results& r);  ///< Figs. 18 and 19
 Claims stability_of_galerkin(const Results& r);     ///< Fig. 20
 Claims split_points(const Results& r);              ///< Fig. 21
 Claims claims_on_frequency(const Results& r);       ///< Fig. 22, Eqs. (24) to (26), and the last conclusion
+
+// --- what is shown of them (page.cpp)
+
+/// "60 statements of the paper: 53 hold, 7 do not hold as printed; 10 additions: all hold; 0 differ from what is
+/// expected"
+std::string summary(const Claims& claims);
+
+/// The remark, or a note that the finding differs from what is expected.
+std::string reason(const Claim& claim);
+
+/// claims.csv.
+std::string csv_of(const Claims& claims);
+
+/// index.html. `drawn` are the panels that have an SVG file beside it; `note` is shown at the top if there is one.
+std::string page(const Results& results, const Claims& claims, const std::set<std::string>& drawn,
+                 const std::string& note);
 
 // --- texts
 
@@ -149,7 +163,7 @@ inline constexpr double equal_errors = 1e-4;
 /// these say nothing on it.
 inline constexpr double near_optimum = 0.02;
 
-inline double ratio_at(Case c, Vary vary, double x) { return c11_ratio(at({"", c, vary}, x)); }
+inline double ratio_at(const Case& c, Vary vary, double x) { return c11_ratio(at(c, vary, x)); }
 
 /// The x between the ends of `search` at which c11 is nearest to its exact value.
 inline double optimum_of(Case c, Eigen::Index n, Vary vary, Range search) {

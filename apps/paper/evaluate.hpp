@@ -1,5 +1,4 @@
 // The library calls behind the figures and claims of the paper: one case of a discretised contact in, numbers out.
-// Their definitions are in evaluate.cpp, because the eigenvalue headers compile slowly.
 #pragma once
 
 #include <complex>
@@ -9,11 +8,11 @@
 #include <Eigen/Core>
 
 #include <rollbem/assembly/rolling_system.hpp>
-#include <rollbem/discretisation/mesh.hpp>
-#include <rollbem/discretisation/scheme.hpp>
-#include <rollbem/elasticity/strip_kernel.hpp>
 #include <rollbem/status.hpp>
 #include <rollbem/system/response.hpp>
+
+#include "support/named_scheme.hpp"
+#include "support/scenes.hpp"
 
 namespace paper {
 
@@ -21,29 +20,22 @@ namespace paper {
 inline constexpr double poisson_ratio = 0.28;
 inline constexpr double aspect = 1000;  ///< b/a [-]
 
-enum class Method { collocation, galerkin_7, galerkin_exact };  ///< Galerkin with 7 Gauss points or in closed form
-using rollbem::Derivative;
-using rollbem::Topology;
+inline constexpr const char* recommended = "uniform:collocation:0/0.63";  ///< the paper's scheme
+inline const std::string half_alphas = "uniform:collocation:0.5/0.5", unit_alphas = "uniform:collocation:1/1";
+inline constexpr const char* seven_points = "uniform:galerkin:0/0.63:q7";
+inline constexpr const char* exact_galerkin = "uniform:galerkin:0/0.63";
 
-/// One discretisation. Defaults: the paper's recommended scheme at n = 40.
-struct Case {
-    Eigen::Index n = 40;
-    Method method = Method::collocation;
-    Derivative derivative = Derivative::finite_difference;
-    double alpha_L = 0, alpha_T = 0.63, lambda = 1;
-    Topology mesh = Topology::uniform;
-    double grading = 1;  ///< geometric: dx_trailing/dx_leading; knothe, modified_knothe: epsilon [-]
+/// One discretisation: a scheme with n elements.
+struct Case : study::NamedScheme {
+    Eigen::Index n;
+
+    Case(const std::string& word = recommended, Eigen::Index elements = 40)
+        : NamedScheme(study::scheme_named(word)), n(elements) {}
 };
 
-inline constexpr Derivative analytic = Derivative::analytic;
-inline constexpr Case exact_galerkin{.method = Method::galerkin_exact, .derivative = analytic};
-
-/// The kernel of all cases, and the matrices of one.
-rollbem::StripKernel<double> strip();
+/// The case on a strip, as all are but where another kernel is named, and its matrices.
+study::Scene scene_of(const Case& c, rollbem::LineModel model = rollbem::LineModel::strip);
 rollbem::ElementSystem<double> system_of(const Case& c);
-
-std::string name(Method method);
-std::string name(Derivative derivative);
 
 /// Displacement [a p/G] and its derivative [p/G] due to one element of width 2a/40 under traction p, at x from its
 /// centre in widths of the element; not at its edges, where the derivative is infinite.

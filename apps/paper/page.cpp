@@ -1,5 +1,3 @@
-#include "page.hpp"
-
 #include <algorithm>
 #include <cctype>
 #include <functional>
@@ -9,6 +7,7 @@
 #include <utility>
 
 #include "build_info.hpp"
+#include "claims.hpp"
 
 namespace paper {
 
@@ -137,10 +136,14 @@ std::string summary(const Claims& claims) {
         count(claims, [](const Claim& claim) { return !claim.as_expected(); }));
 }
 
-study::Row claim_row(const Claim& claim) {
+std::string csv_of(const Claims& claims) {
     const auto word = [](bool yes) { return yes ? "yes" : "no"; };
-    return {claim.claim,        claim.figure,         claim.quote,   claim.finding.measured,
-            word(holds(claim)), word(claim.expected), reason(claim), claim.is_addition() ? "addition" : "statement"};
+    std::string text = "claim,figure,paper,measured,holds,expected,reason,kind\n";
+    for (const Claim& claim : claims) {
+        text += study::csv_line({claim.claim, claim.figure, claim.quote, claim.finding.measured, word(holds(claim)),
+                                 word(claim.expected), reason(claim), claim.is_addition() ? "addition" : "statement"});
+    }
+    return text;
 }
 
 std::string page(const Results& results, const Claims& claims, const std::set<std::string>& drawn,
@@ -153,8 +156,7 @@ std::string page(const Results& results, const Claims& claims, const std::set<st
     add(body, "not-as-printed", "Statements that do not hold as printed", fails);
     add(body, "additions", "Our additions", std::mem_fn(&Claim::is_addition));
     std::map<int, std::string> panels, titles;
-    for (const PanelResult& result : results.panels()) {
-        const Panel& panel = result.panel;
+    for (const Panel& panel : results.panels) {
         const int number = std::stoi(panel.figure);
         titles.try_emplace(number, say("Fig. {}: ", number) + html(panel.title));
         panels[number] += "<figure id=\"panel" + panel.figure + "\">\n";

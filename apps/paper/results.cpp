@@ -1,33 +1,98 @@
-// The panels computed; all numbers come from evaluate.hpp.
-#include "results.hpp"
-
+// The library calls behind the figures and claims of the paper, and the panels computed by them.
 #include <algorithm>
-#include <cctype>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
+#include <regex>
+#include <stdexcept>
 #include <utility>
 
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/adhesion.hpp>
+#include <rollbem/compiled/stability.hpp>
+#include <rollbem/compiled/steady.hpp>
 #include <rollbem/compiled/studies.hpp>
 #include <rollbem/reference/bessel.hpp>
 
-#include "evaluate.hpp"
+#include "figures.hpp"
 
 namespace paper {
 
-std::string with_greek(std::string text) {
-    const auto is_letter = [&](std::size_t i) {
-        return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0;
+study::Scene scene_of(const Case& c, rollbem::LineModel model) {
+    return study::make_scene(c, c.n, rollbem::Contact<double>::dimensionless(aspect, poisson_ratio), model);
+}
+
+rollbem::ElementSystem<double> system_of(const Case& c) {
+    const study::Scene scene = scene_of(c);
+    return rollbem::rolling_system(*scene.mesh, scene.scheme, scene.kernel);
+}
+
+ElementField element_field(double x_over_width) {
+    const double width = 2.0 / 40, ahead = width * (x_over_width + 0.5), behind = width * (x_over_width - 0.5);
+    const double c1 = 1 - poisson_ratio, c2 = poisson_ratio, b = aspect, scale = 2 / std::numbers::pi;
+    const auto g = [&](double x) { return scale * (c1 * std::asinh(b / std::abs(x)) + c2 * b / std::hypot(x, b)); };
+    const auto integral = [&](double x) {
+        return x == 0 ? 0 : scale * (c1 * x * std::asinh(b / std::abs(x)) + (c1 + c2) * b * std::asinh(x / b));
     };
+    return {integral(ahead) - integral(behind), g(ahead) - g(behind)};
+}
+
+// Whether the equations are solved. The paper shows schemes that do not converge to full adhesion, too, such as all
+// with alpha_T = 0: their trailing traction has the wrong sign, but their force may be close.
+static bool is_solved(rollbem::Status status) {
+    return status == rollbem::Status::ok || status == rollbem::Status::assists_creepage;
+}
+
+rollbem::Response<double> steady(const Case& c) {
+    const study::Scene scene = scene_of(c);
+    return rollbem::solve_steady(*scene.mesh, scene.scheme, scene.kernel);
+}
+
+double c11_ratio(const Case& c) {
+    const rollbem::Response<double> solution = steady(c);
+    return is_solved(solution.status) ? solution.c11() / rollbem::steady_c11(poisson_ratio)
+                                      : std::numeric_limits<double>::quiet_NaN();
+}
+
+Tractions tractions(const Case& c) {
+    const rollbem::Mesh<double> mesh = *scene_of(c).mesh;
+    const rollbem::Response<double> solution = steady(c);
+    Tractions result{mesh.centres(), solution.unknowns.col(0), Eigen::ArrayXd(c.n),
+                     rollbem::carter_mean_tractions(mesh, poisson_ratio), solution.status};
+    if (!is_solved(solution.status)) result.value.setConstant(std::numeric_limits<double>::quiet_NaN());
+    for (Eigen::Index i = 0; i < c.n; ++i) {
+        result.carter[i] = rollbem::carter_traction(
+            rollbem::EdgeDistances<double>{mesh.from_trailing()[i], mesh.from_leading()[i]}, poisson_ratio);
+    }
+    return result;
+}
+
+Eigen::Index unstable_count(const Case& c) {
+    const rollbem::ElementSystem<double> system = system_of(c);
+    const rollbem::UnstableCount<double> fast = rollbem::count_unstable<double>(system);
+    if (fast.status == rollbem::Status::ok) return fast.unstable_count;
+    const rollbem::StabilityResult<double> slow = rollbem::solve_stability<double>(system);
+    if (slow.status != rollbem::Status::ok) throw std::runtime_error("the eigenvalues of Eq. (33) were not found");
+    return slow.unstable_count;
+}
+
+std::vector<HarmonicResponse> harmonic_responses(const Case& c, const std::vector<double>& z) {
+    const rollbem::FrequencySweep<double> sweep(system_of(c));
+    std::vector<HarmonicResponse> result;
+    for (const double frequency : z) {
+        const rollbem::Response<std::complex<double>> point = sweep(frequency);
+        const double nothing = std::numeric_limits<double>::quiet_NaN();
+        result.push_back({is_solved(point.status) ? point.c11() : std::complex(nothing, nothing), point.status});
+    }
+    return result;
+}
+
+std::string with_greek(std::string text) {
     for (const auto& [word, letter] :
          {std::pair{"alpha", "α"}, {"epsilon", "ε"}, {"lambda", "λ"}, {"omega", "ω"}, {"xi", "ξ"}}) {
-        const std::size_t size = std::string(word).size();
-        for (std::size_t i = text.find(word); i != std::string::npos; i = text.find(word, i + 1)) {
-            const bool plural = i + size < text.size() && text[i + size] == 's' && !is_letter(i + size + 1);
-            const bool apart = (i == 0 || !is_letter(i - 1)) && (plural || !is_letter(i + size));
-            if (apart) text.replace(i, size, letter);
-        }
+        const std::regex apart("(^|[^A-Za-z])" + std::string(word) + "(?=s?([^A-Za-z]|$))");  // also in the plural
+        text = std::regex_replace(text, apart, std::string("$1") + letter);
     }
     return text;
 }
@@ -38,135 +103,122 @@ std::complex<double> polynomial_c11(double z, Eigen::Index order) {
 
 namespace {
 
-/// A row of `result`: the curve, its case and the values computed.
-void add_row(CurveResult& result, const Curve& curve, const Case& c, const study::Row& values) {
-    const bool graded = !rollbem::topology_info(c.mesh).grading.empty();
-    const study::Cell grading = graded ? study::Cell(c.grading) : study::Cell("");
-    result.rows.push_back(study::joined<study::Cell>(
-        {curve.label, name(c.method), name(c.derivative), name(c.mesh), grading, c.n, c.alpha_L, c.alpha_T, c.lambda},
-        values));
-}
+/// A row of a panel's CSV file behind the cells of its case, and the points that it adds to each series.
+struct Sample {
+    Case at;
+    study::Row cells;
+    std::vector<std::pair<double, double>> points;
+};
+using Samples = std::vector<Sample>;
 
-CurveResult line(const Panel& panel, const Curve& curve) {
-    return {{}, {{.label = with_greek(curve.label), .markers = panel.axes.markers}}};
-}
-
-CurveResult compute_field(const Panel& panel, const Curve& curve) {
-    CurveResult result = line(panel, curve);
+Samples element_samples(const Panel& panel, const Curve&) {
+    Samples samples;
     for (double x : panel.grid) {
         const bool displacement = panel.quantity == Quantity::displacement;
         if (!displacement && std::abs(std::abs(x) - 0.5) < 1e-9) x += x > 0 ? -1e-9 : 1e-9;
         const ElementField field = element_field(x);
         const double value = displacement ? field.displacement : field.slope;
-        result.rows.push_back({x, value});
-        result.series[0].points.emplace_back(x, value);
+        samples.push_back({{}, {x, value}, {{x, value}}});
     }
-    return result;
+    return samples;
 }
 
-CurveResult compute_ratio(const Panel& panel, const Curve& curve) {
-    CurveResult result = line(panel, curve);
+Samples ratio_samples(const Panel& panel, const Curve& curve) {
+    Samples samples;
     for (const double x : panel.grid) {
-        const Case c = at(curve, x);
+        const Case c = at(curve.at, curve.vary, x);
         const rollbem::Response<double> solution = steady(c);
         const double ratio = solution.c11() / rollbem::steady_c11(poisson_ratio);
-        add_row(result, curve, c, {ratio, ratio - 1, rollbem::name(solution.status)});
-        result.series[0].points.emplace_back(x, ratio);
+        samples.push_back({c, {ratio, ratio - 1, rollbem::name(solution.status)}, {{x, ratio}}});
     }
-    return result;
+    return samples;
 }
 
-CurveResult compute_stability(const Panel& panel, const Curve& curve) {
-    CurveResult result = line(panel, curve);
+Samples stability_samples(const Panel& panel, const Curve& curve) {
+    Samples samples;
     for (const double x : panel.grid) {
-        const Case c = at(curve, x);
+        const Case c = at(curve.at, curve.vary, x);
         const Eigen::Index count = unstable_count(c);
         const double share = static_cast<double>(count) / static_cast<double>(c.n);
         // stable eigenvalues do not make a scheme converge to full adhesion
         const bool converges = steady(c).status != rollbem::Status::assists_creepage;
         const auto status = converges ? rollbem::Status::ok : rollbem::Status::assists_creepage;
-        add_row(result, curve, c, {count, share, rollbem::name(status)});
-        result.series[0].points.emplace_back(x, share);
+        samples.push_back({c, {count, share, rollbem::name(status)}, {{x, share}}});
     }
-    return result;
+    return samples;
 }
 
-CurveResult compute_traction(const Panel& panel, const Curve& curve) {
-    CurveResult result = line(panel, curve);
-    const Tractions traction = tractions(curve.at);
-    for (Eigen::Index i = 0; i < traction.x.size(); ++i) {
-        add_row(result, curve, curve.at,
-                {traction.x[i], traction.value[i], traction.carter[i], traction.carter_mean[i],
-                 rollbem::name(traction.status)});
-        result.series[0].points.emplace_back(traction.x[i], traction.value[i]);
+Samples traction_samples(const Panel&, const Curve& curve) {
+    const Tractions t = tractions(curve.at);
+    Samples samples;
+    for (Eigen::Index i = 0; i < t.x.size(); ++i) {
+        samples.push_back({curve.at,
+                           {t.x[i], t.value[i], t.carter[i], t.carter_mean[i], rollbem::name(t.status)},
+                           {{t.x[i], t.value[i]}}});
     }
-    return result;
+    return samples;
 }
 
-/// Adds c11 at z to its curve in the complex plane, or to those of real and imaginary part over frequency.
-void add_response(std::vector<study::Series>& series, double z, const std::complex<double>& c11) {
-    if (series.size() == 1) {
-        series[0].points.emplace_back(c11.real(), c11.imag());
-    } else {
-        series[0].points.emplace_back(z, c11.real());
-        series[1].points.emplace_back(z, c11.imag());
-    }
+/// The place of c11 at z in the complex plane, or those of real and imaginary part over frequency.
+Points places(Quantity quantity, double z, const std::complex<double>& c11) {
+    if (quantity == Quantity::argand) return {{c11.real(), c11.imag()}};
+    return {{z, c11.real()}, {z, c11.imag()}};
 }
 
-/// Those curves, empty.
-std::vector<study::Series> response_series(Quantity quantity, const std::string& label, const study::Series& form) {
-    std::vector<study::Series> series(quantity == Quantity::argand ? 1 : 2, form);
-    series[0].label = quantity == Quantity::argand ? label : "Re, " + label;
-    if (series.size() > 1) series[1].label = "Im, " + label;
-    return series;
-}
-
-CurveResult compute_response(const Panel& panel, const Curve& curve) {
-    // open markers, since the points of all n nearly coincide
-    CurveResult result{
-        {}, response_series(panel.quantity, curve.label, {.label = {}, .markers = true, .line = false, .open = true})};
+Samples response_samples(const Panel& panel, const Curve& curve) {
     const std::vector<HarmonicResponse> responses = harmonic_responses(curve.at, panel.grid);
+    Samples samples;
     for (std::size_t i = 0; i < responses.size(); ++i) {
         const double z = panel.grid[i];
         const std::complex<double> c11 = responses[i].c11, polynomial = polynomial_c11(z);
         const std::complex<double> exact = rollbem::reference::plane_c11({0, z}, poisson_ratio, aspect);
-        add_row(result, curve, curve.at,
-                {z, c11.real(), c11.imag(), polynomial.real(), polynomial.imag(), exact.real(), exact.imag(),
-                 std::abs(c11 - exact) / std::abs(exact), rollbem::name(responses[i].status)});
-        add_response(result.series, z, c11);
+        samples.push_back({curve.at,
+                           {z, c11.real(), c11.imag(), polynomial.real(), polynomial.imag(), exact.real(), exact.imag(),
+                            std::abs(c11 - exact) / std::abs(exact), rollbem::name(responses[i].status)},
+                           places(panel.quantity, z, c11)});
     }
-    return result;
+    return samples;
 }
 
 /// What a panel shows: the label of its axis, its columns behind those of the case, and how a curve is computed.
 struct Kind {
-    std::string y_label;
-    std::vector<std::string> columns;
-    CurveResult (*compute)(const Panel&, const Curve&);
+    std::string y_label, columns;
+    Samples (*compute)(const Panel&, const Curve&);
     bool has_case = true;
 };
 
 const Kind& kind_of(Quantity quantity) {
-    static const std::vector<std::string> response{"omega",         "c11_re",         "c11_im",
-                                                   "polynomial_re", "polynomial_im",  "exact_re",
-                                                   "exact_im",      "relative_error", "status"};
+    static const std::string response =
+        "omega,c11_re,c11_im,polynomial_re,polynomial_im,exact_re,exact_im,relative_error,status";
     static const std::map<Quantity, Kind> kinds{
-        {Quantity::displacement, {"u G / (p a)", {"x_over_width", "displacement"}, compute_field, false}},
-        {Quantity::slope, {"(du/dx) G / p", {"x_over_width", "slope"}, compute_field, false}},
-        {Quantity::c11_ratio, {"c_{11}^* / c_{11}", {"c11_ratio", "relative_error", "status"}, compute_ratio}},
-        {Quantity::traction,
-         {"p / (G ξ)", {"x_over_a", "traction", "carter", "carter_mean", "status"}, compute_traction}},
+        {Quantity::displacement, {"u G / (p a)", "x_over_width,displacement", element_samples, false}},
+        {Quantity::slope, {"(du/dx) G / p", "x_over_width,slope", element_samples, false}},
+        {Quantity::c11_ratio, {"c_{11}^* / c_{11}", "c11_ratio,relative_error,status", ratio_samples}},
+        {Quantity::traction, {"p / (G ξ)", "x_over_a,traction,carter,carter_mean,status", traction_samples}},
         {Quantity::unstable_fraction,
-         {"proportion of unstable eigenvalues", {"unstable_count", "unstable_fraction", "status"}, compute_stability}},
-        {Quantity::argand, {"Im c_{11}", response, compute_response}},
-        {Quantity::response, {"Re c_{11}, Im c_{11}", response, compute_response}}};
+         {"proportion of unstable eigenvalues", "unstable_count,unstable_fraction,status", stability_samples}},
+        {Quantity::argand, {"Im c_{11}", response, response_samples}},
+        {Quantity::response, {"Re c_{11}, Im c_{11}", response, response_samples}}};
     return kinds.at(quantity);
 }
 
+/// A curve without points, or two for real and imaginary part over frequency.
+std::vector<study::Series> empty_series(Quantity quantity, study::Series form) {
+    if (quantity != Quantity::response) return {form};
+    std::vector<study::Series> both{form, form};
+    both[0].label = "Re, " + form.label;
+    both[1].label = "Im, " + form.label;
+    return both;
+}
+
+void add(std::vector<study::Series>& series, const Points& points) {
+    for (std::size_t k = 0; k < series.size(); ++k) series[k].points.push_back(points[k]);
+}
+
 /// Carter's traction as far as it does not exceed the computed ones.
-study::Series carter_line(const PanelResult& result) {
+study::Series carter_line(const Panel& panel) {
     double largest = 0;
-    for (const CurveResult& curve : result.curves) {
+    for (const Curve& curve : panel.curves) {
         for (const auto& point : curve.series[0].points) largest = std::max(largest, std::abs(point.second));
     }
     study::Series line{.label = "Carter", .markers = false, .reference = true};
@@ -181,38 +233,54 @@ study::Series carter_line(const PanelResult& result) {
 
 }  // namespace
 
-std::vector<std::string> columns(Quantity quantity) {
-    std::vector<std::string> result;
-    if (kind_of(quantity).has_case) {
-        result = {"curve", "method", "derivative", "mesh", "grading", "n", "alpha_L", "alpha_T", "lambda"};
+std::string csv_of(const Panel& panel) {
+    const Kind& kind = kind_of(panel.quantity);
+    std::string text =
+        (kind.has_case ? "curve,method,derivative,mesh,grading,n,alpha_L,alpha_T,lambda," : "") + kind.columns + "\n";
+    for (const Curve& curve : panel.curves) {
+        for (const study::Row& row : curve.rows) text += study::csv_line(row);
     }
-    const std::vector<std::string>& own = kind_of(quantity).columns;
-    result.insert(result.end(), own.begin(), own.end());
-    return result;
+    return text;
 }
 
-CurveResult compute(const Panel& panel, const Curve& curve) { return kind_of(panel.quantity).compute(panel, curve); }
+void compute(const Panel& panel, Curve& curve) {
+    const Kind& kind = kind_of(panel.quantity);
+    study::Series form{.label = with_greek(curve.label), .markers = panel.markers};
+    if (panel.quantity == Quantity::argand || panel.quantity == Quantity::response) {
+        form = {.label = curve.label, .line = false, .open = true};  // since the points of all n nearly coincide
+    }
+    curve.series = empty_series(panel.quantity, form);
+    for (const Sample& sample : kind.compute(panel, curve)) {
+        const Case& c = sample.at;
+        const std::string method = c.method + (c.quadrature.empty() ? "" : "-" + c.quadrature);
+        const study::Row scheme{curve.label, method,    c.derivative, c.mesh_name, c.grading,
+                                c.n,         c.alpha_L, c.alpha_T,    c.lambda};
+        curve.rows.push_back(kind.has_case ? study::joined(scheme, sample.cells) : sample.cells);
+        add(curve.series, sample.points);
+    }
+}
 
-study::Plot plot(const PanelResult& result) {
-    const Panel& panel = result.panel;
+study::Plot plot(const Panel& panel) {
     study::Plot plot{.title = "Fig. " + printed(panel.figure) + "  " + with_greek(panel.title),
                      .x_label = with_greek(panel.x_label),
                      .y_label = kind_of(panel.quantity).y_label,
-                     .log_x = panel.axes.log_base > 0,
-                     .x_range = panel.axes.x,
-                     .y_range = panel.axes.y,
+                     .log_x = panel.log_base > 0,
+                     .x_range = panel.x,
+                     .y_range = panel.y,
                      .x_is_part = true};
-    if (plot.log_x) plot.log_base = panel.axes.log_base;
-    for (const CurveResult& curve : result.curves) {
+    if (plot.log_x) plot.log_base = panel.log_base;
+    for (const Curve& curve : panel.curves) {
         plot.series.insert(plot.series.end(), curve.series.begin(), curve.series.end());
     }
-    if (panel.quantity == Quantity::traction) plot.series.push_back(carter_line(result));
+    if (panel.quantity == Quantity::traction) plot.series.push_back(carter_line(panel));
     if (panel.quantity == Quantity::argand || panel.quantity == Quantity::response) {
         std::vector<study::Series> polynomial =
-            response_series(panel.quantity, "polynomial, order " + std::to_string(polynomial_order),
-                            {.label = {}, .markers = false, .open = true, .reference = true});
+            empty_series(panel.quantity, {.label = "polynomial, order " + std::to_string(polynomial_order),
+                                          .markers = false,
+                                          .open = true,
+                                          .reference = true});
         for (const double z : logarithmic(panel.grid.front(), panel.grid.back(), 301)) {
-            add_response(polynomial, z, polynomial_c11(z));
+            add(polynomial, places(panel.quantity, z, polynomial_c11(z)));
         }
         plot.series.insert(plot.series.end(), polynomial.begin(), polynomial.end());
     }

@@ -32,35 +32,33 @@ double elements_needed(const Points& curve) {
 }
 
 /// Order of convergence from n = 160 to 640.
-double order_of(Case c) {
+double order_of(const std::string& scheme) {
     Points errors;
-    for (const Eigen::Index n : {160, 320, 640}) {
-        c.n = n;
-        errors.emplace_back(double(n), c11_ratio(c) - 1);
-    }
+    for (const Eigen::Index n : {160, 320, 640}) errors.emplace_back(double(n), c11_ratio({scheme, n}) - 1);
     return -power(errors);
 }
 
 /// Oscillation of a steady traction; Carter's is monotone. Anything above rounding counts.
 constexpr double oscillation_threshold = 1e-9;
+constexpr const char* analytic = ":analytic";  // in place of finite differences
+
 double oscillation_of(const Case& c) { return oscillation(tractions(c).value); }
 
 /// Largest difference of the tractions of Knothe and Gross-Thebing's boundary conditions on 41 elements from those of
 /// collocation with alpha = 1 on 40, over the largest traction (plane kernel, which has no length scale).
-double knothe_boundary_difference(Derivative derivative) {
-    const auto plane =
-        rollbem::PlaneKernel<double>::longitudinal(rollbem::Contact<double>::dimensionless(aspect, poisson_ratio));
-    const rollbem::Collocation ahead{.alpha_L = 1, .alpha_T = 1, .derivative = derivative};
-    return relative_difference(
-        rollbem::solve_steady(rollbem::uniform_mesh(41), rollbem::KnotheBoundary{derivative}, plane).unknowns,
-        rollbem::solve_steady(rollbem::uniform_mesh(40), ahead, plane).unknowns);
+double knothe_boundary_difference(const std::string& derivative) {
+    const auto unknowns = [](const Case& c) {
+        const study::Scene scene = scene_of(c, rollbem::LineModel::plane);
+        return rollbem::solve_steady(*scene.mesh, scene.scheme, scene.kernel).unknowns;
+    };
+    return relative_difference(unknowns({"uniform:knothe-bc" + derivative, 41}), unknowns({unit_alphas + derivative}));
 }
 
 /// The smallest alpha_L = alpha_T >= 0.5, by 0.01, whose traction is not monotone; infinite if there is none.
-double oscillation_onset(Derivative derivative) {
+double oscillation_onset(const std::string& derivative) {
     for (const double alpha : fractions(50, 100, 100)) {
-        const Case c{.derivative = derivative, .alpha_L = alpha, .alpha_T = alpha};
-        if (oscillation_of(c) > oscillation_threshold) return alpha;
+        if (oscillation_of(at(half_alphas + derivative, Vary::both_alphas, alpha)) > oscillation_threshold)
+            return alpha;
     }
     return std::numeric_limits<double>::infinity();
 }
@@ -69,7 +67,7 @@ double oscillation_onset(Derivative derivative) {
 
 Claims kernel_and_alpha(const Results& r) {
     const double of_ellipse =
-        c11_ratio({.n = 160}) * rollbem::steady_c11(poisson_ratio) / rollbem::ellipse_limit_c11(poisson_ratio);
+        c11_ratio({recommended, 160}) * rollbem::steady_c11(poisson_ratio) / rollbem::ellipse_limit_c11(poisson_ratio);
     const auto slope = [](double distance) { return std::abs(element_field(0.5 + distance).slope); };
     const double far = slope(1e-3), near = slope(1e-6), nearer = slope(1e-9);
     return {
@@ -97,7 +95,9 @@ Claims kernel_and_alpha(const Results& r) {
         {"5B", "alpha_L = alpha and alpha_T = 0", "The scheme of the caption is optimal at alpha = 0.63",
          "the indices are swapped: the text says alpha_L = 0",
          errs_least_at(0.63, paper_alphas(),
-                       [](Eigen::Index n, double x) { return c11_ratio({.n = n, .alpha_L = x, .alpha_T = 0}); }),
+                       [](Eigen::Index n, double x) {
+                           return ratio_at({"uniform:collocation:0/0", n}, Vary::alpha_L, x);
+                       }),
          false},
         {"5B", "", "The alpha_T without error falls as n grows",
          "it is a zero crossing of the error; from n = 60 on it is nearer to 0.6 than to 0.63",
@@ -122,22 +122,22 @@ Claims convergence(const Results& r) {
         for (const Points& other : closed) worse = worse && smaller_everywhere(fd[k], other);
     }
     const double own = elements_needed(fd[2]), other = elements_needed(fd[0]);
-    const double order = order_of({}), equal_order = order_of({.alpha_L = 0.5, .alpha_T = 0.5});
-    const auto recommended = [&](double n) { return error_at(fd[2], n); };
+    const double order = order_of(recommended), equal_order = order_of(half_alphas);
+    const auto error_of = [&](double n) { return error_at(fd[2], n); };
     return {
         {"6A", "all the cases converge to the exact solution", "The errors of the three schemes tend to 0", "",
          judged(converges, "from n = 80 to 160: {}", errors)},
         {"6A", "the rate of convergence is bigger",
          "alpha_L = 0, alpha_T = 0.63 comes close to the exact value with fewer elements than 0.5/0.5",
          "judged by the n from which on the error stays below 0.1 %",
-         judged(own < other, "n = {} against {}; at n = 40 the error is {%} against {%}", own, other, recommended(40),
+         judged(own < other, "n = {} against {}; at n = 40 the error is {%} against {%}", own, other, error_of(40),
                 error_at(fd[0], 40))},
         {"6A", "", "Its order of convergence is no larger: both schemes are of first order",
          "the error of 0/0.63 passes zero near n = 20 and grows up to n = 40 before it decays",
          judged(order < equal_order + 0.05, "order from n = 160 to 640: {2} against {2}", order, equal_order)},
         {"6A", "Errors smaller than 0.01%", "0/0.63 has an error below 0.01 % at n = 20", "",
-         judged(std::abs(recommended(20)) < 1e-4, "{%} (n = 40: {%}, n = 80: {%})", recommended(20), recommended(40),
-                recommended(80))},
+         judged(std::abs(error_of(20)) < 1e-4, "{%} (n = 40: {%}, n = 80: {%})", error_of(20), error_of(40),
+                error_of(80))},
         {"6B", "less precise than the ones presented in Fig. 6.A",
          "The analytic derivative (0/0.4, 0.4/0, 0.4/0.4) is less accurate than finite differences in Fig. 6A",
          "every scheme against every scheme, at every n",
@@ -166,7 +166,8 @@ Finding meets_one_twice(const Results& r) {
     std::string consistent, other;
     int count = 0;
     for (const double alpha : crossings(r.curve("07a", 1))) {
-        const bool counts = steady({.derivative = analytic, .alpha_T = alpha}).status == rollbem::Status::ok;
+        const bool counts =
+            steady(at(std::string(recommended) + analytic, Vary::alpha_T, alpha)).status == rollbem::Status::ok;
         count += counts;
         (counts ? consistent : other) += " " + number(alpha);
     }
@@ -221,7 +222,7 @@ Claims analytic_derivative_over_n(const Results& r) {
     std::vector<double> errors;
     const std::string far = for_each_n({80, 160, 200, 240, 320, 640}, [&](std::size_t k) {
         const Eigen::Index n = std::array{80, 160, 200, 240, 320, 640}[k];
-        errors.push_back(c11_ratio({.n = n, .derivative = analytic, .alpha_T = 0.47}) - 1);
+        errors.push_back(c11_ratio({"uniform:collocation:0/0.47:analytic", n}) - 1);
         return percent(errors.back());
     });
     return {
@@ -257,14 +258,12 @@ Claims analytic_derivative_over_n(const Results& r) {
 }
 
 Claims tractions_of_collocation(const Results&) {
-    const double closed = oscillation_of({.derivative = analytic, .alpha_L = 1, .alpha_T = 1});
-    const double fd = oscillation_of({.alpha_L = 1, .alpha_T = 1});
-    const double half = oscillation_of({.alpha_L = 0.5, .alpha_T = 0.5}), best_case = oscillation_of({});
-    const double from_fd = oscillation_onset(Derivative::finite_difference), from = oscillation_onset(analytic);
-    const double ahead = oscillation_of({.alpha_T = 1});
-    const double ahead_closed = oscillation_of({.derivative = analytic, .alpha_T = 1});
-    const double knothe = knothe_boundary_difference(Derivative::finite_difference);
-    const double knothe_closed = knothe_boundary_difference(analytic);
+    const double closed = oscillation_of(unit_alphas + analytic), fd = oscillation_of(unit_alphas);
+    const double half = oscillation_of(half_alphas), best_case = oscillation_of({});
+    const double from_fd = oscillation_onset(""), from = oscillation_onset(analytic);
+    const double leading = oscillation_of({"uniform:collocation:0/1"});
+    const double leading_closed = oscillation_of({"uniform:collocation:0/1:analytic"});
+    const double knothe = knothe_boundary_difference(""), knothe_closed = knothe_boundary_difference(analytic);
     const Tractions t = tractions({});
     const auto excess = [&](Eigen::Index i) { return t.value[i] / t.carter[i] - 1; };
     const double visible = from_carter(t, -0.8, 1).visible, local = from_carter(t, -0.8, 0.8).local;
@@ -282,9 +281,9 @@ Claims tractions_of_collocation(const Results&) {
         {"9", "requires using coefficients alpha_L and alpha_T smaller than 0.9",
          "A smooth traction needs both alphas below 0.9",
          "true of equal alphas. With alpha_L = 0, alpha decreases along the contact, and even alpha_T = 1 is smooth",
-         judged(std::min(ahead, ahead_closed) > oscillation_threshold,
-                "oscillation of alpha_L = 0, alpha_T = 1: {%1} (fd), {%1} (analytic)", std::abs(ahead),
-                std::abs(ahead_closed)),
+         judged(std::min(leading, leading_closed) > oscillation_threshold,
+                "oscillation of alpha_L = 0, alpha_T = 1: {%1} (fd), {%1} (analytic)", std::abs(leading),
+                std::abs(leading_closed)),
          false},
         {"9", "equivalent to the one used by Knothe",
          "1/1 gives the tractions of Knothe and Gross-Thebing's boundary conditions",

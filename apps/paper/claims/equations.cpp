@@ -1,22 +1,19 @@
 // Sections 3 and 4: the sign of the creepage in the equations, one Gauss point, and the difference of Eq. (29).
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <utility>
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include <rollbem/closed_form/carter.hpp>
+#include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/steady.hpp>
+#include <rollbem/rolling/run.hpp>
 
 #include "paper/claims.hpp"
 
 namespace paper {
 
 namespace {
-
-using Complex = std::complex<double>;
 
 /// What Eqs. (8), (12), (15) and (16) give as printed, over what Eqs. (2), (23) and (30) give: recommended scheme,
 /// xi = a = G = V = 1.
@@ -29,42 +26,26 @@ struct AsPrinted {
 
 AsPrinted as_printed() {
     const rollbem::ElementSystem<double> system = system_of({});
-    const Eigen::MatrixXd &G = system.G(), &G_prime = system.G_prime();
-    const Eigen::VectorXd weights = system.weights().matrix(), xi = Eigen::VectorXd::Ones(system.size());
     const double exact = rollbem::steady_c11(poisson_ratio);
+    const Eigen::VectorXd left = system.G_prime() * tractions({}).carter_mean.matrix();
+    const double sides = -left.segment(left.size() / 4, left.size() / 2).mean();
 
-    const Eigen::VectorXd left = G_prime * tractions({}).carter_mean.matrix();
-    const double sides = -left.segment(xi.size() / 4, xi.size() / 2).mean();
-
-    constexpr double dq = 0.5;  // implicit Euler
-    Eigen::MatrixXd step = G - dq * G_prime;
-    const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>> next(step);
-    Eigen::VectorXd p = Eigen::VectorXd::Zero(xi.size());
-    for (int k = 0; k < 400; ++k) p = next.solve(G * p + dq * xi);
-    const double in_time = -weights.dot(p) / exact;
-
-    Eigen::MatrixXd slope = G_prime;
-    p = -Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>>(slope).solve(xi);
-    const double steady = -weights.dot(p) / exact;
-
-    Eigen::MatrixXcd harmonic = G_prime.cast<Complex>() - Complex(0, 1) * G.cast<Complex>();
-    const Eigen::VectorXcd amplitude =
-        -Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXcd>>(harmonic).solve(xi.cast<Complex>());
-    const Complex c11 = -(weights.cast<Complex>().array() * amplitude.array()).sum();
-    return {sides, in_time, steady, (c11 / polynomial_c11(1)).real()};
+    const rollbem::RollingSystem<double> printed(system.G(), system.G_prime(), -system.inputs(), system.outputs());
+    const rollbem::AdhesionModel<> model(scene_of({}).contact, printed, rollbem::unchecked,
+                                         rollbem::Integrator::implicit_euler);
+    rollbem::Run run(model);
+    for (int k = 1; k < 400; ++k) run.advance({0.5, 1.0});
+    return {sides, -run.advance({0.5, 1.0}).force_per_width / exact, rollbem::solve_steady(printed).c11() / exact,
+            (rollbem::solve_response<double>(printed, {0, 1}).c11() / polynomial_c11(1)).real()};
 }
 
 /// Largest relative difference of G and G' of Galerkin's method with one Gauss point from those of collocation.
 double one_point_difference() {
     double largest = 0;
-    for (const Derivative derivative : {Derivative::finite_difference, analytic}) {
-        for (const auto& [alpha_L, alpha_T] : {std::pair{0.0, 0.63}, {0.5, 0.5}, {1.0, 1.0}}) {
-            const rollbem::Mesh<double> mesh = rollbem::geometric_mesh<double>(40, 2);
-            const auto collocation = rolling_system(mesh, rollbem::Collocation{alpha_L, alpha_T, derivative}, strip());
-            const auto galerkin = rolling_system(
-                mesh,
-                rollbem::Galerkin{.alpha_L = alpha_L, .alpha_T = alpha_T, .derivative = derivative, .quadrature = 1},
-                strip());
+    for (const std::string derivative : {":fd", ":analytic"}) {
+        for (const std::string alphas : {"0/0.63", "0.5/0.5", "1/1"}) {
+            const auto collocation = system_of({"geometric-2:collocation:" + alphas + derivative});
+            const auto galerkin = system_of({"geometric-2:galerkin:" + alphas + derivative + ":q1"});
             largest = std::max({largest, relative_difference(galerkin.G(), collocation.G()),
                                 relative_difference(galerkin.G_prime(), collocation.G_prime())});
         }
@@ -102,9 +83,10 @@ Claims equations(const Results&) {
          say("the interval of the difference lies about the point: then the error of 0/0.63 is {%} at n = 40, and "
              "alpha = 0.5 is Kalker's scheme",
              c11_ratio({}) - 1),
-         errs_least_at(
-             0.63, paper_alphas(),
-             [](Eigen::Index n, double alpha) { return c11_ratio({.n = n, .alpha_L = 0.5, .alpha_T = 0.5 + alpha}); }),
+         errs_least_at(0.63, paper_alphas(),
+                       [](Eigen::Index n, double x) {
+                           return ratio_at({"uniform:collocation:0.5/0.5", n}, Vary::alpha_T, 0.5 + x);
+                       }),
          false},
     };
 }

@@ -18,17 +18,15 @@ namespace {
 
 using Complex = std::complex<double>;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 const std::vector<double> of_fig_22 = logarithmic(1e-3, 5, 75);
 
-/// Largest relative difference of the harmonic c11 from the polynomial approach of order 20.
+/// Largest relative difference of the harmonic c11 from the polynomial approach of order 20; infinite if one has none.
 double harmonic_error(const Case& c, const std::vector<double>& z = of_fig_22) {
-    const std::vector<HarmonicResponse> responses = harmonic_responses(c, z);
     double result = 0;
-    for (std::size_t i = 0; i < z.size(); ++i) {
-        const Complex reference = polynomial_c11(z[i]);
-        const double error = std::abs(responses[i].c11 - reference) / std::abs(reference);
-        if (!std::isfinite(error)) return std::numeric_limits<double>::infinity();
-        result = std::max(result, error);
+    for (std::size_t i = 0; const HarmonicResponse& response : harmonic_responses(c, z)) {
+        const double error = std::abs(response.c11 / polynomial_c11(z[i++]) - 1.0);
+        result = error <= result ? result : std::isnan(error) ? infinity : error;
     }
     return result;
 }
@@ -63,7 +61,7 @@ Complex c11_as_printed(double z) {
 }  // namespace
 
 Claims claims_on_frequency(const Results&) {
-    const Case swapped{.n = 60, .alpha_L = 1, .alpha_T = 0}, half{.n = 60, .alpha_L = 0.5, .alpha_T = 0.5};
+    const Case swapped{"uniform:collocation:1/0", 60}, half{"uniform:collocation:0.5/0.5", 60}, best{recommended, 60};
     const auto first = [](double z) { return polynomial_c11(z, 1); };
     const auto corrected = [](double z) { return polynomial_c11(z); };
     double limit = 0;
@@ -73,14 +71,16 @@ Claims claims_on_frequency(const Results&) {
     }
     const double first_error = largest_c11_error(first, of_fig_22),
                  printed_error = largest_c11_error(c11_as_printed, {1.0});
-    const double swapped_error = harmonic_error(swapped), own = harmonic_error({.n = 60}), equal = harmonic_error(half);
-    const double still = std::abs(c11_ratio({.n = 60}) - 1), equal_still = std::abs(c11_ratio(half) - 1);
+    const double swapped_error = harmonic_error(swapped), own = harmonic_error(best), equal = harmonic_error(half);
+    const double still = std::abs(c11_ratio(best) - 1), equal_still = std::abs(c11_ratio(half) - 1);
     return {
         {"22", "good agreement between the different methodologies",
          "Collocation (fd, 0/0.63) agrees with the polynomial approach for n = 20, 40 and 60",
          "good: within 1 % of |c11| at every frequency, and so real and imaginary part",
          for_all_n(coarse, "largest difference ",
-                   [](std::size_t k) { return below(0.01, harmonic_error({.n = coarse[k]}), "{%}"); })},
+                   [](std::size_t k) {
+                       return below(0.01, harmonic_error({recommended, coarse[k]}), "{%}");
+                   })},
         {"22", "alpha_L = 1 and alpha_T = 0", "The scheme of the caption gives these results",
          "the indices are swapped: 0/0.63 is meant, as elsewhere",
          judged(swapped_error < 0.01, "largest difference {%}; {%} at omega a/V = 0.001 (n = 60; 0/0.63: {%})",

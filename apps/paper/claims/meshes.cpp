@@ -7,9 +7,7 @@ namespace paper {
 
 namespace {
 
-constexpr Case on(Topology mesh, double alpha_L, double alpha_T, double grading = 1) {
-    return {.alpha_L = alpha_L, .alpha_T = alpha_T, .mesh = mesh, .grading = grading};
-}
+const std::string leading_fixed = ":collocation:0/0.63", equal = ":collocation:0.5/0.5";  // on a mesh
 
 /// Largest range of c11*/c11 over the grading in the curves of a panel.
 double influence(const Results& r, const std::string& panel) {
@@ -22,14 +20,13 @@ double influence(const Results& r, const std::string& panel) {
 
 Claims gradings(const Results& r) {
     // the grading at which each of the three curves of a panel is nearest to 1
-    const auto best_grading = [&](const std::string& panel, double claimed, Topology mesh, bool equal, Range search) {
-        const Case scheme = equal ? on(mesh, 0.5, 0.5) : on(mesh, 0, 0.63);
+    const auto best_grading = [&](const std::string& panel, double claimed, const std::string& scheme, Range search) {
         return optimum(curves_of(r, panel), fine, claimed, scheme, Vary::grading, search);
     };
-    using enum Topology;
+    const std::string geometric = "geometric-1", knothe = "knothe-1", modified_knothe = "modified-knothe-1";
     double low = 4, high = 1;
     const std::string ratios = for_each_n(fine, [&](std::size_t k) {
-        const double found = optimum_of(on(geometric, 0.5, 0.5), fine[k], Vary::grading, {1, 4});
+        const double found = optimum_of(geometric + equal, fine[k], Vary::grading, {1, 4});
         low = std::min(low, found);
         high = std::max(high, found);
         return number(found, 4);
@@ -39,27 +36,26 @@ Claims gradings(const Results& r) {
     for (const Points& curve : curves_of(r, "16b")) zeros += crossings(curve).size();
     return {
         {"14A", "the best results for a uniform mesh", "Geometric mesh, 0/0.63: best with dx_T/dx_L = 1", "",
-         best_grading("14a", 1, geometric, false, {0.5, 2})},
+         best_grading("14a", 1, geometric + leading_fixed, {0.5, 2})},
         {"14B", "leading element size to the trailing element size, of 0.5",
          "Geometric mesh, 0.5/0.5: best with dx_T/dx_L = 2", "dx_T/dx_L is the inverse of the ratio in words",
-         best_grading("14b", 2, geometric, true, {1, 4})},
+         best_grading("14b", 2, geometric + equal, {1, 4})},
         {"14", "almost independent of the mesh density", "The best size ratio hardly depends on n (0.5/0.5)",
          "hardly: within 10 % from n = 40 to 80", judged(high / low < 1.1, "true optimum {}", ratios)},
         {"15A", "epsilon = 1 (uniform element size)", "Knothe and Gross-Thebing's mesh, 0/0.63: best with epsilon = 1",
-         "", best_grading("15a", 1, knothe, false, {0.1, 1.5})},
+         "", best_grading("15a", 1, knothe + leading_fixed, {0.1, 1.5})},
         {"15B", "when epsilon = 0.4", "Knothe and Gross-Thebing's mesh, 0.5/0.5: best with epsilon = 0.4", "",
-         best_grading("15b", 0.4, knothe, true, {0.1, 1})},
+         best_grading("15b", 0.4, knothe + equal, {0.1, 1})},
         {"15", "nevertheless small in both plots", "The influence of epsilon is small", "small: below 1 % of c11",
          judged(std::max(first, second) < 0.01, "c11*/c11 varies by {%} (0/0.63) and {%} (0.5/0.5) at most", first,
                 second)},
         {"16A", "an optimum when epsilon is close to 1", "Modified Knothe mesh, 0/0.63: best with epsilon close to 1",
-         "", best_grading("16a", 1, modified_knothe, false, {0.1, 1.5})},
+         "", best_grading("16a", 1, modified_knothe + leading_fixed, {0.1, 1.5})},
         {"16A", "alpha_L = 0.63 and alpha_T = 0", "The scheme of the caption is optimal at epsilon = 1",
          "the indices are swapped: the text says alpha_L = 0",
          errs_least_at(1, fractions(1, 10, 10),
                        [](Eigen::Index n, double x) {
-                           return c11_ratio(
-                               {.n = n, .alpha_L = 0.63, .alpha_T = 0, .mesh = modified_knothe, .grading = x});
+                           return ratio_at({"modified-knothe-1:collocation:0.63/0", n}, Vary::grading, x);
                        }),
          false},
         {"16B", "does not present any result without error",
@@ -67,7 +63,7 @@ Claims gradings(const Results& r) {
          judged(zeros == 0, "{} zeros of the error; least error {}", zeros,
                 for_each_n(fine, [&](std::size_t k) { return percent(least_error(r.curve("16b", k))); }))},
         {"16B", "best results are obtained for epsilon = 1", "Modified Knothe mesh, 0.5/0.5: best with epsilon = 1",
-         "within epsilon <= 1", best_grading("16b", 1, modified_knothe, true, {0.1, 1})},
+         "within epsilon <= 1", best_grading("16b", 1, modified_knothe + equal, {0.1, 1})},
         {"16B", "but its influence is small", "The influence of epsilon is small, 0.5/0.5", "small: below 1 % of c11",
          below(0.01, influence(r, "16b"), "c11*/c11 varies by {%} at most")},
     };
@@ -84,10 +80,10 @@ constexpr Eigen::Index trailing_element = 0, leading_element = 39;
 /// Whether Knothe and Gross-Thebing's mesh, whose leading element lies nearest to the edge, has a larger error there
 /// than the uniform one and overestimates Carter, as the paper says of the same curves.
 bool farthest_is_best() {
-    for (const auto& [alpha_L, alpha_T] : {std::pair{0.5, 0.5}, {0.0, 0.63}}) {
-        const double uniform = error(tractions(on(Topology::uniform, alpha_L, alpha_T)), leading_element);
+    for (const std::string& alphas : {equal, leading_fixed}) {
+        const double uniform = error(tractions("uniform" + alphas), leading_element);
         for (const double epsilon : fractions(1, 9, 10)) {
-            const Tractions knothe = tractions(on(Topology::knothe, alpha_L, alpha_T, epsilon));
+            const Tractions knothe = tractions(at("knothe-1" + alphas, Vary::grading, epsilon));
             if (error(knothe, leading_element) > uniform && excess(knothe, leading_element) > 0) return true;
         }
     }
@@ -98,9 +94,8 @@ bool farthest_is_best() {
 
 Claims tractions_on_meshes(const Results&) {
     // the cases of Fig. 17
-    const Tractions uniform = tractions(on(Topology::uniform, 0.5, 0.5, 0.4));
-    const Tractions knothe = tractions(on(Topology::knothe, 0.5, 0.5, 0.4));
-    const Tractions modified = tractions(on(Topology::modified_knothe, 0.5, 0.5, 0.4));
+    const Tractions uniform = tractions("uniform" + equal), knothe = tractions("knothe-0.4" + equal);
+    const Tractions modified = tractions("modified-knothe-0.4" + equal);
     double visible = 0, local = 0;
     for (const Tractions* each : {&uniform, &knothe, &modified}) {
         const Difference difference = from_carter(*each, -0.8, 0.8);
@@ -113,7 +108,7 @@ Claims tractions_on_meshes(const Results&) {
     };
     const double share = error(uniform, leading_element) / uniform.value.abs().mean();
     const double ahead = excess(uniform, leading_element), modified_ahead = excess(modified, leading_element);
-    const Tractions recommended = tractions({}), on_knothe = tractions(on(Topology::knothe, 0, 0.63, 0.4));
+    const Tractions best_uniform = tractions({}), best_knothe = tractions("knothe-0.4" + leading_fixed);
     return {
         {"17", "very coincident with Carter", "Away from the edges the three meshes give Carter's traction",
          "away: |x| < 0.8 a; coincide: as in Fig. 10, within 1 % of the largest traction and 5 % of the local one",
@@ -147,8 +142,8 @@ Claims tractions_on_meshes(const Results&) {
          judged(farthest_is_best(),
                 "|p - Carter|/(G xi) on the leading element: uniform {}, Knothe {}; with 0/0.63 {} and {}, but there "
                 "Knothe underestimates by {%}",
-                error(uniform, leading_element), error(knothe, leading_element), error(recommended, leading_element),
-                error(on_knothe, leading_element), -excess(on_knothe, leading_element)),
+                error(uniform, leading_element), error(knothe, leading_element), error(best_uniform, leading_element),
+                error(best_knothe, leading_element), -excess(best_knothe, leading_element)),
          false},
     };
 }
@@ -159,11 +154,11 @@ namespace {
 Case best_case() {
     Case found;
     double least = std::abs(c11_ratio(found) - 1);
-    const auto visit = [&](Topology mesh, const std::vector<double>& gradings) {
+    const auto visit = [&](const std::string& mesh, const std::vector<double>& gradings) {
         for (const double grading : gradings) {
             for (const double alpha : paper_alphas()) {
                 for (const Vary vary : {Vary::both_alphas, Vary::alpha_T}) {
-                    const Case c = at({"", {.mesh = mesh, .grading = grading}, vary}, alpha);
+                    const Case c = at(at(mesh + "-1" + leading_fixed, vary, alpha), Vary::grading, grading);
                     const double error = std::abs(c11_ratio(c) - 1);
                     if (!(error < least)) continue;
                     least = error;
@@ -172,9 +167,9 @@ Case best_case() {
             }
         }
     };
-    visit(Topology::geometric, {0.125, 0.25, 0.5, 2, 4, 8});
-    visit(Topology::knothe, fractions(1, 9, 10));
-    visit(Topology::modified_knothe, fractions(1, 9, 10));
+    visit("geometric", {0.125, 0.25, 0.5, 2, 4, 8});
+    visit("knothe", fractions(1, 9, 10));
+    visit("modified-knothe", fractions(1, 9, 10));
     return found;
 }
 
@@ -192,8 +187,8 @@ Claims conclusions_on_steady_rolling(const Results& r) {
     return {
         {"Sec. 7", "can provide even better results", "Another mesh with other alphas beats the uniform 0/0.63",
          "n = 40, all meshes and alphas of the grids",
-         judged(least < uniform, "{%} ({} {}, alpha {}/{}) against {%} (uniform 0/0.63)", least,
-                rollbem::name(found.mesh), found.grading, found.alpha_L, found.alpha_T, uniform)},
+         judged(least < uniform, "{%} ({} {}, alpha {}/{}) against {%} (uniform 0/0.63)", least, found.mesh_name,
+                found.grading.value_or(1), *found.alpha_L, *found.alpha_T, uniform)},
         {"Sec. 7", "in general, more robust", "Finite differences are more robust than the analytic derivative",
          "judged by the largest jump of c11*/c11 from one alpha to the next (0.005) in [0.3, 0.7], alpha_L = alpha_T",
          judged(fd_jump < closed_jump, "{%} against {%}; more accurate at {} of 20 equal alphas of the grid", fd_jump,

@@ -50,7 +50,7 @@ Finding finer_is_worse(const Results& r, const std::vector<std::string>& panels)
 /// The smallest alpha_T >= 0.5, by 0.01, that is unstable beyond rounding (alpha_L = 0, collocation, fd).
 double coarse_onset(Eigen::Index n) {
     for (const double alpha : fractions(50, 100, 100)) {
-        const Case c{.n = n, .alpha_T = alpha};
+        const Case c = at({recommended, n}, Vary::alpha_T, alpha);
         if (unstable_count(c) > 0 && certainly_unstable(c)) return alpha;
     }
     return std::numeric_limits<double>::quiet_NaN();
@@ -105,15 +105,14 @@ Finding split_points_help(const Results& r) {
 struct Tally {
     int unstable = 0, all = 0;
 };
-Tally unstable_cases(Case c, Derivative derivative) {
+Tally unstable_cases(const std::string& scheme) {
     Tally tally;
-    c.derivative = derivative;
     for (const Eigen::Index n : {20, 40}) {
         for (const double alpha_L : fractions(0, 4, 4)) {
             for (const double alpha_T : fractions(0, 4, 4)) {
                 for (const double lambda : {0.0, 0.1, 0.2, 0.3, 0.4, 0.49}) {
                     if (alpha_L == 0 && alpha_T == 0) continue;
-                    c.n = n;
+                    Case c(scheme, n);
                     c.alpha_L = alpha_L;
                     c.alpha_T = alpha_T;
                     c.lambda = lambda;
@@ -137,13 +136,16 @@ Claims stability_of_collocation(const Results& r) {
          for_all_n(coarse, "",
                    [&](std::size_t k) -> Finding {
                        const double fraction = value_at(r.curve("18b", k), 1);
-                       return judged(fraction > 0 && certainly_unstable({.n = coarse[k], .alpha_L = 1, .alpha_T = 1}),
+                       return judged(fraction > 0 && certainly_unstable({unit_alphas, coarse[k]}),
                                      "{%3} of the eigenvalues", fraction);
                    })},
         {"Sec. 6.1", "cases converge to the exact value", "Yet its steady results converge", "finite differences",
          falls_with_n(
              {40, 80, 160, 320}, "error ", "{%}",
-             [](Eigen::Index n) { return c11_ratio({.n = n, .alpha_L = 1, .alpha_T = 1}) - 1; }, 0.6)},
+             [](Eigen::Index n) {
+                 return c11_ratio({unit_alphas, n}) - 1;
+             },
+             0.6)},
         {"19", "alpha_T < 0.7 is required", "alpha_L = 0 is stable below alpha_T = 0.7, either derivative",
          "on the curves' grid of 0.005; bisected, the analytic derivative turns unstable at 0.6985 for n = 60",
          stable_below(r, {"19a", "19b"}, 0.7)},
@@ -157,7 +159,7 @@ Claims stability_of_collocation(const Results& r) {
          for_all_n({20, 40, 80, 160}, "",
                    [](std::size_t k) -> Finding {
                        const Eigen::Index n = std::array{20, 40, 80, 160}[k];
-                       const bool unstable = certainly_unstable({.n = n});
+                       const bool unstable = certainly_unstable({recommended, n});
                        return {unstable == (n == 160), unstable ? "unstable" : "stable"};
                    })},
         {"19B", "", "The unstable alpha_T do not form an interval: there are islands (n = 40, fd)",
@@ -199,10 +201,9 @@ Claims stability_of_galerkin(const Results& r) {
 }
 
 Claims split_points(const Results& r) {
-    const Case knothe{.mesh = Topology::knothe, .grading = 0.4};
-    const Tally fd = unstable_cases({}, Derivative::finite_difference), closed = unstable_cases({}, analytic);
-    const Tally knothe_fd = unstable_cases(knothe, Derivative::finite_difference);
-    const Tally knothe_closed = unstable_cases(knothe, analytic);
+    const std::string uniform = "uniform:collocation:0/0", knothe = "knothe-0.4:collocation:0/0";
+    const Tally fd = unstable_cases(uniform), closed = unstable_cases(uniform + ":analytic");
+    const Tally knothe_fd = unstable_cases(knothe), knothe_closed = unstable_cases(knothe + ":analytic");
     return {
         {"21", "a tendency to stability", "Stability improves as the points of G move behind those of G'",
          "the share of unstable eigenvalues at lambda = 1, 0.75, 0.5, 0.25 must not rise, n = 60",
