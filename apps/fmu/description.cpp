@@ -168,7 +168,7 @@ std::string model_description() { return description_with(guid()); }
 
 std::string table_of_variables() {
     const std::unique_ptr<Model> model = make_model();
-    std::string text = "| variable | what | unit | start | meaning |\n|---|---|---|---|---|\n";
+    std::string text = "| variable | causality | unit | start | meaning |\n|---|---|---|---|---|\n";
     for (const Variable& variable : model->variables()) {
         if (variable.is_code) continue;
         std::string start;

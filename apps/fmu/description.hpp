@@ -11,8 +11,8 @@ namespace fmu {
 /// The text of modelDescription.xml.
 std::string model_description();
 
-/// The GUID in it: a hash of everything else in it, so that a library and a description match if and only if they say
-/// the same.
+/// The GUID of the description: a hash of the rest of its text, so that a library matches a description if and only if
+/// both say the same.
 const std::string& guid();
 
 /// The variables as a table in Markdown.

@@ -51,7 +51,7 @@ fmi2Status set(fmi2Component component, const char* function, const fmi2ValueRef
 
 constexpr unsigned can_tell = fmu::stepping | fmu::terminated | fmu::failed;
 
-/// What is asked about steps that run in the background, of which there are none.
+/// Answers a question about steps that run in the background: there are none.
 fmi2Status nothing_to_tell(fmi2Component component, const char* function) {
     return call(component, function, can_tell, [](Instance&) { return fmi2Discard; });
 }

@@ -28,7 +28,7 @@ enum Mode : unsigned {
 
 class Instance {
 public:
-    /// `resources` is the folder of what is packed with the FMU, as a URI.
+    /// `resources` is the folder of the files packed with the FMU, as a URI.
     Instance(std::string name, std::string_view resources, const fmi2CallbackFunctions& callbacks);
 
     /// Sends a message to the importing program.
@@ -46,7 +46,7 @@ public:
         if (reference >= variables().size() || !variables()[reference].is<Value>()) refuse_reference(reference);
         return variables()[reference];
     }
-    /// For writing. Throws std::invalid_argument if the variable may not be set in this mode.
+    /// The variable's value, for writing. Throws std::invalid_argument if the variable may not be set in this mode.
     template <class Value>
     Value& settable(fmi2ValueReference reference) {
         const Variable& found = variable<Value>(reference);
@@ -59,12 +59,12 @@ public:
     /// Brings outputs up to date with the inputs during initialization.
     void refresh();
     fmi2Status step(double time, double duration);
-    /// Logs what the model warns of, once.
+    /// Logs the model's warning once.
     fmi2Status warn();
     double partial(fmi2ValueReference unknown, fmi2ValueReference known);
 
     void save(std::vector<std::byte>& bytes);
-    /// Throws std::invalid_argument if the bytes are not those of this FMU.
+    /// Throws std::invalid_argument if the bytes are not a state of this FMU.
     void restore(std::span<const std::byte> bytes);
 
     Mode mode = instantiated;
@@ -87,8 +87,8 @@ private:
     double refused_from_ = 0;  // where the last step began, if it was refused [s]
 };
 
-/// Calls body(instance) for a function of the C interface that is allowed in the given modes. What returns nothing is
-/// fmi2OK; an exception becomes a message and an error.
+/// Calls body(instance) for a function of the C interface that is allowed in the given modes. A body without a result
+/// means fmi2OK; an exception becomes a message and an error.
 template <class Body>
 fmi2Status call(fmi2Component component, const char* function, unsigned allowed, const Body& body) noexcept {
     auto* const instance = static_cast<Instance*>(component);

@@ -1,4 +1,4 @@
-// What all models share.
+// Functions that all models share.
 #include "model.hpp"
 
 #include <cstring>
@@ -8,7 +8,7 @@ namespace fmu {
 
 namespace {
 
-/// None yet, then all of rollbem::Status, counted from 0; name() returns not_finite for every value beyond them.
+/// The item `none`, then all of rollbem::Status, counted from 0; name() returns not_finite for every value beyond them.
 Enumeration enumerate_statuses() {
     using rollbem::Status;
     Enumeration result{"Status", {{"none", "nothing has been computed yet"}}, 0};

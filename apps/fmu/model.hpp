@@ -1,4 +1,4 @@
-// What an FMU simulates, as the FMI functions see it: a table of variables, and steps.
+// The model of an FMU, as the FMI functions see it: a table of variables, and steps.
 // The table is the only list of variables: modelDescription.xml and the documentation are written from it.
 #pragma once
 
@@ -33,7 +33,7 @@ struct Enumeration {
     const Item& item(int value) const { return items[static_cast<std::size_t>(value - first)]; }
 };
 
-/// As in FMI.
+/// The causalities of FMI that models use.
 enum class Causality { parameter, input, output };
 
 /// One variable. Its value reference is its place in the table, its start value the value when it enters the table.
@@ -85,7 +85,7 @@ extern const Enumeration step_statuses;
 /// The value of a variable of that enumeration.
 inline int value_of(rollbem::Status status) { return static_cast<int>(status) + 1; }
 
-/// The memory of an instance as bytes. One function names what is kept, for writing and for reading.
+/// The memory of an instance as bytes. One function names the values to keep, for writing and for reading.
 class Archive {
 public:
     /// Writes; the contents of `bytes` are lost.
@@ -117,7 +117,7 @@ private:
     std::span<const std::byte> source_;
 };
 
-/// All of an FMU but its variables.
+/// The properties of an FMU besides its variables.
 struct Identity {
     const char* identifier;  ///< name of the file and the shared library
     const char* description;
@@ -125,15 +125,15 @@ struct Identity {
 };
 extern const Identity identity;  // each FMU defines it
 
-/// Why a derivative cannot be given. The instance goes on.
+/// The reason why a derivative cannot be given. The instance goes on.
 class NoDerivative : public std::invalid_argument {
 public:
     NoDerivative(const Variable& unknown, const Variable& known, const std::string& reason)
         : std::invalid_argument("there is no derivative of " + unknown.name + " by " + known.name + reason) {}
 };
 
-/// One contact, or all of a wheelset. The FMI functions construct it, set variables and call initialise(), then step(),
-/// and archive() at any time.
+/// One contact, or all contacts of a wheelset. The FMI functions construct it, set variables and call initialise(),
+/// then step(), and archive() at any time.
 class Model {
 public:
     Model() = default;
@@ -143,33 +143,33 @@ public:
 
     const std::vector<Variable>& variables() const { return variables_; }
 
-    /// Folder of what is packed with the FMU.
+    /// Folder of the files packed with the FMU.
     std::string resources;
 
-    /// What initialise() or step() warns of; empty: of nothing.
+    /// The warning of initialise() or step(); empty: none.
     std::string warning;
 
     /// Gives enumerations the values of their integer twins. Throws std::invalid_argument if an enumeration among the
     /// parameters has none of its values.
     void settle_enumerations();
 
-    /// Builds what the parameters describe and its first state at the present inputs. Throws std::invalid_argument,
-    /// naming the parameter.
+    /// Builds the contact that the parameters describe and its first state at the present inputs. Throws
+    /// std::invalid_argument, naming the parameter.
     virtual void initialise() = 0;
 
     /// Advances by `duration` > 0 [s] and sets the outputs, or changes nothing but the status.
     virtual Outcome step(double duration) = 0;
 
-    /// d unknown / d known, of an output at the end of the last step by an input during it. Throws NoDerivative if
-    /// there is none.
+    /// The derivative of an output at the end of the last step by an input during it. Throws NoDerivative if there is
+    /// none.
     virtual double partial(const Variable& unknown, const Variable& known) = 0;
 
-    /// Names what an instance keeps in addition to the variables.
+    /// Names the values that an instance keeps besides the variables.
     virtual void archive(Archive& archive) = 0;
 
-    /// Returns the variable in the table, until the next one comes. An enumeration NAME gets an integer twin NAME_code,
-    /// because some importing programs know no enumerations: an output's has the same value, a parameter's sets it
-    /// unless it is 0, its start.
+    /// Returns the variable in the table; the reference is valid until the next variable is added. An enumeration NAME
+    /// gets an integer twin NAME_code, because some importing programs know no enumerations: the twin of an output has
+    /// the same value, the twin of a parameter sets it unless the twin is 0, its start.
     Variable& add(Variable variable);
     Variable& add_parameter(Variable::Value value, std::string name, const char* unit, std::string description,
                             const Enumeration* items = nullptr) {

@@ -1,8 +1,8 @@
 // rollbem_patch: an elliptic contact patch of wheel and rail with Coulomb friction and spin, under a load that varies.
 //
-// The patch itself in the time domain, or quasi-steady forces from a table that was made of such patches. A step of
-// duration h rolls by V h and shifts the wheel by s h, both at a constant rate, so that V = 0 is a rigid shift; the
-// load varies linearly over the step.
+// Forces come from the patch in the time domain, or from a table of steady forces. A step of duration h rolls by V h
+// and shifts the wheel by s h, both at a constant rate, so that V = 0 is a rigid shift; the load varies linearly over
+// the step.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -41,8 +41,8 @@ const Enumeration modes{"Mode",
 
 const Enumeration mesh_sizes{
     "MeshSize",
-    {{"follows_load", "that of the contact; normal_load > 0, changes of a below the distance rolled"},
-     {"fixed", "that of the contact under largest_load; the wheel may lift off"}}};
+    {{"follows_load", "the present contact; normal_load > 0, changes of a below the distance rolled"},
+     {"fixed", "the contact under largest_load; the wheel may lift off"}}};
 
 const Enumeration initial_states{"InitialState",
                                  {{"rest", "no traction"}, {"steady", "steady rolling at the first inputs"}}};
@@ -50,54 +50,55 @@ const Enumeration initial_states{"InitialState",
 class Patch final : public Model {
 public:
     Patch() {
-        add_parameter(&shear_modulus_, "shear_modulus", "Pa", "G of both bodies");
-        add_parameter(&poisson_ratio_, "poisson_ratio", "", "nu of both bodies").lies_in(0, 0.5);
+        add_parameter(&shear_modulus_, "shear_modulus", "Pa", "Shear modulus G of both bodies");
+        add_parameter(&poisson_ratio_, "poisson_ratio", "", "Poisson's ratio nu of both bodies").lies_in(0, 0.5);
         add_radius(wheel_.rolling, "wheel_rolling_radius", "Radius of the wheel, in the plane of rolling");
         add_radius(wheel_.lateral, "wheel_lateral_radius", "Radius of the wheel's profile at the contact");
         add_radius(rail_.rolling, "rail_rolling_radius", "Radius of the rail in the plane of rolling");
         add_radius(rail_.lateral, "rail_lateral_radius", "Radius of the rail's profile at the contact");
-        add_parameter(&friction_coefficient_, "friction_coefficient", "", "mu").min = 0;
-        add_parameter(&mode_, "mode", "", "Where forces come from", &modes);
+        add_parameter(&friction_coefficient_, "friction_coefficient", "", "Coefficient of friction mu").min = 0;
+        add_parameter(&mode_, "mode", "", "Source of the forces", &modes);
         add_parameter(&table_file_, "table_file", "",
-                      "Path of a table that creep_table made, the .bin; used where mode is table; empty: the "
-                      "one packed with this FMU, for nu = 0.28 and a/b from 0.1 to 10");
-        add_parameter(&elements_, "elements", "",
-                      "Number of elements a strip, 1 to 32; like the following ones used where mode is patch")
+                      "Path of a table (.bin) made by creep_table; used where mode is table; empty: the table "
+                      "packed with this FMU, for nu = 0.28 and a/b from 0.1 to 10");
+        add_parameter(
+            &elements_, "elements", "",
+            "Number of elements in each strip, 1 to 32; this and the parameters below apply where mode is patch")
             .lies_in(1, 32);
         add_parameter(&strips_, "strips", "", "Number of strips along the rolling direction, 1 to 32").lies_in(1, 32);
-        add_parameter(&mesh_size_, "mesh_size", "", "What the mesh covers", &mesh_sizes);
+        add_parameter(&mesh_size_, "mesh_size", "", "Area that the mesh covers", &mesh_sizes);
         add_parameter(&largest_load_, "largest_load", "N", "The largest normal_load that a fixed mesh can take");
         add_parameter(&initial_state_, "initial_state", "", "State at the start", &initial_states);
-        add_input(
-            slip_[0], "longitudinal_slip_velocity", "m/s",
-            "Velocity of the wheel relative to the rail along the rolling direction, as rigid bodies, in the middle of "
-            "the contact; creepage times rolling_speed");
-        add_input(slip_[1], "lateral_slip_velocity", "m/s", "The same across the rolling direction, along y");
+        add_input(slip_[0], "longitudinal_slip_velocity", "m/s",
+                  "Rigid velocity of the wheel relative to the rail in the middle of the contact, along the rolling "
+                  "direction; creepage times rolling_speed");
+        add_input(slip_[1], "lateral_slip_velocity", "m/s", "Rigid velocity across the rolling direction, along y");
         add_input(spin_, "spin_rate", "rad/s",
                   "Angular velocity of the wheel relative to the rail about the normal, from x to y; spin times "
                   "rolling_speed");
-        add_input(speed_, "rolling_speed", "m/s", "V, the speed of the contact along the rail; not negative").min = 0;
-        add_input(load_, "normal_load", "N", "N at the end of a step; not negative").min = 0;
-        add_input(factor_, "friction_factor", "", "mu over friction_coefficient at the end of a step").min = 0;
+        add_input(speed_, "rolling_speed", "m/s", "Speed V of the contact along the rail; not negative").min = 0;
+        add_input(load_, "normal_load", "N", "Load N at the end of a step; not negative").min = 0;
+        add_input(factor_, "friction_factor", "", "Ratio of mu to friction_coefficient at the end of a step").min = 0;
         add_input(axes_[0], "given_half_length", "m",
-                  "a at the end of a step, where mode is table; 0 with given_half_width = 0: that of normal_load and "
-                  "the radii")
+                  "Semi-axis a at the end of a step, where mode is table; 0 with given_half_width = 0: a follows from "
+                  "normal_load and the radii")
             .min = 0;
-        add_input(axes_[1], "given_half_width", "m", "b likewise").min = 0;
+        add_input(axes_[1], "given_half_width", "m", "Semi-axis b likewise").min = 0;
         add_output(&force_.longitudinal, "longitudinal_force", "N",
                    "Force on the wheel; opposes the slip velocity in steady rolling without spin");
-        add_output(&force_.lateral, "lateral_force", "N", "The same across the rolling direction");
+        add_output(&force_.lateral, "lateral_force", "N", "Force on the wheel across the rolling direction");
         add_output(&force_.moment, "spin_moment", "N.m",
                    "Moment on the wheel about the normal through the middle of the contact");
         add_output(&slip_work_, "slip_work", "J", "Heat by slip since the start");
         add_output(&half_length_, "contact_half_length", "m",
-                   "a, the semi-axis along x: given, or that under normal_load")
+                   "Semi-axis a along x: given, or by Hertz under normal_load")
             .min = 0;
-        add_output(&half_width_, "contact_half_width", "m", "b, the semi-axis along y likewise").min = 0;
+        add_output(&half_width_, "contact_half_width", "m", "Semi-axis b along y likewise").min = 0;
         add_output(&sticking_elements_, "sticking_elements", "", "Number of elements that stick; 0 by table").min = 0;
-        auto& off_table = add_output(&off_table_, "off_table", "",
-                                     "1 where a/b of the last step lies beyond the table, whose nearest ellipse of "
-                                     "the same area then gives the forces, with an unknown error; else 0");
+        auto& off_table =
+            add_output(&off_table_, "off_table", "",
+                       "1 where a/b of the last step lies beyond the table: the table's nearest ellipse of "
+                       "the same area gives the forces, with an unknown error; else 0");
         off_table.lies_in(0, 1);
         add_output(&status_, "status", "", "Status of the last step", &step_statuses);
     }
@@ -114,7 +115,7 @@ public:
         }
         const rollbem::ElasticBody<Scalar> body{.young_modulus = 2 * shear_modulus_ * (1 + poisson_ratio_),
                                                 .poisson_ratio = poisson_ratio_};
-        // not at normal_load, so that a state can be restored in a contact built under another one
+        // largest_load rather than normal_load: a state can be restored in a contact built under another load
         ellipse_.emplace(rollbem::HertzEllipse<Scalar>::Parameters{
             .load = largest_load_, .radii_1 = wheel_, .radii_2 = rail_, .body_1 = body, .body_2 = body});
         if (mode_ == by_table) {
@@ -191,7 +192,7 @@ private:
         Scalar distance = 0;                // rolled [m]
         Scalar load = 0;                    // at the end [N]
         Scalar factor = 1;                  // of mu, at the end
-        Scalar semi_axes[2] = {0, 0};       // at the end [m]; 0: those of the load
+        Scalar semi_axes[2] = {0, 0};       // at the end [m]; 0: by Hertz under the load
     };
 
     void add_radius(Scalar& radius, const char* name, std::string description) {
@@ -268,7 +269,7 @@ private:
         require_finite_inputs();
         require(speed_.value >= 0, "rolling_speed", speed_.value, "not be negative");
         require(load_.value >= 0, "normal_load", load_.value, "not be negative");
-        // as the look-up: a decimal number may lie 0.01 away
+        // the look-up has the same tolerance: a decimal number may lie 0.01 away
         require(std::abs(poisson_ratio_ - grid.poisson_ratio()) <= 0.01 + 1e-12, "poisson_ratio", poisson_ratio_,
                 ("be within 0.01 of " + std::to_string(grid.poisson_ratio()) + " of the table").c_str());
         require(contact.a_over_b() >= grid.smallest_a_over_b() && contact.a_over_b() <= grid.largest_a_over_b(),
@@ -292,7 +293,7 @@ private:
             warning = "a/b = " + rollbem::detail::to_text(contact_of(step)->a_over_b()) +
                       " of the contact lies beyond the table, " + rollbem::detail::to_text(grid.smallest_a_over_b()) +
                       " to " + rollbem::detail::to_text(grid.largest_a_over_b()) +
-                      ": forces are those of its border while off_table is 1";
+                      ": its border gives the forces while off_table is 1";
         }
         off_table_ = on_table ? 0 : 1;
     }
@@ -307,7 +308,7 @@ private:
                 .semi_axes = {axes_[0].value, axes_[1].value}};
     }
 
-    /// Of the inputs over the next step.
+    /// Status of the inputs over the next step.
     Status check(Scalar duration) const {
         Status status = Status::ok;
         for (const Input* input : {&slip_[0], &slip_[1], &spin_, &speed_, &load_, &factor_, &axes_[0], &axes_[1]}) {
@@ -346,7 +347,7 @@ private:
         return refused;
     }
 
-    // By table, a step at the velocities of its end, whose work is the mean of those at the velocities of both ends.
+    // A step by table: forces at the velocities of its end, work as the mean over the velocities of both ends.
     Step take_by_table(Past& step) {
         const Past start = at_once(step.duration);
         const auto end_of = [](Scalar mean, Scalar first) { return 2 * mean - first; };
@@ -373,7 +374,7 @@ private:
         if (!(a > 0 && b > 0)) return std::nullopt;
         return rollbem::PatchContact<Scalar>({a, b, shear_modulus_, poisson_ratio_});
     }
-    // By table, at constant velocities.
+    // Forces by table at constant velocities.
     rollbem::TabulatedForce find(const Past& step) const {
         const Scalar distance = std::max(step.distance, least_speed * step.duration);
         const auto& [along, across, turn] = step.shift;
@@ -413,8 +414,8 @@ private:
         return result;
     }
 
-    // By the load where there is none yet: N f(xi/N^(1/3), eta/N^(1/3), phi) slides everywhere, but under spin alone f
-    // is the same at any load; the moment has another N^(1/3).
+    // Derivative of the forces by the load at N = 0: N f(xi/N^(1/3), eta/N^(1/3), phi) slides everywhere, but under
+    // spin alone f is the same at any load; the moment has another N^(1/3).
     Force first_force(Scalar mu, Scalar along, Scalar across, Scalar spin) const {
         const Scalar slip = std::hypot(along, across);
         if (slip > 0) return {-mu * (along / slip), -mu * (across / slip), 0};
@@ -433,11 +434,11 @@ private:
         last_.stick_count = steady.stick_count;
     }
 
-    // `by_factor`: tangent_by_load becomes that with respect to the factor of mu.
+    // A step by elements; with `by_factor` tangent_by_load is the derivative by the factor of mu.
     Step advance(const State& from, const Past& step, State& to, bool by_factor = false) {
         Step failed;
         failed.status = hertz_->set(step.load, end_load_);
-        // under a contact too small for its mesh forces are rough, and as small as its load
+        // forces of a contact too small for its mesh are rough, and as small as its load
         if (failed.status != Status::ok && failed.status != Status::unresolved) return failed;
         // mu as a factor of the pressures, which bound the tractions together
         if (by_factor) end_load_.pressure_rate = end_load_.normal_pressure;
@@ -455,12 +456,12 @@ private:
         status_ = computed ? value_of(Status::ok) : 0;
     }
 
-    // Of the forces at the end of the last step by an input during it.
+    // Derivative of the forces at the end of the last step by an input during it.
     Force partial_by(const Scalar& input) {
         if (&input == &slip_[0].value) return past_.duration * last_.tangent.by_longitudinal;
         if (&input == &slip_[1].value) return past_.duration * last_.tangent.by_lateral;
         if (&input == &spin_.value) return past_.duration * last_.tangent.by_spin;
-        // steps that change only one of the semi-axes from 0, or any in a patch, are refused
+        // a step that changes only one semi-axis from 0, or any semi-axis of a patch, is refused
         const bool of_axis = &input == &axes_[0].value || &input == &axes_[1].value;
         if (of_axis && !(table_ && is_given(past_.semi_axes[0]))) {
             constexpr Scalar none = std::numeric_limits<Scalar>::quiet_NaN();

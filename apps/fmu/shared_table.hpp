@@ -1,4 +1,4 @@
-// Tables of files, each read once for all instances that use it.
+// Tables from files; each file is read once for all instances that use it.
 #pragma once
 
 #include <filesystem>

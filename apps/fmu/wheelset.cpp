@@ -1,5 +1,5 @@
-// rollbem_wheelset: the forces of both rails on a wheelset, by look-up in a table of contact geometry and one of creep
-// forces. Co-simulation alone: steady forces at the inputs of the end of a step, without memory.
+// rollbem_wheelset: the forces of both rails on a wheelset, by look-up in a contact table and a table of creep forces.
+// Forces are steady ones at the inputs of the end of a step, without memory; the FMU is for co-simulation alone.
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -24,24 +24,25 @@ constexpr Eigen::Index components = 6;
 class Wheelset final : public Model {
 public:
     Wheelset() {
-        add_parameter(&friction_coefficient_, "friction_coefficient", "", "mu").min = 0;
+        add_parameter(&friction_coefficient_, "friction_coefficient", "", "Coefficient of friction mu").min = 0;
         add_parameter(&contact_table_, "contact_table_file", "",
-                      "Path of a table of contact geometry, as the program contact_table makes; empty: the one packed "
-                      "with this FMU, S1002 on 60E1 canted 1:40, gauge 1435 mm");
+                      "Path of a contact table made by contact_table; empty: the table packed with this FMU, S1002 on "
+                      "60E1 canted 1:40, gauge 1435 mm");
         add_parameter(&creep_table_, "creep_table_file", "",
-                      "Path of a table that creep_table made, the .bin; empty: the one packed with this FMU");
+                      "Path of a table (.bin) made by creep_table; empty: the table packed with this FMU");
         // as in WheelForces::Input
-        add_input(motion_[0], "lateral_shift", "m", "y of the middle of the axle, to the right");
-        add_input(motion_[1], "yaw", "rad", "psi, about z, which points down");
-        add_input(motion_[2], "rolling_speed", "m/s", "V along the track; not negative").min = 0;
-        add_input(motion_[3], "pitch_rate", "rad/s", "About the axle, negative when rolling forward");
-        add_input(motion_[4], "lateral_velocity", "m/s", "Of the middle of the axle, along y");
+        add_input(motion_[0], "lateral_shift", "m", "Position y of the middle of the axle, to the right");
+        add_input(motion_[1], "yaw", "rad", "Yaw angle psi about z, which points down");
+        add_input(motion_[2], "rolling_speed", "m/s", "Speed V along the track; not negative").min = 0;
+        add_input(motion_[3], "pitch_rate", "rad/s", "Angular velocity about the axle, negative when rolling forward");
+        add_input(motion_[4], "lateral_velocity", "m/s", "Velocity of the middle of the axle along y");
         add_input(motion_[5], "vertical_velocity", "m/s",
-                  "Along z; where the rails guide the wheelset, that of height");
-        add_input(motion_[6], "roll_rate", "rad/s", "About x; where the rails guide the wheelset, that of roll");
-        add_input(motion_[7], "yaw_rate", "rad/s", "About z");
+                  "Velocity along z; the rate of height where the rails guide the wheelset");
+        add_input(motion_[6], "roll_rate", "rad/s",
+                  "Angular velocity about x; the rate of roll where the rails guide the wheelset");
+        add_input(motion_[7], "yaw_rate", "rad/s", "Angular velocity about z");
         add_input(loads_[0], "left_load", "N", "Vertical load of the left wheel; not negative").min = 0;
-        add_input(loads_[1], "right_load", "N", "The same of the right wheel").min = 0;
+        add_input(loads_[1], "right_load", "N", "Vertical load of the right wheel; not negative").min = 0;
         constexpr std::array names{"longitudinal_force", "lateral_force", "vertical_force",
                                    "roll_moment",        "pitch_moment",  "yaw_moment"};
         constexpr std::array on{"both wheels", "the left wheel", "the right wheel"};
@@ -53,8 +54,8 @@ public:
                            of + on[k] + (i < 3 ? ", along " : " about the middle of the axle, about ") + "xyz"[i % 3]);
             }
         }
-        add_output(&height_, "height", "m", "z_ws of a wheelset that follows its rails, positive down");
-        add_output(&roll_, "roll", "rad", "Its roll, about x");
+        add_output(&height_, "height", "m", "Height z_ws of a wheelset that follows its rails, positive down");
+        add_output(&roll_, "roll", "rad", "Roll of that wheelset about x");
         add_output(&slip_work_, "slip_work", "J", "Heat by slip since the start");
         add_output(&status_, "status", "", "Status of the last step", &step_statuses);
     }
