@@ -139,7 +139,8 @@ BENCHMARK(BM_FrictionStep)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 void BM_FrictionStepSdirk2(benchmark::State& state) { steps_unchanged(state, Integrator::sdirk2); }
 BENCHMARK(BM_FrictionStepSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
-// The same with mu that falls with slip, at 45 m/s, with a memory of 10 um, at 0.6 of the largest force.
+// Steps in the steady state with mu that falls with slip, at 45 m/s, with a memory of 10 um, at 0.6 of the largest
+// force.
 void falling_steps_unchanged(benchmark::State& state, bool with_tangents,
                              Integrator integrator = Integrator::implicit_euler) {
     constexpr double a = 4e-3, speed = 45;
@@ -184,8 +185,8 @@ BENCHMARK(BM_FrictionStepChanging)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 void BM_FrictionStepChangingSdirk2(benchmark::State& state) { steps_changing(state, Integrator::sdirk2); }
 BENCHMARK(BM_FrictionStepChangingSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
-// The same with another distance rolled in every step, as by an integrator with variable step size. Argument: n. To be
-// compared with BM_LuSolve.
+// A step of a new distance each time, as by an integrator with variable step size. Argument: n. Compare with
+// BM_LuSolve.
 void steps_of_new_length(benchmark::State& state, Integrator integrator) {
     const FrictionModel<> model = Scene(state.range(0)).model(integrator);
     double q = 0, dq = 0.05;
@@ -255,7 +256,7 @@ void BM_FrictionSteadyWarm(benchmark::State& state) {
 }
 BENCHMARK(BM_FrictionSteadyWarm)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
-// Both creepages. The unit of comparison: a solution by LU of the equations of both directions together.
+// Both creepages. Unit of comparison: a solution by LU of the equations of both directions together.
 void BM_CombinedLuSolve(benchmark::State& state) {
     const Scene scene(state.range(0));
     const Eigen::Index n = state.range(0);
@@ -286,7 +287,7 @@ Creepage<double> creepage(double ratio, double degrees) {
     return {creepage(ratio) * std::cos(angle), creepage(ratio) * std::sin(angle)};
 }
 
-// From rest in the most expensive case, oblique creepage where stick ends.
+// A solution from rest in the most expensive case, oblique creepage where stick ends.
 void BM_CombinedSteady(benchmark::State& state) {
     solve_afresh(state, combined_steady_model(Scene(state.range(0))), creepage(1, 15));
 }

@@ -1,7 +1,10 @@
-// Patches from profiles. BM_NormalContact/n: pressures on 2 n x n cells under Hertz's gap (a/b = 2.6), from nothing;
-// its counter error is that of the peak pressure against Hertz. BM_ProfilePatch/n: S1002 on 60E1 with 2 n x n cells
-// across what touches, from the profiles to outline and pressures, from the position 0.1 mm beside it; /0 from nothing
-// at n = 20. BM_VirtualPenetration/y: the same profiles at y tenths of a millimetre. Sample run: ./bench_normal --benchmark_filter=/20$
+// Patches from profiles.
+// - BM_NormalContact/n: pressures on 2 n x n cells under Hertz's gap (a/b = 2.6), from nothing. Counter error: the
+//   error of the peak pressure against Hertz.
+// - BM_ProfilePatch/n: S1002 on 60E1 with 2 n x n cells over the contact, from the profiles to outline and pressures,
+//   starting at the position 0.1 mm beside it; /0 from nothing at n = 20.
+// - BM_VirtualPenetration/y: the same profiles at y tenths of a millimetre.
+// Sample run: ./bench_normal --benchmark_filter=/20$
 #include <limits>
 
 #include <benchmark/benchmark.h>
@@ -61,7 +64,7 @@ void BM_ProfilePatch(benchmark::State& state) {
 }
 BENCHMARK(BM_ProfilePatch)->Arg(0)->Arg(10)->Arg(20)->Arg(40)->Unit(benchmark::kMillisecond);
 
-/// The error is that of its load, that of the cells being the reference.
+/// Counter error: the error of the load, against the load of the cells.
 void BM_VirtualPenetration(benchmark::State& state) {
     const WheelOnRail wheel(s1002(), rail_60e1());
     WheelOnRail::Workspace workspace;

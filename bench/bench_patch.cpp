@@ -1,10 +1,10 @@
-// Contact patches of n x n elements: G and G' of the whole, steady creep coefficients by halves, and for comparison one
-// LU decomposition of all 2 n^2 unknowns. The counter error is that of c11 at a/b = 1, nu = 0.25. BM_PatchFriction
-// solves for stick and slip from rest, matrices ready, in the mean over nine creepages; its counter error is the
-// largest of F_y over mu N under creepage, spin, and both, against limits at nu = 0.28. BM_PatchCreepCurve does so
-// along a curve up to full sliding, each point from the one before. Their counter LU is the processor time of one
-// solution over that of one LU decomposition. BM_CreepTable looks forces up in a table, BM_SimplifiedTheory
-// computes them by strips.
+// Contact patches of n x n elements: G and G' of the joined system, steady creep coefficients by subsystems, and for
+// comparison one LU decomposition of all 2 n^2 unknowns. Counter error: the error of c11 at a/b = 1, nu = 0.25.
+// - BM_PatchFriction solves for stick and slip from rest, matrices ready, in the mean over nine creepages. Counter
+//   error: the largest error of F_y over mu N under creepage, spin, and both, against limits at nu = 0.28.
+// - BM_PatchCreepCurve solves along a curve up to full sliding, each point from the one before.
+// - Counter LU of both: processor time of one solution over the time of one LU decomposition.
+// - BM_CreepTable looks forces up in a table, BM_SimplifiedTheory computes them by strips.
 // Sample run: ./bench_patch --benchmark_filter=/12$
 #include <algorithm>
 #include <array>
@@ -134,7 +134,7 @@ void BM_PatchCreepCurve(benchmark::State& state) {
     state.SetComplexityN(state.range(0));
 }
 
-/// A look-up in the default table's size, tangent included; forces are those of full sliding, approached linearly.
+/// A look-up in a table of the default size, tangent included; its forces approach full sliding linearly.
 void BM_CreepTable(benchmark::State& state) {
     constexpr int shapes = 13, levels = 19;
     const CreepCoefficients<double> c{4.1, 3.7, 1.5, -1.5, 1.2};
@@ -148,7 +148,7 @@ void BM_CreepTable(benchmark::State& state) {
         forces.col(i) = size / (1 + size) * Eigen::Array3d(full.longitudinal, full.lateral, full.moment);
     }
     const CreepForceTable table(grid, forces);
-    // ellipses and creepages all over the table, or those of a vehicle's eight contacts
+    // ellipses and creepages all over the table, or of a vehicle's eight contacts
     std::mt19937 random(1);
     std::uniform_real_distribution<double> uniform(-1, 1);
     std::vector<PatchContact<double>> contacts;

@@ -1,4 +1,4 @@
-// The C interface: what the library has, behind plain numbers, handles and codes. No exception leaves it.
+// The C interface: the library behind plain numbers, handles and codes. No exception leaves it.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,7 +38,7 @@ int failed(const std::string& message, int code = ROLLBEM_FAILED) {
     return code;
 }
 
-/// Calls what returns a code, and turns exceptions into one.
+/// Returns the code of call(), or the code of its exception.
 template <class Call>
 int guarded(const Call& call) noexcept {
     try {
@@ -56,14 +56,14 @@ struct Given {
     const void* pointer;
 };
 
-/// Throws std::invalid_argument, naming the first that is NULL.
+/// Throws std::invalid_argument, naming the first argument that is NULL.
 void require_given(const char* who, std::initializer_list<Given> arguments) {
     for (const Given& argument : arguments) {
         detail::require(argument.pointer != nullptr, who, argument.name, "NULL", "not be NULL");
     }
 }
 
-/// Makes a handle; null if that throws.
+/// The handle from make(); null if make() throws.
 template <class Make>
 auto made(const Make& make) noexcept -> decltype(make().release()) {
     decltype(make().release()) handle = nullptr;
@@ -112,7 +112,7 @@ struct rollbem_patch {
           run_(model_),
           under_{pressure_, a_, pressure_ / (3 * load), b_} {}
 
-    /// Solves by try_solve(under) with the load set, and writes the results.
+    /// Sets the load, solves by try_solve(under) and writes the results.
     template <class Solve>
     int solve(const char* who, double load, const Solve& try_solve, double* force, double* tangent, double* work) {
         // a and b grow like N^(1/3), and so do pressures
@@ -125,7 +125,7 @@ struct rollbem_patch {
         put(force, step.force);
         if (work != nullptr) *work = step.slip_work;
         if (tangent != nullptr) {
-            // b follows a
+            // the rate of b is contained in tangent_by_half_length, as b follows a
             put(put(tangent, step.tangent),
                 step.tangent_by_load + under_.half_length / (3 * load) * step.tangent_by_half_length);
         }
@@ -158,7 +158,7 @@ struct rollbem_wheel {
     std::string notes{};
     WheelOnRail::Workspace workspace{};
 
-    /// Writes the patches of solve(), and says why there are none.
+    /// Writes the patches of solve(), or the reason why there are none to last_error.
     template <class Solve>
     static int write(const char* who, size_t most, double* patches, size_t* count, const Solve& solve) {
         require_given(who, {{"count", count}});
@@ -200,7 +200,7 @@ int rollbem_table_forces(const rollbem_table* table, size_t count, const double*
     });
     if (code != ROLLBEM_OK) return code;
     const auto severity = [](int of) { return of == ROLLBEM_OK ? 0 : of == ROLLBEM_OFF_TABLE ? 1 : 2; };
-    std::string message;  // of the first contact that is worst
+    std::string message;  // about the first of the worst contacts
     for (size_t i = 0; i < count; ++i, contacts += 9) {
         TabulatedForce found;
         const int own = guarded([&] {
@@ -211,7 +211,7 @@ int rollbem_table_forces(const rollbem_table* table, size_t count, const double*
             const CreepForceGrid& grid = table->table.grid();
             return failed(std::string(who) + ": a/b = " + detail::to_text(contacts[0] / contacts[1]) +
                               " lies beyond the table, " + detail::to_text(grid.smallest_a_over_b()) + " to " +
-                              detail::to_text(grid.largest_a_over_b()) + ": forces are those of its border",
+                              detail::to_text(grid.largest_a_over_b()) + ": its border gives the forces",
                           ROLLBEM_OFF_TABLE);
         });
         forces = put(forces, found.force);
@@ -240,7 +240,7 @@ rollbem_contact_table* rollbem_contact_table_open(const char* path) {
 
 void rollbem_contact_table_close(rollbem_contact_table* table) { delete table; }
 
-/// Which input of a look-up is wrong; empty if none is of itself.
+/// The rule that an input of a look-up breaks; empty if each input alone is valid.
 static std::string reason_of(const ContactTable& table, const double inputs[11]) {
     constexpr std::array names{
         "lateral position", "yaw",       "forward speed", "pitch rate", "lateral speed",
@@ -294,7 +294,7 @@ int rollbem_contact_table_look_up(const rollbem_contact_table* table, const roll
         const auto& loads = table->table.grid().loads;
         return failed(std::string(who) + ": load = " + detail::to_text(load.vertical) + " lies beyond the table, " +
                           detail::to_text(loads.front()) + " to " + detail::to_text(loads.back()) +
-                          ": contacts are those of its border",
+                          ": its border gives the contacts",
                       ROLLBEM_OFF_TABLE);
     });
 }
@@ -419,7 +419,7 @@ int rollbem_patch_steady(rollbem_patch* patch, const double creepage[3], double 
                          double tangent[12], double* slip_work) {
     return guarded([&] {
         require_given("rollbem_patch_steady", {{"patch", patch}, {"creepage", creepage}, {"force", force}});
-        // lengths and pressures grow like N^(1/3): F = N f(xi/N^(1/3), eta/N^(1/3), phi), and M_z has another N^(1/3)
+        // lengths and pressures grow like N^(1/3): F = N f(xi/N^(1/3), eta/N^(1/3), phi); M_z has a further N^(1/3)
         const auto solve = [&](const auto& under) {
             FrictionStep<2> step = patch->run_.try_steady({.motion = creepage_from(creepage), .load = under});
             const TangentialForce<double>& f = step.force;
@@ -522,7 +522,7 @@ rollbem_wheel_options default_options() {
             .poisson_ratio = d.poisson_ratio};
 }
 
-/// Those of a program, checked, or the defaults.
+/// The options of a program, checked, or the defaults.
 rollbem_wheel_options options_from(const rollbem_wheel_options* given) {
     constexpr const char* who = "rollbem_wheel_open";
     rollbem_wheel_options options = default_options();
@@ -559,7 +559,8 @@ int rollbem_wheel_defaults(rollbem_wheel_options* options, size_t size) {
     return guarded([&] {
         constexpr const char* who = "rollbem_wheel_defaults";
         require_given(who, {{"options", options}});
-        detail::require(size == sizeof *options, who, "size", size, "be that of rollbem_wheel_options of this version");
+        detail::require(size == sizeof *options, who, "size", size,
+                        "be the size of rollbem_wheel_options in this version");
         *options = default_options();
         return ROLLBEM_OK;
     });
@@ -574,7 +575,7 @@ rollbem_wheel* rollbem_wheel_open(const char* wheel_path, const char* rail_path,
         if (by_origin) track.rail_origin = TrackDimensions::Origin{o.rail_origin[0], o.rail_origin[1]};
         const auto changes = [&](const std::filesystem::path& name, Profile::Use use, int mirror) {
             ProfileFileOptions how = file_options(o, mirror);
-            if (is_standard_profile(name, use)) how.smooth = 0;  // that of the other one, which is from a file
+            if (is_standard_profile(name, use)) how.smooth = 0;  // smoothing applies to the profile from a file
             return how;
         };
         const auto wheel_name = path_of(wheel_path != nullptr ? wheel_path : "s1002"),

@@ -25,7 +25,7 @@ namespace {
 
 using Model = rollbem::FrictionModel<>;
 
-// 1. The axle and what it carries. The rail forces drive the vehicle: m dV/dt = sum F - D. Wheel i turns by
+// 1. The axle and its load. The rail forces drive the vehicle: m dV/dt = sum F - D. Wheel i turns by
 // J d(omega_i)/dt = T_i - R_i F_i -+ M, with the moment M = k twist + c d(twist)/dt in the axle.
 struct Axle {
     double mass = 13000;                           // m [kg]
@@ -75,9 +75,9 @@ int advance(const Axle& axle, const std::array<Model, 2>& models, double torque,
         next.twist = now.twist + dt * turning;
         const double moment = axle.stiffness * (now.twist + next.twist) / 2 + axle.damping * turning;
         const double moment_by_speed = axle.stiffness / 2 * dt_by_speed * turning;
-        const double moment_by_rotation = axle.stiffness / 4 * dt + axle.damping / 2;  // by -that of wheel 1
+        const double moment_by_rotation = axle.stiffness / 4 * dt + axle.damping / 2;  // wheel 1: with a minus
 
-        // unknowns V, omega_0, omega_1; momentum gained less that of the forces over dt
+        // unknowns V, omega_0, omega_1; residual: gain of momentum less the impulse of the forces over dt
         const double mass_gain = axle.mass * (next.speed - now.speed);
         Eigen::Vector3d residual(mass_gain + dt * axle.resistance, 0, 0);
         Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
@@ -127,7 +127,7 @@ struct Account {
     int most_trials = 0;
 
     double total_heat() const { return heat[0] + heat[1]; }
-    /// What the balance lacks with the heat by slip and traction, or with that by `spent` and the elastic energy.
+    /// Error of the balance with the heat by slip and traction, or with the heat by `spent` and the elastic energy.
     double gap() const { return torque - resistance - damping - kinetic - twist - elastic - total_heat(); }
     double gap_by_energy() const { return gap() + total_heat() - (spent - elastic); }
 };

@@ -5,8 +5,8 @@
 //     ./examples/bogie_curve [step of the radius, percent]
 //     ./examples/bogie_curve patches [radius, m]...
 //
-// Curves turn right; cant balances the centrifugal force, and every wheel keeps its load. The second form has, beside
-// the balance by tables, that by friction on patches, with the least damped motion by central differences.
+// Curves turn right; cant balances the centrifugal force, and every wheel keeps its load. The second form compares the
+// balance by friction on patches, with the least damped motion by central differences.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -30,8 +30,8 @@ constexpr double load = 1e5, mu = 0.3, speed = 20, radius = 0.46;  // of each wh
 constexpr double lateral_spring = 5e6, yaw_spring = 1e7;           // of each axle in the frame [N/m], [N m/rad]
 constexpr double damper = 1e4, half_wheelbase = 1.25;              // beside the lateral spring [N s/m], [m]
 
-// Shifts and yaws of an axle are relative to the track where it is, those of the frame to the track at its middle. y to
-// the right, yaw clockwise from above.
+// Shift and yaw of an axle are relative to the track at the axle, shift and yaw of the frame to the track at its
+// middle. y points to the right, yaw turns clockwise from above.
 enum { y, yaw, pitch_rate, axle_size, frame_y = 2 * axle_size, frame_yaw, size };
 using Vector = Eigen::Matrix<double, size, 1>;
 using Matrix = Eigen::Matrix<double, size, size>;

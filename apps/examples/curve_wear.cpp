@@ -1,6 +1,6 @@
-// Where the rails of a curve wear: the leading wheelset of a bogie rolls slowly through it, in balance at every point
-// by the tables of forces. These say how much work is done where on both rails, and what Archard's law wears off; beside
-// them stands friction on the patches themselves.
+// Wear of the rails in a curve: the leading wheelset of a bogie rolls slowly through it, in balance at every point by
+// the tables of forces. The tables give the work over both rails' profiles and the wear by Archard's law; friction on
+// the patches themselves is compared.
 //
 //     ./examples/curve_wear [radius of the curve, m] [positions] > curve_wear.txt
 //
@@ -30,12 +30,12 @@ using namespace rollbem;
 constexpr double load = 1e5, mu = 0.3, speed = 15;         // of each wheel [N], [-], [m/s]
 constexpr double half_wheelbase = 1.25, yaw_spring = 5e6;  // of the bogie [m], of the axle in its frame [N m/rad]
 constexpr double hardness = 3e9;                           // of the rail [Pa]
-constexpr double outwards = 5e3;                           // what superelevation leaves over, on the axle [N]
+constexpr double outwards = 5e3;                           // lateral load by cant deficiency, on the axle [N]
 
 /// Lateral shift, yaw and pitch rate in which a wheelset rolls through a curve.
 class Curving {
 public:
-    /// `radius` [m] is that of the full curve, where the lateral load is `outwards`; it grows with the curvature.
+    /// `radius` [m] belongs to the full curve, where the lateral load is `outwards`; the load grows with the curvature.
     explicit Curving(double radius) : radius_(radius) { at_[2] = -speed / 0.46; }
 
     /// Newton's method from the point before. The frame points outwards by the angle of half a wheelbase.
@@ -98,8 +98,8 @@ double archard_coefficient(double pressure, double slides) {
     return slides < 0.2 || slides > 0.7 ? 5e-4 : 35e-4;
 }
 
-/// What a wheel wears off a rail per metre rolled, over the strips of its points [m^3/m]: k p s/H of each element, under
-/// the pressure of its ellipse, the coefficient by the peak of its zone.
+/// The volume worn off a rail per metre rolled, over the strips of a wheel's points [m^3/m]: k p s/H of each element,
+/// under the pressure of its ellipse, the coefficient by the peak of its zone.
 PatchForce archard_wear(const WheelForces::Point& point, const CreepForceTable& creep) {
     PatchForce worn = strip_work_of(point, creep, mu);
     worn.strip_work.setZero();
@@ -115,7 +115,7 @@ PatchForce archard_wear(const WheelForces::Point& point, const CreepForceTable& 
     return worn;
 }
 
-/// Work of one wheelset on a rail by patches and by table [J/m^2], and what it wears off by Archard's law [m].
+/// Work of one wheelset on a rail by patches and by table [J/m^2], and the wear by Archard's law [m].
 struct RailWear {
     ProfileWear patches, table, archard;
 
@@ -184,7 +184,7 @@ int main(int argc, char** argv) {
         }
         std::puts("");
     }
-    // 3. Where on the rails: y towards the field side of the rail, z down
+    // 3. Work and wear over the rail's profile: y towards the field side, z down
     std::printf("# y mm, z mm, inner rail: work by patches and by table J/m^2, wear nm; outer rail\n");
     for (Eigen::Index i = 0; i < cells; ++i) {
         const Profile::Point at = rail.at((double(i) + 0.5) * wear[0].patches.width());

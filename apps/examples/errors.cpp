@@ -1,4 +1,4 @@
-// Part of every example: what is thrown ends it with the message, one line, and exit code 1.
+// Part of every example: an exception ends it with its message, one line, and exit code 1.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>

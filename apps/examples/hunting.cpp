@@ -4,10 +4,9 @@
 //
 //     ./examples/hunting [number of speeds] [seconds of each]
 //
-// The wheelset is that of the passenger vehicle of the Manchester benchmarks (S. Iwnicki, Vehicle System Dynamics 30
-// (1998) 295-313), on a frame that does not move, with a softer suspension, so that it hunts at a speed of trains.
-// Height and roll follow the rails without inertia; the wheels' loads are those that balance the moment about the
-// track.
+// The passenger vehicle of the Manchester benchmarks (S. Iwnicki, Vehicle System Dynamics 30 (1998) 295-313) has this
+// wheelset, here on a frame that does not move, with a softer suspension, so that it hunts at a speed of trains. Height
+// and roll follow the rails without inertia; the wheels' loads balance the moment about the track.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,8 +34,8 @@ constexpr double track_mass = 500, track_spring = 2e7, damper = 5e4;  // under i
 constexpr double load = 1e5, friction = 0.3;                          // of each wheel [N]
 constexpr double half_spacing = 0.75, radius = 0.46;                  // of the tape circles [m]
 
-// y to the right, yaw clockwise from above as z points down, the track's lateral motion; their rates, the pitch rate;
-// what the drive puts in, the heat, and the work of normal forces [J], which would be none on rigid bodies
+// The state: y to the right, yaw clockwise from above as z points down, the track's lateral motion; their rates, the
+// pitch rate; the drive's work, the heat, and the work of normal forces [J], which would be 0 on rigid bodies.
 enum { y, yaw, track, lateral_speed, yaw_rate, track_speed, pitch_rate, motion, drive = motion, heat, normal, states };
 using State = Eigen::Matrix<double, states, 1>;
 
@@ -48,7 +47,7 @@ WheelForces wheel(double side, double shift, double yaw, const WheelsetSpeeds& s
 struct Vehicle {
     double speed, transfer = 0, step = 1e-4;  // [m/s], of load from left to right [N], of time [s]
     Status status = Status::ok;
-    State middle = State::Zero();  // where it rolls freely
+    State middle = State::Zero();  // free rolling in the middle of the track
 
     explicit Vehicle(double v) : speed(v) {
         middle[pitch_rate] = -speed / radius;
@@ -101,7 +100,7 @@ struct Vehicle {
                 pushing};
     }
 
-    /// Kinetic energy, that of the springs and of the height [J].
+    /// Energy of motion, springs and height [J].
     static double energy(const State& x) {
         const auto square = [&](int k) { return x[k] * x[k]; };
         return (mass * square(lateral_speed) + inertia * square(yaw_rate) + axle_inertia * square(pitch_rate) +
@@ -137,7 +136,7 @@ struct Vehicle {
             const State error = h * (-5 * first + 6 * second + 8 * third - 9 * last) / 72;
             const bool lost = std::exchange(status, Status::ok) != Status::ok;
             const double share = lost ? 1e3 : (error.head<motion>().array() / tolerance).abs().maxCoeff();
-            // a shortened last step says nothing of the next one, unless it is refused
+            // the size of a shortened last step is no hint for the next one, unless the step is refused
             if (h == step || share > 1) step = h * std::clamp(0.9 / std::cbrt(share), 0.3, 2.0);
             if (share > 1 && h < 1e-7) return std::numeric_limits<double>::quiet_NaN();
             if (share > 1) continue;

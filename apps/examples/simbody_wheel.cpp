@@ -1,4 +1,4 @@
-// rollbem in a multibody code: a driven wheel in Simbody 3.7 whose rail force is that of the contact. The wheel rolls
+// rollbem in a multibody code: the contact gives the rail force on a driven wheel in Simbody 3.7. The wheel rolls
 // steadily; when its rotation is kicked, it oscillates as the closed loop of the exact creep coefficient c11(s) does.
 //
 //     ./examples/simbody_wheel
@@ -50,9 +50,9 @@ struct Memory {
 /// The contact has memory, and Simbody evaluates forces in trials: several times within a step, in any order, and in
 /// steps that it rejects. The memory is therefore an auto-update discrete variable of Simbody's State. Each evaluation
 /// rolls the contact from the memory, which it does not change, to the trial and stores the result in the variable's
-/// update value; the integrator makes that the new memory when it has accepted a step, and at no other time. The force
-/// is that of the update value, so that it does not jump there. (Events at fixed times would also do, but each restarts
-/// the integrator, and the contact's steps would differ from the integrator's.)
+/// update value; the integrator makes it the new memory when it has accepted a step, and at no other time. The update
+/// value also gives the force, which therefore does not jump there. (Events at fixed times would also do, but each
+/// restarts the integrator, and the contact's steps would differ from the integrator's.)
 struct RailForce final : SimTK::Force::Custom::Implementation {
     RailForce(const SimTK::GeneralForceSubsystem& all, const SimTK::MobilizedBody& on, const Model& contact, Memory at)
         : forces(all), wheel(on), model(contact), start(std::move(at)), workspace(model.workspace()) {}
@@ -98,7 +98,7 @@ struct RailForce final : SimTK::Force::Custom::Implementation {
 };
 
 /// s of the closed loop m dV/dt = F - D, J d(omega)/dt = T - R F in V/a: the root of s + kappa c11(s), by the secant
-/// method, started at that of c11 = C/(1 + (Lambda - 1/2) s).
+/// method, started at the root for c11 = C/(1 + (Lambda - 1/2) s).
 Complex exact_root(const rollbem::Contact<double>& contact) {
     const double a = contact.half_length(), poisson_ratio = contact.poisson_ratio(), aspect = contact.aspect();
     const double kappa = 2 * a * a * contact.half_width() * contact.shear_modulus() *
@@ -158,7 +158,7 @@ int main() {
         Force::Custom(forces, new RailForce(forces, wheel, model,
                                             {0, 1 - rotation * radius / speed, model.steady(creepage)}));  // owns it
 
-        // 3. Time. Each accepted step is also a step of the contact, which takes the creepage as linear over it: the
+        // 3. Time. Each accepted step is also a step of the contact, over which the creepage counts as linear: the
         // error is of second order in the largest step, whatever the integrator's order.
         State state = system.realizeTopology();
         vehicle.setOneU(state, 0, speed);

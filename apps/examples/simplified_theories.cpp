@@ -1,6 +1,6 @@
-// What simplified theories make of friction on a patch: FASTSIM (Kalker 1982), FaStrip (Sichani, Enblom and Berg 2016)
-// and Kalker's linear theory with saturation (Shen, Hedrick and Elkins 1983), beside this library. Forces over mu N on
-// ellipses of nu = 0.28, over the longitudinal and the lateral creepage, the latter with the spin of a contact angle.
+// Simplified theories beside friction on a patch: FASTSIM (Kalker 1982), FaStrip (Sichani, Enblom and Berg 2016) and
+// Kalker's linear theory with saturation (Shen, Hedrick and Elkins 1983). Forces over mu N on ellipses of nu = 0.28,
+// over the longitudinal and the lateral creepage, the latter with the spin of a contact angle.
 //
 //     ./examples/simplified_theories [largest error of the patches, over mu N] > simplified_theories.csv
 #include <algorithm>
@@ -26,7 +26,7 @@ TangentialForce<double> saturated(double x, double y) {
                     : TangentialForce<double>{0, 0, 0};
 }
 
-/// mu N = G = a = 1, creepages in what would need mu N without slip.
+/// Units: mu N = G = a = 1; a creepage of 1 would need mu N without slip.
 class Ellipse {
 public:
     static constexpr const char* names[] = {"FASTSIM", "FASTSIM, elliptic bound", "FaStrip", "linear, saturated"};
@@ -117,6 +117,6 @@ int main(int argc, char** argv) {
     // 2. Differences
     double largest = 0;
     for (const double a_over_b : {0.2, 0.5, 1.0, 2.0, 5.0}) largest = std::max(largest, compare(a_over_b, tolerance));
-    // as far off as CONTACT finds FASTSIM, and more where spin acts against the lateral creepage
+    // CONTACT finds FASTSIM as far off, and further where spin acts against the lateral creepage
     return largest > 0.05 && largest < 0.2 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

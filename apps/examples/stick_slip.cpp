@@ -72,7 +72,7 @@ bool advance(rollbem::Run<Model>& contact, double demand, double damping, double
         const double motor = (now.motor + next.motor) / 2, wheel = (now.wheel + next.wheel) / 2;
         next.twist = now.twist + dt * (motor - wheel);
         const double moment = stiffness * (now.twist + next.twist) / 2 + damping * (motor - wheel);
-        const double moment_by_motor = stiffness / 4 * dt + damping / 2;  // and less that by the wheel
+        const double moment_by_motor = stiffness / 4 * dt + damping / 2;  // by the wheel: with a minus
         const double torque = demand - droop * (motor - speed / radius);
         const Eigen::Vector2d residual(
             motor_inertia * (next.motor - now.motor) - dt * (torque - moment),
@@ -119,7 +119,7 @@ double least_damping(double slope) {
     return low;
 }
 
-// 4. What the contact makes of it: growth and frequency of a small vibration about steady rolling, over eight periods.
+// 4. The simulated contact: growth and frequency of a small vibration about steady rolling, over eight periods.
 std::complex<double> simulated(rollbem::Run<Model> contact, double force, double slip_velocity, double damping,
                                const Mode& mode, double dq) {
     const double w = (speed + slip_velocity) / radius, demand = radius * force + droop * (w - speed / radius);
