@@ -528,7 +528,7 @@ rollbem_wheel_options options_from(const rollbem_wheel_options* given) {
     rollbem_wheel_options options = default_options();
     if (given == nullptr) return options;
     detail::require(given->size == sizeof options, who, "options.size", given->size,
-                    "be what rollbem_wheel_defaults() sets");
+                    "be the size that rollbem_wheel_defaults() sets");
     options = *given;
     const auto flag = [&](const char* quantity, int value) {
         detail::require(value == 0 || value == 1, who, quantity, value, "be 0 or 1");
