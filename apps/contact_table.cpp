@@ -487,10 +487,9 @@ void scan(const study::Options& options) {
     const Scene scene = read_scene(options);
     const ContactTable table = read_table(options, scene);
     const std::vector<Position> positions = scan_positions(options, table);
-    study::Table rows = study::table_of(
-        study::cells_of("load,yaw,shift,side,table_force_x,table_force_y,table_moment_z,patch_force_x,patch_force_y,"
-                        "patch_moment_z,points,status"),
-        positions, 2);
+    study::Table rows = study::table_of(study::cells_of("load,yaw,shift,side,table_force_x,table_force_y,table_moment_"
+                                                        "z,patch_force_x,patch_force_y,patch_moment_z,points,status"),
+                                        positions, 2);
     std::array<double, 3> sum{}, largest{};
     std::size_t count = 0;
     std::mutex mutex;
@@ -536,17 +535,25 @@ constexpr const char* help =
 The file is for ContactTable::read, rollbem_contact_table_open and the wheelset FMU. At each node both wheels carry the
 load with normal forces. Along shift and load values are local cubics, over the yaw polynomials in yaw^2, as contacts at
 -yaw are the mirror images of those at yaw. Shifts end where wheels no longer carry their loads.
-The rail is parted into at most four zones by smooth weights; where is found by the program, or said by --zones.
---shard writes rows of numbers in place of the file, one for each node, side and possible zone. Each part finds the zones
-anew, from a quarter of all positions, unless --zones says them; parts of whole lines of shifts take least time.
---check: |shift| <= 6.1 mm, |yaw| <= 10 mrad, equal loads within those of the table, creepages of linear forces from
-0.05 to 5 mu N in a random direction, mu = 0.3; 20 m/s. Prints differences of F_x, F_y and M_z (about the middle of the
-axle, over 0.75 m) from rolling_forces over mu Q, and by how much the power of the table's forces on the rigid motion,
-in a curve of 300 m, differs from the creep work.
---scan: a row for each load (those of the table and halfway between), yaw (0, 3 and 8 mrad, both signs), shift and side;
-straight track, free pitch, mu = 0.3. Forces and moment act on the wheel, in track axes about the middle of the axle
-[N], [N m]. points counts those with load. At the end one line on standard error has mean and largest differences over
-mu Q.
+Smooth weights part the rail into at most four zones, whose cuts the program finds unless --zones gives them.
+--shard writes rows of numbers in place of the file, one for each node, side and possible zone: load, yaw, shift, side,
+zone, then the zone's cut and the values at the node. Each part finds the zones anew, from a quarter of all positions,
+unless --zones gives them; parts of whole lines of shifts take least time.
+--check: random scenes with |shift| <= 6.1 mm, |yaw| <= 10 mrad, equal loads within the table, creepages in a random
+direction whose linear forces are 0.05 to 5 mu N, mu = 0.3, 20 m/s. Lines on standard output: differences between table
+and patches (rolling_forces) of F_x, F_y and M_z (about the middle of the axle, over 0.75 m), over mu Q; and the
+relative difference between the power of the table's forces on the rigid motion, in a curve of 300 m, and the creep work.
+--scan: a row for each load (nodes of the table and their midpoints), yaw (0, 3 and 8 mrad, both signs), shift and side,
+on straight track with free pitch, mu = 0.3:
+  load, yaw, shift  vertical load on each wheel [N], yaw angle [rad], lateral shift [m]
+  side              wheel, left or right
+  table_force_x, table_force_y, table_moment_z
+                    forces [N] and moment [N m] on the wheel by the table, in track axes about the middle of the axle
+  patch_force_x, patch_force_y, patch_moment_z
+                    forces and moment by the patches, likewise
+  points            number of the table's points of contact that carry load
+  status            ok, or why there are no forces
+One line on standard error ends it: mean and largest differences over mu Q.
 )";
 
 void add_options(study::Options& options) {
@@ -558,30 +565,45 @@ void add_options(study::Options& options) {
     options.refuse("rail-origin", "wheelsets stand on rails with a gauge");
     options.refuse("roller-radius", "wheelsets stand on straight rails");
     options.group("Table");
-    options.add("load", "LIST", "vertical loads of each wheel, 1 to 8 [N]; stiffness takes two",
+    options.add("load", "LIST",
+                "vertical loads of each wheel [N], 1 to 8 values from 1 to 1e7; the stiffness of the contact takes two "
+                "at least",
                 "40000,65000,100000,160000");
-    options.add("shift", "MIN,MAX,N", "lateral shifts of the wheelset, MIN = -MAX [m]", "-0.009,0.009,361");
-    options.add("yaw", "MIN,MAX,N", "yaw angles, MIN = 0 or -MAX [rad]", "0,0.015,4");
-    options.add("zones", "LIST", "y and half-width of each cut between zones, in track axes [m]; default: found");
-    options.add("left-zones", "LIST", "the same of the left wheel, as a right one; default: found");
-    options.add_input("creep", "table of creep forces that it will be used with; default: that of steel");
-    options.add("check", "N", "beside patches in N random scenes, 1 to 1000000, instead of making one (dimensionless)");
-    options.add("scan", "SHIFT_MAX,STEP", "beside patches over shift, yaw and load, instead of making one [m]");
-    options.add_argument("table", "the contact table for --check and --scan").only_with({"check", "scan"});
+    options.add(
+        "shift", "MIN,MAX,N",
+        "range of the wheelset's lateral shift [m] and number of nodes: MIN = -MAX, MAX up to 0.1, N 5 to 10001",
+        "-0.009,0.009,361");
+    options.add("yaw", "MIN,MAX,N",
+                "range of the yaw angle [rad] and number of nodes: MIN = 0 or -MAX, MAX up to 0.3, N up to 8 from 0 on",
+                "0,0.015,4");
+    options.add(
+        "zones", "LIST",
+        "cuts between zones of the rail: y, half-width of each, in track axes [m]; found by the program without it");
+    options.add("left-zones", "LIST",
+                "cuts between zones of the left rail, as of a right one [m]; found by the program without it");
+    options.add_input(
+        "creep",
+        "file of the creep-force table with which the contact table will be used; default: steel.creep, for steel");
+    options.add("check", "N",
+                "number of random scenes [dimensionless], 1 to 1000000, in which the given table is compared with "
+                "patches, in place of making one");
+    options.add("scan", "SHIFT_MAX,STEP",
+                "largest shift and its step [m], over which, over yaw and load the given table is compared with "
+                "patches, in place of making one");
+    options.add_argument("table", "file of the contact table to compare").only_with({"check", "scan"});
     options.not_with({"scan"}, "check");
     options.not_with({"load", "shift", "yaw", "zones", "left-zones"}, "check");
     options.not_with({"load", "shift", "yaw", "zones", "left-zones"}, "scan");
     options.only_with({"left-zones"}, {"left-wheel", "left-rail", "left-radius"});
     options.refuse("plot", "draw contacts with profile_study");
     options.refuse("no-timing", "rows have no times");
-    options.set_help(
-        "output",
-        "the contact table, a file that is no CSV; with --shard and --scan a CSV file with FILE.toml beside "
-        "it, by default standard output");
-    options.set_help("jobs", "threads, 1 to 1024 (dimensionless)");
+    options.set_help("output",
+                     "file of the contact table, which is no CSV; with --shard and --scan CSV file of the rows, with "
+                     "FILE.toml beside it, standard output without it");
+    options.set_help("jobs", "number of threads [dimensionless], 1 to 1024");
     options.add_input("rows",
-                      "make the table of these rows instead of computing them: the parts of --shard, one after the "
-                      "other; with the same options but those of zones, and the same version");
+                      "CSV file of the rows, the parts of --shard one after the other, made with the same options but "
+                      "those of zones and the same version, in place of a computation");
     options.not_with({"shard"}, "rows");
     options.not_with({"shard", "rows"}, "check");
     options.not_with({"rows"}, "scan");

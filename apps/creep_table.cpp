@@ -221,9 +221,16 @@ constexpr const char* help =
   creep_table --shard 1/4 --output part1.csv    # and 2/4, 3/4, 4/4
   cat part?.csv > rows.csv && creep_table --rows rows.csv --output table.csv --check 1000
 
-Writes a row for each node of the grid, with the columns of patch_study: creepages times G a b/(mu N), spin times
-G a b c/(mu N), -F_x, -F_y over mu N, -M_z over mu N c, c = sqrt(a b). Beside FILE stands FILE.bin, which
-CreepForceTable::read of the library takes (not for a shard, nor on standard output).
+One row for each node of the grid, with columns as in patch_study:
+  a_over_b, poisson, n, strips
+                    ellipse, Poisson's ratio, elements in each strip and strips
+  longitudinal, lateral, spin
+                    creepages times G a b/(mu N), spin times G a b c/(mu N), c = sqrt(a b)
+  longitudinal_force, lateral_force, spin_moment
+                    -F_x/(mu N), -F_y/(mu N), -M_z/(mu N c)
+  stick_count, rounds, complementarity_residual, time_us, status, nodes
+                    as in patch_study
+Beside FILE stands FILE.bin, for CreepForceTable::read of the library (not for a shard, nor on standard output).
 Nodes are denser for small creepages, follow saturation and end at full sliding, so no creepage lies outside. Each node
 is solved on one mesh. Where the pole of a large spin lies inside or near the edge, forces are a mean of two: the second
 has one more element in each strip and one more strip. Columns other than forces, residual and status are of the first.
@@ -235,22 +242,23 @@ the largest of F_x/(mu N), F_y/(mu N), M_z/(mu N c). Ten scenes share an ellipse
 
 void add_options(study::Options& options) {
     options.group("Table");
-    options.add("a-over-b", "LIST", "the smallest and the largest a/b, a along the rolling direction (dimensionless)",
-                "0.1,10");
-    options.add("shapes", "N", "number of ellipses, a/b in steps of a constant factor, 4 to 100 (dimensionless)", "13");
-    options.add("levels", "N", "number of nodes from no creepage to full sliding, 4 to 64 (dimensionless)", "19");
-    options.add_input(
-        "rows",
-        "take the rows from this file instead of computing them: the parts of --shard, one after the other; "
-        "with the same options and version");
     options.add(
-        "check", "N",
-        "also print the mean and the largest difference between the table and the patches in N random scenes, 1 "
-        "to 10000000 (dimensionless)");
+        "a-over-b", "LIST",
+        "smallest and largest ratio of semi-axes a/b [dimensionless], a along the rolling direction, 1e-3 to 1e3",
+        "0.1,10");
+    options.add("shapes", "N",
+                "number of ellipses [dimensionless], 4 to 100, whose a/b are in steps of a constant factor", "13");
+    options.add("levels", "N", "number of nodes from no creepage to full sliding [dimensionless], 4 to 64", "19");
+    options.add_input("rows",
+                      "CSV file of the rows, the parts of --shard one after the other, made with the same options and "
+                      "version, in place of a computation");
+    options.add("check", "N",
+                "number of random scenes [dimensionless], 1 to 10000000, in which the table is compared with its "
+                "patches: mean and largest difference are printed; no comparison without it");
     options.set_default("n", "17");
     options.set_help("n",
-                     "n^2 elements on each ellipse, as many of them in a strip as its shape wants, 2 to 100 "
-                     "(dimensionless)");
+                     "size of the mesh of each ellipse [dimensionless], 2 to 100: n^2 elements, as many of them in a "
+                     "strip as its shape wants");
     options.refuse_group("Discretisation", "each patch has uniform strips and node differences", {"n"});
     options.refuse("kernel", "the bodies are half-spaces");
     options.refuse("aspect", "a patch is wide and long: --a-over-b");

@@ -70,33 +70,34 @@ std::vector<double> make_omegas(const study::Options& options) {
 
 const study::Sheet<Response> sheet{
     "n",
-    {{"omega", "omega a/V of the creepage e^{i omega t}", &Response::omega},
-     {"c11_re", "c11 = -F/(a G xi)", [](const Response& r) { return r.c11.real(); }},
-     {"c11_im", "its imaginary part", [](const Response& r) { return r.c11.imag(); }},
+    {{"omega", "frequency omega a/V of the creepage e^{i omega t}", &Response::omega},
+     {"c11_re", "real part of c11 = -F/(a G xi)", [](const Response& r) { return r.c11.real(); }},
+     {"c11_im", "imaginary part of c11", [](const Response& r) { return r.c11.imag(); }},
      {"exact_re",
-      "the response of the plane model b >> a in closed form; empty for contacts so narrow that it does not decay",
+      "real part of the exact c11 of the plane model b >> a; empty for contacts so narrow that the model does not "
+      "decay",
       [](const Response& r) { return r.exact.real(); }},
-     {"exact_im", "its imaginary part", [](const Response& r) { return r.exact.imag(); }},
+     {"exact_im", "imaginary part of the same", [](const Response& r) { return r.exact.imag(); }},
      {"relative_error",
       "|c11/exact - 1|: with the strip kernel it includes the difference of the models, of order (a/b)^2 (up to 5e-5 "
       "at b/a = 100, 5e-7 at 1000); with --kernel plane it is the error of the discretisation alone",
       [](const Response& r) { return std::abs(r.c11 / r.exact - 1.0); }},
-     {"alpha_L, alpha_T, lambda", "of the scheme"},
-     {"order", "of polynomials", &Response::order},
+     {"alpha_L, alpha_T, lambda", "positions of the points of the scheme"},
+     {"order", "order of the polynomials", &Response::order},
      {"rcond",
-      "estimate of the reciprocal condition of the equations of elements or states; rounding contributes 2e-16/rcond "
-      "to the error of c11",
+      "estimate of the reciprocal condition of the equations; rounding contributes 2e-16/rcond to the error of c11",
       &Response::rcond},
-     {"error_estimate", "relative, of c11 by polynomials, truncation and rounding", &Response::error_estimate},
+     {"error_estimate", "estimated relative error of c11 by polynomials, from truncation and rounding",
+      &Response::error_estimate},
      {"status",
-      "if it is not ok, c11 is empty, or wrong with --unchecked: ill_conditioned if the equations are singular to "
-      "working precision; assists_creepage if the scheme does not converge to full adhesion (alpha at or below 0, or "
-      "above 1); coarse if the steady c11 of fewer than 10 elements is wrong by more than half; not_converged if "
-      "--order is too low for eight digits, or states are too few; not_finite, with empty cells, if b/a is so small or "
-      "large that G or G' is not finite",
+      "ok, or why c11 is empty, with --unchecked wrong: ill_conditioned if the equations are singular to working "
+      "precision; assists_creepage if the scheme does not converge to full adhesion (alpha at or below 0, or above 1); "
+      "coarse if the steady c11 of fewer than 10 elements is wrong by more than half; not_converged if --order is too "
+      "low for eight digits, or states are too few; not_finite, with empty cells, if b/a is so small or large that G "
+      "or G' is not finite",
       &Response::status},
-     {std::string("method, derivative, mesh, ") + study::settings, "the scheme and the contact"},
-     {"basis", "of polynomials", &Response::basis}},
+     {std::string("method, derivative, mesh, ") + study::settings, "scheme and contact, as in their options"},
+     {"basis", "basis of the polynomials", &Response::basis}},
     ""};
 
 /// The responses of a scene of elements or states, assembled and reduced to Hessenberg form once for all frequencies.
@@ -248,10 +249,10 @@ void write_state_space(const study::Options& options, study::OutputFiles& files,
         options, files, scenes.size(), make,
         {.one = "scheme",
          .lists = "--n, --alpha-L, --alpha-T and --lambda",
-         .conventions = "# equations = d x/d(q/a) = A x + B xi, -F/(a G) = C x + D xi; q = V t, F per unit width\n"
-                        "# response = c11(s) = C (s I - A)^-1 B + D, s in V/a\n",
-         .states = "by elements: their tractions p/G, trailing to leading; chebyshev: coefficients of T_0, T_1, ... "
-                   "in u/a",
+         .conventions = "# equations = d x/d(q/a) = A x + B xi, -F/(a G) = C x + D xi; q = V t, F per unit width\n# "
+                        "response = c11(s) = C (s I - A)^-1 B + D, s in V/a\n",
+         .states =
+             "by elements: their tractions p/G, trailing to leading; chebyshev: coefficients of T_0, T_1, ... in u/a",
          .bounded = "c11"});
 }
 
@@ -283,25 +284,30 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
 }
 
 void add_options(study::Options& options) {
-    options.add("omega", "LIST", "frequencies omega a/V, at least 0 (dimensionless)");
-    options.add("omega-min", "Z", "or: the lowest frequency omega a/V, above 0 (dimensionless)", "0.01");
-    options.add("omega-max", "Z", "the highest, above --omega-min (dimensionless)", "10");
+    options.add(
+        "omega", "LIST",
+        "frequencies omega a/V [dimensionless], at least 0; without it, --points from --omega-min to --omega-max");
+    options.add("omega-min", "Z", "lowest frequency omega a/V [dimensionless], above 0", "0.01");
+    options.add("omega-max", "Z", "highest frequency omega a/V [dimensionless], above --omega-min", "10");
     options.add(
         "points", "N",
-        "number of frequencies, 2 to 1000000, both ends included, evenly spaced in the logarithm (dimensionless)",
+        "number of frequencies [dimensionless], 2 to 1000000, both ends included, evenly spaced in the logarithm",
         "61");
     options.not_with({"omega-min", "omega-max", "points"}, "omega");
-    options.add("basis", "NAME", "monomial or chebyshev", "chebyshev").only_with({"method=polynomial"});
+    options.add("basis", "NAME", "basis of the polynomials: monomial (the paper's) or chebyshev", "chebyshev")
+        .only_with({"method=polynomial"});
     options
         .add("order", "LIST",
-             "its order, 1 to 100000000 (dimensionless); default: what the Chebyshev basis needs for machine precision "
-             "at each frequency")
+             "order of the polynomials [dimensionless], 1 to 100000000; default: enough at each frequency for machine "
+             "precision in the Chebyshev basis")
         .only_with({"method=polynomial"});
-    options.add_flag("unchecked", "print c11 whatever its status, also where --basis monomial has broken down");
-    study::add_state_space_options(options, "the scheme, a single one,");
+    options.add_flag(
+        "unchecked",
+        "no check of the results: c11 is written whatever its status, also where --basis monomial has broken down");
+    study::add_state_space_options(options, "the one scheme");
     options.not_with({"n", "mesh", "edges", "derivative", "state-space"}, "method=polynomial",
                      ", which has no elements and no states");
-    study::offer_chebyshev(options, "; or polynomial, of an --order");
+    study::offer_chebyshev(options, "; or polynomial (the paper's approach, of an --order)");
     study::offer_schemes(options, methods);
     options.footer(
         R"(Example: three meshes, with the Argand diagram and both parts over the frequency
@@ -317,8 +323,8 @@ up to 5, 12 states of 6e-9 up to 5; narrow strips need more (b/a = 1: 16). c11 i
 change its steady value by more than 1e-2.
 --state-space: d x/d(q/a) = A x + B xi, -F/(a G) = C x + D xi, so that c11(s) = C (s I - A)^-1 B + D, s in V/a.
 Plain numbers without header; numpy.loadtxt('A.csv', delimiter=',', ndmin=2) reads them. Elements need a regular
-G. The table is written as well, of the full system. With --states D is not zero; error_bound in state_space.toml
-holds for |c11| at every omega, and is twice the sum of the Hankel singular values left out.
+G. The table of the full system is written as well. With --states D is not zero; error_bound in state_space.toml is
+twice the sum of the Hankel singular values left out and bounds the error of |c11| at every omega.
 )");
 }
 

@@ -28,15 +28,13 @@ std::string help() {
 Steady rolling, one row for each mesh, scheme and creepage, solved independently of the others:
 )" + friction::creep_help() +
            R"(
---tractions: traction and bound in mu p0, slip s/V in mu p0/G, stick 1 or 0; traction, stick and slip are empty
-where status is not ok. lateral_traction and lateral_slip: the same across the rolling direction.
 --pressure: p0 = 2 N/(pi a) is the peak of Hertz's pressure of the same load, and exact is empty.
 --fit-border, for pressures that leave one slip zone at the trailing edge, as Hertz's does: mesh is fitted, and the
 force is exact to round-off, or to 1e-6 mu N under a --pressure without jumps, whatever n is, which sets the rows of
 --tractions alone. rounds counts the borders tried. Elsewhere mesh is cosine, and n elements with alpha = 0.5 are used.
---lateral-ratio, --spin-ratio: inner loops of the lists. exact and lateral_exact are Carter's, where Poisson's ratio is
+--lateral-ratio, --spin-ratio: the inner loops of the rows. exact and lateral_exact are Carter's, where Poisson's ratio is
 0 or the creepage has a single direction (across: with the ratio times 1 - nu).
---layer: L p more displacement, L = h_3/G_3 for a layer of thickness h_3 and shear modulus G_3. exact is empty.
+--layer: an additional displacement L p, L = h_3/G_3 of a layer of thickness h_3 and shear modulus G_3. exact is empty.
 --falling, --memory: mu_0 takes the place of mu in all units; the law is K + (1 - K) 2^(-v/VH), with --memory
 d mu/dt = -(max(v, V0)/D) (mu - law(v)), mu_0 where a particle enters. exact is empty; where no solution is found to
 round-off, status is no_solution, and complementarity_residual is the error of mu. Without memory, a steep law has
@@ -62,28 +60,26 @@ void add_contact_options(study::Options& options) {
     options.set_default("alpha-L", "0.5");
     options.set_default("alpha-T", "0.5");
     options.add("creepage-ratio", "LIST",
-                "creepage as delta = xi G/(2 (1-nu) mu p0), any finite: Carter's contact slides as a whole for "
-                "delta >= 1; with --transient a single value (dimensionless)",
+                "creepage ratio delta = xi G/(2 (1-nu) mu p0) [dimensionless], any finite: Carter's contact slides as "
+                "a whole from 1 on; with --transient one value, constant, and none by default",
                 "0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9,1,1.1");
-    options.add(
-        "force", "F",
-        "-F_x/(mu N), in time mu N_0, in place of --creepage-ratio, which is found; in time from rest by a shift, "
-        "then rolling (dimensionless)");
+    options.add("force", "F",
+                "given force -F_x/(mu N), in time -F_x/(mu N_0) [dimensionless], any finite, in place of "
+                "--creepage-ratio, which is found; in time a shift from rest reaches it before the contact rolls");
     options.not_with({"creepage-ratio"}, "force");
     options.add_input("pressure",
-                      "CSV file with the columns x_over_a,pressure instead of Hertz's pressure: any unit, linear "
-                      "between its rows, zero before the first and after the last; two rows at one x_over_a make a "
-                      "jump (dimensionless)");
+                      "CSV file of the normal pressure, with the columns x_over_a [dimensionless], pressure [any "
+                      "unit]: linear between its rows, zero before the first and after the last; two rows at one "
+                      "x_over_a make a jump; Hertz's pressure without it");
     options.add("lateral-ratio", "LIST",
-                "lateral creepage by the same 2 (1-nu) mu p0/G, any finite: friction in both directions; with "
-                "--transient a single value, constant (dimensionless)");
+                "lateral creepage ratio eta G/(2 (1-nu) mu p0) [dimensionless], any finite, for friction in both "
+                "directions; with --transient one value, constant; friction along x alone without it");
     options
         .add("spin-ratio", "LIST",
-             "spin, a rigid lateral slip phi x, with phi a by the same 2 (1-nu) mu p0/G, any "
-             "finite; with --transient a single value, constant (dimensionless)")
+             "spin ratio phi a G/(2 (1-nu) mu p0) [dimensionless] of a rigid lateral slip phi x, any finite; with "
+             "--transient one value, constant; no spin without it")
         .only_with({"lateral-ratio"});
-    options.add("layer", "L", "compliance of an elastic layer between the bodies, in a/G, 0 or more (dimensionless)",
-                "0");
+    options.add("layer", "L", "compliance of an elastic layer between the bodies [a/G], 0 or more", "0");
     friction::add_law_options(options);
 }
 
@@ -91,18 +87,17 @@ void add_contact_options(study::Options& options) {
 void add_steady_options(study::Options& options) {
     options
         .add("sweep", "up|down",
-             "each point starts from its neighbour in the order of the creepage ratios, "
-             "separately for each lateral one, not from rest")
+             "order of the creepage ratios in which each solution starts from the one before, separately for each "
+             "lateral ratio and spin; each starts from rest without it")
         .only_with(friction::law_options())
         .not_with("transient");
     options
         .add_table("tractions",
-                   "also write a CSV file with one row per element of every scheme and creepage, and FILE.toml")
+                   "CSV file of the tractions, one row per element of every scheme and creepage, with FILE.toml beside "
+                   "it; none without it")
         .not_with("transient");
     options
-        .add_flag("fit-border",
-                  "solve for the border between slip and stick exactly, by series; n elements are used where that "
-                  "fails")
+        .add_flag("fit-border", "exact border between slip and stick, by series; n elements are used where that fails")
         .not_with("transient");
     for (const std::string& law : friction::law_options()) {
         options.not_with({"fit-border"}, law, ", which is solved by elements");
@@ -115,20 +110,21 @@ void add_steady_options(study::Options& options) {
 }
 
 void add_rolling_options(study::Options& options) {
-    options.add_flag("transient", "roll in time from rest, one row per step");
+    options.add_flag("transient", "rolling in time, one row per step, in place of steady rolling");
     study::add_history_options(options, friction::history_columns, "transient");
     options.not_with({"step", "ramp", "sine"}, "force");
-    options.add("shift", "W", "rigid shift in mu p0 a/G first, any finite, without rolling (dimensionless)")
+    options.add("shift", "W", "rigid shift [mu p0 a/G] before the contact rolls, any finite; none without it")
         .only_with({"transient"});
-    study::add_run_options(options,
-                           ": N/N_0 over the distance rolled in a_0, linear between its rows, which must cover the run "
-                           "(dimensionless)",
-                           "the mesh follows the half-length of the contact, with --kernel plane; otherwise it covers "
-                           "the largest contact");
+    study::add_run_options(options, "",
+                           "mesh that follows the half-length of the contact, with --kernel plane; without it the mesh "
+                           "covers the largest contact");
     options.not_with({"from"}, "shift", ", which starts from rest");
     options.only_with({"lambda"}, {"transient"}, ": a steady problem builds no G, the only matrix lambda acts on");
     for (const char* way : {"step", "ramp", "sine"}) options.not_with({"creepage-ratio"}, way);
-    options.add_flag("unchecked", "step even a scheme that is, or may be, unstable, or that does not converge")
+    options
+        .add_flag(
+            "unchecked",
+            "no check of the schemes: those that are unstable, may be unstable or do not converge are stepped, too")
         .only_with({"transient"});
 }
 

@@ -83,11 +83,12 @@ Sheet make_sheet(const Columns& before, bool harmonic, const Columns& behind) {
          "much: these are empty. Other meshes are half as fine in one direction (patches more than ten times longer "
          "than wide, outlines), or finer (fewer than 8 elements or strips)",
          &Found::word}};
-    const Columns columns = study::joined(
-        study::joined(before,
-                      coefficients({"11", "22", "23", "32", "33"}, harmonic, "Kalker's; empty if status is not ok")),
-        study::joined(study::joined(behind, status),
-                      coefficients({"12", "13", "21", "31"}, harmonic, "0 if y -> -y leaves the patch unchanged")));
+    const Columns columns =
+        study::joined(study::joined(before, coefficients({"11", "22", "23", "32", "33"}, harmonic,
+                                                         "Kalker's coefficient; empty if status is not ok")),
+                      study::joined(study::joined(behind, status),
+                                    coefficients({"12", "13", "21", "31"}, harmonic,
+                                                 "coefficients that are 0 if y -> -y leaves the patch unchanged")));
     return {patch::identity, columns, patch::distinctions};
 }
 
@@ -100,19 +101,21 @@ auto judged(const Value& value) {
 
 Sheet steady_sheet(bool stability) {
     Columns columns{
-        {"residual", "what the tractions p leave of their equations, max|G' p - slip| / (|G'| max|p| + max|slip|)",
+        {"residual", "residual of the equations for the tractions p, max|G' p - slip| / (|G'| max|p| + max|slip|)",
          [](const Found& f) { return f.steady.residual; }},
-        {"assembly_us", std::string("[microseconds] time of G', ") + study::median_of_runs, &Found::assembly_us},
-        {"solve_us", std::string("[microseconds] time of its equations, ") + study::median_of_runs, &Found::solve_us}};
+        {"assembly_us", std::string("time of G' [microseconds], ") + study::median_of_runs, &Found::assembly_us},
+        {"solve_us", std::string("time of its equations [microseconds], ") + study::median_of_runs, &Found::solve_us}};
     const Columns modes{
-        {"unstable_count", "with --stability: modes e^{nu V t} with Re(nu) > 0", judged(&Verdict::unstable_count)},
-        {"uncertain_count", "those whose sign rounding could change one by one (that all decay may yet be proved)",
+        {"unstable_count", "number of modes e^{nu V t} with Re(nu) > 0; this and the next two with --stability",
+         judged(&Verdict::unstable_count)},
+        {"uncertain_count",
+         "number of modes whose sign rounding could change one by one (a proof that all decay may exist all the same)",
          judged(&Verdict::uncertain_count)},
-        {"spectral_abscissa", "the largest Re(nu) a", judged(&Verdict::spectral_abscissa)}};
+        {"spectral_abscissa", "largest Re(nu) a", judged(&Verdict::spectral_abscissa)}};
     return make_sheet({}, false, stability ? study::joined(columns, modes) : columns);
 }
 
-Sheet response_sheet() { return make_sheet({{"omega", "omega a/V, as given", &Found::omega}}, true, {}); }
+Sheet response_sheet() { return make_sheet({{"omega", "frequency omega a/V", &Found::omega}}, true, {}); }
 
 Found steady(const study::Options& options, const Patch& patch) {
     // 3. G' by halves where the patch is symmetric, and one right-hand side for each creepage and spin.
@@ -173,9 +176,8 @@ void write_state_space(const study::Options& options, study::OutputFiles& files,
         {.one = "patch",
          .lists = "--n, --strips, --a-over-b and --poisson",
          .conventions = "# equations = d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D "
-                        "(xi, eta, phi c); q = V t, c = sqrt(a b); outlines: a, b and c are sqrt(area/pi)\n"
-                        "# response = (c11 c12 c13; c21 c22 c23; c31 c32 c33) = C (s I - A)^-1 B + D, s in V/a\n"
-                        "# status = " +
+                        "(xi, eta, phi c); q = V t, c = sqrt(a b); outlines: a, b and c are sqrt(area/pi)\n# response "
+                        "= (c11 c12 c13; c21 c22 c23; c31 c32 c33) = C (s I - A)^-1 B + D, s in V/a\n# status = " +
                         std::string(name(steady.status)) + " of the steady coefficients, as in the table\n",
          .states = "tractions p_x/G of the elements, strip by strip from trailing to leading, then p_y/G",
          .bounded = "the matrix of coefficients"});
@@ -207,24 +209,24 @@ longer than wide, --n 48 --strips 12; c33 at nu = 0.5 takes more.
 --outline: a row is a line y = const, which cuts the patch from x_trailing to x_leading; only the first and the last row
 may have x_trailing = x_leading. a, b and c are sqrt(area/pi), and creepages, spin and moment refer to the origin of x
 and y: put it where the bodies' motion is known. --strip-edges FILE puts edges of strips on corners of the outline.
---pressure: a grid of x and y, of an ellipse in a and b, of an outline in its unit; bilinear, outside zero. It must
-cover nine tenths of the patch; element means are exact and scaled so that all of them carry N, so its unit does not
-matter, nor a part of it outside the patch, up to half. An outline needs it, an ellipse has Hertz's without it.
+--omega: c11_re, c11_im and so on, real and imaginary parts of the coefficients, in place of c11 and so on.
+--pressure: the table must cover nine tenths of the patch. Means over the elements are exact and scaled so that they
+carry N: the unit of the pressure does not matter, nor a part of it outside the patch, up to half. An outline needs one.
 
 --longitudinal, --lateral, --spin: a row for every combination of the creepages, each solved from rest:
 )" + patch::friction_help() +
            R"(Errors of 12 x 12 elements: 1e-3 of mu N without spin, 6e-3 with spin in the mean and 2e-2 under large
-spin, which wants strips of equal width, an odd number, at a/b >= 1 half as many as elements, more at smaller a/b
-(precision_study --recommend): --n 12 --strips 7 --strip-grading uniform is 5e-3 off where 12 x 12 cosine strips are
-1.7e-2 off. Friction sees no comparison of meshes: where a row without creepages has the status not_converged, take
-more of them.
---plot draws up to three patches at one creepage from above, with y down: z points away from who looks. At the pole of
+spin, for which strips of equal width are better, an odd number, at a/b >= 1 half as many as elements, more at smaller
+a/b (precision_study --recommend): --n 12 --strips 7 --strip-grading uniform errs by 5e-3 where 12 x 12 cosine strips
+err by 1.7e-2. Meshes are compared for creep coefficients alone: where those have the status not_converged, take more
+elements and strips.
+--plot draws up to three patches at one creepage from above, with y downwards and z away from the viewer. At the pole of
 spin the rigid slip vanishes.
 
---transient: creepages have one value each, or a --history, and are as above with N_0, a_0 and b_0: those of load_ratio
-1. shift_x and shift_y displace the bodies besides; where they, or a force, jump, without rolling, in the time of a
-step; a jump at q = 0 has a row of its own.
-p_0 is 3 N/(2 pi a b) always. One row for each step:
+--transient: creepages have one value each, or a --history, and are scaled as above by N_0, a_0 and b_0, the values at
+load_ratio 1. Rigid shifts, shift_x and shift_y of a --history, displace the bodies besides. Where a shift or the force
+jumps, the bodies move without rolling, in the time of a step; a jump at q = 0 has a row of its own. p_0 is
+3 N/(2 pi a b) always. One row for each step:
 )" + patch::transient_help() +
            R"(With --breathing, the default where --load has a_ratio,b_ratio and never vanishes, the mesh follows the
 ellipse, also where a/b changes (second order in 1/n); where a changes by as much as the step rolls, status is
@@ -243,9 +245,12 @@ int main(int argc, char** argv) {
                            "Contact patches in three dimensions: creep coefficients, and friction with spin.");
     patch::add_options(options);
     options.group("Result");
-    options.add_flag("stability", "also count growing modes (the eigenvalues of G' p = nu G p)");
-    options.add("omega", "LIST", "instead: response to creepages at frequencies omega a/V, at least 0 (dimensionless)");
-    study::add_state_space_options(options, "one patch");
+    options.add_flag("stability",
+                     "count of the modes that grow, from the eigenvalues of G' p = nu G p, in further columns");
+    options.add("omega", "LIST",
+                "frequencies omega a/V of the creepages [dimensionless], at least 0, for the response in place of "
+                "steady coefficients");
+    study::add_state_space_options(options, "the one patch");
     patch::add_friction_options(options);
     patch::add_transient_options(options);
     const std::vector<std::string> friction = patch::ways_of_friction();

@@ -110,94 +110,208 @@ struct Found {
     }
 };
 
+using Columns = std::vector<study::Column<Found>>;
+
 /// The largest measures below a patch, where they lie, and its place in the map of shakedown.
-void add_stresses(std::vector<study::Column<Found>>& list) {
+Columns stress_columns() {
     using rollbem::SubsurfacePeak;
     using rollbem::Yield;
-    const auto add = [&](const char* name, double Yield::*measure, double SubsurfacePeak::*depth) {
-        list.push_back({name, "", [=](const Found& f) {
-                            const rollbem::StripStress* strip = f.strip(measure);
-                            if (strip == nullptr) return study::Cell();
-                            return study::Cell(depth == nullptr ? strip->peak.largest.*measure : strip->peak.*depth);
-                        }});
+    const auto peak = [](double Yield::*measure, double SubsurfacePeak::*depth) {
+        return [=](const Found& f) {
+            const rollbem::StripStress* strip = f.strip(measure);
+            if (strip == nullptr) return study::Cell();
+            return study::Cell(depth == nullptr ? strip->peak.largest.*measure : strip->peak.*depth);
+        };
     };
-    add("max_von_mises", &Yield::von_mises, nullptr);
-    add("von_mises_depth", &Yield::von_mises, &SubsurfacePeak::von_mises_depth);
-    add("max_tresca", &Yield::tresca, nullptr);
-    add("tresca_depth", &Yield::tresca, &SubsurfacePeak::tresca_depth);
-    for (const bool load : {true, false}) {
-        list.push_back(
-            {load ? "shakedown_load" : "shakedown_traction", "", study::where(&Found::solved, [=](const Found& f) {
-                 const auto at = shakedown_point(*f.patch(), *f.solved(), f.settings.shear_yield);
-                 return load ? at.load_factor : at.traction;
-             })});
-    }
+    const auto shakedown = [](double rollbem::ShakedownPoint::*value) {
+        return study::where(&Found::solved, [=](const Found& f) {
+            return shakedown_point(*f.patch(), *f.solved(), f.settings.shear_yield).*value;
+        });
+    };
+    return {
+        {"max_von_mises", "with --stress: largest von Mises stress in the rail below the patch [Pa]",
+         peak(&Yield::von_mises, nullptr)},
+        {"von_mises_depth", "depth of that stress [m]", peak(&Yield::von_mises, &SubsurfacePeak::von_mises_depth)},
+        {"max_tresca", "largest shear stress, by Tresca [Pa]", peak(&Yield::tresca, nullptr)},
+        {"tresca_depth", "depth of that stress [m]", peak(&Yield::tresca, &SubsurfacePeak::tresca_depth)},
+        {"shakedown_load", "load factor of the map of shakedown: peak pressure over --shear-yield",
+         shakedown(&rollbem::ShakedownPoint::load_factor)},
+        {"shakedown_traction", "traction coefficient of the map of shakedown: force of friction over the normal force",
+         shakedown(&rollbem::ShakedownPoint::traction)}};
 }
 
-/// In track axes: of a left wheel, y, angles and what lies across the track are those of its mirror image reversed.
-study::Sheet<Found, Case> sheet_of(const std::string& positions, const Settings& settings) {
-    const bool friction = settings.friction.has_value();
+Columns patch_columns() {
     const auto found = [](const auto& value) { return study::where(&Found::patch, value); };
     const auto of_patch = [=](double RailPatch::*member, bool mirrored = false) {
         return found([=](const Found& f) { return f.sign(mirrored) * f.patch()->*member; });
     };
-    std::vector<study::Column<Found>> list{
-        {"roll", "",
-         [=](const Found& f) {
-             if (f.at.roll) return study::Cell(*f.at.roll);
-             return f.patch() != nullptr ? study::Cell(f.contacts.of.contacts.position.roll) : study::Cell();
-         }},
-        {"side", "", [](const Found& f) { return f.side == Side::right ? "right" : "left"; }},
-        {"patch", "", study::where(&Found::number, [](const Found& f) { return *f.number + 1; })},
-        {"height", "",
-         [=](const Found& f) {
-             if (f.at.height) return study::Cell(*f.at.height);
-             if (f.patch() == nullptr) return study::Cell();
-             return study::Cell(f.wheel().height - f.settings.wheelset.height_above(f.side));
-         }},
-        {"x", "", of_patch(&RailPatch::x)},
-        {"y", "", of_patch(&RailPatch::y, true)},
-        {"z", "", of_patch(&RailPatch::z)},
-        {"rail_y", "", of_patch(&RailPatch::rail_y)},
-        {"wheel_y", "", of_patch(&RailPatch::wheel_y)},
-        {"angle", "", of_patch(&RailPatch::angle, true)},
-        {"rolling_radius", "", of_patch(&RailPatch::rolling_radius)},
-        {"load", "", of_patch(&RailPatch::load)},
-        {"approach", "", of_patch(&RailPatch::approach)},
-        {"peak_pressure", "", of_patch(&RailPatch::peak_pressure)},
-        {"area", "", of_patch(&RailPatch::area)},
-        {"half_length", "", of_patch(&RailPatch::half_length)},
-        {"half_width", "", of_patch(&RailPatch::half_width)},
-        {"iterations", "", found([](const Found& f) { return f.patch()->steps; })},
-        {"time_us", "", study::where(&Found::has_time, [](const Found& f) { return f.contacts.time_us; })},
-        {"status", "", &Found::status}};
-    if (!friction) return {positions, list, ""};
-    const auto add = [&](const char* name, auto which, bool mirrored, auto value) {
-        list.push_back(
-            {name, "", study::where(which, [=](const Found& f) { return f.sign(mirrored) * value(*(f.*which)()); })});
+    return {{"roll", "roll angle of the wheelset, given or found [rad]",
+             [=](const Found& f) {
+                 if (f.at.roll) return study::Cell(*f.at.roll);
+                 return f.patch() != nullptr ? study::Cell(f.contacts.of.contacts.position.roll) : study::Cell();
+             }},
+            {"side", "wheel, left or right", [](const Found& f) { return f.side == Side::right ? "right" : "left"; }},
+            {"patch", "number of the patch on its wheel, from 1 by decreasing load; empty where there is none",
+             study::where(&Found::number, [](const Found& f) { return *f.number + 1; })},
+            {"height", "height z_ws of the wheelset, positive downwards, given or found [m]",
+             [=](const Found& f) {
+                 if (f.at.height) return study::Cell(*f.at.height);
+                 if (f.patch() == nullptr) return study::Cell();
+                 return study::Cell(f.wheel().height - f.settings.wheelset.height_above(f.side));
+             }},
+            {"x", "reference point of the patch, on the rail, in track axes, x from the wheelset [m]",
+             of_patch(&RailPatch::x)},
+            {"y", "reference point of the patch, on the rail, in track axes, x from the wheelset [m]",
+             of_patch(&RailPatch::y, true)},
+            {"z", "reference point of the patch, on the rail, in track axes, x from the wheelset [m]",
+             of_patch(&RailPatch::z)},
+            {"rail_y",
+             "y of the reference point in the profiles of the right wheel and the canted right rail, of a left wheel "
+             "in their mirror images [m]",
+             of_patch(&RailPatch::rail_y)},
+            {"wheel_y",
+             "y of the reference point in the profiles of the right wheel and the canted right rail, of a left wheel "
+             "in their mirror images [m]",
+             of_patch(&RailPatch::wheel_y)},
+            {"angle", "angle of the patch's plane [rad]: s lies along y turned by it, n points into the rail",
+             of_patch(&RailPatch::angle, true)},
+            {"rolling_radius", "radius of the wheel at the reference point [m]", of_patch(&RailPatch::rolling_radius)},
+            {"load",
+             "integral of the pressures over the plane [N]; they act along the normals of the rail's surface, so that "
+             "the vertical share is load cos(angle) only nearly",
+             of_patch(&RailPatch::load)},
+            {"approach", "largest depth of the undeformed surfaces in one another along n [m]",
+             of_patch(&RailPatch::approach)},
+            {"peak_pressure", "largest pressure [Pa]", of_patch(&RailPatch::peak_pressure)},
+            {"area", "area of the patch [m^2]", of_patch(&RailPatch::area)},
+            {"half_length", "half the extent of the patch along x [m]", of_patch(&RailPatch::half_length)},
+            {"half_width", "half the extent of the patch along s [m]", of_patch(&RailPatch::half_width)},
+            {"iterations", "number of iterations of the last solution for pressures",
+             found([](const Found& f) { return f.patch()->steps; })},
+            {"time_us", "time of the whole position [microseconds], of a single run",
+             study::where(&Found::has_time, [](const Found& f) { return f.contacts.time_us; })},
+            {"status", "ok, or one of the words below", &Found::status}};
+}
+
+Columns friction_columns() {
+    const auto of = [](auto which, bool mirrored, auto value) {
+        return study::where(which, [=](const Found& f) { return f.sign(mirrored) * value(*(f.*which)()); });
     };
     // creepages as CONTACT's, rail minus wheel
-    add("longitudinal_creepage", &Found::force, false, [](const PatchForce& p) { return -p.creepage.longitudinal; });
-    add("lateral_creepage", &Found::force, true, [](const PatchForce& p) { return -p.creepage.lateral; });
-    add("spin", &Found::force, true, [](const PatchForce& p) { return -p.creepage.spin; });
-    add("longitudinal_force", &Found::solved, false, [](const PatchForce& p) { return p.force.longitudinal; });
-    add("lateral_force", &Found::solved, true, [](const PatchForce& p) { return p.force.lateral; });
-    add("spin_moment", &Found::solved, true, [](const PatchForce& p) { return p.force.moment; });
-    list.push_back({"slip_power", "", study::where(&Found::solved, [](const Found& f) {
-                        const rollbem::WheelsetSpeeds speeds{.forward = f.settings.speed,
-                                                             .pitch_rate = f.contacts.of.pitch_rate};
-                        return f.solved()->slip_work * std::abs(rolling_velocity_of(*f.patch(), speeds));
-                    })});
-    add("t_gamma", &Found::solved, false, [](const PatchForce& p) { return t_gamma(p); });
-    list.push_back({"fatigue_index", "", study::where(&Found::solved, [](const Found& f) {
-                        return surface_fatigue_index(*f.patch(), *f.solved(), f.settings.shear_yield);
-                    })});
-    list.push_back({"elements", "", study::where(&Found::force, [](const Found& f) { return f.force()->elements; })});
-    list.push_back({"pitch_rate", "", [](const Found& f) { return f.contacts.of.pitch_rate; }});
-    if (settings.friction->heating)
-        add("peak_temperature", &Found::solved, false, [](const PatchForce& p) { return p.peak_temperature; });
-    if (settings.stress) add_stresses(list);
-    return {positions, list, ""};
+    return {{"longitudinal_creepage",
+             "with --friction: creepages of the rail on the wheel, CONTACT's CKSI and CETA, over the mean of V and "
+             "-pitch_rate rolling_radius: along x positive for a wheel driven forward",
+             of(&Found::force, false, [](const PatchForce& p) { return -p.creepage.longitudinal; })},
+            {"lateral_creepage",
+             "with --friction: creepages of the rail on the wheel, CONTACT's CKSI and CETA, over the mean of V and "
+             "-pitch_rate rolling_radius: along x positive for a wheel driven forward",
+             of(&Found::force, true, [](const PatchForce& p) { return -p.creepage.lateral; })},
+            {"spin", "spin of the rail on the wheel, CONTACT's CPHI, likewise [1/m]",
+             of(&Found::force, true, [](const PatchForce& p) { return -p.creepage.spin; })},
+            {"longitudinal_force",
+             "forces of friction on the wheel along x and s [N]; CONTACT's FX and FS, on the rail, are minus these",
+             of(&Found::solved, false, [](const PatchForce& p) { return p.force.longitudinal; })},
+            {"lateral_force",
+             "forces of friction on the wheel along x and s [N]; CONTACT's FX and FS, on the rail, are minus these",
+             of(&Found::solved, true, [](const PatchForce& p) { return p.force.lateral; })},
+            {"spin_moment",
+             "moment of friction on the wheel about n at the reference point [N m]; CONTACT's MN is minus this",
+             of(&Found::solved, true, [](const PatchForce& p) { return p.force.moment; })},
+            {"slip_power", "power that friction turns into heat [W]",
+             study::where(&Found::solved,
+                          [](const Found& f) {
+                              const rollbem::WheelsetSpeeds speeds{.forward = f.settings.speed,
+                                                                   .pitch_rate = f.contacts.of.pitch_rate};
+                              return f.solved()->slip_work * std::abs(rolling_velocity_of(*f.patch(), speeds));
+                          })},
+            {"t_gamma",
+             "T gamma for wear: minus the power of forces and moment on the creepages per metre rolled [N]; slip_power "
+             "per metre on ever finer meshes, a few per cent off on coarse ones, more where next to nothing slips",
+             of(&Found::solved, false, [](const PatchForce& p) { return t_gamma(p); })},
+            {"fatigue_index",
+             "index of surface fatigue, expected where positive: force of friction over the normal force, less "
+             "--shear-yield over the peak pressure",
+             study::where(&Found::solved,
+                          [](const Found& f) {
+                              return surface_fatigue_index(*f.patch(), *f.solved(), f.settings.shear_yield);
+                          })},
+            {"elements", "number of elements of the patch",
+             study::where(&Found::force, [](const Found& f) { return f.force()->elements; })},
+            {"pitch_rate", "angular velocity of the wheelset about its axle, given or found [rad/s]",
+             [](const Found& f) { return f.contacts.of.pitch_rate; }}};
+}
+
+Columns heat_columns() {
+    return {{"peak_temperature",
+             "with --temperature: largest flash temperature of the patch [K above ambient], with half of the heat in "
+             "each body; empty where the contact passes slowly, V half_length < 10 conductivity/heat capacity, or "
+             "creeps by more than 20 %, and with --hot-friction status is then not_converged",
+             study::where(&Found::solved, [](const Found& f) { return f.solved()->peak_temperature; })}};
+}
+
+/// In track axes: of a left wheel, y, angles and what lies across the track are those of its mirror image reversed.
+study::Sheet<Found, Case> sheet_of(const std::string& positions, bool friction, bool heats, bool stress) {
+    Columns columns = patch_columns();
+    if (friction) columns = study::joined(columns, friction_columns());
+    if (heats) columns = study::joined(columns, heat_columns());
+    if (stress) columns = study::joined(columns, stress_columns());
+    return {positions, columns, ""};
+}
+
+std::string help() {
+    return R"(Example: contact points over the lateral shift, as every vehicle engineer draws them
+  profile_study --shift -0.004,-0.002,0,0.002,0.004,0.006 --side both --output contacts.csv --plot contacts.svg
+
+Track axes: x forward, y to the right, z down, the origin between the rails at the height of their tops. A position is
+shift, yaw and a roll, and where surfaces change along the way track_x (--x) and pitch, columns of these names. The
+height of the wheelset, and without --roll the roll, follow from the loads, or --height is given. One row for each
+position, wheel and patch; all in SI units:
+)" + sheet_of("", true, true, true).help() +
+           R"(
+Words of status, and remedies:
+  ok
+  doubtful_plane      surfaces turn by more than 0.2 rad over the patch: a plane errs by 1 to 2 % in pressures
+  unbalanced          normal forces and friction did not come to carry the loads to 1e-6, or the wheel does not roll:
+                      another --pitch-rate, --speed or --shift
+and without numbers:
+  no_contact          wheel and rail do not touch: look at --shift, --roll, --height, --gauge or --rail-origin
+  end_of_profile      contact reaches the end of a profile, which is not known beyond: a longer profile
+  undefined_section   the wheel has no section there: a smaller --yaw
+  too_deep            the wheel lies more than 1 mm within the rail: a smaller --height or --load, or another place or
+                      unit of a profile is meant
+  load_not_reached    no height carries the load: another --load; with friction, which may hold the wheel up, --roll
+  not_converged       pressures did not settle: other --cells, or --smooth for measured profiles
+  few_cells           fewer than 7 cells touch: finer --cells, or --smooth for measured profiles
+  not_finite          a number overflowed: look at the units
+With --friction further ones, with the forces empty:
+  invalid_step        the wheel does not roll, as V and -pitch_rate rolling_radius add up to 0: another --pitch-rate
+  assists_creepage    rolling gains energy on these elements: other --strips or --n
+  no_solution         tractions were not found to rounding: other --strips or --n; or friction cannot have --force
+
+Profiles: files are cleaned of repeated points, zig-zags and folds at their ends; MiniProf's z is turned where the shape
+says that it points up; the sidecar says what was done. A wheel must have its flange at y < 0, |z| < 2 mm on the tape
+circle and a width of 90 to 180 mm, a rail its top within 10 mm of z = 0 and a width of 30 to 200 mm: else a line names
+the remedy. The rail is placed by --gauge, its narrowest place down to --gauge-depth below the top, or by --rail-origin,
+about which it is canted. --smooth is for measured profiles; corners stay, and too short a wave length leaves noise that
+breaks patches up (few_cells).
+  profile_study --wheel worn.whl --tape-offset 0 --rail worn.ban --rail-mirror y --cant 0 --smooth 0.007 --load 8e4
+  profile_study --rail nose.slcs --length-unit mm --any-shape --rail-origin 0.75,0 --cant 0 --x 0,0.05,0.1 --roll 0
+
+--friction FILE: mu is linear over the angle of the rail's surface [rad] or y of its profile [m], as on the right rail,
+whose gauge corner has negative angles, and constant beyond the rows. --force: the pitch rate is found at which friction
+has this force on the wheelset, positive along x; no_solution where none up to 20 % of creepage has. --load-of normal:
+normal forces carry --load; all: they are found together with the vertical share of friction. --layer: a third body, or
+roughness.
+--stress FILE: where von Mises' stress is largest below each strip of a patch: position (from 1 in the order of the
+rows), side, patch, s, x, depth [m], von_mises, tresca [Pa].
+--wear FILE: side, profile (rail or wheel, of the left side in mirror images), s (length along the profile), y, z [m] and
+work, the frictional work per metre rolled and metre of profile [J/m^2], the mean over all positions.
+--outline DIR: files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P and patch K, e.g. for
+  patch_study --n 12 --outline DIR/1_right_1.outline.csv --pressure DIR/1_right_1.pressure.csv --longitudinal 0.1
+
+)" + profile::conicity_help() +
+           R"(  profile_study --conicity --wheel worn.whl --tape-offset 0 --rail worn.ban --cant 0 --plot conicity.svg
+)" + profile::method_help();
 }
 
 // --- files -----------------------------------------------------------------------------------------------------------
@@ -293,64 +407,91 @@ void write_wear(study::OutputFile& file, const Settings& settings, const Positio
     }
 }
 
+// --- the program -----------------------------------------------------------------------------------------------------
+
+/// The rows of a scene, what is kept of it for files and the picture, and the names of the files.
+struct Run {
+    const Settings& settings;
+    const std::vector<Case>& cases;
+    study::Sheet<Found, Case> sheet;
+    std::string folder;
+    study::OutputFile *wear, *stress;
+    Positions positions{};  ///< for files, and the picture of a single one
+};
+
+/// A row for each patch; for each wheel that has none, one that says why.
+void emit_rows(Run& run, const Case& at, study::RowRange range, const study::Results<Found>& emit) {
+    const Contacts contacts = find_contacts(run.settings, at);
+    if (run.cases.size() == 1 || !run.folder.empty() || run.wear != nullptr || run.settings.stress) {
+        run.positions[std::size_t(&at - run.cases.data())] = Position{contacts, range};
+    }
+    for (std::size_t k = range.first; k < range.last; ++k) {
+        Found found{run.settings, at, contacts, run.settings.sides[k], std::nullopt, run.settings.timed};
+        const std::size_t count = rollbem::has_numbers(found.wheel().status) ? found.wheel().patches.size() : 0;
+        if (count == 0) emit(found);
+        for (std::size_t number = 0; number < count; ++number) {
+            found.number = number;
+            emit(found);
+        }
+    }
+}
+
+/// The patches of one position, or the contact points of several.
+study::Plot draw(const Run& run, const std::vector<study::Row>& rows) {
+    if (run.cases.size() > 1) return profile::draw_contact_points(run.settings.wheelset, run.sheet.names(), rows);
+    std::vector<profile::Drawn> drawn;
+    for_patches(run.settings, run.positions, [&](std::size_t, bool left, std::size_t, const RailPatch& patch) {
+        drawn.push_back({left, patch});
+    });
+    return profile::draw_patches(drawn, rows.size() - drawn.size());
+}
+
+void study_patches(const study::Options& given) {
+    // 1. The scene, and the files that are opened before anything is computed.
+    const std::vector<Case> cases = profile::read_cases(given);
+    const Settings settings = profile::read_settings(given, cases.size() > 1);
+    const bool heats = settings.friction && settings.friction->heating;
+    study::OutputFiles files;
+    Run run{settings,
+            cases,
+            sheet_of(profile::case_columns(given), settings.friction.has_value(), heats, settings.stress),
+            given.text("outline"),
+            given.given("wear") ? &files.open(given.text("wear"), "--wear") : nullptr,
+            settings.stress ? &files.open(given.text("stress"), "--stress") : nullptr,
+            Positions(cases.size())};
+    if (!run.folder.empty()) files.make_folder(run.folder, "--outline");
+
+    // 2. Rows, files, picture.
+    study::Table table = run.sheet.table(
+        cases, [&](const Case&) { return settings.sides.size(); },
+        [&](const Case& at, study::RowRange range, const study::Results<Found>& emit) {
+            emit_rows(run, at, range, emit);
+        });
+    table.finish = [&] {
+        if (!run.folder.empty()) write_outlines(files, run.folder, settings, run.positions);
+        if (run.wear != nullptr) write_wear(*run.wear, settings, run.positions);
+        if (run.stress != nullptr) write_stresses(*run.stress, settings, run.positions);
+    };
+    table.plot = [&](const std::vector<study::Row>& rows) { return draw(run, rows); };
+    study::write_table(given, table, files);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-    // 1. The command line, profiles and positions.
     study::Options options("profile_study", "Patches of a wheel on a rail, from their profiles.");
     profile::add_options(options);
+    options.footer(help());
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         if (given.flag("conicity")) {
-            profile::study_conicity(given);
-            return study::exit_ok;
+            const profile::Conicity conicity = profile::read_conicity(given);
+            study::write_table(given, profile::conicity_table(conicity));
+        } else if (given.flag("virtual-penetration")) {
+            const profile::MethodScene scene = profile::read_methods(given);
+            study::write_table(given, profile::method_table(scene));
+        } else {
+            study_patches(given);
         }
-        if (given.flag("virtual-penetration")) {
-            profile::study_methods(given);
-            return study::exit_ok;
-        }
-        const std::vector<Case> cases = profile::read_cases(given);
-        const Settings settings = profile::read_settings(given, cases.size() > 1);
-        const std::string folder = given.text("outline");
-        study::OutputFiles files;
-        if (!folder.empty()) files.make_folder(folder, "--outline");
-        study::OutputFile* wear = given.given("wear") ? &files.open(given.text("wear"), "--wear") : nullptr;
-        study::OutputFile* stress = settings.stress ? &files.open(given.text("stress"), "--stress") : nullptr;
-        Positions positions(cases.size());  // for files, and the picture of a single one
-        const study::Sheet<Found, Case> sheet = sheet_of(profile::case_columns(given), settings);
-
-        // 2. A row for each patch; for each wheel that has none, one that says why.
-        const auto compute = [&](const Case& at, study::RowRange range, const study::Results<Found>& emit) {
-            const Contacts contacts = find_contacts(settings, at);
-            if (cases.size() == 1 || !folder.empty() || wear != nullptr || settings.stress) {
-                positions[std::size_t(&at - cases.data())] = Position{contacts, range};
-            }
-            for (std::size_t k = range.first; k < range.last; ++k) {
-                Found found{settings, at, contacts, settings.sides[k], std::nullopt, study::has_times(given)};
-                const std::size_t count = rollbem::has_numbers(found.wheel().status) ? found.wheel().patches.size() : 0;
-                if (count == 0) emit(found);
-                for (std::size_t number = 0; number < count; ++number) {
-                    found.number = number;
-                    emit(found);
-                }
-            }
-        };
-        study::Table table = sheet.table(
-            cases, [&](const Case&) { return settings.sides.size(); }, compute);
-        table.finish = [&] {
-            if (!folder.empty()) write_outlines(files, folder, settings, positions);
-            if (wear != nullptr) write_wear(*wear, settings, positions);
-            if (stress != nullptr) write_stresses(*stress, settings, positions);
-        };
-        // 3. The patches of one position, or the contact points of several.
-        table.plot = [&](const std::vector<study::Row>& rows) {
-            if (cases.size() > 1) return profile::draw_contact_points(settings.wheelset, sheet.names(), rows);
-            std::vector<profile::Drawn> drawn;
-            for_patches(settings, positions, [&](std::size_t, bool left, std::size_t, const RailPatch& patch) {
-                drawn.push_back({left, patch});
-            });
-            return profile::draw_patches(drawn, rows.size() - drawn.size());
-        };
-        study::write_table(given, table, files);
         return study::exit_ok;
     });
 }

@@ -55,21 +55,22 @@ auto count_of(const Number& number) {
 
 const study::Sheet<Count> counts{
     "method, derivative, mesh, n, alpha_L, alpha_T, lambda",
-    {{"unstable_count", "eigenvalues with a real part > 0, as computed", count_of(&Result::unstable_count)},
+    {{"unstable_count", "number of eigenvalues with a real part > 0, as computed", count_of(&Result::unstable_count)},
      {"uncertain_count",
-      "those of either sign that rounding errors in G and G' could move across zero, infinite ones included",
+      "number of eigenvalues of either sign that rounding errors in G and G' could move across zero, infinite ones "
+      "included",
       count_of(&Result::uncertain_count)},
      {"unstable_fraction", "unstable_count / number of eigenvalues, n (n - 1 with knothe-bc)",
       count_of(&Result::unstable_fraction)},
-     {"spectral_abscissa", "the largest real part of the finite ones", count_of(&Result::spectral_abscissa)},
-     {"cond_G", "in the 2-norm, empty if G is singular", study::where(&Count::found, &Count::cond_G)},
-     {"time_us", std::string("[microseconds] assembly and eigenvalues, ") + study::median_of_runs,
+     {"spectral_abscissa", "largest real part of the finite eigenvalues", count_of(&Result::spectral_abscissa)},
+     {"cond_G", "condition of G in the 2-norm; empty if G is singular", study::where(&Count::found, &Count::cond_G)},
+     {"time_us", std::string("time of assembly and eigenvalues [microseconds], ") + study::median_of_runs,
       study::where(&Count::found, &Count::time_us)},
      {"spectral_radius",
-      "the largest |nu a| (steps of an explicit integrator must stay below 2/spectral_radius); empty if an eigenvalue "
-      "is infinite",
+      "largest |nu a| (steps of an explicit integrator must stay below 2/spectral_radius); empty if an eigenvalue is "
+      "infinite",
       count_of(&Result::spectral_radius)},
-     {"stiffness_ratio", "the largest |Re(nu a)| over the smallest; empty if an eigenvalue is infinite",
+     {"stiffness_ratio", "largest |Re(nu a)| over the smallest; empty if an eigenvalue is infinite",
       count_of(&Result::stiffness_ratio)},
      {"status",
       "assists_creepage if steady rolling shows that the scheme does not converge to full adhesion (alpha near or "
@@ -145,10 +146,10 @@ struct Critical {
 const study::Sheet<Critical> criticals{
     "method, derivative, mesh, n, alpha_L",
     {{"critical_alpha_T",
-      "the smallest with an unstable eigenvalue whose sign rounding cannot change; above it the scheme can be stable "
-      "again; empty, with the status all_stable, if there is none. n = 320 takes half a minute",
+      "smallest alpha_T with an unstable eigenvalue whose sign rounding cannot change; above it the scheme can be "
+      "stable again; empty, with the status all_stable, if there is none. n = 320 takes half a minute",
       &Critical::alpha_T},
-     {"lambda", "as given"},
+     {"lambda", "factor on all alphas in G, as in its option"},
      {"status", "ok, all_stable or not_finite", &Critical::status}},
     study::settings};
 
@@ -182,17 +183,19 @@ struct Eigenvalue {
 
 const study::Sheet<Eigenvalue> spectrum{
     "n",
-    {{"re", "nu a, in the order of the modulus; empty if it is infinite, as where G is singular",
+    {{"re", "real part of nu a, in the order of the modulus; empty if it is infinite, as where G is singular",
       [](const Eigenvalue& e) { return e.nu.real(); }},
-     {"im", "its imaginary part", study::where(&Eigenvalue::finite, [](const Eigenvalue& e) { return e.nu.imag(); })},
+     {"im", "imaginary part of nu a",
+      study::where(&Eigenvalue::finite, [](const Eigenvalue& e) { return e.nu.imag(); })},
      {"exact_re",
-      "the nearest eigenvalue of the plane model in closed form, also for the strip kernel, whose model differs by "
-      "order (a/b)^2; empty for infinite ones, for |nu a| > 3e4, which no mesh resolves, and for contacts so narrow "
-      "that the plane model does not decay",
+      "real part of the nearest eigenvalue of the plane model in closed form, also for the strip kernel, whose model "
+      "differs by order (a/b)^2; empty for infinite eigenvalues, for |nu a| > 3e4, which no mesh resolves, and for "
+      "contacts so narrow that the plane model does not decay",
       [](const Eigenvalue& e) { return e.exact ? Cell(e.exact->real()) : Cell(); }},
-     {"exact_im", "its imaginary part", [](const Eigenvalue& e) { return e.exact ? Cell(e.exact->imag()) : Cell(); }},
-     {"alpha_L, alpha_T, lambda", "of the scheme"},
-     {"status", "as above; not_finite of infinite ones", &Eigenvalue::status}},
+     {"exact_im", "imaginary part of the same",
+      [](const Eigenvalue& e) { return e.exact ? Cell(e.exact->imag()) : Cell(); }},
+     {"alpha_L, alpha_T, lambda", "positions of the points of the scheme"},
+     {"status", "status as in the table of counts; not_finite of infinite eigenvalues", &Eigenvalue::status}},
     std::string("method, derivative, mesh, ") + study::settings};
 
 constexpr double most_resolved = 3e4;  // |nu a| far beyond what any mesh resolves; keeps the list short
@@ -326,10 +329,11 @@ int main(int argc, char** argv) {
         "Eigenvalues of the discretised contact in time: how many grow, the smallest unstable alpha_T, or all.");
     options
         .add_flag("critical",
-                  "the smallest unstable alpha_T in [0.3, 1.5], by a scan of step 0.0005 and bisection to 1e-5")
+                  "table of the smallest unstable alpha_T in [0.3, 1.5], found by a scan of step 0.0005 and bisection "
+                  "to 1e-5, in place of counts")
         .only_with({"method=collocation", "method=galerkin"}, ": others have no alpha_T")
         .not_with("spectrum");
-    options.add_flag("spectrum", "every eigenvalue beside the nearest exact one");
+    options.add_flag("spectrum", "table of all eigenvalues, each beside the nearest exact one, in place of counts");
     options.not_with({"alpha-T"}, "critical", ", which searches for it");
     options.not_with({"alpha"}, "critical", ", which takes --alpha-L and searches for alpha_T");
     study::offer_chebyshev(options);

@@ -44,16 +44,19 @@ const study::Sheet<Steady> sheet{
      {"c11_ratio", "c11/c11_exact", &Steady::ratio},
      {"relative_error", "c11_ratio - 1", [](const Steady& s) { return s.ratio() - 1; }},
      {"residual",
-      "what the solution p leaves of its equations, max|G' p - xi| / (|G'| max|p| + |xi|) with the largest row sum "
-      "|G'|: near 1e-16 they are solved to rounding, whatever the error of the discretisation; empty with chebyshev",
+      "residual of the equations for the tractions p, max|G' p - xi| / (|G'| max|p| + |xi|) with the largest row sum "
+      "|G'|: near 1e-16 where they are solved to rounding, whatever the error of the discretisation; empty with "
+      "chebyshev",
       &Steady::residual},
-     {"assembly_us", std::string("[microseconds] ") + study::median_of_runs + "; empty with chebyshev",
+     {"assembly_us", std::string("time of G' [microseconds], ") + study::median_of_runs + "; empty with chebyshev",
       &Steady::assembly_us},
-     {"solve_us", "the same; with chebyshev it includes assembly", &Steady::solve_us},
-     {"error_estimate", "of states and polynomials: what more of them would change, relative to c11",
+     {"solve_us",
+      std::string("time of its equations [microseconds], ") + study::median_of_runs + "; with chebyshev time of both",
+      &Steady::solve_us},
+     {"error_estimate", "relative change of c11 by more states or a higher order of polynomials; empty for elements",
       &Steady::error_estimate},
      {"status",
-      "if it is not ok, c11 and all that follows from it are empty: ill_conditioned or not_finite if G' is singular to "
+      "ok, or why c11 and all that follows from it are empty: ill_conditioned or not_finite if G' is singular to "
       "working precision; assists_creepage if tractions assist the creepage, so that the scheme does not converge to "
       "full adhesion: alpha at or below 0 (near 0 on coarse meshes), or above 1; coarse if c11 of fewer than 10 "
       "elements is wrong by more than half (plane kernel, or strip with b/a >= 10); not_converged if error_estimate is "
@@ -149,7 +152,7 @@ int main(int argc, char** argv) {
     options.footer(R"(Example: three positions of the trailing point, as a file and a plot of the error
   steady_study --n 40,80,160 --alpha-L 0 --alpha-T 0.5,0.63,0.7 --output c11.csv --plot c11.svg
 
-One row per scheme and n. The columns kernel to nodes identify rows; they are empty if they do not apply.
+One row per scheme and n. The columns before c11 and after status identify the case; they are empty where they do not apply.
 )" + sheet.help());
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {

@@ -32,20 +32,20 @@ struct Traction {
 
 const study::Sheet<Traction> sheet{
     "n",
-    {{"x_over_a", "from the trailing edge (-1) to the leading edge; chebyshev: the n points cos((2k-1) pi/(2n))",
+    {{"x_over_a",
+      "position x/a, -1 at the trailing edge: centres of the elements; with chebyshev the n points cos((2k-1) pi/(2n))",
       &Traction::x},
-     {"traction", "p/(G xi) of unit creepage xi, negative; with knothe-bc the leading element carries 0",
-      &Traction::traction},
-     {"carter", "the exact value at the element's centre, or at the point", &Traction::carter},
-     {"carter_mean", "its mean over the element; empty with chebyshev", &Traction::carter_mean},
+     {"traction", "traction p/(G xi), negative; with knothe-bc 0 on the leading element", &Traction::traction},
+     {"carter", "Carter's exact traction there", &Traction::carter},
+     {"carter_mean", "mean of Carter's traction over the element; empty with chebyshev", &Traction::carter_mean},
      {"relative_error", "traction/carter_mean - 1, or traction/carter - 1 with chebyshev",
       [](const Traction& t) { return t.traction / t.carter_mean.value_or(t.carter) - 1; }},
-     {"alpha_L, alpha_T", "of the scheme"},
+     {"alpha_L, alpha_T", "positions of the points of the scheme"},
      {"status",
-      "if it is not ok, traction and relative_error are empty: ill_conditioned or not_finite if G' is singular to "
-      "working precision; assists_creepage if tractions assist the creepage (alpha at or below 0, or above 1); coarse "
-      "if c11 of fewer than 10 elements is wrong by more than half; not_converged if more Chebyshev states would "
-      "change c11 by more than 1e-2, as in narrow strips",
+      "ok, or why traction and relative_error are empty: ill_conditioned or not_finite if G' is singular to working "
+      "precision; assists_creepage if tractions assist the creepage (alpha at or below 0, or above 1); coarse if c11 "
+      "of fewer than 10 elements is wrong by more than half; not_converged if more Chebyshev states would change c11 "
+      "by more than 1e-2, as in narrow strips",
       &Traction::status}},
     std::string("method, derivative, mesh, ") + study::settings};
 

@@ -91,20 +91,20 @@ struct Moment {
 
 const study::Sheet<Moment> sheet{
     "",
-    {{"q_over_a", "distance rolled; the first row is at q = dq", &Moment::q},
-     {"creepage", "there", &Moment::creepage},
-     {"force", "-F_bar/(a G xi_ref), xi_ref the largest |creepage| of the run", &Moment::force},
+    {{"q_over_a", "distance rolled q/a; the first row is at q = dq", &Moment::q},
+     {"creepage", "creepage at q", &Moment::creepage},
+     {"force", "force -F_bar/(a G xi_ref), xi_ref the largest |creepage| of the run", &Moment::force},
      {"exact",
-      "the plane model's, b >> a, whatever the kernel: the strip kernel differs from it by O((a/b)^2). It is empty if "
-      "the plane model itself is unstable (b/a below 0.18 at nu = 0.25)",
+      "exact force of the plane model, b >> a, whatever the kernel: the strip kernel differs from it by O((a/b)^2); "
+      "empty if the plane model itself is unstable (b/a below 0.18 at nu = 0.25)",
       &Moment::exact},
      {"relative_error", "force/exact - 1", &Moment::error},
-     {"method, derivative, mesh, n, alpha_L, alpha_T, lambda", "the scheme"},
-     {"integrator", "as given", &Moment::integrator},
+     {"method, derivative, mesh, n, alpha_L, alpha_T, lambda", "scheme, as in its options"},
+     {"integrator", "integrator, as in its option", &Moment::integrator},
      {"status",
-      "unresolved, with an empty force, if OMEGA --dq > 1: fewer than six steps in a period of --sine; unchecked with "
-      "--unchecked, where a scheme is stepped that would be refused: one that is not certainly stable, or whose steady "
-      "tractions assist the creepage (alpha near or below 0, or above 1)",
+      "ok; unresolved, with an empty force, if OMEGA --dq > 1: fewer than six steps in a period of --sine; unchecked "
+      "with --unchecked, which steps schemes that are refused without it: those that are not certainly stable, or "
+      "whose steady tractions assist the creepage (alpha near or below 0, or above 1)",
       &Moment::status}},
     study::settings};
 
@@ -185,7 +185,9 @@ void add_options(study::Options& options) {
     study::add_history_options(options, columns);
     study::add_steps(options);
     study::add_integrator(options, false);
-    options.add_flag("unchecked", "also step schemes that are unstable, may be unstable, or do not converge");
+    options.add_flag(
+        "unchecked",
+        "no check of the schemes: those that are unstable, may be unstable or do not converge are stepped, too");
     study::offer_chebyshev(options);
     study::offer_schemes(options, methods);
     options.footer(

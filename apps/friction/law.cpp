@@ -8,8 +8,8 @@ const std::vector<NamedLaw>& laws() {
     static const std::vector<NamedLaw> all{
         {"falling",
          "K,VH",
-         "friction that falls with slip from mu_0 to K mu_0, by half at a slip velocity VH in V mu_0 p0/G "
-         "(dimensionless)",
+         "law of friction that falls with slip from mu_0 to K mu_0, by half at a slip velocity VH [V mu_0 p0/G], K 0 "
+         "or more, VH above 0; constant mu without it",
          {"falling_ratio", "half_velocity"},
          [](const Options& options) {
              const auto law = options.pair("falling");
@@ -41,8 +41,8 @@ void add_law_options(study::Options& options) {
     }
     options
         .add("memory", "D,V0",
-             "mu is forgotten within a distance D of slip, in a mu_0 p0/G, at a velocity of at "
-             "least V0, in V mu_0 p0/G (dimensionless)")
+             "memory of friction: distance D of slip [a mu_0 p0/G], above 0, within which mu follows its law, passed "
+             "at a velocity of at least V0 [V mu_0 p0/G], 0 or more; mu follows its law at once without it")
         .only_with(law_options());
 }
 

@@ -91,10 +91,11 @@ struct Line {
 /// layer, the parameters of every law, memory_distance and least_velocity, of rows that know their `line`.
 template <class Row>
 std::vector<study::Column<Row>> law_columns() {
-    std::vector<study::Column<Row>> columns{{"layer", "--layer", [](const Row& r) { return r.line.layer; }}};
+    std::vector<study::Column<Row>> columns{
+        {"layer", "compliance of the layer [a/G], of --layer", [](const Row& r) { return r.line.layer; }}};
     for (const NamedLaw& law : laws()) {
         for (std::size_t k = 0; k < law.columns.size(); ++k) {
-            columns.push_back({law.columns[k], "--" + law.option, [&law, k](const Row& r) {
+            columns.push_back({law.columns[k], "parameters of --" + law.option, [&law, k](const Row& r) {
                                    return r.line.law && &r.line.law->named == &law
                                               ? study::Cell(r.line.law->parameters[k])
                                               : study::Cell();
@@ -104,8 +105,9 @@ std::vector<study::Column<Row>> law_columns() {
     const auto of_memory = [](double rollbem::FrictionMemory<>::*member) {
         return [member](const Row& r) { return r.line.law ? study::Cell(r.line.law->memory.*member) : study::Cell(); };
     };
-    columns.push_back({"memory_distance", "--memory", of_memory(&rollbem::FrictionMemory<>::distance)});
-    columns.push_back({"least_velocity", "--memory", of_memory(&rollbem::FrictionMemory<>::least_velocity)});
+    columns.push_back({"memory_distance", "parameters of --memory", of_memory(&rollbem::FrictionMemory<>::distance)});
+    columns.push_back(
+        {"least_velocity", "parameters of --memory", of_memory(&rollbem::FrictionMemory<>::least_velocity)});
     return columns;
 }
 

@@ -58,50 +58,57 @@ const study::Sheet<CreepRow>& creep_sheet() {
     static const study::Sheet<CreepRow> columns{
         "method, derivative",
         study::joined<study::Column<R>>(
-            {{"mesh", "and what follows it: the scheme", [](const R& r) { return r.of.mesh_name; }},
-             {"n", "elements"},
-             {"alpha_L", "of the scheme; empty with --fit-border", [](const R& r) { return r.of.alpha_L; }},
-             {"alpha_T", "of the scheme; empty with --fit-border", [](const R& r) { return r.of.alpha_T; }},
-             {"creepage_ratio", "delta = xi G/(2 (1-nu) mu p0), found for --force",
+            {{"mesh", "mesh of the scheme; fitted where --fit-border has an exact solution",
+              [](const R& r) { return r.of.mesh_name; }},
+             {"n", "number of elements"},
+             {"alpha_L", "positions of the points of the scheme; empty with --fit-border",
+              [](const R& r) { return r.of.alpha_L; }},
+             {"alpha_T", "positions of the points of the scheme; empty with --fit-border",
+              [](const R& r) { return r.of.alpha_T; }},
+             {"creepage_ratio", "creepage ratio delta = xi G/(2 (1-nu) mu p0), given or found for --force",
               [](const R& r) { return r.point.longitudinal; }},
-             {"force_ratio", "-F_x/(mu N)", &R::force_ratio},
-             {"exact", "Carter's, where it holds", [](const R& r) { return r.exact().longitudinal; }},
+             {"force_ratio", "longitudinal force -F_x/(mu N)", &R::force_ratio},
+             {"exact", "Carter's force_ratio, where it holds", [](const R& r) { return r.exact().longitudinal; }},
              {"relative_error", "force_ratio/exact - 1",
               [](const R& r) { return relative_error(r.force_ratio(), r.exact().longitudinal); }},
-             {"stick_count", "elements that stick", [](const R& r) { return r.of.step.stick_count; }},
-             {"rounds", "Newton steps; with one direction of an active set",
+             {"stick_count", "number of elements that stick", [](const R& r) { return r.of.step.stick_count; }},
+             {"rounds", "number of Newton steps; for one direction steps of an active set",
               [](const R& r) { return r.of.step.rounds; }},
              {"complementarity_residual",
-              "the largest violation of |p| <= mu p_n (over mu p0) and of the direction of slip (over |xi|)",
+              "largest violation of |p| <= mu p_n (over mu p0) and of the direction of slip (over |xi|)",
               [](const R& r) { return r.of.step.complementarity_residual; }},
-             {"time_us", std::string("[microseconds] of the solution, ") + study::median_of_runs,
+             {"time_us", std::string("time of the solution [microseconds], ") + study::median_of_runs,
               [](const R& r) { return r.of.time_us; }},
-             {"lateral_ratio", "as creepage_ratio, across the rolling direction",
+             {"lateral_ratio", "lateral creepage ratio eta G/(2 (1-nu) mu p0)",
               [](const R& r) { return r.point.lateral; }},
-             {"lateral_force_ratio", "-F_y/(mu N)", [](const R& r) { return r.if_both(r.lateral_force_ratio()); }},
-             {"assembly_us", "the same, of the assembly of G'", [](const R& r) { return r.of.assembly_us; }},
-             {"tangent_ratio", "d force_ratio/d creepage_ratio",
+             {"lateral_force_ratio", "lateral force -F_y/(mu N)",
+              [](const R& r) { return r.if_both(r.lateral_force_ratio()); }},
+             {"assembly_us", std::string("time of the assembly of G' [microseconds], ") + study::median_of_runs,
+              [](const R& r) { return r.of.assembly_us; }},
+             {"tangent_ratio", "derivative d force_ratio/d creepage_ratio",
               if_ok([](const R& r) { return r.tangent_ratio(r.of.step.tangent.by_longitudinal.longitudinal); })},
              {"slip_work",
-              "for each distance a rolled, in mu N mu p0 a/G, summed over the elements (second order in 1/n)",
+              "work of slip for each distance a rolled [mu N mu p0 a/G], summed over the elements (second order in "
+              "1/n)",
               if_ok([](const R& r) { return r.of.step.slip_work / r.of.full; })},
-             {"path_points", "of the fallback, used where rounds did not settle",
+             {"path_points", "number of points on the path of the fallback, where rounds did not settle",
               [](const R& r) { return r.of.path_points; }},
              {"status",
-              "where it is not ok, force_ratio, tangent_ratio and slip_work are empty. It is assists_creepage where "
-              "some tractions of the same scheme in full adhesion assist the creepage, so that the scheme does not "
-              "converge there: alpha <= 0 (or close to 0 on coarse meshes), or alpha > 1. (With friction, alpha = 0 "
-              "converges, to first order, where several elements slip.)",
+              "ok, or why force_ratio, tangent_ratio and slip_work are empty: assists_creepage where some tractions of "
+              "the same scheme in full adhesion assist the creepage, so that the scheme does not converge there: alpha "
+              "<= 0 (or close to 0 on coarse meshes), or alpha > 1 (with friction, alpha = 0 converges, to first "
+              "order, where several elements slip)",
               [](const R& r) { return r.of.status; }},
-             {"lateral_exact", "as exact", [](const R& r) { return r.exact().lateral; }},
-             {"lateral_relative_error", "as relative_error",
+             {"lateral_exact", "Carter's lateral_force_ratio, where it holds",
+              [](const R& r) { return r.exact().lateral; }},
+             {"lateral_relative_error", "lateral_force_ratio/lateral_exact - 1",
               [](const R& r) { return relative_error(r.lateral_force_ratio(), r.exact().lateral); }},
-             {"lateral_tangent_ratio", "as tangent_ratio",
+             {"lateral_tangent_ratio", "derivative d lateral_force_ratio/d lateral_ratio",
               if_ok([](const R& r) { return r.if_both(r.tangent_ratio(r.of.step.tangent.by_lateral.lateral)); })},
-             {"spin_ratio", "phi a by the same 2 (1-nu) mu p0/G", [](const R& r) { return r.if_both(r.point.spin); }},
-             {"moment_ratio", "-M_z/(mu N a)",
+             {"spin_ratio", "spin ratio phi a G/(2 (1-nu) mu p0)", [](const R& r) { return r.if_both(r.point.spin); }},
+             {"moment_ratio", "moment -M_z/(mu N a)",
               if_ok([](const R& r) { return r.if_both(0 - r.of.step.force.moment / r.of.full); })},
-             {"sweep", "--sweep", [](const R& r) { return study::Cell(r.curve.sweep); }}},
+             {"sweep", "order of the sweep, as in --sweep", [](const R& r) { return study::Cell(r.curve.sweep); }}},
             law_columns<R>()),
         study::settings};
     return columns;
@@ -111,28 +118,32 @@ const study::Sheet<CreepRow>& traction_sheet() {
     using R = CreepRow;
     static const study::Sheet<CreepRow> columns{
         "n",
-        {{"creepage_ratio", "", [](const R& r) { return r.point.longitudinal; }},
-         {"x_over_a", "", [](const R& r) { return r.of.x[r.i]; }},
-         {"traction", "in mu p0", if_ok([](const R& r) { return r.of.traction(r.i, 0); })},
-         {"bound", "in mu p0; that of mu_0", [](const R& r) { return r.of.bound[r.i]; }},
-         {"stick", "1 or 0", if_ok([](const R& r) { return int(r.of.sticks[std::size_t(r.i)]); })},
-         {"slip", "s/V in mu p0/G", if_ok([](const R& r) { return r.of.slip(r.i, 0); })},
-         {"exact", "Carter's traction, where it holds",
+        {{"creepage_ratio", "creepage ratio, as above", [](const R& r) { return r.point.longitudinal; }},
+         {"x_over_a", "position x/a of the element's centre", [](const R& r) { return r.of.x[r.i]; }},
+         {"traction", "traction along x [mu p0]", if_ok([](const R& r) { return r.of.traction(r.i, 0); })},
+         {"bound", "bound of the traction [mu p0], by mu_0 under --falling",
+          [](const R& r) { return r.of.bound[r.i]; }},
+         {"stick", "1 where the element sticks, else 0",
+          if_ok([](const R& r) { return int(r.of.sticks[std::size_t(r.i)]); })},
+         {"slip", "slip s/V along x [mu p0/G]", if_ok([](const R& r) { return r.of.slip(r.i, 0); })},
+         {"exact", "Carter's traction [mu p0], where it holds",
           [](const R& r) {
               const bool holds = r.carter() && r.point.lateral.value_or(0) == 0;
               return holds ? study::Cell(rollbem::carter_friction_traction(r.of.x[r.i], r.point.longitudinal))
                            : study::Cell();
           }},
-         {"mesh", "", [](const R& r) { return r.of.mesh_name; }},
-         {"method, derivative", ""},
-         {"alpha_L", "", [](const R& r) { return r.of.alpha_L; }},
-         {"alpha_T", "", [](const R& r) { return r.of.alpha_T; }},
-         {"status", "", [](const R& r) { return r.of.status; }},
-         {"lateral_ratio", "", [](const R& r) { return r.point.lateral; }},
-         {"lateral_traction", "", if_ok([](const R& r) { return r.if_both(r.of.traction(r.i, 1)); })},
-         {"lateral_slip", "", if_ok([](const R& r) { return r.if_both(r.of.slip(r.i, 1)); })},
-         {"layer", "", [](const R& r) { return r.line.layer; }},
-         {"friction_ratio", "mu/mu_0",
+         {"mesh", "scheme, as above", [](const R& r) { return r.of.mesh_name; }},
+         {"method, derivative", "scheme, as above"},
+         {"alpha_L", "scheme, as above", [](const R& r) { return r.of.alpha_L; }},
+         {"alpha_T", "scheme, as above", [](const R& r) { return r.of.alpha_T; }},
+         {"status", "ok, or why traction, stick and slip are empty, as above", [](const R& r) { return r.of.status; }},
+         {"lateral_ratio", "lateral creepage ratio, as above", [](const R& r) { return r.point.lateral; }},
+         {"lateral_traction", "traction across the rolling direction [mu p0]",
+          if_ok([](const R& r) { return r.if_both(r.of.traction(r.i, 1)); })},
+         {"lateral_slip", "slip s/V across the rolling direction [mu p0/G]",
+          if_ok([](const R& r) { return r.if_both(r.of.slip(r.i, 1)); })},
+         {"layer", "compliance of the layer [a/G]", [](const R& r) { return r.line.layer; }},
+         {"friction_ratio", "coefficient of friction mu/mu_0",
           if_ok([](const R& r) { return r.line.law ? study::Cell(r.of.friction[r.i]) : study::Cell(); })}},
         study::settings};
     return columns;
@@ -260,7 +271,9 @@ std::vector<CreepPoint> read_points(const study::Options& options) {
 
 }  // namespace
 
-std::string creep_help() { return creep_sheet().help(); }
+std::string creep_help() {
+    return creep_sheet().help() + "--tractions FILE, one row for each element:\n" + traction_sheet().help();
+}
 
 void run_steady(const study::Options& options) {
     Curve curve{Line(options), read_points(options), "", study::has_times(options)};

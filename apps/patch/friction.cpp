@@ -44,20 +44,20 @@ const study::Sheet<FrictionRow, Patch>& friction_sheet() {
     using R = FrictionRow;
     static const study::Sheet<R, Patch> columns{
         identity,
-        study::joined(creepage_columns<R>(),
-                      {{"longitudinal_force", "-F_x/(mu N); like the other forces empty if status is not ok",
-                        if_ok([](const R& r) { return 0 - r.step.force.longitudinal / mu_N(r.patch); })},
-                       {"lateral_force", "-F_y/(mu N)",
-                        if_ok([](const R& r) { return 0 - r.step.force.lateral / mu_N(r.patch); })},
-                       {"spin_moment", "-M_z/(mu N c)", if_ok([](const R& r) {
-                            return 0 - r.step.force.moment / r.patch.contact.c() / mu_N(r.patch);
-                        })},
-                       {"stick_count", "elements that stick", [](const R& r) { return r.step.stick_count; }},
-                       {"rounds", "Newton steps", [](const R& r) { return r.step.rounds; }},
-                       {"complementarity_residual", "how far the law is violated",
-                        [](const R& r) { return r.step.complementarity_residual; }},
-                       {"time_us", "[microseconds] of the solution, matrices ready", &R::time_us},
-                       {"status", "ok, or why there are no forces", [](const R& r) { return name(r.step.status); }}}),
+        study::joined(
+            creepage_columns<R>(),
+            {{"longitudinal_force", "longitudinal force -F_x/(mu N)",
+              if_ok([](const R& r) { return 0 - r.step.force.longitudinal / mu_N(r.patch); })},
+             {"lateral_force", "lateral force -F_y/(mu N)",
+              if_ok([](const R& r) { return 0 - r.step.force.lateral / mu_N(r.patch); })},
+             {"spin_moment", "moment -M_z/(mu N c)",
+              if_ok([](const R& r) { return 0 - r.step.force.moment / r.patch.contact.c() / mu_N(r.patch); })},
+             {"stick_count", "number of elements that stick", [](const R& r) { return r.step.stick_count; }},
+             {"rounds", "number of Newton steps", [](const R& r) { return r.step.rounds; }},
+             {"complementarity_residual", "largest violation of Coulomb's law",
+              [](const R& r) { return r.step.complementarity_residual; }},
+             {"time_us", "time of the solution, matrices ready [microseconds]", &R::time_us},
+             {"status", "ok, or why forces and tractions are empty", [](const R& r) { return name(r.step.status); }}}),
         distinctions};
     return columns;
 }
@@ -66,23 +66,28 @@ const study::Sheet<FrictionRow, Patch>& traction_sheet() {
     using R = FrictionRow;
     static const study::Sheet<R, Patch> columns{
         identity,
-        study::joined(
-            creepage_columns<R>(),
-            {{"x", "centre, in a (outlines: c)", [](const R& r) { return r.elements.centre_x[r.i]; }},
-             {"y", "in b (outlines: c)",
-              [](const R& r) { return r.elements.centre_y[r.i] * r.patch.contact.a_over_b(); }},
-             {"width", "in a (outlines: c)", [](const R& r) { return r.elements.areas[r.i] / r.strip_width(); }},
-             {"strip_width", "in b (outlines: c)",
-              [](const R& r) { return r.strip_width() * r.patch.contact.a_over_b(); }},
-             {"pressure_bound", "mu p_n in mu p_0 = 3 mu N/(2 pi a b)",
-              [](const R& r) { return r.state.normal_pressure[r.i] / peak; }},
-             {"traction_x", "in mu p_0", if_ok([](const R& r) { return r.state.traction(r.i, 0) / peak; })},
-             {"traction_y", "in mu p_0", if_ok([](const R& r) { return r.state.traction(r.i, 1) / peak; })},
-             {"slip_x", "in the largest rigid slip", if_ok([](const R& r) { return r.slip(r.i, 0) / r.largest_slip; })},
-             {"slip_y", "in the largest rigid slip", if_ok([](const R& r) { return r.slip(r.i, 1) / r.largest_slip; })},
-             {"stick", "1 or 0",
-              if_ok([](const R& r) { return int(r.state.zones[std::size_t(r.i)] == rollbem::Zone::stick); })},
-             {"status", "as above", [](const R& r) { return name(r.step.status); }}}),
+        study::joined(creepage_columns<R>(),
+                      {{"x", "centre of the element along x [a, outlines: c]",
+                        [](const R& r) { return r.elements.centre_x[r.i]; }},
+                       {"y", "centre of the element along y [b, outlines: c]",
+                        [](const R& r) { return r.elements.centre_y[r.i] * r.patch.contact.a_over_b(); }},
+                       {"width", "width of the element along x [a, outlines: c]",
+                        [](const R& r) { return r.elements.areas[r.i] / r.strip_width(); }},
+                       {"strip_width", "width of the element along y [b, outlines: c]",
+                        [](const R& r) { return r.strip_width() * r.patch.contact.a_over_b(); }},
+                       {"pressure_bound", "bound mu p_n of the traction [mu p_0 = 3 mu N/(2 pi a b)]",
+                        [](const R& r) { return r.state.normal_pressure[r.i] / peak; }},
+                       {"traction_x", "tractions along x and y [mu p_0]",
+                        if_ok([](const R& r) { return r.state.traction(r.i, 0) / peak; })},
+                       {"traction_y", "tractions along x and y [mu p_0]",
+                        if_ok([](const R& r) { return r.state.traction(r.i, 1) / peak; })},
+                       {"slip_x", "slip along x and y [largest rigid slip of the patch]",
+                        if_ok([](const R& r) { return r.slip(r.i, 0) / r.largest_slip; })},
+                       {"slip_y", "slip along x and y [largest rigid slip of the patch]",
+                        if_ok([](const R& r) { return r.slip(r.i, 1) / r.largest_slip; })},
+                       {"stick", "1 where the element sticks, else 0",
+                        if_ok([](const R& r) { return int(r.state.zones[std::size_t(r.i)] == rollbem::Zone::stick); })},
+                       {"status", "ok, or why tractions are empty", [](const R& r) { return name(r.step.status); }}}),
         "scheme"};
     return columns;
 }
@@ -102,19 +107,22 @@ double largest_slip(const Patch& patch, const CreepPoint& point, const rollbem::
 void add_friction_options(study::Options& options) {
     options.group("Friction");
     options.add("longitudinal", "LIST",
-                "instead: friction at longitudinal creepages xi, times G a b/(mu N) (dimensionless)", "0");
-    options.add("lateral", "LIST", "the same with lateral creepages eta, times G a b/(mu N) (dimensionless)", "0");
-    options.add("spin", "LIST", "the same with spin phi, times G a b c/(mu N) (dimensionless)", "0");
-    options.add(
-        "force", "F",
-        "-F_x/(mu N), in time mu N_0, in place of --longitudinal, which is found; in time from rest by a shift, "
-        "then rolling (dimensionless)");
+                "longitudinal creepage xi G a b/(mu N) [dimensionless], -1e6 to 1e6, for friction in place of creep "
+                "coefficients",
+                "0");
+    options.add("lateral", "LIST", "lateral creepage eta G a b/(mu N) [dimensionless], -1e6 to 1e6, for friction", "0");
+    options.add("spin", "LIST", "spin phi G a b c/(mu N) [dimensionless], -1e6 to 1e6, for friction", "0");
+    options.add("force", "F",
+                "given force -F_x/(mu N), in time -F_x/(mu N_0) [dimensionless], any finite, in place of "
+                "--longitudinal, which is found; in time a shift from rest reaches it before the contact rolls");
     options.not_with({"longitudinal"}, "force");
     options.add_input("pressure",
-                      "with these: CSV file with the columns x,y,pressure instead of Hertz's pressure: any unit, rows "
-                      "that make a grid in any order, bilinear between them, zero outside; x and y in a and b, of an "
-                      "outline in its unit");
-    options.add_table("tractions", "with these, also write a CSV file with one row per element, and FILE.toml");
+                      "CSV file of the normal pressure under friction, with the columns x,y,pressure [any unit], whose "
+                      "rows make a grid in any order: bilinear between them, zero outside; x and y in a and b, of an "
+                      "outline in its unit; Hertz's pressure without it, of an ellipse");
+    options.add_table(
+        "tractions",
+        "CSV file of the tractions of steady friction, one row per element, with FILE.toml beside it; none without it");
 }
 
 std::vector<std::string> ways_of_friction() {
@@ -153,7 +161,7 @@ void require_no_gain(const study::Options& options, const std::vector<Patch>& pa
 }
 
 std::string friction_help() {
-    return friction_sheet().help() + "--tractions: a row per element\n" + traction_sheet().help();
+    return friction_sheet().help() + "--tractions FILE, one row for each element:\n" + traction_sheet().help();
 }
 
 void run_friction(const study::Options& options, const std::vector<Patch>& patches) {

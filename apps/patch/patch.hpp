@@ -68,9 +68,10 @@ inline double mu_N(const Patch& patch) { return patch.contact.half_length() * pa
 /// longitudinal, lateral and spin, of rows that know their `point`.
 template <class Row>
 std::vector<study::Column<Row>> creepage_columns() {
-    return {{"longitudinal", "xi times G a b/(mu N)", [](const Row& r) { return r.point.longitudinal; }},
-            {"lateral", "eta times G a b/(mu N)", [](const Row& r) { return r.point.lateral; }},
-            {"spin", "phi times G a b c/(mu N)", [](const Row& r) { return r.point.spin; }}};
+    return {
+        {"longitudinal", "longitudinal creepage xi G a b/(mu N)", [](const Row& r) { return r.point.longitudinal; }},
+        {"lateral", "lateral creepage eta G a b/(mu N)", [](const Row& r) { return r.point.lateral; }},
+        {"spin", "spin phi G a b c/(mu N)", [](const Row& r) { return r.point.spin; }}};
 }
 
 /// Mean pressures of a patch's elements [G], which carry the load mu N = G a b with mu = 1: Hertz's, or of --pressure.

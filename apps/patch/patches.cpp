@@ -82,33 +82,37 @@ std::string Patch::label() const {
 void add_options(study::Options& options) {
     options.group("Patch");
     options.add("a-over-b", "LIST",
-                "ellipses of these ratios of semi-axes, a along the rolling direction, above 0 (dimensionless)", "1");
-    options.add_input("outline",
-                      "instead: any patch, as CSV y,x_trailing,x_leading in any unit of length, y increasing, straight "
-                      "between the lines; a, b and c below are then sqrt(area/pi)");
+                "ratio of an ellipse's semi-axes [dimensionless], a along the rolling direction, 1e-6 to 1e6", "1");
+    options.add_input(
+        "outline",
+        "CSV file of the outline of any patch, in place of an ellipse, with the columns y,x_trailing,x_leading [any "
+        "unit of length], y increasing, straight between the rows; a, b and c are then sqrt(area/pi)");
     options.not_with({"a-over-b"}, "outline");
-    options.add("layer", "L",
-                "compliance of an elastic layer between the bodies, in c/G, 0 or more: h_3/G_3 of its thickness and "
-                "shear modulus (dimensionless)",
-                "0");
-    options.add("strips", "LIST", "strips along the rolling direction, 1 to 10000 (dimensionless); default: --n");
-    options.add("strip-grading", "NAME", "edges of strips at -cos(pi j/m) of the half height: cosine; or uniform",
-                "cosine");
+    options.add(
+        "layer", "L",
+        "compliance h_3/G_3 of an elastic layer between the bodies (thickness over shear modulus) [c/G], 0 or more",
+        "0");
+    options.add("strips", "LIST",
+                "number of strips along the rolling direction [dimensionless], 1 to 10000; default: --n");
+    options.add("strip-grading", "NAME",
+                "spacing of the strips' edges: cosine, at -cos(pi j/m) of the half height, or uniform", "cosine");
     options.add_input("strip-edges",
-                      "instead of --strips: edges of strips, one per line, y/b from -1 to 1, or y of the outline");
+                      "file of the strips' edges, one per line, in place of --strips: y/b [dimensionless] from -1 to "
+                      "1, or y of the outline [its unit]");
     options.not_with({"strips", "strip-grading"}, "strip-edges");
 
     options.set_default("n", "8,12,16");
-    options.set_help("n", "number of elements of each strip, 1 to 10000 (dimensionless)");
+    options.set_help("n", "number of elements in each strip [dimensionless], 1 to 10000");
     options.set_default("method", "nodes");
-    options.set_help("method", "nodes: differences between the --nodes of neighbouring elements");
+    options.set_help("method",
+                     "method of discretisation: nodes (differences between the --nodes of neighbouring elements)");
     options.set_default("nodes", "chebyshev");
-    options.set_help("nodes", "chebyshev, or centres of elements");
+    options.set_help("nodes", "positions of the nodes: chebyshev points, or centres of the elements");
     options.refuse_group("Discretisation", "each strip has the cosine mesh, and rows between nodes",
                          {"n", "method", "nodes", "scheme"});
     options.set_help("scheme",
-                     "in place of --method, --nodes and --strip-grading: cosine:nodes or cosine:nodes-chebyshev, with "
-                     ":cosine-strips (default) or :uniform-strips");
+                     "names of schemes, MESH:METHOD[:STRIPS], in place of --method, --nodes and --strip-grading: "
+                     "cosine:nodes or cosine:nodes-chebyshev, then :cosine-strips (default) or :uniform-strips");
     options.not_with({"strip-grading", "strip-edges"}, "scheme");
     options.refuse("kernel", "the bodies are half-spaces");
     options.refuse("aspect", "a patch is wide and long: --a-over-b");

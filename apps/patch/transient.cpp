@@ -197,42 +197,44 @@ const study::Sheet<TimeRow, Patch>& time_sheet() {
     static const study::Sheet<R, Patch> columns{
         identity,
         study::joined<study::Column<R>>(
-            {{"q_over_a", "distance rolled over a_0; the first row is at q = dq",
-              [](const R& r) { return r.moment.q; }},
-             {"load_ratio", "N/N_0", &R::load_ratio},
-             {"a_ratio", "a/a_0, by Hertz the cube root of load_ratio, or the column of --load",
+            {{"q_over_a", "distance rolled q/a_0; the first row is at q = dq", [](const R& r) { return r.moment.q; }},
+             {"load_ratio", "load N/N_0", &R::load_ratio},
+             {"a_ratio", "semi-axis a/a_0: by Hertz the cube root of load_ratio, or as in the table of the load",
               [](const R& r) { return r.axes().a; }},
-             {"b_ratio", "the same, b/b_0", [](const R& r) { return r.axes().b; }},
-             {"longitudinal_force", "-F_x/(mu N_0)",
+             {"b_ratio", "semi-axis b/b_0, likewise", [](const R& r) { return r.axes().b; }},
+             {"longitudinal_force", "longitudinal force -F_x/(mu N_0)",
               if_valid([](const R& r) { return r.force(r.moment.step.force.longitudinal); })},
-             {"lateral_force", "-F_y/(mu N_0)",
+             {"lateral_force", "lateral force -F_y/(mu N_0)",
               if_valid([](const R& r) { return r.force(r.moment.step.force.lateral); })},
-             {"spin_moment", "-M_z/(mu N_0 c_0)",
+             {"spin_moment", "moment -M_z/(mu N_0 c_0)",
               if_valid([](const R& r) { return r.force(r.moment.step.force.moment / r.patch.contact.c()); })},
-             {"stick_count", "elements that stick", if_valid([](const R& r) { return r.moment.step.stick_count; })},
-             {"slip_work", "cumulative, in mu N_0 mu N_0/(G c_0)",
+             {"stick_count", "number of elements that stick",
+              if_valid([](const R& r) { return r.moment.step.stick_count; })},
+             {"slip_work", "work of slip since the start [mu N_0 mu N_0/(G c_0)]",
               if_valid([](const R& r) { return r.work(r.moment.slip_work); })},
              {"creep_work",
-              "-int (F_x xi + F_y eta + M_z phi) dq, from the forces at both ends of a step (at its end with "
-              "implicit-euler); creep_work = slip_work + change of elastic_energy, to the order of the mesh and of dq, "
-              "whatever the load does",
+              "work of the creepages -int (F_x xi + F_y eta + M_z phi) dq since the start, in the same unit, from the "
+              "forces at both ends of a step (at its end with implicit-euler); creep_work = slip_work + change of "
+              "elastic_energy, to the order of the mesh and of dq, whatever the load does",
               if_valid([](const R& r) { return r.work(r.moment.creep_work); })},
              {"status",
-              "unresolved where the ellipse is narrower than three of its strips or elements of a mesh that does not "
-              "follow it, and throughout with fewer than six steps in a period of --load-sine (2 pi --dq > LENGTH): "
-              "results are empty, works count such steps all the same; why a step failed; after_failure behind it",
+              "ok; unresolved where the ellipse is narrower than three of its strips or elements of a mesh that does "
+              "not follow it, and throughout with fewer than six steps in a period of --load-sine (2 pi --dq > "
+              "LENGTH): results are empty, works count such steps all the same; the reason where a step failed; "
+              "after_failure behind it",
               [](const R& r) { return r.moment.status; }},
-             {"elastic_energy", "in the unit of the works",
+             {"elastic_energy", "elastic energy, in the same unit",
               if_valid([](const R& r) { return r.work(r.moment.elastic_energy); })},
-             {"rounds", "Newton steps", if_computed([](const R& r) { return r.moment.rounds; })},
-             {"complementarity_residual", "how far the law is violated",
+             {"rounds", "number of Newton steps", if_computed([](const R& r) { return r.moment.rounds; })},
+             {"complementarity_residual", "largest violation of Coulomb's law",
               if_computed([](const R& r) { return r.moment.step.complementarity_residual; })},
-             {"integrator", "as given", [](const R& r) { return study::word(r.scene.run.integrator); }}},
+             {"integrator", "integrator, as in its option",
+              [](const R& r) { return study::word(r.scene.run.integrator); }}},
             study::joined(
                 creepage_columns<R>(),
-                {{"shift_x", "rigid shift in this row over a_0, times G a b/(mu N), imposed or found for --force",
+                {{"shift_x", "rigid shift along x of this row over a_0, times G a b/(mu N), given or found for --force",
                   [](const R& r) { return r.moment.shift.longitudinal / r.patch.contact.half_length(); }},
-                 {"shift_y", "the same across",
+                 {"shift_y", "rigid shift along y of this row, likewise",
                   [](const R& r) { return r.moment.shift.lateral / r.patch.contact.half_length(); }}})),
         distinctions};
     return columns;
@@ -242,17 +244,16 @@ const study::Sheet<TimeRow, Patch>& time_sheet() {
 
 void add_transient_options(study::Options& options) {
     options.add_flag("transient",
-                     "with one value of each creepage, or a history: roll in time, one row for each step; lengths over "
-                     "a, N, a and b at load_ratio 1");
+                     "friction in time, one row per step, under one value of each creepage or a history, in place of "
+                     "steady friction; N, a and b are those at load_ratio 1");
     study::add_history_options(options, history_columns, "transient");
     options.not_with({"step", "ramp", "sine"}, "force");
     for (const char* way : {"step", "ramp", "sine"}) options.not_with({"longitudinal"}, way);
     study::add_run_options(
         options,
-        " and, if known, a_ratio,b_ratio: N/N_0, a/a_0 and b/b_0 over the distance rolled in a_0, linear between its "
-        "rows, which must cover the run (dimensionless); without them both are the cube root of load_ratio",
-        "the mesh follows the ellipse, as it does by default where a table has a_ratio,b_ratio and the load never "
-        "vanishes; --breathing=false: it covers the largest one");
+        " and, if known, a_ratio = a/a_0, b_ratio = b/b_0 [dimensionless], by default the cube root of load_ratio",
+        "mesh that follows the ellipse, the default where a table has a_ratio,b_ratio and the load never vanishes; "
+        "without it, and with --breathing=false, the mesh covers the largest ellipse");
 }
 
 std::string transient_help() { return time_sheet().help(); }

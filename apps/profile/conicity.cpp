@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -10,7 +9,7 @@
 #include <rollbem/vehicle/equivalent_conicity.hpp>
 
 #include "profile.hpp"
-#include "support/table.hpp"
+#include "support/sheet.hpp"
 
 namespace profile {
 
@@ -20,31 +19,6 @@ using rollbem::EquivalentConicity;
 using rollbem::RadiusDifference;
 using rollbem::RollingRadii;
 using rollbem::Status;
-
-/// A wheelset, Delta r if it has an equilibrium, and why it has none.
-struct Wheelset {
-    rollbem::WheelsetOnTrack on_track;
-    std::optional<RadiusDifference> radii;
-    Status status;
-};
-
-Wheelset read(const study::Options& options) {
-    Wheelset wheelset{read_wheelset(options, read_dimensions(options)), {}, Status::ok};
-    for (const Side side : rollbem::WheelsetOnTrack::sides) {
-        if (wheelset.on_track.wheel(side).geometry().is_plain()) continue;
-        throw study::BadInput("--conicity = true must have round wheels on straight rails of one profile");
-    }
-    wheelset.radii = radius_difference(wheelset.on_track);
-    if (!wheelset.radii) {
-        // where Delta r rises, its zero lies beyond what the wheels reach
-        const auto difference = [&](double lateral) { return rolling_radii(wheelset.on_track, lateral).difference(); };
-        const Status centred = rolling_radii(wheelset.on_track, 0).status;
-        wheelset.status = centred != Status::ok                  ? centred
-                          : difference(1e-3) > difference(-1e-3) ? Status::beyond_clearance
-                                                                 : Status::unstable;
-    }
-    return wheelset;
-}
 
 study::Plot difference_plot(const RadiusDifference& radii) {
     study::Plot plot{.title = "Difference of the rolling radii", .x_label = "y [mm]", .y_label = "Δr [mm]"};
@@ -64,46 +38,82 @@ study::Series curve(const std::vector<study::Row>& rows, const char* label, std:
     return series;
 }
 
-study::Table conicity_table(const Wheelset& wheelset, const std::vector<double>& amplitudes) {
-    study::Table table;
-    table.columns = {"amplitude", "tan_gamma", "tan_gamma_linear", "wavelength", "y_min", "y_max", "status"};
-    table.rows_of_task.assign(amplitudes.size(), 1);
-    table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
-        const double amplitude = amplitudes[task];
-        EquivalentConicity wave{.status = wheelset.status};
-        if (wheelset.radii) wave = equivalent_conicity(*wheelset.radii, amplitude);
-        study::Row row{amplitude};
-        for (const double value : {wave.tan_gamma, wave.tan_gamma_linear, wave.wavelength, wave.y_min, wave.y_max}) {
-            row.push_back(wave.status == Status::ok ? study::Cell(value) : study::Cell());
-        }
-        row.emplace_back(name(wave.status));
-        emit(std::move(row));
-    };
+/// A wave of the free wheelset.
+struct Wave {
+    double amplitude;
+    EquivalentConicity found;
+
+    bool exists() const { return found.status == Status::ok; }
+};
+
+template <class Value>
+auto if_exists(const Value& value) {
+    return study::where(&Wave::exists, [=](const Wave& wave) { return wave.found.*value; });
+}
+
+const study::Sheet<Wave, double> wave_sheet{
+    "",
+    {{"amplitude", "amplitude of the wave, half of y_max - y_min [m]", &Wave::amplitude},
+     {"tan_gamma", "equivalent conicity: tan gamma of the cone with the same wavelength, by integration of the wave",
+      if_exists(&EquivalentConicity::tan_gamma)},
+     {"tan_gamma_linear", "equivalent conicity by harmonic linearisation",
+      if_exists(&EquivalentConicity::tan_gamma_linear)},
+     {"wavelength", "wave length [m]", if_exists(&EquivalentConicity::wavelength)},
+     {"y_min", "ends of the lateral motion of the wheelset's middle [m]", if_exists(&EquivalentConicity::y_min)},
+     {"y_max", "ends of the lateral motion of the wheelset's middle [m]", if_exists(&EquivalentConicity::y_max)},
+     {"status",
+      "ok; beyond_clearance where the wave leaves the positions that both wheels reach without climbing over a flange "
+      "or an end of a profile; unstable where Delta r falls, so that no wave passes the equilibrium; or why the "
+      "wheelset has no contact in the middle",
+      [](const Wave& wave) { return name(wave.found.status); }}},
+    ""};
+
+struct Radii {
+    double y;
+    RollingRadii at;
+
+    bool known() const { return at.status == Status::ok; }
+};
+
+template <class Value>
+auto if_known(const Value& value) {
+    return study::where(&Radii::known, value);
+}
+
+const study::Sheet<Radii, double> radii_sheet{
+    "",
+    {{"y", "lateral position of the wheelset [m]", &Radii::y},
+     {"delta_r", "right_radius less left_radius [m]; empty beyond the clearance, like the following",
+      if_known([](const Radii& r) { return r.at.difference(); })},
+     {"right_radius", "rolling radii [m]", if_known([](const Radii& r) { return r.at.wheels[1].rolling_radius; })},
+     {"left_radius", "rolling radii [m]", if_known([](const Radii& r) { return r.at.wheels[0].rolling_radius; })},
+     {"right_angle", "angles of contact in track axes [rad]",
+      if_known([](const Radii& r) { return r.at.wheels[1].angle; })},
+     {"left_angle", "angles of contact in track axes [rad]",
+      if_known([](const Radii& r) { return -r.at.wheels[0].angle; })}},
+    ""};
+
+study::Table wave_table(const Conicity& conicity) {
+    study::Table table = wave_sheet.table(conicity.places, [&](double amplitude) {
+        Wave wave{amplitude, {.status = conicity.status}};
+        if (conicity.radii) wave.found = equivalent_conicity(*conicity.radii, amplitude);
+        return wave;
+    });
     table.plot = [&](const std::vector<study::Row>& rows) {
         study::Plot plot{.title = "Equivalent conicity", .x_label = "amplitude [mm]", .y_label = "tan γ_e"};
         plot.series = {curve(rows, "kinematic wave", 1, 1), curve(rows, "harmonic", 2, 1)};
-        if (!wheelset.radii) return plot;
-        study::Plot left = difference_plot(*wheelset.radii);
+        if (!conicity.radii) return plot;
+        study::Plot left = difference_plot(*conicity.radii);
         left.below.push_back(std::move(plot));
         return left;
     };
     return table;
 }
 
-study::Table radii_table(const Wheelset& wheelset, const std::vector<double>& positions) {
-    study::Table table;
-    table.columns = {"y", "delta_r", "right_radius", "left_radius", "right_angle", "left_angle"};
-    table.rows_of_task.assign(positions.size(), 1);
-    table.compute = [&](std::size_t task, study::RowRange, const study::Emit& emit) {
-        const RollingRadii at = rolling_radii(wheelset.on_track, positions[task]);
-        const auto& [left, right] = at.wheels;
-        study::Row row{positions[task]};
-        for (const double value :
-             {at.difference(), right.rolling_radius, left.rolling_radius, right.angle, -left.angle}) {
-            row.push_back(at.status == Status::ok ? study::Cell(value) : study::Cell());
-        }
-        emit(std::move(row));
-    };
+study::Table radii_table(const Conicity& conicity) {
+    study::Table table = radii_sheet.table(conicity.places, [&](double y) {
+        return Radii{y, rolling_radii(conicity.wheelset, y)};
+    });
     table.plot = [](const std::vector<study::Row>& rows) {
         study::Plot plot{.title = "Difference of the rolling radii", .x_label = "y [mm]", .y_label = "Δr [mm]"};
         plot.series = {curve(rows, "right less left", 1, 1e3)};
@@ -115,10 +125,15 @@ study::Table radii_table(const Wheelset& wheelset, const std::vector<double>& po
     return table;
 }
 
-/// Multiples of a tenth of a millimetre between the ends of what both wheels can reach.
-std::vector<double> all_positions(const RadiusDifference& radii) {
+/// Multiples of a tenth of a millimetre around the middle at which both wheels have contact within the clearance.
+std::vector<double> all_positions(const rollbem::WheelsetOnTrack& wheelset) {
+    constexpr int most = 1000;
     std::vector<double> positions;
-    for (double k = std::ceil(1e4 * radii.low()); k <= 1e4 * radii.high(); ++k) positions.push_back(k / 1e4);
+    const auto reached = [&](int k) {
+        return std::abs(k) <= most && rolling_radii(wheelset, k / 1e4).status == Status::ok;
+    };
+    for (int k = -1; reached(k); --k) positions.insert(positions.begin(), k / 1e4);
+    for (int k = 0; reached(k); ++k) positions.push_back(k / 1e4);
     return positions;
 }
 
@@ -127,42 +142,62 @@ std::vector<double> all_positions(const RadiusDifference& radii) {
 void add_conicity_options(study::Options& options) {
     options.group("Equivalent conicity (EN 15302)");
     options.add_flag("conicity",
-                     "instead of patches: tan gamma of the free wheelset's kinematic wave over its amplitude, of rigid "
-                     "contact without roll");
+                     "table of the equivalent conicity of the free wheelset's kinematic wave over its amplitude (rigid "
+                     "contact, no roll), in place of patches");
     options
-        .add("amplitude", "LIST", "of the wave [m]",
+        .add("amplitude", "LIST", "amplitude of the wave [m], 1e-6 or more",
              "0.001,0.0015,0.002,0.0025,0.003,0.0035,0.004,0.0045,0.005,0.0055,0.006,0.0065,0.007,0.0075,0.008")
         .only_with({"conicity"})
         .not_with("rolling-radii");
     options
         .add_flag("rolling-radii",
-                  "radii and angles of contact of both wheels over the lateral position: --shift, or all within the "
-                  "clearance")
+                  "table of rolling radii and angles of contact of both wheels over the lateral position, in place of "
+                  "the conicity: at --shift, or by 0.1 mm within the clearance")
         .only_with({"conicity"});
     options.not_with({"load", "shear-modulus", "poisson"}, "conicity");
 }
 
-void study_conicity(const study::Options& options) {
-    const bool of_radii = options.flag("rolling-radii");
-    if (!of_radii) options.ignored("shift", "with --conicity unless --rolling-radii is given");
-    const Wheelset wheelset = read(options);
-    if (of_radii) {
-        std::vector<double> positions{0};
-        if (options.given("shift")) {
-            positions = options.numbers("shift", study::between(-0.1, 0.1));
-        } else if (wheelset.radii) {
-            positions = all_positions(*wheelset.radii);
-        }
-        study::write_table(options, radii_table(wheelset, positions));
-        return;
+std::string conicity_help() {
+    return "--conicity, one row for each amplitude; the sidecar notes the nonlinearity:\n" + wave_sheet.help() +
+           "--conicity --rolling-radii, one row for each lateral position:\n" + radii_sheet.help();
+}
+
+Conicity read_conicity(const study::Options& options) {
+    Conicity conicity{.wheelset = read_wheelset(options, read_dimensions(options)),
+                      .of_radii = options.flag("rolling-radii")};
+    if (!conicity.of_radii) options.ignored("shift", "with --conicity unless --rolling-radii is given");
+    for (const Side side : rollbem::WheelsetOnTrack::sides) {
+        if (conicity.wheelset.wheel(side).geometry().is_plain()) continue;
+        throw study::BadInput("--conicity = true must have round wheels on straight rails of one profile");
     }
-    const std::optional<double> nonlinearity = wheelset.radii ? conicity_nonlinearity(*wheelset.radii) : std::nullopt;
+    const Status centred = rolling_radii(conicity.wheelset, 0).status;
+    if (conicity.of_radii) {
+        conicity.places = options.given("shift") ? options.numbers("shift", study::between(-0.1, 0.1))
+                                                 : all_positions(conicity.wheelset);
+        if (!conicity.places.empty()) return conicity;
+        throw study::BadInput(std::string("--shift must be given with --rolling-radii: the wheelset has no contact in "
+                                          "the middle, its status is ") +
+                              name(centred));
+    }
+    conicity.radii = radius_difference(conicity.wheelset);
+    if (!conicity.radii) {
+        // where Delta r rises, its zero lies beyond what the wheels reach
+        const auto difference = [&](double lateral) { return rolling_radii(conicity.wheelset, lateral).difference(); };
+        conicity.status = centred != Status::ok                  ? centred
+                          : difference(1e-3) > difference(-1e-3) ? Status::beyond_clearance
+                                                                 : Status::unstable;
+    }
+    const std::optional<double> nonlinearity = conicity.radii ? conicity_nonlinearity(*conicity.radii) : std::nullopt;
     options.note("nonlinearity (tan gamma at 4 mm - at 2 mm)/2 mm [1/m]: " +
                  (nonlinearity ? study::Cell(*nonlinearity).text(6) : "none, as one of them has no wave"));
     const study::Rule at_least_a_micrometre{[](double value) { return value >= 1e-6 && std::isfinite(value); },
                                             "be positive and finite, and at least 1e-6 m"};
-    const std::vector<double> amplitudes = options.numbers("amplitude", at_least_a_micrometre);
-    study::write_table(options, conicity_table(wheelset, amplitudes));
+    conicity.places = options.numbers("amplitude", at_least_a_micrometre);
+    return conicity;
+}
+
+study::Table conicity_table(const Conicity& conicity) {
+    return conicity.of_radii ? radii_table(conicity) : wave_table(conicity);
 }
 
 }  // namespace profile

@@ -11,7 +11,7 @@
 #include <rollbem/normal/virtual_penetration.hpp>
 
 #include "profile.hpp"
-#include "support/table.hpp"
+#include "support/sheet.hpp"
 #include "support/timing.hpp"
 
 namespace profile {
@@ -73,32 +73,68 @@ const std::vector<Method>& methods() {
     return all;
 }
 
+/// A method at one shift.
+struct Compared {
+    double shift;
+    std::string method;
+    std::optional<double> height;  ///< at which the reference carries the load
+    Totals own, reference;
+    study::Cell time_us;
+
+    bool known() const { return rollbem::has_numbers(own.status); }
+};
+
+template <class Value>
+study::Column<Compared> column(const char* name, const char* meaning, const Value& value) {
+    return {name, meaning, study::where(&Compared::known, value)};
+}
+
+/// The relative error of a total.
+auto error(double Totals::*total) {
+    return [=](const Compared& row) { return row.own.*total / row.reference.*total - 1; };
+}
+
+const study::Sheet<Compared, double> sheet{
+    "",
+    {{"shift", "lateral shift of the wheelset [m]", &Compared::shift},
+     {"method",
+      "virtual-penetration (share 0.55 of the approach), or cells-NXxNS; lobes of a contact have more cells, so that "
+      "rows of two methods may be alike",
+      &Compared::method},
+     {"height", "height at which 80 x 40 cells carry --load [m]", &Compared::height},
+     column("load", "sum of the normal forces of the right wheel [N]",
+            [](const Compared& row) { return row.own.load; }),
+     column("area", "sum of the areas of its patches [m^2]", [](const Compared& row) { return row.own.area; }),
+     column("peak_pressure", "largest pressure [Pa]", [](const Compared& row) { return row.own.peak_pressure; }),
+     column("load_error", "relative errors beside 80 x 40 cells", error(&Totals::load)),
+     column("area_error", "relative errors beside 80 x 40 cells", error(&Totals::area)),
+     column("peak_error", "relative errors beside 80 x 40 cells", error(&Totals::peak_pressure)),
+     {"time_us", std::string("time of all from the profiles [microseconds], ") + study::median_of_runs,
+      &Compared::time_us},
+     {"status", "status, as of patches", [](const Compared& row) { return name(row.own.status); }}},
+    ""};
+
 /// The rows of one shift, at the height where the reference carries the load.
-std::vector<study::Row> rows_at(const WheelOnRail& wheel, double shift, double load, bool timed) {
+std::vector<Compared> rows_at(const MethodScene& scene, double shift) {
     WheelOnRail::Workspace workspace;
+    const WheelOnRail& wheel = scene.wheelset.wheel();
     const WheelOnRail::Contact carried =
-        wheel.solve_for_load({.lateral = shift}, load, workspace, {.cells_x = 80, .cells_s = 40});
+        wheel.solve_for_load({.lateral = shift}, scene.load, workspace, {.cells_x = 80, .cells_s = 40});
     const WheelsetPosition at{.lateral = shift, .height = carried.height};
     const bool found = rollbem::has_numbers(carried.status);
     const Totals reference = found ? methods().back().solve(wheel, at) : Totals{.status = carried.status};
-    std::vector<study::Row> rows;
+    std::vector<Compared> rows;
     for (const Method& method : methods()) {
-        Totals own = reference;
-        study::Cell time;
+        Compared row{shift,     method.name, found ? std::optional(carried.height) : std::nullopt,
+                     reference, reference,   {}};
         if (found) {
-            time = study::time_us_if(timed, [&] {
-                own = method.solve(wheel, at);
-                return own.load;
+            row.time_us = study::time_us_if(scene.timed, [&] {
+                row.own = method.solve(wheel, at);
+                return row.own.load;
             });
         }
-        const Status status =
-            std::max(own.status, rollbem::has_numbers(reference.status) ? own.status : reference.status);
-        const bool known = rollbem::has_numbers(status);
-        const auto cell = [&](double value) { return known ? study::Cell(value) : study::Cell(); };
-        rows.push_back({shift, method.name, found ? study::Cell(carried.height) : study::Cell(), cell(own.load),
-                        cell(own.area), cell(own.peak_pressure), cell(own.load / reference.load - 1),
-                        cell(own.area / reference.area - 1), cell(own.peak_pressure / reference.peak_pressure - 1),
-                        time, name(status)});
+        if (!rollbem::has_numbers(reference.status)) row.own.status = std::max(row.own.status, reference.status);
+        rows.push_back(std::move(row));
     }
     return rows;
 }
@@ -143,35 +179,29 @@ study::Plot draw(const std::vector<study::Row>& rows) {
 void add_method_options(study::Options& options) {
     options.group("Methods for the normal problem");
     options.add_flag("virtual-penetration",
-                     "instead of patches: virtual penetration (Kik and Piotrowski) beside cells, at each --shift");
-    for (const char* mode : {"virtual-penetration", "conicity"}) {
-        options.not_with(
-            {"side",   "yaw",      "positions",   "roll",       "x",     "pitch",       "height",  "interaction",
-             "cells",  "friction", "speed",       "pitch-rate", "force", "layer",       "load-of", "n",
-             "strips", "slip",     "shear-yield", "outline",    "wear",  "temperature", "stress"},
-            mode);
-    }
-    options.not_with({"left-wheel", "left-rail", "left-radius", "conicity"}, "virtual-penetration");
+                     "table of loads, areas and pressures by virtual penetration (Kik and Piotrowski) beside cells at "
+                     "each --shift, in place of patches");
 }
 
-void study_methods(const study::Options& options) {
-    const rollbem::WheelsetOnTrack wheelset = read_wheelset(options, read_dimensions(options));
-    const WheelOnRail& wheel = wheelset.wheel();
-    if (!wheel.geometry().is_plain()) {
-        throw study::BadInput("--virtual-penetration = true must have round wheels on straight rails of one profile");
-    }
-    const std::vector<double> shifts = options.numbers("shift", study::between(-0.1, 0.1));
-    const double load = options.number("load", study::positive());
-    study::Table table;
-    table.columns = {"shift",      "method",     "height",     "load",    "area",  "peak_pressure",
-                     "load_error", "area_error", "peak_error", "time_us", "status"};
-    table.rows_of_task.assign(shifts.size(), methods().size());
-    table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        const auto rows = rows_at(wheel, shifts[task], load, study::has_times(options));
-        for (std::size_t k = range.first; k < range.last; ++k) emit(rows[k]);
-    };
+std::string method_help() { return "--virtual-penetration, four rows for each shift:\n" + sheet.help(); }
+
+MethodScene read_methods(const study::Options& options) {
+    MethodScene scene{read_wheelset(options, read_dimensions(options)),
+                      options.numbers("shift", study::between(-0.1, 0.1)), options.number("load", study::positive()),
+                      study::has_times(options)};
+    if (scene.wheelset.wheel().geometry().is_plain()) return scene;
+    throw study::BadInput("--virtual-penetration = true must have round wheels on straight rails of one profile");
+}
+
+study::Table method_table(const MethodScene& scene) {
+    study::Table table = sheet.table(
+        scene.shifts, [](double) { return methods().size(); },
+        [&](double shift, study::RowRange range, const study::Results<Compared>& emit) {
+            const std::vector<Compared> rows = rows_at(scene, shift);
+            for (std::size_t k = range.first; k < range.last; ++k) emit(rows[k]);
+        });
     table.plot = draw;
-    study::write_table(options, table);
+    return table;
 }
 
 }  // namespace profile

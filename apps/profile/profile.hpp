@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
+#include <rollbem/vehicle/equivalent_conicity.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
 
 #include "support/csv.hpp"
 #include "support/options.hpp"
 #include "support/plot.hpp"
+#include "support/table.hpp"
 
 namespace profile {
 
@@ -37,9 +39,10 @@ struct Settings {
     std::optional<double> force;  ///< of friction along x, in place of the pitch rate [N]
     bool friction_carries;        ///< a part of the loads
     bool stress;                  ///< whether stresses below the patches are asked for
+    bool timed;
 };
 
-/// Declares the options of profile_study.
+/// Declares the options of profile_study; its footer is for the program.
 void add_options(study::Options& options);
 
 /// Of a run with one position or several. Throws BadInput, as read_cases does.
@@ -56,16 +59,32 @@ std::string case_columns(const study::Options& options);
 /// Declares --conicity and what belongs to it, before add_method_options().
 void add_conicity_options(study::Options& options);
 
-/// The table of --conicity. Throws BadInput.
-void study_conicity(const study::Options& options);
+/// Delta r of a wheelset if it has an equilibrium, and what --conicity asks for.
+struct Conicity {
+    rollbem::WheelsetOnTrack wheelset;
+    bool of_radii;                 ///< --rolling-radii
+    std::vector<double> places{};  ///< amplitudes, of radii lateral positions [m]
+    std::optional<rollbem::RadiusDifference> radii{};
+    rollbem::Status status = rollbem::Status::ok;  ///< why there is no equilibrium
+};
+Conicity read_conicity(const study::Options& options);  ///< throws BadInput
+study::Table conicity_table(const Conicity& conicity);
+std::string conicity_help();  ///< the columns and their meanings
 
 // --- methods for the normal problem
 
-/// Declares --virtual-penetration, and what has no effect with it and with --conicity.
+/// Declares --virtual-penetration, and what it takes of the others' options.
 void add_method_options(study::Options& options);
 
-/// The table of --virtual-penetration. Throws BadInput.
-void study_methods(const study::Options& options);
+struct MethodScene {
+    rollbem::WheelsetOnTrack wheelset;
+    std::vector<double> shifts;
+    double load;  ///< on each wheel [N]
+    bool timed;
+};
+MethodScene read_methods(const study::Options& options);  ///< throws BadInput
+study::Table method_table(const MethodScene& scene);
+std::string method_help();  ///< the columns and their meanings
 
 // --- profiles by name or from files
 

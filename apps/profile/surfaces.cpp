@@ -1,5 +1,6 @@
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <rollbem/normal/surface_file.hpp>
@@ -59,6 +60,24 @@ std::string of_side(std::string text, const std::string& left) {
     return text;
 }
 
+/// A message on a wheel and its rail, with the option to blame before it and quantities called as their options.
+std::string in_options(const study::Options& options, const SideOptions& side, std::string text) {
+    std::string blamed = side.source("rail");
+    for (const char* start : {"WheelOnRail: ", "wheel: "}) {
+        if (text.rfind(start, 0) != 0) continue;
+        text.erase(0, std::string_view(start).size());
+        if (start[0] == 'w') blamed = side.source("wheel");
+    }
+    for (const std::string name : {"gauge_depth", "shear_modulus", "rail_origin", "poisson_ratio"}) {
+        const std::size_t at = text.find(name);
+        if (at == std::string::npos) continue;
+        const std::string option = name == "poisson_ratio" ? "poisson" : study::option_of(name);
+        text.replace(at, name.size(), "--" + option);
+        if (blamed == side.source("rail") && options.given(option)) blamed = option;
+    }
+    return options.said(blamed) + ": " + text;
+}
+
 rollbem::WheelOnRail read_side(const study::Options& options, const std::string& left,
                                rollbem::TrackDimensions dimensions) {
     const SideOptions side{options, left};
@@ -74,16 +93,14 @@ rollbem::WheelOnRail read_side(const study::Options& options, const std::string&
         const auto rail = opened(options, side.source("rail"), Use::rail, [&](const auto& name, const auto& how) {
             return rollbem::open_rail(name, how, placing, any_shape);
         });
-        const std::string place = options.said(side.source("rail"));
         if (rail.has_sections() && !dimensions.rail_origin) {
-            throw study::BadInput(place + " must be placed by --rail-origin, as it changes along the track");
+            throw study::BadInput(options.said(side.source("rail")) +
+                                  " must be placed by --rail-origin, as it changes along the track");
         }
         try {
             return {wheel, rail, dimensions};
         } catch (const std::invalid_argument& error) {
-            const std::string text = error.what(), of_wheel = "wheel: ";
-            if (text.rfind(of_wheel, 0) != 0) throw study::BadInput(place + ": " + text);
-            throw study::BadInput(options.said(side.source("wheel")) + ": " + text.substr(of_wheel.size()));
+            throw study::BadInput(in_options(options, side, error.what()));
         }
     } catch (const std::invalid_argument& error) {
         throw study::BadInput(of_side(error.what(), left));
@@ -93,33 +110,43 @@ rollbem::WheelOnRail read_side(const study::Options& options, const std::string&
 }  // namespace
 
 void add_profile_options(study::Options& options) {
-    options.set_help("poisson", "Poisson's ratio of wheel and rail, 0 to 0.5 (dimensionless)", "NU");
-    options.add("shear-modulus", "G", "shear modulus of wheel and rail [Pa]", "8.2e10");
+    options.set_help("poisson", "Poisson's ratio of wheel and rail [dimensionless], 0 to 0.5", "NU");
+    options.add("shear-modulus", "G", "shear modulus of wheel and rail [Pa], above 0", "8.2e10");
     options.group("Profiles");
-    options.add_input("wheel",
-                      "s1002 (default), or a file: two columns y, z (y to the right, z down, flange of the right wheel "
-                      "at negative y, z = 0 on the tape circle), .prw, .whl, or .slcw, sections round the wheel");
+    options.add_input(
+        "wheel",
+        "profile of the right wheel: s1002, or a file of two columns y, z (y to the right, z down, flange at negative "
+        "y, z = 0 on the tape circle), .prw, .whl, or .slcw with sections round the wheel");
     options.set_default("wheel", "s1002");
     options.add_input("rail",
-                      "60e1 (default), uic60, 54e1, or a file: two columns (inner side of the right rail at negative "
-                      "y), .prr, .ban, or .slcs, sections along the track");
+                      "profile of the right rail: 60e1, uic60, 54e1, or a file of two columns y, z (inner side at "
+                      "negative y), .prr, .ban, or .slcs with sections along the track");
     options.set_default("rail", "60e1");
-    options.add("length-unit", "NAME", "of files with two columns: m or mm", "m");
-    options.add("wheel-mirror", "NAME", "of the wheel's file y, z or yz change sign; y of one measured on the left");
-    options.add("rail-mirror", "NAME", "the same of the rail's file");
+    options.add("length-unit", "NAME", "unit of length in files of two columns: m or mm", "m");
+    options.add("wheel-mirror", "NAME",
+                "coordinates that change sign in the wheel's file: y (of a left wheel), z or yz; none without it");
+    options.add("rail-mirror", "NAME",
+                "coordinates that change sign in the rail's file: y (of a left rail), z or yz; none without it");
     options.add_flag("any-shape",
-                     "wheel and rail are pieces, rollers or planes: that they look like wheel and rail is "
-                     "not checked");
-    options.add("cant", "X", "by which the rail is turned inwards [rad]; 0 for a profile that is canted already",
+                     "no check that the profiles look like a wheel and a rail, for pieces, rollers and planes");
+    options.add("cant", "X",
+                "angle by which the rail is turned inwards [rad], -0.5 to 0.5, 0 for a profile that is canted already",
                 "0.02499479361892016");
     options.add("smooth", "X",
-                "of profiles from files: waves of this length, 1e-4 to 0.1 [m], are halved, shorter ones vanish");
-    options.group("Profiles of the left side, as a right wheel on a right rail; default: those of the right side");
-    options.add_input("left-wheel", "as --wheel");
-    options.add_input("left-rail", "as --rail");
-    options.add("left-wheel-mirror", "NAME", "as --wheel-mirror, of --left-wheel").only_with({"left-wheel"});
-    options.add("left-rail-mirror", "NAME", "as --rail-mirror, of --left-rail").only_with({"left-rail"});
-    options.add("left-radius", "R", "of the left wheel's tape circle [m]; default: --radius");
+                "wave length [m], 1e-4 to 0.1, of the waves in files' profiles that smoothing halves; it damps shorter "
+                "ones more; no smoothing without it");
+    options.group("Profiles of the left side, given as a right wheel on a right rail");
+    options.add_input("left-wheel", "profile of the left wheel, as --wheel takes it; default: --wheel");
+    options.add_input("left-rail", "profile of the left rail, as --rail takes it; default: --rail");
+    options
+        .add("left-wheel-mirror", "NAME",
+             "coordinates that change sign in the file of --left-wheel: y, z or yz; none without it")
+        .only_with({"left-wheel"});
+    options
+        .add("left-rail-mirror", "NAME",
+             "coordinates that change sign in the file of --left-rail: y, z or yz; none without it")
+        .only_with({"left-rail"});
+    options.add("left-radius", "R", "radius of the left wheel's tape circle [m], above 0; default: --radius");
 }
 
 rollbem::WheelsetOnTrack read_wheelset(const study::Options& options, const rollbem::TrackDimensions& dimensions) {
@@ -141,18 +168,23 @@ rollbem::WheelsetOnTrack read_wheelset(const study::Options& options, const roll
 
 void add_track_options(study::Options& options) {
     options.group("Track and wheelset");
-    options.add("radius", "R", "of the wheel's tape circle [m]", "0.46");
-    options.add("gauge", "X", "between the rails [m]", "1.435");
-    options.add("gauge-depth", "X", "below their tops, down to which the rails are narrowest at the gauge [m]",
-                "0.014");
-    options.add("flange-back", "X", "between the backs of the flanges [m]", "1.36");
+    options.add("radius", "R", "radius of the wheels' tape circle [m], above 0", "0.46");
+    options.add("gauge", "X", "distance between the rails [m], above 0", "1.435");
+    options.add(
+        "gauge-depth", "X",
+        "depth below the tops of the rails [m], above 0, down to which the gauge is measured where they are narrowest",
+        "0.014");
+    options.add("flange-back", "X", "distance between the backs of the flanges [m]", "1.36");
     options.add("tape-offset", "X",
-                "of the wheel profile's origin from the flange's back [m]: 0.07 on the tape circle, 0 for wheels "
-                "measured from the back",
+                "distance of the wheel profile's origin from the back of its flange [m]: 0.07 on the tape circle, 0 "
+                "for profiles measured from the back",
                 "0.07");
-    options.add("rail-origin", "Y,Z", "instead of the gauge: of the right rail's profile in track axes [m]");
+    options.add("rail-origin", "Y,Z", "place of the right rail's profile in track axes [m], in place of --gauge");
     options.not_with({"gauge", "gauge-depth"}, "rail-origin");
-    options.add("roller-radius", "R", "the rail is a roller, its axle this far below z = 0 of its profile [m]")
+    options
+        .add("roller-radius", "R",
+             "radius of a roller in place of the rail [m], above 0: its axle's depth below z = 0 of the profile; a "
+             "straight rail without it")
         .only_with({"rail-origin"});
 }
 

@@ -83,16 +83,16 @@ std::vector<std::string> HistoryColumns::all() const {
 void add_history_options(Options& options, const HistoryColumns& columns, const std::string& mode) {
     const std::string& main = columns.main();
     const std::vector<std::string> all = columns.all();
-    options.add("step", "X", main + " X from q = 0 on, not 0 (dimensionless)");
-    options.add("ramp", "RATE", main + " RATE q/a, not 0 (dimensionless)");
+    options.add("step", "X", main + " X [dimensionless] from q = 0 on, not 0");
+    options.add("ramp", "RATE", main + " RATE q/a [dimensionless], RATE not 0");
     options.add("sine", "AMP,OMEGA",
                 main +
-                    " AMP sin(OMEGA q/a), AMP not 0, OMEGA in V/a above 0; steps take its chords, which are too "
-                    "low by a fraction (OMEGA D)^2/12 (dimensionless)");
-    options.add_input("history", "CSV file with the column q_over_a and " +
+                    " AMP sin(OMEGA q/a) [dimensionless], AMP not 0, OMEGA in V/a above 0; steps of D take its chords, "
+                    "which are too low by a fraction (OMEGA D)^2/12");
+    options.add_input("history", "CSV file of the imposed quantities [dimensionless], with the column q_over_a and " +
                                      (all.size() == 1 ? main : "any of " + listed(all, "and")) +
-                                     "; linear between its rows, zero before the first, constant after the last; two "
-                                     "rows at one q_over_a make a jump (dimensionless)");
+                                     ": linear between its rows, zero before the first, constant after the last; two "
+                                     "rows at one q_over_a make a jump");
     options.not_with({"ramp", "sine", "history"}, "step");
     options.not_with({"sine", "history"}, "ramp");
     options.not_with({"history"}, "sine");

@@ -152,8 +152,12 @@ NamedScheme scheme_named(const std::string& word, bool of_patch) {
 }
 
 std::string scheme_help(const std::string& further) {
-    return "discretisations by name, in place of these options: MESH:METHOD[:PARAMETERS], e.g. "
-           "uniform:collocation:0/0.63, cosine:nodes-chebyshev, uniform:galerkin:0/0.75:q7, as in the column scheme" +
+    return "names of schemes, as in the column scheme, MESH:METHOD[:PARAMETERS], in place of the options above, e.g. "
+           "uniform:collocation:0/0.63, cosine:nodes-chebyshev, uniform:galerkin:0/0.75:q7. MESH: " +
+           std::string(meshes) +
+           ". METHOD: collocation:ALPHA_L/ALPHA_T, galerkin:ALPHA_L/ALPHA_T, knothe-bc, nodes, nodes-chebyshev (mesh "
+           "cosine). Further PARAMETERS: fd, fd4 or analytic as of --derivative, qN or exact as of --quadrature, "
+           "lambda-L as of --lambda" +
            further;
 }
 

@@ -69,46 +69,53 @@ Options::Options(std::string program, const std::string& purpose)
     app_->get_option("--version")->description("print version and git revision and exit");
     group("Program");
     add_input("config",
-              "read options from a file, one a line, e.g. alpha-T = 0.63, mesh = cosine or n = 10,20; or from a "
-              "FILE.toml beside results, to repeat that run without its outputs and --jobs. The command line takes "
-              "precedence. Every input FILE may be -, standard input");
+              "file of options, one NAME = VALUE a line, e.g. alpha-T = 0.63, mesh = cosine or n = 10,20; a FILE.toml "
+              "beside results repeats that run, without its outputs and --jobs. The command line takes precedence. "
+              "Here, as for every FILE that is read, - is standard input");
 
     group("Discretisation");
     not_with(joined<std::string>(joined<std::string>({"mesh", "edges"}, grading_options()), {"derivative"}),
              "method=chebyshev", ", which has no elements");
-    add("n", "LIST", "number of elements of the contact, 1 to 100000 (dimensionless)", "20,40,60").not_with("edges");
-    add("mesh", "NAME", listed(mesh_names(), "or"), "uniform").not_with("edges");
-    add_input("edges", "instead of --mesh and --n: edges x/a from -1 to 1, one per line (dimensionless)");
+    add("n", "LIST", "number of elements of the contact [dimensionless], 1 to 100000", "20,40,60").not_with("edges");
+    add("mesh", "NAME", "mesh of the elements: " + listed(mesh_names(), "or"), "uniform").not_with("edges");
+    add_input("edges",
+              "file of the elements' edges x/a [dimensionless], ascending from -1 to 1, one per line, in place of "
+              "--mesh and --n");
     for (const rollbem::GradingInfo& grading : rollbem::gradings) {
         std::vector<std::string> meshes;
         for (const rollbem::TopologyInfo& known : rollbem::topologies) {
             if (known.grading == grading.name) meshes.push_back(std::string("mesh=") + known.name);
         }
         const std::string meaning = grading.meaning;
-        add(option_of(grading.name), "LIST", meaning + ", 1e-12 to 1e12 (dimensionless)", Cell(grading.usual).text())
+        add(option_of(grading.name), "LIST", meaning + " [dimensionless], 1e-12 to 1e12", Cell(grading.usual).text())
             .not_with("edges")
             .only_with(meshes);
     }
     add("method", "NAME",
-        "collocation, galerkin, knothe-bc (Knothe and Gross-Thebing's boundary conditions) or nodes (differences "
-        "between the --nodes of neighbouring elements)",
+        "method of discretisation: collocation, galerkin, knothe-bc (boundary conditions of Knothe and Gross-Thebing) "
+        "or nodes (differences between the --nodes of neighbouring elements)",
         "collocation");
-    add("nodes", "NAME", "centres of elements, or chebyshev with --mesh cosine", "centres").only_with({"method=nodes"});
-    add("quadrature", "N|exact", "1 to 1000 Gauss-Legendre points (dimensionless) or closed form", "exact")
+    add("nodes", "NAME", "positions of the nodes: centres of the elements, or chebyshev points of a --mesh cosine",
+        "centres")
+        .only_with({"method=nodes"});
+    add("quadrature", "N|exact",
+        "number of Gauss-Legendre points [dimensionless], 1 to 1000, or exact: the integrals in closed form", "exact")
         .only_with({"method=galerkin"});
     add("alpha-L", "LIST",
-        "position of the leading element's point ahead of its centre, in widths of the element, -2 to 2 "
-        "(dimensionless)",
+        "position of the leading element's point (galerkin: middle of its interval) ahead of the element's centre, "
+        "over its width [dimensionless], -2 to 2",
         "0")
         .not_with("alpha");
-    add("alpha-T", "LIST", "the same at the trailing element, -2 to 2; linear in between (dimensionless)", "0.63")
+    add("alpha-T", "LIST",
+        "position of the trailing element's point, likewise [dimensionless], -2 to 2; alpha is linear in between",
+        "0.63")
         .not_with("alpha");
-    add("alpha", "LIST", "sets alpha-L and alpha-T to the same values, -2 to 2 (dimensionless)");
-    add("lambda", "LIST", "G is taken at lambda times these alphas, 0 to 1 (dimensionless)", "1");
+    add("alpha", "LIST", "common value of alpha-L and alpha-T [dimensionless], -2 to 2");
+    add("lambda", "LIST", "factor on all alphas where G is evaluated [dimensionless], 0 to 1", "1");
     only_with({"alpha-L", "alpha-T", "alpha", "lambda"}, {"method=collocation", "method=galerkin"});
     add("derivative", "NAME",
-        "fd, fd4 (of fourth order; not for galerkin) or analytic; default: fd, but analytic for galerkin with exact "
-        "quadrature");
+        "form of the derivative along x: fd (finite differences), fd4 (of fourth order; not for galerkin) or analytic; "
+        "default fd, but analytic for galerkin with exact quadrature");
     not_with({"derivative"}, "method=nodes", ", which takes differences");
     add("scheme", "LIST", scheme_help());
     not_with(joined<std::string>({"mesh", "edges", "method", "nodes", "quadrature", "derivative", "alpha-L", "alpha-T",
@@ -117,23 +124,25 @@ Options::Options(std::string program, const std::string& purpose)
              "scheme");
 
     group("Contact");
-    add("kernel", "NAME", "strip (half-width b) or plane (its limit b >> a)", "strip");
+    add("kernel", "NAME", "model of elasticity: strip (rectangle of half-width b) or plane (its limit b >> a)",
+        "strip");
     add("aspect", "LIST",
-        "b/a, above 0; inf in steady problems (dimensionless). With the plane kernel no steady result depends on it",
+        "ratio b/a of half-width and half-length [dimensionless], above 0, inf in steady problems; steady results of "
+        "the plane kernel do not depend on it",
         "1000");
-    add("poisson", "LIST", "Poisson's ratio, 0 to 0.5 (dimensionless)", "0.28");
+    add("poisson", "LIST", "Poisson's ratio [dimensionless], 0 to 0.5", "0.28");
 
     group("Output");
     add_table("output",
-              "CSV file; FILE.toml beside it says how it was made, for people and for --config. Default, and -: "
-              "standard output");
-    add_output("plot", "draw the result with gnuplot; FILE ends in .svg or .png");
-    add("jobs", "N", "rows computed at a time, 1 to 1024; above 1 the columns of times stay empty (dimensionless)",
-        "1");
+              "CSV file of the results, with FILE.toml beside it, which records how it was made and can be given to "
+              "--config; without it, and for -, standard output");
+    add_output("plot", "picture of the results, drawn by gnuplot; FILE ends in .svg or .png; none without it");
+    add("jobs", "N",
+        "number of rows computed at a time [dimensionless], 1 to 1024; above 1 the columns of times stay empty", "1");
     add("shard", "K/N",
-        "only the K-th of N blocks of rows, 1 <= K <= N <= 1000000; the parts concatenate to the whole "
-        "(dimensionless)");
-    add_flag("no-timing", "leave the columns of times empty, so that equal runs give equal files");
+        "block of rows to compute: the K-th of N [dimensionless], 1 <= K <= N <= 1000000; the files of all blocks, one "
+        "after the other, are the whole table; all rows without it");
+    add_flag("no-timing", "columns of times left empty, so that equal runs give equal files");
     add_flag("quiet", "no progress line");
     group("Study");
 }
@@ -166,7 +175,9 @@ Options::Added Options::add_flag(const std::string& name, const std::string& hel
 }
 
 const Options::Added& Options::Added::only_with(const std::vector<std::string>& modes, const std::string& why) const {
-    options.set_help(name, "with " + dashed(modes, "or") + ": " + options.entry(name).help);
+    Entry& entry = options.entries_.at(name);
+    entry.condition = "; only with " + dashed(modes, "or");
+    options.set_default(name, entry.default_text);
     options.only_with({name}, modes, why);
     return *this;
 }
@@ -211,7 +222,7 @@ void Options::set_default(const std::string& name, const std::string& default_te
     Entry& entry = entries_.at(name);
     entry.default_text = default_text;
     const std::string shown = default_text.empty() ? "" : "; default " + default_text;
-    entry.option->description(wrap(entry.help + shown, 82));
+    entry.option->description(wrap(entry.help + shown + entry.condition, 82));
 }
 
 void Options::set_help(const std::string& name, const std::string& help, const std::string& value) {

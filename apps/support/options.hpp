@@ -267,6 +267,7 @@ private:
         Kind kind = Kind::value;
         std::vector<std::string> configured{};  ///< by the configuration file
         std::string refusal{};                  ///< why the study does not take it
+        std::string condition{};                ///< the modes in which it has an effect, for --help
 
         bool typed() const;
     };

@@ -15,10 +15,9 @@
 namespace study {
 
 void add_steps(Options& options, const std::string& mode) {
-    const auto dq = options.add("dq", "D", "distance rolled in a step, in units of a, above 0 (dimensionless)", "0.05");
+    const auto dq = options.add("dq", "D", "distance rolled in a step [a], above 0", "0.05");
     const auto until =
-        options.add("until", "Q",
-                    "distance rolled in all, in units of a: a multiple of --dq, up to 1e7 times (dimensionless)", "10");
+        options.add("until", "Q", "distance rolled in all [a], a multiple of --dq, up to 1e7 times", "10");
     if (mode.empty()) return;
     dq.only_with({mode});
     until.only_with({mode});
@@ -61,7 +60,7 @@ Options::Added add_integrator(Options& options, bool friction) {
     std::vector<std::string> words;
     for (const NamedIntegrator& each : integrators_for(friction))
         words.push_back(each.word + " (" + each.meaning + ")");
-    return options.add("integrator", "NAME", listed(words, "or"), integrators.front().word);
+    return options.add("integrator", "NAME", "integrator: " + listed(words, "or"), integrators.front().word);
 }
 
 rollbem::Integrator read_integrator(const Options& options, bool friction) {
@@ -79,14 +78,20 @@ double next_stop(const Numbers& knots, double from, double to) {
 void add_run_options(Options& options, const std::string& load, const std::string& breathing) {
     options
         .add("load-sine", "A,LENGTH",
-             "load N = N_0 (1 + A sin(2 pi q/LENGTH)), |A| up to 1, LENGTH in a_0 above 0 (dimensionless)")
+             "sinusoidal load N = N_0 (1 + A sin(2 pi q/LENGTH)), A [dimensionless] from -1 to 1, LENGTH [a_0] above "
+             "0; constant load without it")
         .only_with({"transient"});
-    options.add_input("load", "CSV file with the columns q_over_a,load_ratio" + load)
+    options
+        .add_input("load",
+                   "CSV file of the load over the distance rolled, with the columns q_over_a [a_0], load_ratio = N/N_0 "
+                   "[dimensionless]" +
+                       load + "; linear between its rows, which must cover the run")
         .only_with({"transient"})
         .not_with("load-sine");
     options.only_with({"breathing"}, {"transient"});
     options.add_flag("breathing", breathing);
-    options.add("from", "rest|steady", "the state that the run starts from", "rest").only_with({"transient"});
+    options.add("from", "rest|steady", "state at the start of the run: rest, or steady rolling", "rest")
+        .only_with({"transient"});
     add_steps(options, "transient");
     add_integrator(options, true).only_with({"transient"});
 }

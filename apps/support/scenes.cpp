@@ -88,22 +88,23 @@ std::vector<rollbem::Contact<double>> make_contacts(const Options& options, Prob
 
 void offer_chebyshev(Options& options, const std::string& further) {
     options.set_help(
-        "n", "number of elements of the contact, 1 to 100000, or of Chebyshev states, 1 to 10000 (dimensionless)");
+        "n", "number of elements of the contact, 1 to 100000, or of Chebyshev states, 1 to 10000 [dimensionless]");
     options.set_help("method",
-                     "collocation, galerkin, knothe-bc (Knothe and Gross-Thebing's boundary conditions), nodes "
-                     "(differences between the --nodes of neighbouring elements), or chebyshev: n states in place of "
-                     "elements, to which no other option of this group applies" +
+                     "method of discretisation: collocation, galerkin, knothe-bc (boundary conditions of Knothe and "
+                     "Gross-Thebing), nodes (differences between the --nodes of neighbouring elements) or chebyshev (n "
+                     "states in place of elements; no other option of this group applies to them)" +
                          further);
 }
 
 void offer_schemes(Options& options, const Methods& methods) {
     options.set_help(
         "scheme",
-        scheme_help(std::string(methods.states ? "; chebyshev" : "") +
-                    (methods.closed ? ", polynomial of the order n, closed-form (both of --kernel plane)" : "") +
-                    (methods.not_extrapolated.empty()
-                         ? "; richardson:MESH:METHOD[:PARAMETERS], extrapolated from n/2 and n elements"
-                         : "")));
+        scheme_help(
+            std::string(methods.states ? ". Without elements: chebyshev (n states)" : "") +
+            (methods.closed ? ", polynomial (of the order n), closed-form, the last two of --kernel plane" : "") +
+            (methods.not_extrapolated.empty() ? ". richardson:MESH:METHOD[:PARAMETERS]: extrapolation from n/2 and n "
+                                                "elements, n even, on a uniform or cosine mesh"
+                                              : "")));
 }
 
 namespace {
@@ -239,8 +240,12 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, const Me
             scene.mesh = given;
             scene.scheme = given ? scheme.equations() : rollbem::AnyScheme{};
             if (!given) scene = make_scene(scheme, n, contacts[0], model);
-            require(n >= 2 || scheme.method != "knothe-bc", "at least 2 with --method knothe-bc");
-            require(n >= 2 || scheme.alpha_L == scheme.alpha_T, "at least 2 where alpha-L and alpha-T differ");
+            const auto least = [&](const std::string& where) {  // on the coarser of two meshes, too
+                const std::string text = scheme.richardson ? "at least 4 with richardson: and " : "at least 2 with ";
+                require(n >= (scheme.richardson ? 4 : 2), text + where);
+            };
+            if (scheme.method == "knothe-bc") least("--method knothe-bc");
+            if (scheme.alpha_L != scheme.alpha_T) least("alpha-L and alpha-T that differ");
             for (const rollbem::Contact<double>& contact : contacts) {
                 scene.contact = contact;
                 scene.kernel = rollbem::AnyKernel<double>::longitudinal(scene.kernel.model(), contact);

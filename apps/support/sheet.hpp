@@ -44,7 +44,7 @@ inline std::string help_line(const std::string& name, const std::string& meaning
     return start + text + '\n';
 }
 
-/// The columns of a Case are scene_cell(case, name), found in its namespace.
+/// The columns of a Case, if it has any, are scene_cell(case, name), found in its namespace.
 template <class Result, class Case = Scene>
 class Sheet {
 public:
@@ -78,11 +78,14 @@ public:
 
     Row row(const Case& scene, const Result& result) const {
         Row row;
-        for (const std::string& name : before_) row.push_back(scene_cell(scene, name));
+        const auto add = [&](const std::string& name) {
+            if constexpr (requires { scene_cell(scene, name); }) row.push_back(scene_cell(scene, name));
+        };
+        for (const std::string& name : before_) add(name);
         for (const Column<Result>& column : own_) {
-            row.push_back(column.value ? column.value(result) : scene_cell(scene, column.name));
+            column.value ? row.push_back(column.value(result)) : add(column.name);
         }
-        for (const std::string& name : behind_) row.push_back(scene_cell(scene, name));
+        for (const std::string& name : behind_) add(name);
         return row;
     }
 

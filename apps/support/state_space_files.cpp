@@ -46,14 +46,13 @@ std::string text_of(const Eigen::MatrixXd& matrix) {
 }  // namespace
 
 void add_state_space_options(Options& options, const std::string& what) {
-    options.add_folder("state-space", "also write " + what +
-                                          " as linear differential equations: A.csv, B.csv, C.csv, D.csv and "
-                                          "state_space.toml in this folder, which is made if it does not exist "
-                                          "(dimensionless)");
+    options.add_folder("state-space",
+                       "folder, made if it does not exist, for the linear differential equations of " + what +
+                           ": A.csv, B.csv, C.csv, D.csv [dimensionless] and state_space.toml; none without it");
     options
         .add("states", "K",
-             "reduce to the K states that matter most (balanced reduction, the steady state "
-             "exact), 1 to the number there is; an error bound stands in state_space.toml (dimensionless)")
+             "number of states [dimensionless] to which a balanced reduction, exact in the steady state, brings the "
+             "equations, 1 to their own number; its error bound stands in state_space.toml; all states without it")
         .only_with({"state-space"});
     options.not_with({"shard"}, "state-space", ": every part would write it");
 }

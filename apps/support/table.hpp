@@ -38,13 +38,15 @@ struct Table {
     std::function<std::string(std::size_t task)> label{};
 };
 
-/// A table with a task of `rows` rows for each of `cases`, which have a label() and must outlive it.
+/// A table with a task of `rows` rows for each of `cases`, which may have a label() and must outlive it.
 template <class Case>
 Table table_of(std::vector<std::string> columns, const std::vector<Case>& cases, std::size_t rows = 1) {
     Table table;
     table.columns = std::move(columns);
     table.rows_of_task.assign(cases.size(), rows);
-    table.label = [&cases](std::size_t task) { return cases[task].label(); };
+    if constexpr (requires(const Case& one) { one.label(); }) {
+        table.label = [&cases](std::size_t task) { return cases[task].label(); };
+    }
     return table;
 }
 

@@ -119,8 +119,8 @@ struct GradingInfo {
 
 /// All grading numbers.
 inline constexpr std::array<GradingInfo, 2> gradings{{
-    {"size_ratio", "dx_trailing / dx_leading", 2},
-    {"epsilon", "size of the end element over that of an inner one", 0.4},
+    {"size_ratio", "width of the trailing element over the leading one's", 2},
+    {"epsilon", "width of an end element over an inner one's", 0.4},
 }};
 
 /// Facts about a topology.
