@@ -3,10 +3,9 @@
 //
 //     ./friction_study --n 20,40 --creepage-ratio 0.25,0.5,0.75,1 --plot curve.svg
 //     ./friction_study --transient --n 40 --creepage-ratio 0.5 --shift 2 --until 10
-#include "friction/law.hpp"
 #include "friction/steady.hpp"
 #include "support/options.hpp"
-#include "support/runs.hpp"
+#include "support/table.hpp"
 
 namespace {
 
@@ -26,7 +25,7 @@ std::string help() {
     friction_study --falling 0.6,1.23 --memory 0.276,0.0123 --plot falling.svg
 
 Steady rolling, one row for each mesh, scheme and creepage, solved independently of the others:
-)" + friction::creep_help() +
+)" + friction::curve_help() +
            R"(
 --pressure: p0 = 2 N/(pi a) is the peak of Hertz's pressure of the same load, and exact is empty.
 --fit-border, for pressures that leave one slip zone at the trailing edge, as Hertz's does: mesh is fitted, and the
@@ -54,95 +53,21 @@ vanish. Steps are divided where the table of --load has a row. exact is empty.
 )";
 }
 
-/// What steady rolling and that in the time domain share: creepages, pressure, a layer and the law of friction.
-void add_contact_options(study::Options& options) {
-    options.set_default("mesh", "cosine");
-    options.set_default("alpha-L", "0.5");
-    options.set_default("alpha-T", "0.5");
-    options.add("creepage-ratio", "LIST",
-                "creepage ratio delta = xi G/(2 (1-nu) mu p0) [dimensionless], any finite: Carter's contact slides as "
-                "a whole from 1 on; with --transient one value, constant, and none by default",
-                "0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9,1,1.1");
-    options.add("force", "F",
-                "given force -F_x/(mu N), in time -F_x/(mu N_0) [dimensionless], any finite, in place of "
-                "--creepage-ratio, which is found; in time a shift from rest reaches it before the contact rolls");
-    options.not_with({"creepage-ratio"}, "force");
-    options.add_input("pressure",
-                      "CSV file of the normal pressure, with the columns x_over_a [dimensionless], pressure [any "
-                      "unit]: linear between its rows, zero before the first and after the last; two rows at one "
-                      "x_over_a make a jump; Hertz's pressure without it");
-    options.add("lateral-ratio", "LIST",
-                "lateral creepage ratio eta G/(2 (1-nu) mu p0) [dimensionless], any finite, for friction in both "
-                "directions; with --transient one value, constant; friction along x alone without it");
-    options
-        .add("spin-ratio", "LIST",
-             "spin ratio phi a G/(2 (1-nu) mu p0) [dimensionless] of a rigid lateral slip phi x, any finite; with "
-             "--transient one value, constant; no spin without it")
-        .only_with({"lateral-ratio"});
-    options.add("layer", "L", "compliance of an elastic layer between the bodies [a/G], 0 or more", "0");
-    friction::add_law_options(options);
-}
-
-/// What steady rolling alone has: sweeps, tractions and the exact border of stick.
-void add_steady_options(study::Options& options) {
-    options
-        .add("sweep", "up|down",
-             "order of the creepage ratios in which each solution starts from the one before, separately for each "
-             "lateral ratio and spin; each starts from rest without it")
-        .only_with(friction::law_options())
-        .not_with("transient");
-    options
-        .add_table("tractions",
-                   "CSV file of the tractions, one row per element of every scheme and creepage, with FILE.toml beside "
-                   "it; none without it")
-        .not_with("transient");
-    options
-        .add_flag("fit-border", "exact border between slip and stick, by series; n elements are used where that fails")
-        .not_with("transient");
-    for (const std::string& law : friction::law_options()) {
-        options.not_with({"fit-border"}, law, ", which is solved by elements");
-    }
-    options.not_with({"mesh", "edges", "method", "derivative", "alpha-L", "alpha-T", "alpha"}, "fit-border",
-                     ", which needs no elements");
-    options.not_with({"sweep", "fit-border"}, "force");
-    options.not_with({"lateral-ratio", "spin-ratio", "layer"}, "fit-border",
-                     ", which is for one direction and no layer");
-}
-
-void add_rolling_options(study::Options& options) {
-    options.add_flag("transient", "rolling in time, one row per step, in place of steady rolling");
-    study::add_history_options(options, friction::history_columns, "transient");
-    options.not_with({"step", "ramp", "sine"}, "force");
-    options.add("shift", "W", "rigid shift [mu p0 a/G] before the contact rolls, any finite; none without it")
-        .only_with({"transient"});
-    study::add_run_options(options, "",
-                           "mesh that follows the half-length of the contact, with --kernel plane; without it the mesh "
-                           "covers the largest contact");
-    options.not_with({"from"}, "shift", ", which starts from rest");
-    options.only_with({"lambda"}, {"transient"}, ": a steady problem builds no G, the only matrix lambda acts on");
-    for (const char* way : {"step", "ramp", "sine"}) options.not_with({"creepage-ratio"}, way);
-    options
-        .add_flag(
-            "unchecked",
-            "no check of the schemes: those that are unstable, may be unstable or do not converge are stepped, too")
-        .only_with({"transient"});
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-    // 1. The command line.
     study::Options options("friction_study",
                            "Rolling with Coulomb friction: steady, against Carter's creep curve, or in time.");
-    add_contact_options(options);
-    add_steady_options(options);
-    add_rolling_options(options);
-    study::offer_schemes(options, friction::methods);
+    friction::add_options(options);
     options.footer(help());
-
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        // 2. Rows, tractions and pictures: friction/steady.cpp, friction/transient.cpp.
-        (given.flag("transient") ? friction::run_transient : friction::run_steady)(given);
+        if (given.flag("transient")) {
+            const friction::Scenario scenario = friction::read_scenario(given);
+            study::write_table(given, friction::transient_table(scenario));
+        } else {
+            const friction::Curve curve = friction::read_curve(given);
+            study::write_table(given, friction::curve_table(curve));
+        }
         return study::exit_ok;
     });
 }

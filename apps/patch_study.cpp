@@ -7,6 +7,7 @@
 //     ./patch_study --outline wheel.csv --n 16 --stability
 //     ./patch_study --n 12 --longitudinal 0.1,0.2,0.4 --spin 0,0.2
 //     ./patch_study --n 12 --longitudinal 0.1 --spin 0.2 --transient --load-sine 0.5,8
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -117,12 +118,12 @@ Sheet steady_sheet(bool stability) {
 
 Sheet response_sheet() { return make_sheet({{"omega", "frequency omega a/V", &Found::omega}}, true, {}); }
 
-Found steady(const study::Options& options, const Patch& patch) {
-    // 3. G' by halves where the patch is symmetric, and one right-hand side for each creepage and spin.
+Found steady(const Patch& patch, bool timed, bool stability) {
+    // G' by halves where the patch is symmetric, and one right-hand side for each creepage and spin.
     const auto solve = [&] { return rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, patch.kernel()); };
     const rollbem::Response<double> response = solve();
     Found result = found(patch, response.coefficients.cast<Complex>(), response.status, response);
-    if (study::has_times(options)) {
+    if (timed) {
         result.assembly_us = study::median_time_us(
             [&] { return rollbem::assemble_G_prime(patch.mesh, patch.scheme, patch.kernel())[0][0](0, 0); });
         // the equations of each half, matrices ready
@@ -133,8 +134,8 @@ Found steady(const study::Options& options, const Patch& patch) {
             return sum;
         });
     }
-    // 4. All eigenvalues of G' p = nu G p.
-    if (options.flag("stability")) {
+    // All eigenvalues of G' p = nu G p.
+    if (stability) {
         result.verdict = rollbem::judge_stability(rollbem::patch_subsystems(patch.mesh, patch.scheme, patch.kernel()));
     }
     return result;
@@ -142,7 +143,7 @@ Found steady(const study::Options& options, const Patch& patch) {
 
 void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::RowRange range,
                 const study::Results<Found>& emit) {
-    // 5. One reduction to Hessenberg form for each half, then little work for each frequency.
+    // One reduction to Hessenberg form for each half, then little work for each frequency.
     const rollbem::FrequencySweep<double> sweep(rollbem::patch_subsystems(patch.mesh, patch.scheme, patch.kernel()));
     const rollbem::Response<double> steady =
         rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, patch.kernel());
@@ -237,12 +238,7 @@ step fails, the run has no more results, and the exit code is 1. A patch whose m
 )";
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    // 1. The command line.
-    study::Options options("patch_study",
-                           "Contact patches in three dimensions: creep coefficients, and friction with spin.");
+void add_options(study::Options& options) {
     patch::add_options(options);
     options.group("Result");
     options.add_flag("stability",
@@ -259,31 +255,45 @@ int main(int argc, char** argv) {
     options.only_with({"pressure", "tractions", "transient"}, friction);
     options.not_with({"tractions"}, "transient");
     options.footer(help(steady_sheet(true).help()));
+}
 
+/// A row for each patch, or for each patch and frequency.
+void study_coefficients(const study::Options& given, const std::vector<Patch>& patches) {
+    const bool harmonic = given.given("omega"), stability = given.flag("stability"), timed = study::has_times(given);
+    std::vector<double> omegas;
+    if (harmonic) omegas = given.numbers("omega", study::not_negative());
+    const Sheet sheet = harmonic ? response_sheet() : steady_sheet(stability);
+    study::Table table = sheet.table(
+        patches, [&](const Patch&) { return harmonic ? omegas.size() : 1; },
+        [&](const Patch& patch, study::RowRange range, const study::Results<Found>& emit) {
+            harmonic ? emit_sweep(patch, omegas, range, emit) : emit(steady(patch, timed, stability));
+        });
+    study::OutputFiles files;
+    if (given.given("state-space")) write_state_space(given, files, patches);
+    table.plot = [&](const std::vector<study::Row>& rows) {
+        return (harmonic ? patch::draw_responses : patch::draw_coefficients)(table.columns, rows);
+    };
+    study::write_table(given, table, files);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    study::Options options("patch_study",
+                           "Contact patches in three dimensions: creep coefficients, and friction with spin.");
+    add_options(options);
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        // 2. One row for each patch, or for each patch and frequency.
-        const bool harmonic = given.given("omega");
-        std::vector<double> omegas;
-        if (harmonic) omegas = given.numbers("omega", study::not_negative());
-        const bool rubs = patch::asks_for_friction(given);
-        const std::vector<Patch> patches = patch::make_patches(given);
-        if (rubs) {
-            // 6. Stick and slip at each creepage, or in the time domain.
-            (given.flag("transient") ? patch::run_transient : patch::run_friction)(given, patches);
-            return study::exit_ok;
+        const std::vector<Patch> patches = patch::read_patches(given);
+        const std::vector<std::string> ways = patch::ways_of_friction();
+        if (std::none_of(ways.begin(), ways.end(), [&](const std::string& way) { return given.given(way); })) {
+            study_coefficients(given, patches);
+        } else if (given.flag("transient")) {
+            const patch::TimeScene scene = patch::read_time_scene(given, patches);
+            study::write_table(given, patch::transient_table(scene));
+        } else {
+            const patch::Friction scene = patch::read_friction(given, patches);
+            study::write_table(given, patch::friction_table(scene));
         }
-        const Sheet sheet = harmonic ? response_sheet() : steady_sheet(given.flag("stability"));
-        study::Table table = sheet.table(
-            patches, [&](const Patch&) { return harmonic ? omegas.size() : 1; },
-            [&](const Patch& patch, study::RowRange range, const study::Results<Found>& emit) {
-                harmonic ? emit_sweep(patch, omegas, range, emit) : emit(steady(given, patch));
-            });
-        study::OutputFiles files;
-        if (given.given("state-space")) write_state_space(given, files, patches);
-        table.plot = [&](const std::vector<study::Row>& rows) {
-            return (harmonic ? patch::draw_responses : patch::draw_coefficients)(table.columns, rows);
-        };
-        study::write_table(given, table, files);
         return study::exit_ok;
     });
 }

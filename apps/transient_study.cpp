@@ -217,10 +217,17 @@ int main(int argc, char** argv) {
         const bool checked = !given.flag("unchecked");
         const rollbem::Integrator integrator = study::read_integrator(given, false);
 
+        const std::vector<study::Scene> scenes = study::make_non_steady_scenes(given, methods);
+        std::vector<Rolling> runs;
+        study::Table table = sheet.table(
+            scenes, [&](const study::Scene&) { return steps.count; },
+            [&](const study::Scene& scene, study::RowRange range, const study::Results<Moment>& emit) {
+                run(runs[std::size_t(&scene - scenes.data())], creepage, steps, checked, range, emit);
+            });
+
         // 2. One model for each scene, if eigenvalues and steady rolling tell that stepping makes sense, and the exact
         // response of its contact.
-        const std::vector<study::Scene> scenes = study::make_non_steady_scenes(given, methods);
-        const auto runs = study::prepared<Rolling>(given, scenes, [&](const study::Scene& scene) {
+        study::prepare_runs(table, runs, scenes, [&](const study::Scene& scene) {
             Rolling rolling{scene.order()};
             for (const study::Scene& one : scene.meshes()) {
                 rollbem::RollingSystem<double> system = study::system_of(one);
@@ -232,14 +239,6 @@ int main(int argc, char** argv) {
             }
             return rolling;
         });
-
-        const auto one_each_step = [&](const study::Scene&) { return steps.count; };
-        study::Table table =
-            sheet.table(scenes, one_each_step,
-                        [&](const study::Scene& scene, study::RowRange range, const study::Results<Moment>& emit) {
-                            const Rolling& rolling = runs[std::size_t(&scene - scenes.data())];
-                            run(rolling, creepage, steps, checked, range, emit);
-                        });
         table.plot = [&](const std::vector<study::Row>& rows) { return draw_force(creepage, rows); };
         study::write_table(given, table);
         return study::exit_ok;

@@ -2,27 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include <rollbem/closed_form/friction.hpp>
 #include <rollbem/elasticity/layered_kernel.hpp>
-#include <rollbem/normal/pressure_table.hpp>
-
-#include "support/input.hpp"
 
 namespace friction {
 
 namespace {
-
-double read_layer(const study::Options& options) {
-    const double layer = options.number("layer", study::not_negative());
-    const bool analytic = options.given("derivative") && options.text("derivative") == "analytic";
-    const bool closed = options.text("method") == "galerkin" && options.text("quadrature") == "exact";
-    options.require(
-        layer == 0 || !analytic || closed, "derivative",
-        "be fd with --layer: the layer's displacement jumps with the traction, and only differences of it exist");
-    return layer;
-}
 
 /// Of a mesh of that half-length [a_0].
 rollbem::Contact<double> contact_of(const study::Scene& scene, double half_length) {
@@ -32,55 +18,7 @@ rollbem::Contact<double> contact_of(const study::Scene& scene, double half_lengt
                                      .poisson_ratio = scene.contact.poisson_ratio()});
 }
 
-/// Line::title.
-std::string scene_in_title(const study::Options& options) {
-    std::string title;
-    const auto say = [&](const char* name, const std::string& before, const std::string& between = "",
-                         const std::string& after = "") {
-        if (!options.given(name)) return;
-        const std::string value = options.text(name);
-        const std::size_t comma = value.find(',');
-        title += ", " + before + value.substr(0, comma);
-        if (comma != std::string::npos) title += between + value.substr(comma + 1) + after;
-    };
-    if (options.given("pressure")) title += ", pressure of a table";
-    if (options.flag("transient")) {
-        const std::string delta = options.given("lateral-ratio") ? "δ_x = " : "δ = ";
-        say("creepage-ratio", delta);
-        say("sine", delta, " sin(", " q/a)");
-        say("lateral-ratio", "δ_y = ");
-        say("spin-ratio", "δ_φ = ");
-        say("shift", "shift ");
-        say("load-sine", "N/N_0 = 1 + ", " sin(2π q/", ")");
-        if (options.given("load")) title += ", load of a table";
-    }
-    for (const NamedLaw& known : laws()) say(known.option.c_str(), known.before, known.between);
-    say("memory", "memory ", " and ");
-    say("layer", "layer ");
-    return title;
-}
-
 }  // namespace
-
-Pressure make_pressure(const study::Options& options) {
-    if (!options.given("pressure")) {
-        const rollbem::HertzPressure<double> hertz;
-        return {hertz, hertz, true};
-    }
-    const study::Rule within = study::between(-1, 1);
-    const std::vector<study::Numbers> points = study::read_columns(
-        options, "pressure", "x_over_a,pressure", "", [&](const auto& read, const std::string& where) {
-            if (!within.holds(read[0].back())) throw study::BadInput(where + ": x_over_a must " + within.text);
-            study::require_order(read[0], "x_over_a", where);
-        });
-    options.require(!points[0].empty(), "pressure", "have at least one row below its header");
-    const auto table = study::blame(options.said("pressure"), [&] {
-        return rollbem::PressureTable<double>(study::array(points[0]), study::array(points[1]));
-    });
-    const double scale = mu_N / table.integral();
-    return {[=](double x_over_a) { return scale * table(x_over_a); },
-            [=](const rollbem::Mesh<double>& mesh) { return Eigen::ArrayXd(scale * table(mesh)); }, false};
-}
 
 double largest_half_length(const study::History& imposed) { return std::sqrt(imposed.largest("load_ratio")); }
 
@@ -90,13 +28,6 @@ rollbem::HertzLoad<double> hertz_load(const study::History& imposed, bool breath
     return breathing ? rollbem::HertzLoad<double>::breathing(line, mesh)
                      : rollbem::HertzLoad<double>::fixed(line, mesh, largest_half_length(imposed));
 }
-
-Line::Line(const study::Options& options)
-    : both(options.given("lateral-ratio")),
-      pressure(make_pressure(options)),
-      layer(read_layer(options)),
-      law(read_law(options)),
-      title(scene_in_title(options)) {}
 
 System Line::system(const study::Scene& scene, Direction direction, bool in_time, double half_length) const {
     using Kernel = rollbem::AnyKernel<double>;
@@ -123,7 +54,7 @@ rollbem::FrictionContact Line::contact(const study::Scene& scene, const System& 
         return rollbem::FrictionModel(contact, rollbem::ElementSystem(along, *across), checks, friction, integrator);
     };
     if (!law) return under(rollbem::Friction<>{1, means});
-    return under(rollbem::Friction<std::function<double(double)>>{law->mu(), means, law->memory});
+    return under(rollbem::Friction<std::function<double(double)>>{law->mu, means, law->memory});
 }
 
 study::Cell relative_error(double value, std::optional<double> exact) {

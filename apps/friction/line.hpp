@@ -11,10 +11,9 @@
 
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/friction/friction_contact.hpp>
+#include <rollbem/friction/law.hpp>
 #include <rollbem/normal/hertz_load.hpp>
 
-#include "law.hpp"
-#include "support/options.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
 #include "support/sheet.hpp"
@@ -38,8 +37,12 @@ struct Pressure {
     Eigen::ArrayXd operator()(const rollbem::Mesh<double>& mesh) const { return mean(mesh); }
 };
 
-/// Hertz's pressure, or that of --pressure. Throws BadInput.
-Pressure make_pressure(const study::Options& options);
+/// A law of friction that falls, mu/mu_0 of the slip velocity, and its memory: velocities in V mu_0 p0/G, distances in
+/// a mu_0 p0/G.
+struct SlipLaw {
+    rollbem::ExponentialFall<> mu;
+    rollbem::FrictionMemory<> memory{};
+};
 
 /// Half-length of a mesh that covers the contact under load_ratio during the whole run [a_0].
 double largest_half_length(const study::History& imposed);
@@ -63,8 +66,6 @@ inline double creepage_unit(const study::Scene& scene) { return 2 * (1 - scene.c
 
 /// What all scenes share.
 struct Line {
-    explicit Line(const study::Options& options);  ///< throws BadInput
-
     bool both;  ///< friction in both directions
     Pressure pressure;
     double layer;                ///< compliance [a_0/G]
@@ -88,27 +89,18 @@ struct Line {
                                      double half_length = 1) const;
 };
 
-/// layer, the parameters of every law, memory_distance and least_velocity, of rows that know their `line`.
+/// layer and the parameters of the law, of rows that know their `line`.
 template <class Row>
 std::vector<study::Column<Row>> law_columns() {
-    std::vector<study::Column<Row>> columns{
-        {"layer", "compliance of the layer [a/G], of --layer", [](const Row& r) { return r.line.layer; }}};
-    for (const NamedLaw& law : laws()) {
-        for (std::size_t k = 0; k < law.columns.size(); ++k) {
-            columns.push_back({law.columns[k], "parameters of --" + law.option, [&law, k](const Row& r) {
-                                   return r.line.law && &r.line.law->named == &law
-                                              ? study::Cell(r.line.law->parameters[k])
-                                              : study::Cell();
-                               }});
-        }
-    }
-    const auto of_memory = [](double rollbem::FrictionMemory<>::*member) {
-        return [member](const Row& r) { return r.line.law ? study::Cell(r.line.law->memory.*member) : study::Cell(); };
+    const auto of = [](auto part, auto member) {
+        return [=](const Row& r) { return r.line.law ? study::Cell((*r.line.law).*part.*member) : study::Cell(); };
     };
-    columns.push_back({"memory_distance", "parameters of --memory", of_memory(&rollbem::FrictionMemory<>::distance)});
-    columns.push_back(
-        {"least_velocity", "parameters of --memory", of_memory(&rollbem::FrictionMemory<>::least_velocity)});
-    return columns;
+    return {
+        {"layer", "compliance of the layer [a/G], of --layer", [](const Row& r) { return r.line.layer; }},
+        {"falling_ratio", "parameters of --falling", of(&SlipLaw::mu, &rollbem::ExponentialFall<>::mu_k)},
+        {"half_velocity", "parameters of --falling", of(&SlipLaw::mu, &rollbem::ExponentialFall<>::half_velocity)},
+        {"memory_distance", "parameters of --memory", of(&SlipLaw::memory, &rollbem::FrictionMemory<>::distance)},
+        {"least_velocity", "parameters of --memory", of(&SlipLaw::memory, &rollbem::FrictionMemory<>::least_velocity)}};
 }
 
 /// value/exact - 1 where both are defined.

@@ -176,6 +176,13 @@ private:
 
 }  // namespace
 
+bool begins_with_shift(const study::RunSettings& run, const study::History& imposed, const study::HistoryColumns& of) {
+    const auto jumps = [&](const std::string& column) {
+        return !column.empty() && imposed.at(column, 0, true) != imposed.at(column, 0, false);
+    };
+    return !run.from_steady && (jumps(of.shift[0]) || jumps(of.shift[1]) || jumps("force"));
+}
+
 Creepage Rolling::creepage(double q, bool behind) const {
     const auto value = [&](std::size_t k) { return imposed.at(of.creepage[k], q, behind); };
     return {creepage_unit * value(0), creepage_unit * value(1), spin_unit * value(2)};

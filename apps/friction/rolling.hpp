@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,9 @@
 #include "support/sheet.hpp"
 
 namespace friction {
+
+/// Whether the first row is that of a jump of a shift or force before rolling.
+bool begins_with_shift(const study::RunSettings& run, const study::History& imposed, const study::HistoryColumns& of);
 
 /// A contact and what happens to it over the distance rolled q [a_0], at the rolling velocity 1, or as the column speed
 /// has it. Motions are those just before (or at) q, or `behind` it.
@@ -39,8 +43,7 @@ struct Rolling {
     double duration(double from, double to) const;
     /// What a jump at q displaces; nothing where there is none. Where a force jumps, its displacement is to be found.
     std::optional<rollbem::Creepage<double>> jump(double q) const;
-    /// Whether the first row is that of a jump before rolling.
-    bool begins_with_shift() const { return !run.from_steady && jump(0).has_value(); }
+    bool begins_with_shift() const { return friction::begins_with_shift(run, imposed, of); }
 };
 
 /// What a row has come to, in the units of the contact.
@@ -81,21 +84,25 @@ auto if_computed(const Value& value) {
     return study::where([](const auto& r) { return r.moment.computed; }, value);
 }
 
-/// Writes the table of a run of each case, of as many `steps` and a row for a shift before: prepare(case) makes its
-/// Rolling, row(case, moment) its rows for the sheet, plot(rows) the picture. Throws what these and write_runs throw.
-template <class Sheet, class Case, class Prepare, class Row, class Draw>
-void write_rolling(const study::Options& options, const Sheet& sheet, const std::vector<Case>& cases, std::size_t steps,
-                   const Prepare& prepare, const Row& row, const Draw& plot) {
-    const auto runs = study::prepared<Rolling>(options, cases, prepare);
-    std::vector<std::string> ended(cases.size());
-    const bool shifts = !runs.empty() && runs.front().begins_with_shift();
-    study::Table table = study::table_of(sheet.names(), cases, steps + (shifts ? 1 : 0));
-    table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        ended[task] = roll(runs[task], range,
-                           [&](const Moment& moment) { emit(sheet.row(cases[task], row(cases[task], moment))); });
+/// The table of a run of each case, of as many `steps` and a row for a shift before where there is one: make(case)
+/// makes its Rolling, row(case, moment) its rows for the sheet. Runs that end early have no more results.
+template <class Sheet, class Case, class Make, class Row>
+study::Table rolling_table(const Sheet& sheet, const std::vector<Case>& cases, std::size_t steps, bool shifts,
+                           const Make& make, const Row& row) {
+    struct Runs {
+        std::vector<Rolling> of;
+        std::vector<std::string> ended;
     };
-    table.plot = plot;
-    study::write_runs(options, table, ended);
+    const auto runs = std::make_shared<Runs>();
+    runs->ended.resize(cases.size());
+    study::Table table = study::table_of(sheet.names(), cases, steps + (shifts ? 1 : 0));
+    study::prepare_runs(table, runs->of, cases, make);
+    table.compute = [&, runs, row](std::size_t task, study::RowRange range, const study::Emit& emit) {
+        runs->ended[task] = roll(runs->of[task], range,
+                                 [&](const Moment& moment) { emit(sheet.row(cases[task], row(cases[task], moment))); });
+    };
+    table.ended = [runs](std::size_t task) { return runs->ended[task]; };
+    return table;
 }
 
 }  // namespace friction

@@ -153,7 +153,7 @@ const study::Sheet<CreepRow>& traction_sheet() {
 
 /// The tractions of the last scene with a result at the creepage nearest to half of full sliding; no panel if there are
 /// none.
-std::vector<study::Plot> draw_tractions(const Tractions& tractions, const Line& line) {
+std::vector<study::Plot> draw_tractions(const study::SideTable& tractions, const Line& line) {
     std::optional<double> shown;
     const std::vector<study::Row>* of_task = nullptr;
     for (const std::vector<study::Row>& rows : tractions.rows) {
@@ -198,7 +198,7 @@ std::vector<study::Plot> draw_tractions(const Tractions& tractions, const Line& 
 
 /// With the tractions beside it at the creepage nearest to half of full sliding, for the last mesh.
 study::Plot creep_picture(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
-                          const Curve& curve, const Tractions& tractions) {
+                          const Curve& curve, const study::SideTable& tractions) {
     const bool falling = curve.line.law.has_value();
     study::Plot plot{.title = "Creep curve" + curve.line.title,
                      .x_label = creepage_label(falling, "δ = ξ"),
@@ -247,60 +247,34 @@ study::Plot combined_creep(const std::vector<std::string>& columns, const std::v
     return plot;
 }
 
-// --- points --------------------------------------------------------------------------------------------------------
-
-/// The lateral ratio is a loop inside that of the longitudinal one, spin the innermost.
-std::vector<CreepPoint> read_points(const study::Options& options) {
-    std::vector<std::optional<double>> across{std::nullopt};
-    if (options.given("lateral-ratio")) {
-        const std::vector<double> lateral = options.numbers("lateral-ratio", study::finite());
-        across.assign(lateral.begin(), lateral.end());
-    }
-    std::vector<double> spins{0};
-    if (options.given("spin-ratio")) spins = options.numbers("spin-ratio", study::finite());
-    std::vector<double> ratios{0};  // of a force they are found
-    if (!options.given("force")) ratios = options.numbers("creepage-ratio", study::finite());
-    std::vector<CreepPoint> points;
-    for (const double along : ratios) {
-        for (const std::optional<double>& lateral : across) {
-            for (const double spin : spins) points.push_back({along, lateral, spin});
-        }
-    }
-    return points;
-}
-
 }  // namespace
 
-std::string creep_help() {
+std::string curve_help() {
     return creep_sheet().help() + "--tractions FILE, one row for each element:\n" + traction_sheet().help();
 }
 
-void run_steady(const study::Options& options) {
-    Curve curve{Line(options), read_points(options), "", study::has_times(options)};
-    if (options.given("force")) curve.force = options.number("force", study::finite());
-    if (options.given("sweep")) curve.sweep = options.choice("sweep", {"up", "down"});
-    const std::vector<study::Scene> scenes = study::make_scenes(options, study::Problem::steady, methods);
-    const auto solve = options.flag("fit-border") ? solve_by_border : solve_by_elements;
-    Tractions tractions(options, traction_sheet().names(), scenes.size(), options.given("plot"));
-
-    study::Table table = study::table_of(creep_sheet().names(), scenes, curve.points.size());
-    table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        const study::Scene& scene = scenes[task];
+study::Table curve_table(const Curve& curve) {
+    study::Table table = study::table_of(creep_sheet().names(), curve.scenes, curve.points.size());
+    const auto tractions = std::make_shared<study::SideTable>(
+        study::SideTable{"tractions", traction_sheet().names(), curve.keeps_tractions});
+    tractions->rows.resize(curve.scenes.size());
+    table.beside = tractions;
+    table.compute = [&, tractions](std::size_t task, study::RowRange range, const study::Emit& emit) {
+        const study::Scene& scene = curve.scenes[task];
+        const auto solve = curve.by_border ? solve_by_border : solve_by_elements;
         solve(curve, scene, range, [&](std::size_t k, const Solution& solution) {
             CreepRow row{curve, curve.line, scene, curve.points[k], solution};
             row.point.longitudinal = solution.creepage_ratio.value_or(row.point.longitudinal);
             emit(creep_sheet().row(scene, row));
-            for (; tractions.wanted && row.i < solution.x.size(); ++row.i) {
-                tractions.rows[task].push_back(traction_sheet().row(scene, row));
+            for (; tractions->wanted && row.i < solution.x.size(); ++row.i) {
+                tractions->rows[task].push_back(traction_sheet().row(scene, row));
             }
         });
     };
-    table.finish = [&] { tractions.write(); };
-    table.plot = [&](const std::vector<study::Row>& rows) {
-        return curve.line.both ? combined_creep(table.columns, rows, curve)
-                               : creep_picture(table.columns, rows, curve, tractions);
+    table.plot = [&, tractions, columns = table.columns](const std::vector<study::Row>& rows) {
+        return curve.line.both ? combined_creep(columns, rows, curve) : creep_picture(columns, rows, curve, *tractions);
     };
-    study::write_table(options, table, tractions.files);
+    return table;
 }
 
 }  // namespace friction

@@ -8,17 +8,40 @@
 #include <vector>
 
 #include "line.hpp"
+#include "support/options.hpp"
 #include "support/plot.hpp"
-#include "tractions.hpp"
+#include "support/table.hpp"
 
 namespace friction {
 
+/// Steady rolling at several creepages.
 struct Curve {
     Line line;
+    std::vector<study::Scene> scenes;
     std::vector<CreepPoint> points;
-    std::string sweep;  ///< up or down: each point starts from its neighbour; empty: from scratch
     bool timed;
+    bool by_border;                 ///< with the exact border between slip and stick
+    bool keeps_tractions;           ///< for a file or a picture
+    std::string sweep{};            ///< up or down: each point starts from its neighbour; empty: from scratch
     std::optional<double> force{};  ///< -F_x/(mu N) in place of the longitudinal creepages
+};
+
+/// Rolling in time.
+struct Scenario {
+    Line line;
+    std::vector<study::Scene> scenes;
+    study::RunSettings run;
+    study::History imposed;
+    bool checked;                            ///< schemes must be stable and converge
+    bool creepage_swept, creepage_constant;  ///< along x
+
+    bool load_varies() const { return imposed.has("load_ratio"); }
+    bool breathes() const { return load_varies() && run.breathing; }
+    CreepPoint at(double q, bool behind) const {
+        const auto value = [&](const char* column) { return imposed.at(column, q, behind); };
+        const std::optional<double> lateral = line.both ? std::optional(value("lateral_ratio")) : std::nullopt;
+        return {value("creepage_ratio"), lateral, value("spin_ratio")};
+    }
 };
 
 /// What was found at a point.
@@ -52,11 +75,17 @@ void leave_out(const study::Scene& scene, study::RowRange range, const Line& lin
 inline const study::HistoryColumns history_columns{
     {"creepage_ratio", "lateral_ratio", "spin_ratio"}, {"shift"}, {"force", "load_ratio", "speed"}};
 
-// --- the modes: their columns and meanings, and what writes their tables and throws what write_table throws
+// --- the options, read at the door. The readers throw BadInput.
 
-std::string creep_help();
+void add_options(study::Options& options);
+Curve read_curve(const study::Options& options);
+Scenario read_scenario(const study::Options& options);
+
+// --- the modes: their columns and meanings, and their tables, which refer to the scene
+
+std::string curve_help();
 std::string transient_help();
-void run_steady(const study::Options& options);
-void run_transient(const study::Options& options);
+study::Table curve_table(const Curve& curve);
+study::Table transient_table(const Scenario& scenario);
 
 }  // namespace friction

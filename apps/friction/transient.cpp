@@ -16,63 +16,6 @@ namespace friction {
 
 namespace {
 
-/// What all runs share.
-struct Scenario {
-    Line line;
-    study::RunSettings run;
-    study::History imposed;
-    bool checked;
-    bool creepage_swept, creepage_constant;
-
-    bool load_varies() const { return imposed.has("load_ratio"); }
-    bool breathes() const { return load_varies() && run.breathing; }
-    CreepPoint at(double q, bool behind) const {
-        const auto value = [&](const char* column) { return imposed.at(column, q, behind); };
-        const std::optional<double> lateral = line.both ? std::optional(value("lateral_ratio")) : std::nullopt;
-        return {value("creepage_ratio"), lateral, value("spin_ratio")};
-    }
-};
-
-Scenario read_scenario(const study::Options& options) {
-    const study::RunSettings run(options);
-    study::History imposed = study::read_history(options, history_columns,
-                                                 {"creepage_ratio", "lateral_ratio", "spin_ratio", "shift", "force"});
-    if (!imposed.has("creepage_ratio") && !imposed.has("force") && !imposed.has("shift")) {
-        options.require(
-            !options.given("history"), "history",
-            "have a column creepage_ratio, force or shift, unless an option of one of these names is given");
-        throw study::BadInput(
-            "one of --creepage-ratio, --step, --ramp, --sine, --history, --force and --shift must be given with "
-            "--transient");
-    }
-    study::require_no_first_shift(run, imposed, history_columns);
-    study::read_load(options, run, imposed);
-    const bool swept = options.given("sine") || options.given("ramp") || imposed.values("creepage_ratio").size() > 1;
-    Scenario scenario{.line = Line(options),
-                      .run = run,
-                      .imposed = std::move(imposed),
-                      .checked = !options.flag("unchecked"),
-                      .creepage_swept = swept,
-                      .creepage_constant = options.given("creepage-ratio") || options.given("step")};
-    scenario.line.both = scenario.imposed.has("lateral_ratio");
-    if (scenario.imposed.has("spin_ratio") && !scenario.line.both) {
-        throw study::BadInput("the column spin_ratio must go with lateral_ratio");
-    }
-    if (scenario.imposed.has("speed")) {
-        if (!scenario.line.law)
-            throw study::BadInput("the column speed must go with --falling: nothing else depends on it");
-        const study::Numbers& speeds = scenario.imposed.values("speed");
-        const double least = *std::min_element(speeds.begin(), speeds.end());
-        options.require(least > 0 && scenario.imposed.places().front() == 0, "history",
-                        "have positive speeds from q_over_a = 0 on");
-    }
-    if (scenario.breathes() && options.text("kernel") != "plane") {
-        throw study::BadInput("--kernel = " + options.text("kernel") +
-                              " must be plane with --breathing: only that kernel knows other half-lengths");
-    }
-    return scenario;
-}
-
 // --- contacts ------------------------------------------------------------------------------------------------------
 
 // On a mesh that breathes b/a falls as the load grows, for the system of one direction or that of both.
@@ -276,10 +219,8 @@ study::Plot force_in_time(const std::vector<study::Row>& rows, const Scenario& s
 
 std::string transient_help() { return time_sheet().help(); }
 
-void run_transient(const study::Options& options) {
-    const Scenario scenario = read_scenario(options);
-    const std::vector<study::Scene> scenes = study::make_non_steady_scenes(options, methods);
-    const auto prepare = [&](const study::Scene& scene) {
+study::Table transient_table(const Scenario& scenario) {
+    const auto make = [&](const study::Scene& scene) {
         try {
             return make_rolling(scenario, scene);
         } catch (const study::BadInput&) {
@@ -292,8 +233,10 @@ void run_transient(const study::Options& options) {
     const auto row = [&](const study::Scene& scene, const Moment& moment) {
         return TimeRow{scenario, scenario.line, scene, moment, mu_N * scene.contact.width()};
     };
-    const auto draw = [&](const std::vector<study::Row>& rows) { return force_in_time(rows, scenario); };
-    write_rolling(options, time_sheet(), scenes, scenario.run.steps.count, prepare, row, draw);
+    study::Table table = rolling_table(time_sheet(), scenario.scenes, scenario.run.steps.count,
+                                       begins_with_shift(scenario.run, scenario.imposed, history_columns), make, row);
+    table.plot = [&](const std::vector<study::Row>& rows) { return force_in_time(rows, scenario); };
+    return table;
 }
 
 }  // namespace friction

@@ -3,8 +3,6 @@
 #include <cstddef>
 #include <numbers>
 
-#include <Eigen/Cholesky>
-
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/rolling/run.hpp>
@@ -104,110 +102,50 @@ double largest_slip(const Patch& patch, const CreepPoint& point, const rollbem::
 
 }  // namespace
 
-void add_friction_options(study::Options& options) {
-    options.group("Friction");
-    options.add("longitudinal", "LIST",
-                "longitudinal creepage xi G a b/(mu N) [dimensionless], -1e6 to 1e6, for friction in place of creep "
-                "coefficients",
-                "0");
-    options.add("lateral", "LIST", "lateral creepage eta G a b/(mu N) [dimensionless], -1e6 to 1e6, for friction", "0");
-    options.add("spin", "LIST", "spin phi G a b c/(mu N) [dimensionless], -1e6 to 1e6, for friction", "0");
-    options.add("force", "F",
-                "given force -F_x/(mu N), in time -F_x/(mu N_0) [dimensionless], any finite, in place of "
-                "--longitudinal, which is found; in time a shift from rest reaches it before the contact rolls");
-    options.not_with({"longitudinal"}, "force");
-    options.add_input("pressure",
-                      "CSV file of the normal pressure under friction, with the columns x,y,pressure [any unit], whose "
-                      "rows make a grid in any order: bilinear between them, zero outside; x and y in a and b, of an "
-                      "outline in its unit; Hertz's pressure without it, of an ellipse");
-    options.add_table(
-        "tractions",
-        "CSV file of the tractions of steady friction, one row per element, with FILE.toml beside it; none without it");
-}
-
-std::vector<std::string> ways_of_friction() {
-    return {"longitudinal", "lateral", "spin", "step", "ramp", "sine", "history", "force"};
-}
-
-bool asks_for_friction(const study::Options& options) {
-    const std::vector<std::string> ways = ways_of_friction();
-    return std::any_of(ways.begin(), ways.end(), [&](const std::string& way) { return options.given(way); });
-}
-
-std::vector<CreepPoint> read_points(const study::Options& options, const std::vector<Patch>& patches) {
-    const study::Rule rule = study::between(-1e6, 1e6);
-    std::vector<CreepPoint> points;
-    for (const double longitudinal : options.numbers("longitudinal", rule)) {
-        for (const double lateral : options.numbers("lateral", rule)) {
-            for (const double spin : options.numbers("spin", rule)) points.push_back({longitudinal, lateral, spin});
-        }
-    }
-    const auto spins = [](const CreepPoint& point) { return point.spin != 0; };
-    if (std::any_of(points.begin(), points.end(), spins)) require_no_gain(options, patches);
-    return points;
-}
-
-void require_no_gain(const study::Options& options, const std::vector<Patch>& patches) {
-    for (const Patch& patch : patches) {
-        // moments are those of tractions at the middles of elements, slip is taken elsewhere in them: creep work
-        // without slip, a quadratic form, may become negative where elements are few
-        const auto steady = rollbem::solve_steady(patch.mesh, patch.scheme, patch.kernel());
-        const Eigen::Matrix3d C = steady.coefficients;
-        options.require(steady.status != rollbem::Status::ok ||
-                            Eigen::LLT<Eigen::Matrix3d>(C + C.transpose()).info() == Eigen::Success,
-                        options.given("spin") ? "spin" : "history",
-                        "go with more elements or strips than " + patch.label() + ": rolling could gain energy");
-    }
-}
-
 std::string friction_help() {
     return friction_sheet().help() + "--tractions FILE, one row for each element:\n" + traction_sheet().help();
 }
 
-void run_friction(const study::Options& options, const std::vector<Patch>& patches) {
-    const std::vector<CreepPoint> points = read_points(options, patches);
-    const bool by_force = options.given("force");
-    const double force = by_force ? options.number("force", study::finite()) : 0;
-    const Pressure pressure = read_pressure(options);
-    for (const Patch& patch : patches) pressure(patch);  // before anything is written
-    const bool from_above = points.size() == 1 && !by_force && patches.size() <= 3 && options.given("plot");
-    friction::Tractions tractions(options, traction_sheet().names(), patches.size(), from_above);
-
-    study::Table table = study::table_of(friction_sheet().names(), patches, points.size());
-    table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        const Patch& patch = patches[task];
+study::Table friction_table(const Friction& scene) {
+    study::Table table = study::table_of(friction_sheet().names(), scene.patches, scene.points.size());
+    const auto tractions = std::make_shared<study::SideTable>(
+        study::SideTable{"tractions", traction_sheet().names(), scene.keeps_tractions});
+    tractions->rows.resize(scene.patches.size());
+    table.beside = tractions;
+    table.compute = [&, tractions](std::size_t task, study::RowRange range, const study::Emit& emit) {
+        const Patch& patch = scene.patches[task];
         const rollbem::Elements<double> elements = rollbem::patch_elements(patch.mesh, patch.scheme);
         const rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2> model(
-            patch.contact, steady_system(patch.mesh, patch.scheme, patch.kernel()), {1.0, pressure(patch)});
+            patch.contact, steady_system(patch.mesh, patch.scheme, patch.kernel()), {1.0, scene.pressure(patch)});
         const auto rest = model.at_rest();
         auto state = rest;
         auto workspace = model.workspace();
         for (std::size_t k = range.first; k < range.last; ++k) {
             rollbem::FrictionStep<2> step;
-            CreepPoint point = points[k];
+            CreepPoint point = scene.points[k];
             const auto at = [&](double longitudinal) -> rollbem::FrictionStep<2> {
                 point.longitudinal = longitudinal;
                 return model.steady(rest, {.motion = creepage(patch, point)}, state, workspace);
             };
-            const auto time_us = study::time_us_if(study::has_times(options), [&] {
-                step = by_force ? friction::find_for_force(force, mu_N(patch), 0, at).step : at(points[k].longitudinal);
+            const auto time_us = study::time_us_if(scene.timed, [&] {
+                step = scene.force ? friction::find_for_force(*scene.force, mu_N(patch), 0, at).step
+                                   : at(scene.points[k].longitudinal);
                 return step.force.longitudinal;
             });
-            if (by_force && step.status != rollbem::Status::ok) point.longitudinal = std::nan("");
+            if (scene.force && step.status != rollbem::Status::ok) point.longitudinal = std::nan("");
             FrictionRow row{
                 patch, point, step, state, workspace.slip(), elements, largest_slip(patch, point, elements), time_us};
             emit(friction_sheet().row(patch, row));
-            for (; tractions.wanted && row.i < elements.size(); ++row.i) {
-                tractions.rows[task].push_back(traction_sheet().row(patch, row));
+            for (; tractions->wanted && row.i < elements.size(); ++row.i) {
+                tractions->rows[task].push_back(traction_sheet().row(patch, row));
             }
         }
     };
-    table.finish = [&] { tractions.write(); };
-    table.plot = [&](const std::vector<study::Row>& rows) {
-        return from_above ? draw_from_above(patches, points.front(), tractions)
-                          : draw_friction(table.columns, rows, by_force);
+    table.plot = [&, tractions, columns = table.columns](const std::vector<study::Row>& rows) {
+        return scene.from_above ? draw_from_above(scene.patches, scene.points.front(), *tractions)
+                                : draw_friction(columns, rows, scene.force.has_value());
     };
-    study::write_table(options, table, tractions.files);
+    return table;
 }
 
 }  // namespace patch

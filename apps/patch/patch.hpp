@@ -2,8 +2,12 @@
 // elements, and in the time domain. G = 1 and mu N = G a b: a creepage is the given number.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -14,10 +18,10 @@
 #include <rollbem/scene/creepage.hpp>
 #include <rollbem/scene/patch_contact.hpp>
 
-#include "friction/tractions.hpp"
 #include "support/named_scheme.hpp"
 #include "support/options.hpp"
 #include "support/plot.hpp"
+#include "support/runs.hpp"
 #include "support/sheet.hpp"
 
 namespace patch {
@@ -38,13 +42,6 @@ struct Patch {
         return rollbem::HalfSpace<double>(contact.poisson_ratio(), layer * contact.c());
     }
 };
-
-/// Declares --a-over-b, --outline, --layer, --strips, --strip-edges and --strip-grading, and says what the common
-/// options mean here.
-void add_options(study::Options& options);
-
-/// All patches: n is the outermost loop, then the number of strips, a/b and Poisson's ratio. Throws BadInput.
-std::vector<Patch> make_patches(const study::Options& options);
 
 /// The first columns of every table, and the last.
 inline constexpr const char* identity = "a_over_b, poisson, n, strips";
@@ -78,40 +75,90 @@ std::vector<study::Column<Row>> creepage_columns() {
 /// Throws BadInput if less than half of the load of --pressure lies on them, or if it covers less than nine tenths.
 using Pressure = std::function<Eigen::ArrayXd(const Patch&)>;
 
-/// Throws BadInput, also if an outline has no --pressure.
-Pressure read_pressure(const study::Options& options);
-
-/// Declares --longitudinal, --lateral, --spin, --pressure and --tractions.
-void add_friction_options(study::Options& options);
-
-/// The options that ask for friction, the last five in the time domain.
-std::vector<std::string> ways_of_friction();
-
-/// Whether any of these was given.
-bool asks_for_friction(const study::Options& options);
-
-/// All creepages, longitudinal outermost. Throws BadInput, also if a patch would gain energy from rolling with spin.
-std::vector<CreepPoint> read_points(const study::Options& options, const std::vector<Patch>& patches);
-
-/// Throws BadInput if a patch would gain energy from rolling with spin.
-void require_no_gain(const study::Options& options, const std::vector<Patch>& patches);
+/// Steady friction.
+struct Friction {
+    const std::vector<Patch>& patches;
+    std::vector<CreepPoint> points;
+    Pressure pressure;
+    bool timed;
+    bool from_above;                ///< the picture shows the patches at the one creepage
+    bool keeps_tractions;           ///< for a file or that picture
+    std::optional<double> force{};  ///< -F_x/(mu N) in place of the longitudinal creepages
+};
 
 /// The columns and their meanings, of forces and of tractions.
 std::string friction_help();
 
-/// Writes a row for each patch and creepage, solved from rest. Throws what write_table throws, and BadInput.
-void run_friction(const study::Options& options, const std::vector<Patch>& patches);
+/// A row for each patch and creepage, solved from rest. It refers to the scene.
+study::Table friction_table(const Friction& scene);
 
 // --- in the time domain
 
-/// Declares --transient and what goes with it.
-void add_transient_options(study::Options& options);
+inline const study::HistoryColumns history_columns{
+    {"longitudinal", "lateral", "spin"}, {"shift_x", "shift_y"}, {"force", "load_ratio", "a_ratio", "b_ratio"}};
+
+/// Semi-axes over those under N_0.
+struct AxisRatios {
+    double a, b;
+};
+
+/// Friction in time.
+struct TimeScene {
+    const std::vector<Patch>& patches;
+    Pressure pressure;
+    study::History imposed;
+    study::RunSettings run;
+
+    bool load_varies() const { return imposed.has("load_ratio"); }
+    double load_ratio(double q) const { return load_varies() ? imposed.at("load_ratio", q) : 1; }
+    bool breathes() const { return load_varies() && run.breathing; }
+    CreepPoint at(double q, bool behind) const {
+        return {imposed.at("longitudinal", q, behind), imposed.at("lateral", q, behind), imposed.at("spin", q, behind)};
+    }
+    /// By Hertz the cube root of the load, or columns of a table.
+    bool has_axes() const { return imposed.has("a_ratio"); }
+    AxisRatios axes(double q) const {
+        if (has_axes()) return {imposed.at("a_ratio", q), imposed.at("b_ratio", q)};
+        return {std::cbrt(load_ratio(q)), std::cbrt(load_ratio(q))};
+    }
+    /// Of a mesh that covers the contact during the whole run.
+    AxisRatios largest_axes() const {
+        if (has_axes()) return {imposed.largest("a_ratio"), imposed.largest("b_ratio")};
+        const double ratio = std::cbrt(imposed.largest("load_ratio"));
+        return {ratio, ratio};
+    }
+    /// Least and largest a/b over that under N_0, which lies between them.
+    std::pair<double, double> shapes() const {
+        std::pair<double, double> range{1, 1};
+        if (!has_axes()) return range;
+        for (const double q : imposed.places()) {  // between these a/b is monotonic
+            const double ratio = axes(q).a / axes(q).b;
+            range = {std::min(range.first, ratio), std::max(range.second, ratio)};
+        }
+        return range;
+    }
+};
 
 /// The columns and their meanings.
 std::string transient_help();
 
-/// Writes a row for each step of every patch. Throws what write_runs throws, and BadInput.
-void run_transient(const study::Options& options, const std::vector<Patch>& patches);
+/// A row for each step of every patch. It refers to the scene.
+study::Table transient_table(const TimeScene& scene);
+
+// --- the options, read at the door. The readers throw BadInput.
+
+/// Declares all options of patches, and of friction on them, steady or in time.
+void add_options(study::Options& options);
+void add_friction_options(study::Options& options);
+void add_transient_options(study::Options& options);
+
+/// The options that ask for friction, the last five in the time domain.
+std::vector<std::string> ways_of_friction();
+
+/// n is the outermost loop, then the number of strips, a/b and Poisson's ratio.
+std::vector<Patch> read_patches(const study::Options& options);
+Friction read_friction(const study::Options& options, const std::vector<Patch>& patches);
+TimeScene read_time_scene(const study::Options& options, const std::vector<Patch>& patches);
 
 // --- pictures
 
@@ -126,7 +173,7 @@ study::Plot draw_friction(const std::vector<std::string>& columns, const std::ve
 
 /// Each patch at one creepage, side by side: outline, stick and slip, tractions as arrows, pole of spin.
 study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint& point,
-                            const friction::Tractions& tractions);
+                            const study::SideTable& tractions);
 
 /// Forces, or along x the creepage found `by_force`, and moment over the distance rolled, with the load if that varies.
 study::Plot draw_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows, bool load_varies,

@@ -131,7 +131,7 @@ std::vector<std::pair<double, double>> edge_of(const rollbem::PatchContact<doubl
 
 /// What sticks, what slips, tractions on body 1 and the pole of the rigid slip. y points down: z points away from who
 /// looks.
-study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const friction::Tractions& tractions,
+study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const study::SideTable& tractions,
                             const Rows& rows) {
     const rollbem::PatchContact<double>& contact = patch.contact;
     const auto shown = [](double value) { return study::Cell(value).text(6); };
@@ -251,7 +251,7 @@ study::Plot draw_friction(const Columns& columns, const Rows& rows, bool by_forc
 }
 
 study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint& point,
-                            const friction::Tractions& tractions) {
+                            const study::SideTable& tractions) {
     std::vector<study::Plot> panels;
     for (std::size_t i = 0; i < patches.size(); ++i) {
         if (study::Plot panel = seen_from_above(patches[i], point, tractions, tractions.rows[i]); can_be_drawn(panel)) {

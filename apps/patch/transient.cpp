@@ -20,75 +20,6 @@ namespace {
 using PatchContact = rollbem::PatchContact<double>;
 using friction::Rolling;
 
-const study::HistoryColumns history_columns{
-    {"longitudinal", "lateral", "spin"}, {"shift_x", "shift_y"}, {"force", "load_ratio", "a_ratio", "b_ratio"}};
-
-/// Semi-axes over those under N_0.
-struct AxisRatios {
-    double a, b;
-};
-
-/// What all runs share.
-struct Scene {
-    study::History imposed;
-    study::RunSettings run;
-
-    bool load_varies() const { return imposed.has("load_ratio"); }
-    double load_ratio(double q) const { return load_varies() ? imposed.at("load_ratio", q) : 1; }
-    bool breathes() const { return load_varies() && run.breathing; }
-    CreepPoint at(double q, bool behind) const {
-        return {imposed.at("longitudinal", q, behind), imposed.at("lateral", q, behind), imposed.at("spin", q, behind)};
-    }
-    /// By Hertz the cube root of the load, or columns of a table.
-    bool has_axes() const { return imposed.has("a_ratio"); }
-    AxisRatios axes(double q) const {
-        if (has_axes()) return {imposed.at("a_ratio", q), imposed.at("b_ratio", q)};
-        return {std::cbrt(load_ratio(q)), std::cbrt(load_ratio(q))};
-    }
-    /// Of a mesh that covers the contact during the whole run.
-    AxisRatios largest_axes() const {
-        if (has_axes()) return {imposed.largest("a_ratio"), imposed.largest("b_ratio")};
-        const double ratio = std::cbrt(imposed.largest("load_ratio"));
-        return {ratio, ratio};
-    }
-    /// Least and largest a/b over that under N_0, which lies between them.
-    std::pair<double, double> shapes() const {
-        std::pair<double, double> range{1, 1};
-        if (!has_axes()) return range;
-        for (const double q : imposed.places()) {  // between these a/b is monotonic
-            const double ratio = axes(q).a / axes(q).b;
-            range = {std::min(range.first, ratio), std::max(range.second, ratio)};
-        }
-        return range;
-    }
-};
-
-Scene read_scene(const study::Options& options) {
-    Scene scene{study::read_history(options, history_columns, {"longitudinal", "lateral", "spin", "force"},
-                                    study::between(-1e6, 1e6)),
-                study::RunSettings(options)};
-    study::require_no_first_shift(scene.run, scene.imposed, history_columns);
-    study::read_load(options, scene.run, scene.imposed, "a_ratio,b_ratio");
-    const study::History& imposed = scene.imposed;
-    if (!imposed.has("a_ratio") && !imposed.has("b_ratio")) return scene;
-    const std::string said = options.said(options.given("load") ? "load" : "history");
-    if (!scene.load_varies() || !imposed.has("a_ratio") || !imposed.has("b_ratio")) {
-        throw study::BadInput(said + " must have load_ratio with a_ratio and b_ratio");
-    }
-    const study::Rule rule = study::between(1e-3, 1e3);
-    for (const char* column : {"a_ratio", "b_ratio"}) {
-        for (const double ratio : imposed.values(column)) {
-            if (rule.holds(ratio)) continue;
-            throw study::BadInput(said + ": a_ratio and b_ratio must " + rule.text + ", not " +
-                                  study::Cell(ratio).text(6));
-        }
-    }
-    const study::Numbers& loads = imposed.values("load_ratio");
-    // of a shape of its own, which need not shrink with the load
-    if (!options.given("breathing")) scene.run.breathing = *std::min_element(loads.begin(), loads.end()) > 0;
-    return scene;
-}
-
 // --- contacts ------------------------------------------------------------------------------------------------------
 
 PatchContact stretched(const PatchContact& contact, const AxisRatios& axes) {
@@ -100,7 +31,7 @@ PatchContact stretched(const PatchContact& contact, const AxisRatios& axes) {
 
 /// The contact that the mesh of a whole run covers, and that mesh.
 struct Covered {
-    Covered(const Scene& scene, const Patch& patch)
+    Covered(const TimeScene& scene, const Patch& patch)
         : contact(scene.load_varies() && !scene.breathes() ? stretched(patch.contact, scene.largest_axes())
                                                            : patch.contact),
           mesh(rollbem::patch_mesh(contact, patch.mesh.along(), patch.across)) {}
@@ -110,7 +41,7 @@ struct Covered {
 };
 
 /// Throws BadInput if modes of the patch grow.
-rollbem::FrictionContact make_contact(const Scene& scene, const Patch& patch, const Covered& covered,
+rollbem::FrictionContact make_contact(const TimeScene& scene, const Patch& patch, const Covered& covered,
                                       const Eigen::ArrayXd& pressures) {
     const PatchContact& contact = covered.contact;
     const rollbem::PatchMesh<double>& mesh = covered.mesh;
@@ -136,10 +67,11 @@ rollbem::FrictionContact make_contact(const Scene& scene, const Patch& patch, co
     });
 }
 
-Rolling make_rolling(const Scene& scene, const Patch& patch, const Pressure& pressure) {
+Rolling make_rolling(const TimeScene& scene, const Patch& patch) {
     const Covered covered(scene, patch);
-    const Eigen::ArrayXd pressures =
-        scene.load_varies() ? rollbem::hertz_pressures(covered.contact, covered.mesh, mu_N(patch)) : pressure(patch);
+    const Eigen::ArrayXd pressures = scene.load_varies()
+                                         ? rollbem::hertz_pressures(covered.contact, covered.mesh, mu_N(patch))
+                                         : scene.pressure(patch);
     Rolling rolling{.contact = make_contact(scene, patch, covered, pressures),
                     .run = scene.run,
                     .imposed = scene.imposed,
@@ -180,7 +112,7 @@ Rolling make_rolling(const Scene& scene, const Patch& patch, const Pressure& pre
 // --- rows ----------------------------------------------------------------------------------------------------------
 
 struct TimeRow {
-    const Scene& scene;
+    const TimeScene& scene;
     const CreepPoint point;  ///< at the end of the row
     const Patch& patch;
     const friction::Moment& moment;
@@ -242,42 +174,23 @@ const study::Sheet<TimeRow, Patch>& time_sheet() {
 
 }  // namespace
 
-void add_transient_options(study::Options& options) {
-    options.add_flag("transient",
-                     "friction in time, one row per step, under one value of each creepage or a history, in place of "
-                     "steady friction; N, a and b are those at load_ratio 1");
-    study::add_history_options(options, history_columns, "transient");
-    options.not_with({"step", "ramp", "sine"}, "force");
-    for (const char* way : {"step", "ramp", "sine"}) options.not_with({"longitudinal"}, way);
-    study::add_run_options(
-        options,
-        " and, if known, a_ratio = a/a_0, b_ratio = b/b_0 [dimensionless], by default the cube root of load_ratio",
-        "mesh that follows the ellipse, the default where a table has a_ratio,b_ratio and the load never vanishes; "
-        "without it, and with --breathing=false, the mesh covers the largest ellipse");
-}
-
 std::string transient_help() { return time_sheet().help(); }
 
-void run_transient(const study::Options& options, const std::vector<Patch>& patches) {
-    const Pressure pressure = read_pressure(options);
-    for (const char* name : {"longitudinal", "lateral", "spin"}) {
-        if (options.numbers(name, study::between(-1e6, 1e6)).size() == 1) continue;
-        throw study::BadInput("--longitudinal, --lateral and --spin must have one value each with --transient");
-    }
-    const Scene scene = read_scene(options);
+study::Table transient_table(const TimeScene& scene) {
     const bool by_force = scene.imposed.has("force");
-    if (scene.imposed.has("spin")) require_no_gain(options, patches);
-    const auto row = [&](const Patch& patch, const friction::Moment& moment) {
+    const auto row = [&scene, by_force](const Patch& patch, const friction::Moment& moment) {
         CreepPoint point = moment.shifted ? CreepPoint{0, 0, 0} : scene.at(moment.q, false);
         if (by_force && !moment.shifted) point.longitudinal = moment.creepage.longitudinal;
         return TimeRow{scene, point, patch, moment};
     };
-    friction::write_rolling(
-        options, time_sheet(), patches, scene.run.steps.count,
-        [&](const Patch& patch) { return make_rolling(scene, patch, pressure); }, row,
-        [&](const std::vector<study::Row>& rows) {
-            return draw_in_time(time_sheet().names(), rows, scene.load_varies(), by_force);
-        });
+    study::Table table = friction::rolling_table(
+        time_sheet(), scene.patches, scene.run.steps.count,
+        friction::begins_with_shift(scene.run, scene.imposed, history_columns),
+        [&](const Patch& patch) { return make_rolling(scene, patch); }, row);
+    table.plot = [&, by_force](const std::vector<study::Row>& rows) {
+        return draw_in_time(time_sheet().names(), rows, scene.load_varies(), by_force);
+    };
+    return table;
 }
 
 }  // namespace patch

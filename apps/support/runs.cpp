@@ -210,22 +210,4 @@ std::string why_ended(double q, rollbem::Status status) {
     return where + ", not even in steps of dq/" + std::to_string(1 << most_halvings);
 }
 
-void write_runs(const Options& options, const Table& table, const std::vector<std::string>& ended) {
-    std::string undrawn;
-    try {
-        write_table(options, table);
-    } catch (const PlotError& error) {
-        undrawn = error.what();
-    }
-    std::string early;  // the first that ended early
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < ended.size(); ++i) {
-        if (!ended[i].empty() && count++ == 0) early = table.label(i) + ": " + ended[i];
-    }
-    if (count > 1)
-        early += "; " + std::to_string(count - 1) + " more of " + std::to_string(ended.size()) + " runs ended";
-    if (count > 0) throw std::runtime_error(undrawn.empty() ? early : early + "; " + undrawn);
-    if (!undrawn.empty()) throw PlotError(undrawn);
-}
-
 }  // namespace study

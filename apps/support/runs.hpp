@@ -14,7 +14,6 @@
 #include "history.hpp"
 #include "input.hpp"
 #include "options.hpp"
-#include "progress.hpp"
 #include "table.hpp"
 
 namespace study {
@@ -73,17 +72,15 @@ void read_load(const Options& options, const RunSettings& run, History& imposed,
 /// Refuses a shift before rolling in a run from steady rolling. Throws BadInput.
 void require_no_first_shift(const RunSettings& run, const History& imposed, const HistoryColumns& columns);
 
-/// What make(case) returns for each of the cases, which have a label(), with a progress line: checks may take long.
+/// Before any task is computed: what make(case) returns for each of the cases, as checks may take long.
 template <class Run, class Case, class Make>
-std::vector<Run> prepared(const Options& options, const std::vector<Case>& cases, const Make& make) {
-    std::vector<Run> runs;
-    Progress checking(options.program(), cases.size(), shows_progress(options), "checked");
-    for (const Case& one : cases) {
-        checking.doing(one.label());
-        runs.push_back(make(one));
-        checking.update(runs.size());
-    }
-    return runs;
+void prepare_runs(Table& table, std::vector<Run>& runs, const std::vector<Case>& cases, const Make& make) {
+    table.prepare = [&, make](const auto&, const auto& done) {
+        for (const Case& one : cases) {
+            runs.push_back(make(one));
+            done(double(runs.size()) / double(cases.size()));
+        }
+    };
 }
 
 /// How often a step without a solution is divided in halves before the run ends.
@@ -96,9 +93,5 @@ std::optional<double> roll(double from, double to, const Numbers& knots,
 
 /// Why a run has no results from the step to q [a] on.
 std::string why_ended(double q, rollbem::Status status);
-
-/// Writes a table whose tasks are runs. `ended` says of each, once it is computed, why it ended early, if it did.
-/// Throws what write_table throws, and std::runtime_error if a run ended early.
-void write_runs(const Options& options, const Table& table, const std::vector<std::string>& ended);
 
 }  // namespace study

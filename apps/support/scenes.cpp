@@ -240,12 +240,11 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, const Me
             scene.mesh = given;
             scene.scheme = given ? scheme.equations() : rollbem::AnyScheme{};
             if (!given) scene = make_scene(scheme, n, contacts[0], model);
-            const auto least = [&](const std::string& where) {  // on the coarser of two meshes, too
-                const std::string text = scheme.richardson ? "at least 4 with richardson: and " : "at least 2 with ";
-                require(n >= (scheme.richardson ? 4 : 2), text + where);
-            };
-            if (scheme.method == "knothe-bc") least("--method knothe-bc");
-            if (scheme.alpha_L != scheme.alpha_T) least("alpha-L and alpha-T that differ");
+            const std::string least = "at least " + std::string(scheme.richardson ? "4" : "2");
+            const std::string halves = scheme.richardson ? ", as richardson: halves it" : "";
+            const bool enough = n >= (scheme.richardson ? 4 : 2);
+            require(enough || scheme.method != "knothe-bc", least + " with --method knothe-bc" + halves);
+            require(enough || scheme.alpha_L == scheme.alpha_T, least + " where alpha-L and alpha-T differ" + halves);
             for (const rollbem::Contact<double>& contact : contacts) {
                 scene.contact = contact;
                 scene.kernel = rollbem::AnyKernel<double>::longitudinal(scene.kernel.model(), contact);

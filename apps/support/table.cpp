@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include <rollbem/detail/parallel_for.hpp>
@@ -75,7 +77,22 @@ std::size_t job_count(const Options& options) { return static_cast<std::size_t>(
 
 bool has_times(const Options& options) { return job_count(options) == 1 && !options.flag("no-timing"); }
 
-bool has_header(const Options& options) { return shard_of(options).first == 1; }
+namespace {
+
+/// The first of the tasks that ended early, and how many more; empty where none did.
+std::string ends_of(const Table& table) {
+    std::string first;
+    std::size_t count = 0;
+    for (std::size_t i = 0; table.ended && i < table.rows_of_task.size(); ++i) {
+        const std::string why = table.ended(i);
+        if (!why.empty() && count++ == 0) first = table.label(i) + ": " + why;
+    }
+    if (count < 2) return first;
+    return first + "; " + std::to_string(count - 1) + " more of " + std::to_string(table.rows_of_task.size()) +
+           " runs ended";
+}
+
+}  // namespace
 
 void write_table(const Options& options, const Table& table, OutputFiles& files) {
     const std::size_t jobs = job_count(options);
@@ -84,8 +101,14 @@ void write_table(const Options& options, const Table& table, OutputFiles& files)
     const bool png = plots && plot_is_png(options);
 
     // 1. Every file is opened first, so that an output that cannot be written costs no computing time.
-    const std::string header = index == 1 ? csv_line(Row(table.columns.begin(), table.columns.end())) : "";
-    OutputFile& file = files.open_table(options, "output", header);
+    const auto header = [first = index == 1](const std::vector<std::string>& names) {
+        return first ? csv_line(Row(names.begin(), names.end())) : "";
+    };
+    OutputFile& file = files.open_table(options, "output", "");
+    OutputFile* side = nullptr;
+    if (table.beside && options.given(table.beside->option)) {
+        side = &files.open_table(options, table.beside->option, header(table.beside->columns));
+    }
     std::optional<OutputFile> drawing;
     if (plots) drawing.emplace(options.text("plot"), "--plot");
 
@@ -101,6 +124,7 @@ void write_table(const Options& options, const Table& table, OutputFiles& files)
         Progress preparing(options.program(), 100, shows, "percent");
         table.prepare(indices, [&](double part) { preparing.update(static_cast<std::size_t>(100 * part)); });
     }
+    file.write(header(table.columns));
     Progress progress(options.program(), wanted.last - wanted.first, shows);
     std::size_t written = 0;
     std::vector<Row> kept;
@@ -122,11 +146,19 @@ void write_table(const Options& options, const Table& table, OutputFiles& files)
 
     // 3. The files take their names.
     if (table.finish) table.finish();
-    files.commit();
-    if (plots) {
-        drawing->write(picture(table.plot(kept), png, drawing->path()));
-        drawing->commit();
+    for (std::size_t i = 0; side != nullptr && i < table.beside->rows.size(); ++i) {
+        for (const Row& row : table.beside->rows[i]) side->write(csv_line(row));
     }
+    files.commit();
+    std::string early = ends_of(table);
+    try {
+        if (plots) drawing->write(picture(table.plot(kept), png, drawing->path()));
+        if (plots) drawing->commit();
+    } catch (const PlotError& error) {
+        if (early.empty()) throw;
+        early += std::string("; ") + error.what();
+    }
+    if (!early.empty()) throw std::runtime_error(early);
 }
 
 }  // namespace study

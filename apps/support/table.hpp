@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,18 +24,34 @@ struct RowRange {
 
 using Emit = std::function<void(Row)>;
 
+/// A second table, such as the tractions of all elements: kept to the end, for a file of its own or for a picture.
+struct SideTable {
+    std::string option;  ///< which names its file
+    std::vector<std::string> columns;
+    bool wanted;                           ///< in a file or for a picture
+    std::vector<std::vector<Row>> rows{};  ///< of each task, which one thread computes
+
+    /// A cell as a number.
+    std::optional<double> number(const Row& row, const char* column) const {
+        return row[index_of(columns, column)].number();
+    }
+};
+
 /// The rows of a study in tasks, each computed in one go. Tasks may run at the same time in several threads.
 struct Table {
     std::vector<std::string> columns;
     std::vector<std::size_t> rows_of_task;  ///< known beforehand, so that rows can be divided into shards
-    /// If set, called once before any task is computed, with those of this run. It reports its progress by done(part),
-    /// 0 ... 1.
+    /// If set, called once before any task is computed and anything written, with those of this run. It reports its
+    /// progress by done(part), 0 ... 1.
     std::function<void(const std::vector<std::size_t>& tasks, const std::function<void(double part)>& done)> prepare{};
     std::function<void(std::size_t task, RowRange range, const Emit& emit)> compute;  ///< emits just these rows
     /// If set, called when all rows are computed, to write what else belongs to the files of the run. If it throws, no
     /// file takes its name.
     std::function<void()> finish{};
     std::function<Plot(const std::vector<Row>& rows)> plot;  ///< for --plot
+    std::shared_ptr<SideTable> beside{};                     ///< if set
+    /// If set, why a task, a run in time, ended early, once it is computed; empty if it did not.
+    std::function<std::string(std::size_t task)> ended{};
     /// If set, what a task computes, e.g. "n = 20", for the progress line.
     std::function<std::string(std::size_t task)> label{};
 };
@@ -59,11 +77,9 @@ bool has_times(const Options& options);
 /// Whether a progress line is wanted: not with --quiet.
 inline bool shows_progress(const Options& options) { return !options.flag("quiet"); }
 
-/// Whether this run writes the header: of all shards, only the first does.
-bool has_header(const Options& options);
-
 /// Writes the table to --output, with its companion file, gives these and `files` their names, and draws it. Throws
-/// BadInput before it computes anything, WriteError, or PlotError when the rows are written.
+/// BadInput before it computes anything, WriteError, and when the rows are written PlotError, or std::runtime_error if a
+/// run ended early.
 void write_table(const Options& options, const Table& table, OutputFiles& files);
 inline void write_table(const Options& options, const Table& table) {
     OutputFiles files;

@@ -4,8 +4,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
+#include <rollbem/compiled/patch.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/pressure_grid.hpp>
 
@@ -118,7 +120,7 @@ void add_options(study::Options& options) {
     options.refuse("aspect", "a patch is wide and long: --a-over-b");
 }
 
-std::vector<Patch> make_patches(const study::Options& options) {
+std::vector<Patch> read_patches(const study::Options& options) {
     const std::vector<study::NamedScheme> schemes = make_schemes(options);
     const Numbers poisson = options.numbers("poisson", study::between(0, 0.5));
     const double layer = options.number("layer", study::not_negative());
@@ -232,8 +234,7 @@ Eigen::ArrayXd means_of(const rollbem::PressureGrid<double>& grid, const std::st
     return means * (outline ? a * b : 1) / load;
 }
 
-}  // namespace
-
+/// Throws BadInput, also if an outline has no --pressure.
 Pressure read_pressure(const study::Options& options) {
     const std::string said = options.said("pressure");
     if (options.given("pressure")) {
@@ -242,6 +243,123 @@ Pressure read_pressure(const study::Options& options) {
     options.require(!options.given("outline"), "outline",
                     "go with --pressure for friction: Hertz's contact is an ellipse");
     return [](const Patch& patch) { return rollbem::hertz_pressures(patch.contact, patch.mesh, mu_N(patch)); };
+}
+
+/// Throws BadInput if a patch would gain energy from rolling with spin.
+void require_no_gain(const study::Options& options, const std::vector<Patch>& patches) {
+    for (const Patch& patch : patches) {
+        // moments are those of tractions at the middles of elements, slip is taken elsewhere in them: creep work
+        // without slip, a quadratic form, may become negative where elements are few
+        const auto steady = rollbem::solve_steady(patch.mesh, patch.scheme, patch.kernel());
+        const Eigen::Matrix3d C = steady.coefficients;
+        options.require(steady.status != rollbem::Status::ok ||
+                            Eigen::LLT<Eigen::Matrix3d>(C + C.transpose()).info() == Eigen::Success,
+                        options.given("spin") ? "spin" : "history",
+                        "go with more elements or strips than " + patch.label() + ": rolling could gain energy");
+    }
+}
+
+/// All creepages, longitudinal outermost.
+std::vector<CreepPoint> read_points(const study::Options& options, const std::vector<Patch>& patches) {
+    const study::Rule rule = study::between(-1e6, 1e6);
+    std::vector<CreepPoint> points;
+    for (const double longitudinal : options.numbers("longitudinal", rule)) {
+        for (const double lateral : options.numbers("lateral", rule)) {
+            for (const double spin : options.numbers("spin", rule)) points.push_back({longitudinal, lateral, spin});
+        }
+    }
+    const auto spins = [](const CreepPoint& point) { return point.spin != 0; };
+    if (std::any_of(points.begin(), points.end(), spins)) require_no_gain(options, patches);
+    return points;
+}
+
+}  // namespace
+
+// --- friction
+
+void add_friction_options(study::Options& options) {
+    options.group("Friction");
+    options.add("longitudinal", "LIST",
+                "longitudinal creepage xi G a b/(mu N) [dimensionless], -1e6 to 1e6, for friction in place of creep "
+                "coefficients",
+                "0");
+    options.add("lateral", "LIST", "lateral creepage eta G a b/(mu N) [dimensionless], -1e6 to 1e6, for friction", "0");
+    options.add("spin", "LIST", "spin phi G a b c/(mu N) [dimensionless], -1e6 to 1e6, for friction", "0");
+    options.add("force", "F",
+                "given force -F_x/(mu N), in time -F_x/(mu N_0) [dimensionless], any finite, in place of "
+                "--longitudinal, which is found; in time a shift from rest reaches it before the contact rolls");
+    options.not_with({"longitudinal"}, "force");
+    options.add_input("pressure",
+                      "CSV file of the normal pressure under friction, with the columns x,y,pressure [any unit], whose "
+                      "rows make a grid in any order: bilinear between them, zero outside; x and y in a and b, of an "
+                      "outline in its unit; Hertz's pressure without it, of an ellipse");
+    options.add_table(
+        "tractions",
+        "CSV file of the tractions of steady friction, one row per element, with FILE.toml beside it; none without it");
+}
+
+std::vector<std::string> ways_of_friction() {
+    return {"longitudinal", "lateral", "spin", "step", "ramp", "sine", "history", "force"};
+}
+
+void add_transient_options(study::Options& options) {
+    options.add_flag("transient",
+                     "friction in time, one row per step, under one value of each creepage or a history, in place of "
+                     "steady friction; N, a and b are those at load_ratio 1");
+    study::add_history_options(options, history_columns, "transient");
+    options.not_with({"step", "ramp", "sine"}, "force");
+    for (const char* way : {"step", "ramp", "sine"}) options.not_with({"longitudinal"}, way);
+    study::add_run_options(
+        options,
+        " and, if known, a_ratio = a/a_0, b_ratio = b/b_0 [dimensionless], by default the cube root of load_ratio",
+        "mesh that follows the ellipse, the default where a table has a_ratio,b_ratio and the load never vanishes; "
+        "without it, and with --breathing=false, the mesh covers the largest ellipse");
+}
+
+Friction read_friction(const study::Options& options, const std::vector<Patch>& patches) {
+    Friction scene{.patches = patches,
+                   .points = read_points(options, patches),
+                   .pressure = read_pressure(options),
+                   .timed = study::has_times(options),
+                   .from_above = options.given("plot"),
+                   .keeps_tractions = options.given("tractions")};
+    if (options.given("force")) scene.force = options.number("force", study::finite());
+    for (const Patch& patch : patches) scene.pressure(patch);  // before anything is written
+    scene.from_above = scene.from_above && scene.points.size() == 1 && !scene.force && patches.size() <= 3;
+    scene.keeps_tractions = scene.keeps_tractions || scene.from_above;
+    return scene;
+}
+
+TimeScene read_time_scene(const study::Options& options, const std::vector<Patch>& patches) {
+    for (const char* name : {"longitudinal", "lateral", "spin"}) {
+        if (options.numbers(name, study::between(-1e6, 1e6)).size() == 1) continue;
+        throw study::BadInput("--longitudinal, --lateral and --spin must have one value each with --transient");
+    }
+    TimeScene scene{patches, read_pressure(options),
+                    study::read_history(options, history_columns, {"longitudinal", "lateral", "spin", "force"},
+                                        study::between(-1e6, 1e6)),
+                    study::RunSettings(options)};
+    study::require_no_first_shift(scene.run, scene.imposed, history_columns);
+    study::read_load(options, scene.run, scene.imposed, "a_ratio,b_ratio");
+    const study::History& imposed = scene.imposed;
+    if (imposed.has("spin")) require_no_gain(options, patches);
+    if (!imposed.has("a_ratio") && !imposed.has("b_ratio")) return scene;
+    const std::string said = options.said(options.given("load") ? "load" : "history");
+    if (!scene.load_varies() || !imposed.has("a_ratio") || !imposed.has("b_ratio")) {
+        throw study::BadInput(said + " must have load_ratio with a_ratio and b_ratio");
+    }
+    const study::Rule rule = study::between(1e-3, 1e3);
+    for (const char* column : {"a_ratio", "b_ratio"}) {
+        for (const double ratio : imposed.values(column)) {
+            if (rule.holds(ratio)) continue;
+            throw study::BadInput(said + ": a_ratio and b_ratio must " + rule.text + ", not " +
+                                  study::Cell(ratio).text(6));
+        }
+    }
+    const study::Numbers& loads = imposed.values("load_ratio");
+    // of a shape of its own, which need not shrink with the load
+    if (!options.given("breathing")) scene.run.breathing = *std::min_element(loads.begin(), loads.end()) > 0;
+    return scene;
 }
 
 }  // namespace patch
