@@ -84,34 +84,41 @@ void add_options(study::Options& options) {
     options.refuse("no-timing", "cases are not timed");
     options.not_with({"large", "contacts"}, "patches");
     options.not_with({"large"}, "contacts");
-    options.add_flag(
-        "large",
-        "also strips of b/a = 0.01, n = 1000 in long double, n = 4000 and 1500 states: ten seconds and 300 MB more");
-    options.add(
-        "patches", "N",
-        "instead of these cases: friction on the first N, 1 to 10000000, of a series of random contact patches, "
-        "steady and in four steps");
-    options.add(
-        "contacts", "N",
-        "instead of these cases: the first N, 1 to 10000000, of a series of random positions and loads of wheels on "
-        "rails");
+    options.add_flag("large",
+                     "further cases, of strips with b/a = 0.01, n = 1000 in long double, n = 4000 and 1500 states: ten "
+                     "seconds and 300 MB more");
+    options.add("patches", "N",
+                "number of random contact patches [dimensionless], 1 to 10000000, with friction, steady and in four "
+                "steps, in place of the named cases");
+    options.add("contacts", "N",
+                "number of random positions and loads of wheels on rails [dimensionless], 1 to 10000000, in place of "
+                "the named cases");
     options.footer(R"(Example: all cases, as a file
   extremes_study --large --output extremes.csv
 
-verdict is right if |relative_error| <= bound, told if a status or an exception says why there is no result
-(column told), and broken if the case does neither; the exit code is then 1, after all rows. status is ok, the
-library's name of what went wrong, or exception. References are closed forms, other solutions of the same problem, or
-the same equations in long double; there the bound is the rounding error times their condition.
-With --patches: a/b from 0.05 to 20, nu = 0, 0.28 or 0.5, up to 12 elements in each of up to 10 strips, creepages over
-four decades, steps of 1e-3 to 10 a; creepages, loads, a and a/b vary in some. The error is the largest violation of
-Coulomb's law and of the equations, set up anew (in steps of sdirk2 of |p| <= mu p_n); value is the last -F_y over mu
-N. Steps that a mesh cannot follow must be refused.
-With --contacts: S1002 on UIC 60, and in every second scene one of ten pairs of rough profiles, shifted by up to 12 mm,
-yaw to 30 mrad, roll to 5 mrad, under 10 kN to 1 MN, on 24 x 16 cells, or on 48 x 32 where the error would be above 1;
-every 99th is searched in slices. value is the least gap [m] of a brute-force search after the displacements of all
-patches; relative_error the largest of its size over 1 um (3 if something was dropped) and 4 % of the deepest approach
-(10 % with doubtful_plane), of the error of the vertical load over 1e-6, and of the load dropped over 2e-3 of all. A
-status other than not_finite and not_converged is told.
+One row for each case:
+  case, quantity    name of the case and of what is judged
+  value, reference  value, and closed form, Bessel function, spectral solution of the strip, other solver of the same
+                    elements, Chebyshev states, or the same discretisation in long double
+  relative_error    relative error of the value
+  residual          residual of the equations
+  condition         condition of the problem, where the reference is in long double: the bound is the rounding error
+                    times it
+  verdict           right if |relative_error| <= bound; told if a status or an exception, in the column told, says why
+                    there is no result; broken if neither: the exit code is then 1, after all rows
+  status            ok, the library's word for what went wrong, or exception
+--patches: a/b from 0.05 to 20, nu = 0, 0.28 or 0.5, up to 12 elements in each of up to 10 strips, creepages over four
+decades (spin alone in every sixth scene), steps of 1e-3 to 10 a. In half of the scenes creepages and loads jump; in
+half a varies, in half of these a/b, too. The error is the largest violation of Coulomb's law and of the equations,
+set up anew from G, G' and du/dy (with sdirk2, whose stages are hidden, of |p| <= mu p_n in its steps); value is the
+last -F_y over mu N. Steps that a mesh cannot follow must be refused.
+--contacts: S1002 on UIC 60, in every second scene one of ten pairs of profiles with hollows, bumps and waves, shifted
+by up to 12 mm, yaw to 30 mrad, roll to 5 mrad, under 10 kN to 1 MN, on 24 x 16 cells, or on 48 x 32 where the error
+would be above 1; every 99th contact is searched in slices, as if surfaces changed along the way. value is the least gap [m]
+that a brute-force search finds after the displacements of all patches. relative_error is the largest of three: the size
+of that gap over 1 um (3 if something was dropped) and 4 % of the deepest approach (10 % with doubtful_plane), the error
+of the vertical load over 1e-6, and the load dropped over 2e-3 of all. A status other than not_finite and not_converged
+is told.
 )");
 }
 

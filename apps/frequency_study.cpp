@@ -91,10 +91,10 @@ const study::Sheet<Response> sheet{
       &Response::error_estimate},
      {"status",
       "ok, or why c11 is empty, with --unchecked wrong: ill_conditioned if the equations are singular to working "
-      "precision; assists_creepage if the scheme does not converge to full adhesion (alpha at or below 0, or above 1); "
-      "coarse if the steady c11 of fewer than 10 elements is wrong by more than half; not_converged if --order is too "
-      "low for eight digits, or states are too few; not_finite, with empty cells, if b/a is so small or large that G "
-      "or G' is not finite",
+      "precision; " +
+          study::steady_flaws +
+          "; not_converged if --order is too low for eight digits, or states are too few; not_finite, with empty "
+          "cells, if b/a is so small or large that G or G' is not finite",
       &Response::status},
      {std::string("method, derivative, mesh, ") + study::settings, "scheme and contact, as in their options"},
      {"basis", "basis of the polynomials", &Response::basis}},

@@ -31,7 +31,7 @@ Steady rolling, one row for each mesh, scheme and creepage, solved independently
 --fit-border, for pressures that leave one slip zone at the trailing edge, as Hertz's does: mesh is fitted, and the
 force is exact to round-off, or to 1e-6 mu N under a --pressure without jumps, whatever n is, which sets the rows of
 --tractions alone. rounds counts the borders tried. Elsewhere mesh is cosine, and n elements with alpha = 0.5 are used.
---lateral-ratio, --spin-ratio: the inner loops of the rows. exact and lateral_exact are Carter's, where Poisson's ratio is
+--lateral-ratio, --spin-ratio: inner loops of the rows. exact and lateral_exact are Carter's, where Poisson's ratio is
 0 or the creepage has a single direction (across: with the ratio times 1 - nu).
 --layer: an additional displacement L p, L = h_3/G_3 of a layer of thickness h_3 and shear modulus G_3. exact is empty.
 --falling, --memory: mu_0 takes the place of mu in all units; the law is K + (1 - K) 2^(-v/VH), with --memory

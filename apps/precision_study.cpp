@@ -31,36 +31,52 @@ constexpr const char* help =
     R"(Example: everything, with the cheapest schemes and a picture
   precision_study --output precision.csv --cheapest cheapest.csv --plot precision.svg
 
-One row for each scheme, n and quantity. n counts elements, those of the finer mesh where two (n/2 and n) are
-extrapolated; states of chebyshev (1 to 48 without --n); the order of the paper's polynomial; the closed form has none.
-Without --n, c11_z* and response stop at n = 320, transient and the forces with friction at 160: a minute in all.
-relative_error is measured against the closed forms of the plane model. traction: the norm of the differences from
-Carter's mean traction of each element over that of those means, both with the weight sqrt(1 - x^2/a^2), without which
-Carter's traction has none; so the norm bounds the error of the force. response: c11 at --omega. transient: the largest
-error at q = dq, 2 dq, ... 10 dq after a step of creepage, exact in time. friction: steady, at --creepage-ratio.
+One row for each scheme, n and quantity:
+  scheme            scheme, as --scheme takes it
+  n                 number of elements, with richardson: of the finer mesh; with chebyshev number of states (1 to 48
+                    without --n), with polynomial order; empty for the closed form
+  quantity          quantity, see below
+  relative_error    relative error, for lines against the closed forms of the plane model
+  time_us           time from the mesh to the result [microseconds], median of at least 5 runs, one if it takes a
+                    second; all schemes take turns
+  stable            1 where no eigenvalue grows, as computed, else 0; empty above 256 elements of a patch
+  on_front          1 where no other scheme is both as fast and as precise, else 0; a scheme's error counts as the
+                    largest at this and every larger n, so that a change of sign does not pass for precision. Empty
+                    for polynomial and closed-form, and with --shard or --jobs above 1, where times are missing:
+                    concatenate the shards and use --front
+  model_error       relative error that the strip kernel alone makes
+  size_ratio, epsilon
+                    parameters of the scheme's mesh
+  status            ok, or why relative_error is empty; in the file of --cheapest none where no scheme reaches the
+                    tolerance
+  a_over_b, strips  ratio of semi-axes and number of strips, for quantities of patches
+
+Quantities of a line
+  traction: norm of the differences from Carter's mean traction of each element over the norm of these means, both
+with the weight sqrt(1 - x^2/a^2): Carter's traction, singular at the trailing edge, has no norm without it, and with it
+the norm bounds the error of the force.
+  c11_z0.1, c11_z1, response: c11 at omega a/V = 0.1, 1 and --omega. transient: the largest relative error at q = dq,
+2 dq, ... 10 dq after a step of creepage, exact in time. friction: the force in steady rolling at --creepage-ratio.
 closed-form: the difference of two closed forms where there are two.
-combined_force: the creepage ratio at 45 degrees to the rolling direction; |F - reference| over |reference|, as vectors.
-load_force: from steady rolling over a period of a load N = N_0 (1 + 0.5 sin(2 pi q/(8 a_0))), in 160 steps of sdirk2;
-the largest error of F/(mu N_0). Collocation and node differences on graded meshes breathe with the half-length where
-the kernel is plane; other meshes cover the largest contact. References of both are extrapolated from cosine meshes of
-320 and 640 elements (160 and 320 that breathe, in 640 steps), to about 1e-6 and 4e-6.
-time_us: from the mesh to the result, the median of at least 5 runs, one if it takes a second; all schemes take turns.
-stable: no eigenvalue grows, as computed. on_front: no other scheme is both as fast and as precise; a scheme's error
-counts as the largest at this and every larger n, so that a change of sign does not pass for precision. on_front is
-empty for polynomial and closed-form, and with --shard or --jobs above 1: concatenate the shards and use --front.
-model_error is the error that the strip kernel alone makes. status: ok, or why relative_error is empty, by the
-library's names; in the file of --cheapest none where no scheme reaches the tolerance.
---plot draws up to three quantities; of more, those of c11, response and friction that are there.
-patch_c11 ... patch_c33: Kalker's creep coefficients of an ellipse between half-spaces, by n elements in each of as
-many strips (--strips: others) along the rolling direction, with richardson: extrapolated from n/2 and strips/2; two
-more columns, a_over_b and strips. The reference is extrapolated from 24 x 24 and 48 x 48 elements, to about 2e-4
-(a/b = 0.5, 1) and 6e-4 (a/b = 5, 20). uniform-strips: of equal width, without --strips as many as recommended_patch
-gives (a/b from 0.1 to 25).
-patch_force: -F_x and -F_y under Hertz's pressure for three creepages, xi with eta, spin alone, all three, of 0.7, 2.5
-and 0.6 mu N without slip (by Kalker's c11, c22, c23). relative_error is the largest difference over mu N from at most
-500 elements in strips of equal width, extrapolated from a third of them in each direction, good to about 1e-3 (below
-a/b = 0.1 5e-3, above 25 1e-2). time_us is that of all three. stable is empty above 256 elements. n is 4 to 24 without
---n, with patch_force to 16.
+  combined_force: the force at that creepage ratio, at 45 degrees to the rolling direction; the error is |F - reference|
+over |reference|. load_force: the largest error of F/(mu N_0) from steady rolling over a period of a load
+N = N_0 (1 + 0.5 sin(2 pi q/(8 a_0))), in 160 steps of sdirk2. Collocation and node differences on graded meshes breathe
+with the half-length where the kernel is plane; all other meshes cover the largest contact. Neither force has a closed
+form: references are extrapolated from cosine meshes of 320 and 640 elements (160 and 320 that breathe, in 640 steps),
+to about 1e-6 and 4e-6.
+Quantities of a patch
+  patch_c11 ... patch_c33: Kalker's creep coefficients of an ellipse between half-spaces, by n elements in each of as
+many strips (others by --strips) along the rolling direction, with richardson: extrapolated from n/2 and strips/2. The
+reference is extrapolated from 24 x 24 and 48 x 48 elements; a reference from 32 x 32 and 64 x 64 differs by 2e-4
+(a/b = 0.5, 1) and 6e-4 (a/b = 5, 20).
+  patch_force: -F_x and -F_y under Hertz's pressure for three creepages, xi with eta, spin alone, all three; alone and
+without slip they would make 0.7, 2.5 and 0.6 mu N (by Kalker's c11, c22, c23). relative_error is the largest difference
+over mu N from strips of equal width, at most 500 elements, extrapolated from a third of them in each direction, a
+reference good to about 1e-3 (5e-3 below a/b = 0.1, 1e-2 above 25). time_us is the time for all three.
+  uniform-strips: strips of equal width, without --strips as many as recommended_patch gives (a/b from 0.1 to 25).
+Without --n, n is 4 to 24 for patches, with patch_force to 16; c11_z* and response stop at n = 320, transient and the
+forces with friction at 160: a minute in all.
+--plot draws up to three quantities; of more it draws c11, response and friction.
 )";
 
 const std::string elements_by_default = "4,6,8,10,14,20,28,40,56,80,112,160,224,320,448,640";
@@ -68,41 +84,44 @@ void add_options(study::Options& options) {
     options.refuse_group("Discretisation", "--scheme has mesh and equations in one word", {"n", "scheme"});
     options.set_default("n", elements_by_default);
     options.set_default("kernel", "plane");
-    options.set_help("scheme",
-                     "MESH:METHOD[:PARAMETERS] or richardson:MESH:METHOD[:PARAMETERS], from n/2 and n; chebyshev, "
-                     "polynomial, closed-form. Default: " +
-                         study::join(study::cells_of(line_schemes), ", ") + "; for quantities of patches " +
-                         study::join(study::cells_of(patch_schemes), ", "));
-    options.set_help("aspect", "b/a, one value above 0; inf for quantities of steady rolling (dimensionless)");
-    options.set_help("poisson", "Poisson's ratio, 0 to 0.5 (dimensionless)", "NU");
-    options.add("quantity", "LIST",
-                "all, or some of c11,traction,c11_z0.1,c11_z1 (z = omega a/V),response,transient,friction,"
-                "combined_force,load_force; or some of " +
-                    study::join(names_of(patch_quantities()), ",") +
-                    ", creep coefficients of a contact patch and its forces with friction",
-                "all");
-    options.add("omega", "Z", "response: omega a/V, one value above 0 (dimensionless)", "5");
-    options.add("dq", "STEP", "transient: length of each of ten steps in a, above 0 (dimensionless)", "1");
+    options.set_help(
+        "scheme",
+        study::scheme_help(
+            ". Without elements: chebyshev (n states), polynomial (of the order n), closed-form. "
+            "richardson:MESH:METHOD[:PARAMETERS]: extrapolation from n/2 and n elements, n even. On patches: "
+            "cosine:nodes or cosine:nodes-chebyshev, then :cosine-strips or :uniform-strips. Default: " +
+            study::join(line_schemes, ", ") + "; for quantities of patches " + study::join(patch_schemes, ", ")));
+    options.set_help("aspect",
+                     "ratio b/a of half-width and half-length [dimensionless], one value above 0, inf for quantities "
+                     "of steady rolling");
+    options.set_help("poisson", "Poisson's ratio [dimensionless], 0 to 0.5", "NU");
+    options.add(
+        "quantity", "LIST",
+        "quantities: all, or some of "
+        "c11,traction,c11_z0.1,c11_z1,response,transient,friction,combined_force,load_force; or, of a patch, some of " +
+            study::join(names_of(patch_quantities()), ","),
+        "all");
+    options.add("omega", "Z", "frequency omega a/V of response [dimensionless], one value above 0", "5");
+    options.add("dq", "STEP", "length of each of the ten steps of transient [a], above 0", "1");
     options.add("creepage-ratio", "X",
-                "friction, combined_force, load_force: creepage as delta = xi G/(2 (1-nu) mu p0), one value above 0 "
-                "(dimensionless)",
+                "creepage ratio delta = xi G/(2 (1-nu) mu p0) of friction, combined_force, load_force [dimensionless], "
+                "one value above 0",
                 "0.5");
     options.add("a-over-b", "RATIO",
-                "quantities of patches: ratio of semi-axes, one value, 0.001 to 1000; with --recommend 0.1 to 25", "1");
-    options.add(
-        "strips", "LIST",
-        "quantities of patches: strips along the rolling direction; default: --n, see below for uniform-strips");
-    options.add_input(
-        "front",
-        "compute nothing: read rows written before (shards, concatenated), fill on_front, and draw or search them; not "
-        "of patches");
-    options.add_output(
-        "cheapest",
-        "CSV file: for every quantity and tolerance 1e-2 ... 1e-12 the fastest element scheme, the fastest "
-        "stable one, the fastest stable one of elements and Chebyshev states, and the fastest of all");
+                "ratio of a patch's semi-axes [dimensionless], one value, 0.001 to 1000; with --recommend 0.1 to 25",
+                "1");
+    options.add("strips", "LIST",
+                "number of a patch's strips along the rolling direction [dimensionless]; default: --n, see below for "
+                "uniform-strips");
+    options.add_input("front",
+                      "CSV file of rows written before (shards, concatenated), in place of a computation: on_front is "
+                      "filled, and the rows are drawn or searched; not for patches");
+    options.add_output("cheapest",
+                       "CSV file of the fastest schemes for every quantity and tolerance 1e-2 ... 1e-12: of elements, "
+                       "of stable elements, of stable elements and Chebyshev states, and of all; none without it");
     options.add("recommend", "TOLERANCE",
-                "compute nothing: print command lines whose relative error stays below TOLERANCE, above 0 and below 1 "
-                "(dimensionless)");
+                "relative error [dimensionless], above 0 and below 1, for which command lines that stay below it are "
+                "printed, in place of a computation");
     options.not_with({"n", "scheme", "kernel", "aspect", "poisson", "dq", "creepage-ratio", "shard", "jobs"}, "front");
     options.footer(help);
 }

@@ -304,8 +304,8 @@ normal forces carry --load; all: they are found together with the vertical share
 roughness.
 --stress FILE: where von Mises' stress is largest below each strip of a patch: position (from 1 in the order of the
 rows), side, patch, s, x, depth [m], von_mises, tresca [Pa].
---wear FILE: side, profile (rail or wheel, of the left side in mirror images), s (length along the profile), y, z [m] and
-work, the frictional work per metre rolled and metre of profile [J/m^2], the mean over all positions.
+--wear FILE: side, profile (rail or wheel, of the left side in mirror images), s (length along the profile), y, z [m]
+and work, the frictional work per metre rolled and metre of profile [J/m^2], the mean over all positions.
 --outline DIR: files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P and patch K, e.g. for
   patch_study --n 12 --outline DIR/1_right_1.outline.csv --pressure DIR/1_right_1.pressure.csv --longitudinal 0.1
 

@@ -73,10 +73,9 @@ const study::Sheet<Count> counts{
      {"stiffness_ratio", "largest |Re(nu a)| over the smallest; empty if an eigenvalue is infinite",
       count_of(&Result::stiffness_ratio)},
      {"status",
-      "assists_creepage if steady rolling shows that the scheme does not converge to full adhesion (alpha near or "
-      "below 0, or above 1), whatever its eigenvalues; coarse if the steady c11 of fewer than 10 elements is wrong by "
-      "more than half; not_converged if more Chebyshev states would change it; ill_conditioned or not_finite, with "
-      "empty cells, if the eigenvalues were not found or G is not finite",
+      "ok; " + study::steady_flaws +
+          ", both whatever the eigenvalues; not_converged if more Chebyshev states would change the steady c11; "
+          "ill_conditioned or not_finite, with empty cells, if the eigenvalues were not found or G is not finite",
       &Count::status}},
     study::settings};
 

@@ -57,10 +57,9 @@ const study::Sheet<Steady> sheet{
       &Steady::error_estimate},
      {"status",
       "ok, or why c11 and all that follows from it are empty: ill_conditioned or not_finite if G' is singular to "
-      "working precision; assists_creepage if tractions assist the creepage, so that the scheme does not converge to "
-      "full adhesion: alpha at or below 0 (near 0 on coarse meshes), or above 1; coarse if c11 of fewer than 10 "
-      "elements is wrong by more than half (plane kernel, or strip with b/a >= 10); not_converged if error_estimate is "
-      "above 1e-2, as with few states in narrow strips (4 at b/a = 0.3)",
+      "working precision; " +
+          study::steady_flaws +
+          "; not_converged if error_estimate is above 1e-2, as with few states in narrow strips (4 at b/a = 0.3)",
       &Steady::status}},
     study::settings};
 
@@ -152,7 +151,7 @@ int main(int argc, char** argv) {
     options.footer(R"(Example: three positions of the trailing point, as a file and a plot of the error
   steady_study --n 40,80,160 --alpha-L 0 --alpha-T 0.5,0.63,0.7 --output c11.csv --plot c11.svg
 
-One row per scheme and n. The columns before c11 and after status identify the case; they are empty where they do not apply.
+One row per scheme and n. Columns before c11 and after status identify the case; they are empty where they do not apply.
 )" + sheet.help());
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {

@@ -43,9 +43,9 @@ const study::Sheet<Traction> sheet{
      {"alpha_L, alpha_T", "positions of the points of the scheme"},
      {"status",
       "ok, or why traction and relative_error are empty: ill_conditioned or not_finite if G' is singular to working "
-      "precision; assists_creepage if tractions assist the creepage (alpha at or below 0, or above 1); coarse if c11 "
-      "of fewer than 10 elements is wrong by more than half; not_converged if more Chebyshev states would change c11 "
-      "by more than 1e-2, as in narrow strips",
+      "precision; " +
+          study::steady_flaws +
+          "; not_converged if more Chebyshev states would change c11 by more than 1e-2, as in narrow strips",
       &Traction::status}},
     std::string("method, derivative, mesh, ") + study::settings};
 

@@ -97,6 +97,12 @@ Eigen::ArrayXd extrapolate_tractions(const Scene& scene, const Eigen::ArrayXd& f
 inline constexpr const char* ok = "ok";
 inline constexpr const char* coarse = "coarse";  ///< few elements, and an error of c11 above 50 %
 
+/// What --help says of status where steady rolling tells that a scheme is of no use.
+inline const std::string steady_flaws =
+    "assists_creepage if tractions of steady rolling assist the creepage, so that the scheme does not converge to full "
+    "adhesion (alpha at or below 0, near 0 on coarse meshes, or above 1); coarse if the steady c11 of fewer than 10 "
+    "elements is wrong by more than half (plane kernel, or strip with b/a >= 10)";
+
 /// The status of a solution in steady rolling: coarse if fewer than 10 elements give a c11 that differs by more than 50
 /// % from the plane's exact one, with a wide kernel (plane, or strip with b/a >= 10).
 std::string steady_status(const Scene& scene, rollbem::Status status, double c11);

@@ -78,8 +78,8 @@ bool has_times(const Options& options);
 inline bool shows_progress(const Options& options) { return !options.flag("quiet"); }
 
 /// Writes the table to --output, with its companion file, gives these and `files` their names, and draws it. Throws
-/// BadInput before it computes anything, WriteError, and when the rows are written PlotError, or std::runtime_error if a
-/// run ended early.
+/// BadInput before it computes anything, WriteError, and when the rows are written PlotError, or std::runtime_error if
+/// a run ended early.
 void write_table(const Options& options, const Table& table, OutputFiles& files);
 inline void write_table(const Options& options, const Table& table) {
     OutputFiles files;
