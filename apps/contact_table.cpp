@@ -34,6 +34,7 @@
 #include "support/options.hpp"
 #include "support/output.hpp"
 #include "support/progress.hpp"
+#include "support/sheet.hpp"
 #include "support/table.hpp"
 
 namespace {
@@ -41,6 +42,7 @@ namespace {
 using rollbem::ContactTable, rollbem::CreepForceTable, rollbem::WheelForces, rollbem::WheelsetForces;
 using rollbem::WheelsetRolling, rollbem::WheelsetSide;
 
+constexpr const char* program = "contact_table";
 constexpr double friction = 0.3;
 
 /// The wheelset, and the tables that say what acts on it.
@@ -48,6 +50,7 @@ struct Scene {
     rollbem::WheelsetOnTrack wheelset;
     CreepForceTable creep;
     std::size_t jobs;
+    bool quiet;
 };
 
 /// The wheelset in the middle of its track must stand there as profiles are placed to, not on flanges or beside.
@@ -91,51 +94,49 @@ Scene read_scene(const study::Options& options) {
     options.require(std::abs(own - dimensions.poisson_ratio) <= 0.01, "poisson",
                     "be that of the table of creep forces, " + study::Cell(own).text(3) +
                         ": make another one by creep_table, and give it as --creep");
-    return {std::move(wheelset), std::move(creep), jobs};
+    return {std::move(wheelset), std::move(creep), jobs, !study::shows_progress(options)};
 }
 
-/// Rows must be of the profiles, the track and the material that the options say: heights of the middle and of both ends
-/// of each line are found again.
-void require_same_profiles(const study::Options& options, const Scene& scene, const ContactTable::Grid& grid,
-                           const std::vector<rollbem::ContactSide>& sides) {
-    constexpr double alike = 1e-7;  // [m]
-    const std::size_t shifts = grid.shifts.size(), lines = grid.loads.size() * grid.yaws.size();
-    const auto differs = [&](std::size_t line, std::size_t i) {
-        const rollbem::ContactNode& node = sides.back().nodes[line * shifts + i];
-        if (!node.known) return false;
-        const double load = grid.loads[line / grid.yaws.size()];
+/// A place where contacts are found again: its load, the wheelset with a given or a free roll, and the height [m] of
+/// its middle, with a given roll of its support.
+struct Known {
+    double load;
+    rollbem::WheelsetPosition at;
+    double height;
+    bool has_roll;
+};
+
+/// The option `name` must be of the profiles, the track and the material that the other options say: throws BadInput
+/// unless contacts at these places have the same heights within `alike` [m].
+void require_same_profiles(const study::Options& options, const char* name, const Scene& scene, double alike,
+                           const std::vector<Known>& places) {
+    for (const auto& [load, at, height, has_roll] : places) {
         rollbem::WheelsetOnTrack::Workspace workspace;
-        const auto found = scene.wheelset.solve(
-            {.lateral = grid.shifts[i], .roll = node.roll, .yaw = grid.yaws[line % grid.yaws.size()]}, {load, load},
-            workspace);
-        const double support = found.position.height + ContactTable::support_y * found.position.roll;
-        return !has_numbers(found.status) || std::abs(support - node.support) > alike;
-    };
-    for (std::size_t line = 0; line < lines; ++line) {
+        const auto found = scene.wheelset.solve(at, {load, load}, workspace);
+        const double own = found.position.height + (has_roll ? ContactTable::support_y * found.position.roll : 0);
+        const auto text = [](double value) { return study::Cell(value).text(6); };
+        options.require(has_numbers(found.status) && std::abs(own - height) <= alike, name,
+                        "be of the profiles, the track and the material that the other options say: at load " +
+                            text(load) + " N, yaw " + text(at.yaw) + ", shift " + text(at.lateral) +
+                            " m its height is " + text(height) + " m, and theirs " + text(own) + " m");
+    }
+}
+
+/// The middle and both ends of each line of nodes.
+std::vector<Known> known_places(const ContactTable::Grid& grid, const std::vector<rollbem::ContactSide>& sides) {
+    const std::size_t shifts = grid.shifts.size(), yaws = grid.yaws.size();
+    std::vector<Known> places;
+    for (std::size_t line = 0; line < grid.loads.size() * yaws; ++line) {
         for (const std::size_t i : {std::size_t(0), shifts / 2, shifts - 1}) {
-            options.require(!differs(line, i), "rows",
-                            "be of the profiles, the track and the material that the other options say: at load " +
-                                study::Cell(grid.loads[line / grid.yaws.size()]).text(6) + ", yaw " +
-                                study::Cell(grid.yaws[line % grid.yaws.size()]).text(4) + ", shift " +
-                                study::Cell(grid.shifts[i]).text(4) + " theirs have another height");
+            const rollbem::ContactNode& node = sides.back().nodes[line * shifts + i];
+            if (!node.known) continue;
+            places.push_back({grid.loads[line / yaws],
+                              {.lateral = grid.shifts[i], .roll = node.roll, .yaw = grid.yaws[line % yaws]},
+                              node.support,
+                              true});
         }
     }
-}
-
-/// Heights by the table and by contacts must agree at a few of its nodes.
-void require_same_profiles(const study::Options& options, const Scene& scene, const ContactTable& table) {
-    constexpr double alike = 2e-6;  // [m]
-    const ContactTable::Grid& grid = table.grid();
-    const double load = grid.loads.back();
-    for (const std::size_t i : {grid.shifts.size() / 2, grid.shifts.size() * 2 / 3}) {
-        rollbem::WheelsetOnTrack::Workspace workspace;
-        const auto found = scene.wheelset.solve({.lateral = grid.shifts[i]}, {load, load}, workspace);
-        const double height = table.on_rails(grid.shifts[i], 0, {load, load}).height;
-        options.require(has_numbers(found.status) && std::abs(found.position.height - height) < alike, "table",
-                        "be of the profiles and the track that the other options say: at a shift of " +
-                            study::Cell(grid.shifts[i]).text(4) + " m its height is " + study::Cell(height).text(6) +
-                            " m, and theirs " + study::Cell(found.position.height).text(6) + " m");
-    }
+    return places;
 }
 
 ContactTable read_table(const study::Options& options, const Scene& scene) {
@@ -147,7 +148,14 @@ ContactTable read_table(const study::Options& options, const Scene& scene) {
                       table.shear_modulus() == dimensions.shear_modulus &&
                       table.poisson_ratio() == dimensions.poisson_ratio;
     options.require(same, "table", "be of the wheels, radius and material that the other options say");
-    require_same_profiles(options, scene, table);
+    const ContactTable::Grid& grid = table.grid();
+    const double load = grid.loads.back();
+    std::vector<Known> places;
+    for (const std::size_t i : {grid.shifts.size() / 2, grid.shifts.size() * 2 / 3}) {
+        const double shift = grid.shifts[i];
+        places.push_back({load, {.lateral = shift}, table.on_rails(shift, 0, {load, load}).height, false});
+    }
+    require_same_profiles(options, "table", scene, 2e-6, places);
     return table;
 }
 
@@ -155,12 +163,7 @@ ContactTable read_table(const study::Options& options, const Scene& scene) {
 
 /// MIN,MAX,N.
 std::vector<double> read_range(const study::Options& options, const std::string& name) {
-    std::vector<double> parts;
-    for (const std::string& cell : study::cells_of(options.text(name))) {
-        const auto number = study::number_of(cell, ',');
-        options.require(number.has_value() && std::isfinite(*number), name, "be MIN,MAX,N");
-        parts.push_back(*number);
-    }
+    const std::vector<double> parts = options.row(name, 3);
     options.require(parts.size() == 3 && parts[0] < parts[1], name, "be MIN,MAX,N with MIN below MAX");
     options.require(parts[2] == std::floor(parts[2]) && parts[2] >= 2 && parts[2] <= 10001, name,
                     "have an integer N from 2 to 10001");
@@ -232,20 +235,20 @@ rollbem::ContactTableMaking read_making(const study::Options& options) {
     return making;
 }
 
-void say_duration(const study::Options& options, const Scene& scene, const rollbem::ContactTableMaking& making) {
-    if (options.flag("quiet")) return;
+void say_duration(const Scene& scene, const rollbem::ContactTableMaking& making, const char* of) {
+    if (scene.quiet) return;
     const std::size_t shifts = making.grid.shifts.size();
     const std::size_t positions = making.lines() * (scene.wheelset.is_mirrored() ? shifts / 2 + 1 : shifts);
     const double seconds = position_seconds(scene, making) * double(positions) * 1.3;  // and zones
-    std::fprintf(stderr, "%s: %zu positions, about %.0f s of processor time%s\n", options.program().c_str(), positions,
-                 std::max(seconds, 1.0), options.given("shard") ? " for all parts" : "");
+    std::fprintf(stderr, "%s: %zu positions, about %.0f s of processor time%s\n", program, positions,
+                 std::max(seconds, 1.0), of);
 }
 
-void say_what_was_made(const study::Options& options, const Scene& scene, const ContactTable& table, double asked) {
-    if (options.flag("quiet")) return;
+void say_what_was_made(const Scene& scene, const ContactTable& table, double asked) {
+    if (scene.quiet) return;
     if (table.largest_shift() < asked) {
-        std::fprintf(stderr, "%s: shifts end at %.4g mm, as beyond it wheels do not carry their loads\n",
-                     options.program().c_str(), 1e3 * table.largest_shift());
+        std::fprintf(stderr, "%s: shifts end at %.4g mm, as beyond it wheels do not carry their loads\n", program,
+                     1e3 * table.largest_shift());
     }
     for (const auto& [side, name] : {std::pair(WheelsetSide::left, "left"), {WheelsetSide::right, "right"}}) {
         if (scene.wheelset.is_mirrored() && side == WheelsetSide::left) continue;
@@ -253,8 +256,7 @@ void say_what_was_made(const study::Options& options, const Scene& scene, const 
         for (const auto& cut : table.side(side).zones.cuts()) {
             text += (text.empty() ? "" : ",") + study::Cell(cut.y).text(6) + "," + study::Cell(cut.half_width).text(6);
         }
-        std::fprintf(stderr, "%s: zones of the %s wheel: %s\n", options.program().c_str(), name,
-                     text.empty() ? "one" : text.c_str());
+        std::fprintf(stderr, "%s: zones of the %s wheel: %s\n", program, name, text.empty() ? "one" : text.c_str());
     }
 }
 
@@ -286,7 +288,7 @@ void make_part(const study::Options& options) {
     require_on_rail(options, scene, making);
     rollbem::ContactTableMaker maker = study::blame(
         grid_said(options), [&] { return rollbem::ContactTableMaker(scene.wheelset, scene.creep, making); });
-    say_duration(options, scene, making);
+    say_duration(scene, making, " for all parts");
     study::write_table(options, contact::node_table(maker, grid));
 }
 
@@ -299,15 +301,15 @@ void make(const study::Options& options) {
     study::OutputFiles files;
     study::OutputFile& file = files.open(output, "--output");
     const bool reads = options.given("rows");
-    if (!reads) say_duration(options, scene, making);
-    study::Progress progress(options.program(), making.lines(), study::shows_progress(options) && !reads, "lines");
+    if (!reads) say_duration(scene, making, "");
+    study::Progress progress(program, making.lines(), !scene.quiet && !reads, "lines");
     std::size_t done = 0;
     making.done = [&] { progress.update(++done); };
     const rollbem::MadeContactTable made = study::blame(grid_said(options), [&] {
         if (!reads) return make_contact_table(scene.wheelset, scene.creep, making);
         const rollbem::ContactTableMaker maker(scene.wheelset, scene.creep, making);
         const auto sides = contact::read_sides(options, making.grid, maker.side_count());
-        require_same_profiles(options, scene, making.grid, sides);
+        require_same_profiles(options, "rows", scene, 1e-7, known_places(making.grid, sides));
         return maker.table(sides);
     });
     progress.clear();
@@ -315,7 +317,7 @@ void make(const study::Options& options) {
     made.table.write(bytes);
     file.write(bytes.str());
     files.commit();
-    say_what_was_made(options, scene, made.table, making.grid.shifts.back());
+    say_what_was_made(scene, made.table, making.grid.shifts.back());
 }
 
 // --- beside patches --------------------------------------------------------------------------------------------------
@@ -414,14 +416,12 @@ WheelsetRolling random_scene(const ContactTable& table, double radius, std::uint
     return rolling;
 }
 
-int check(const study::Options& options) {
-    const Scene scene = read_scene(options);
-    const ContactTable table = read_table(options, scene);
-    const auto count = std::size_t(options.integer("check", 1, 1'000'000));
+/// Writes how far the table is from patches in `count` random scenes. Returns the exit code.
+int check(const Scene& scene, const ContactTable& table, std::size_t count) {
     std::vector<Compared> compared(count);
     std::vector<double> loads(count);
     std::size_t done = 0;
-    study::Progress progress(options.program(), count, study::shows_progress(options), "scenes");
+    study::Progress progress(program, count, !scene.quiet, "scenes");
     rollbem::detail::parallel_for(
         count, scene.jobs,
         [&](std::size_t i) {
@@ -483,49 +483,75 @@ std::vector<Position> scan_positions(const study::Options& options, const Contac
     return positions;
 }
 
+/// A wheel at a position.
+struct Scanned {
+    const Position& at;
+    const Compared& found;
+    std::size_t side;
+
+    bool ok() const { return found.status == "ok"; }
+    Eigen::Array3d difference() const { return (found.table[side] - found.patches[side]).abs() / (friction * at.load); }
+};
+
+const study::Sheet<Scanned, Position>& scan_sheet() {
+    const auto force = [](std::array<Eigen::Array3d, 2> Compared::*of, Eigen::Index i) {
+        return study::where(&Scanned::ok, [=](const Scanned& row) {
+            return (row.found.*of)[row.side][i] * (i == 2 ? ContactTable::support_y : 1);
+        });
+    };
+    const char* by_table =
+        "forces [N] and moment [N m] on the wheel by the table, in track axes about the middle of the axle";
+    const char* by_patches = "forces and moment by the patches, likewise";
+    static const study::Sheet<Scanned, Position> columns{
+        "",
+        {{"load", "vertical load on each wheel [N]: nodes of the table and their midpoints",
+          [](const Scanned& row) { return row.at.load; }},
+         {"yaw", "yaw angle [rad]: 0, 0.003 and 0.008, both signs", [](const Scanned& row) { return row.at.yaw; }},
+         {"shift", "lateral shift [m], from 0", [](const Scanned& row) { return row.at.shift; }},
+         {"side", "wheel, left or right", [](const Scanned& row) { return row.side == 0 ? "left" : "right"; }},
+         {"table_force_x", by_table, force(&Compared::table, 0)},
+         {"table_force_y", by_table, force(&Compared::table, 1)},
+         {"table_moment_z", by_table, force(&Compared::table, 2)},
+         {"patch_force_x", by_patches, force(&Compared::patches, 0)},
+         {"patch_force_y", by_patches, force(&Compared::patches, 1)},
+         {"patch_moment_z", by_patches, force(&Compared::patches, 2)},
+         {"points", "number of the table's points of contact that carry load",
+          [](const Scanned& row) { return row.found.points[row.side]; }},
+         {"status", "ok, or why there are no forces", [](const Scanned& row) { return row.found.status; }}},
+        ""};
+    return columns;
+}
+
 void scan(const study::Options& options) {
     const Scene scene = read_scene(options);
     const ContactTable table = read_table(options, scene);
     const std::vector<Position> positions = scan_positions(options, table);
-    study::Table rows = study::table_of(study::cells_of("load,yaw,shift,side,table_force_x,table_force_y,table_moment_"
-                                                        "z,patch_force_x,patch_force_y,patch_moment_z,points,status"),
-                                        positions, 2);
-    std::array<double, 3> sum{}, largest{};
-    std::size_t count = 0;
+    Eigen::Array3d sum = Eigen::Array3d::Zero(), largest = sum;
+    double count = 0;
     std::mutex mutex;
-    rows.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        const Position& at = positions[task];
-        WheelsetRolling rolling{.position = {.lateral = at.shift, .yaw = at.yaw}, .loads = {at.load, at.load}};
-        const Compared found = compare(scene, table, rolling);
-        for (std::size_t k = range.first; k < range.last; ++k) {
-            study::Row row{at.load, at.yaw, at.shift, k == 0 ? "left" : "right"};
-            for (const auto& forces : {found.table[k], found.patches[k]}) {
-                for (Eigen::Index i = 0; i < 3; ++i) {
-                    const double value = i == 2 ? forces[i] * ContactTable::support_y : forces[i];
-                    row.push_back(found.status == "ok" ? study::Cell(value) : study::Cell());
-                }
+    const study::Table rows = scan_sheet().table(
+        positions, [](const Position&) { return 2; },
+        [&](const Position& at, study::RowRange range, const study::Results<Scanned>& emit) {
+            const Compared found =
+                compare(scene, table, {.position = {.lateral = at.shift, .yaw = at.yaw}, .loads = {at.load, at.load}});
+            for (std::size_t k = range.first; k < range.last; ++k) {
+                const Scanned row{at, found, k};
+                emit(row);
+                if (!row.ok()) continue;
+                const std::lock_guard lock(mutex);
+                ++count;
+                sum += row.difference();
+                largest = largest.max(row.difference());
             }
-            row.emplace_back(found.points[k]);
-            row.emplace_back(found.status);
-            emit(std::move(row));
-            if (found.status != "ok") continue;
-            const std::lock_guard lock(mutex);
-            ++count;
-            for (Eigen::Index i = 0; i < 3; ++i) {
-                const double error = std::abs(found.table[k][i] - found.patches[k][i]) / (friction * at.load);
-                sum[std::size_t(i)] += error;
-                largest[std::size_t(i)] = std::max(largest[std::size_t(i)], error);
-            }
-        }
-    };
+        });
     study::write_table(options, rows);
+    sum /= count;
     std::fprintf(stderr, "%s: over mu Q, mean and largest: F_x %.4f %.4f, F_y %.4f %.4f, M_z/0.75 m %.4f %.4f\n",
-                 options.program().c_str(), sum[0] / double(count), largest[0], sum[1] / double(count), largest[1],
-                 sum[2] / double(count), largest[2]);
+                 program, sum[0], largest[0], sum[1], largest[1], sum[2], largest[2]);
 }
 
-constexpr const char* help =
-    R"(Example: a table of S1002 on 60E1, by two threads; the same by 4 machines; then beside patches
+std::string help() {
+    return R"(Example: a table of S1002 on 60E1, by two threads; the same by 4 machines; then beside patches
   contact_table --output s1002_60e1.contact --jobs 2
   contact_table --shard 1/4 --output part1.csv    # and 2/4, 3/4, 4/4
   cat part?.csv > rows.csv && contact_table --rows rows.csv --output s1002_60e1.contact
@@ -542,19 +568,12 @@ unless --zones gives them; parts of whole lines of shifts take least time.
 --check: random scenes with |shift| <= 6.1 mm, |yaw| <= 10 mrad, equal loads within the table, creepages in a random
 direction whose linear forces are 0.05 to 5 mu N, mu = 0.3, 20 m/s. Lines on standard output: differences between table
 and patches (rolling_forces) of F_x, F_y and M_z (about the middle of the axle, over 0.75 m), over mu Q; and the
-relative difference between the power of the table's forces on the rigid motion, in a curve of 300 m, and the creep work.
---scan: a row for each load (nodes of the table and their midpoints), yaw (0, 3 and 8 mrad, both signs), shift and side,
-on straight track with free pitch, mu = 0.3:
-  load, yaw, shift  vertical load on each wheel [N], yaw angle [rad], lateral shift [m]
-  side              wheel, left or right
-  table_force_x, table_force_y, table_moment_z
-                    forces [N] and moment [N m] on the wheel by the table, in track axes about the middle of the axle
-  patch_force_x, patch_force_y, patch_moment_z
-                    forces and moment by the patches, likewise
-  points            number of the table's points of contact that carry load
-  status            ok, or why there are no forces
-One line on standard error ends it: mean and largest differences over mu Q.
+relative difference between the power of the table's forces on the rigid motion, in a curve of 300 m, and creep work.
+--scan: a row for each load, yaw, shift and side, on straight track with free pitch, mu = 0.3:
+)" + scan_sheet().help() +
+           R"(One line on standard error ends it: mean and largest differences over mu Q.
 )";
+}
 
 void add_options(study::Options& options) {
     for (const char* group : {"Discretisation", "Contact"}) {
@@ -609,16 +628,20 @@ void add_options(study::Options& options) {
     options.not_with({"rows"}, "scan");
     options.not_with({"zones", "left-zones"}, "rows", ": rows have zones of their own");
     options.not_with({"output"}, "check");
-    options.footer(help);
+    options.footer(help());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    study::Options options("contact_table", "Contacts of a wheelset on its rails, as a table for look-up.");
+    study::Options options(program, "Contacts of a wheelset on its rails, as a table for look-up.");
     add_options(options);
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        if (given.given("check")) return check(given);
+        if (given.given("check")) {
+            const Scene scene = read_scene(given);
+            const ContactTable table = read_table(given, scene);
+            return check(scene, table, std::size_t(given.integer("check", 1, 1'000'000)));
+        }
         if (given.given("scan")) {
             scan(given);
         } else if (given.given("shard")) {
