@@ -100,27 +100,6 @@ void add_rolling_options(study::Options& options) {
 
 // --- scenes --------------------------------------------------------------------------------------------------------
 
-/// Hertz's pressure, or that of --pressure.
-Pressure read_pressure(const study::Options& options) {
-    if (!options.given("pressure")) {
-        const rollbem::HertzPressure<double> hertz;
-        return {hertz, hertz, true};
-    }
-    const study::Rule within = study::between(-1, 1);
-    const std::vector<study::Numbers> points = study::read_columns(
-        options, "pressure", "x_over_a,pressure", "", [&](const auto& read, const std::string& where) {
-            if (!within.holds(read[0].back())) throw study::BadInput(where + ": x_over_a must " + within.text);
-            study::require_order(read[0], "x_over_a", where);
-        });
-    options.require(!points[0].empty(), "pressure", "have at least one row below its header");
-    const auto table = study::blame(options.said("pressure"), [&] {
-        return rollbem::PressureTable<double>(study::array(points[0]), study::array(points[1]));
-    });
-    const double scale = mu_N / table.integral();
-    return {[=](double x_over_a) { return scale * table(x_over_a); },
-            [=](const rollbem::Mesh<double>& mesh) { return Eigen::ArrayXd(scale * table(mesh)); }, false};
-}
-
 double read_layer(const study::Options& options) {
     const double layer = options.number("layer", study::not_negative());
     const bool analytic = options.given("derivative") && options.text("derivative") == "analytic";
@@ -199,6 +178,26 @@ std::vector<CreepPoint> read_points(const study::Options& options) {
 }
 
 }  // namespace
+
+Pressure read_pressure(const study::Options& options) {
+    if (!options.given("pressure")) {
+        const rollbem::HertzPressure<double> hertz;
+        return {hertz, hertz, true};
+    }
+    const study::Rule within = study::between(-1, 1);
+    const std::vector<study::Numbers> points = study::read_columns(
+        options, "pressure", "x_over_a,pressure", "", [&](const auto& read, const std::string& where) {
+            if (!within.holds(read[0].back())) throw study::BadInput(where + ": x_over_a must " + within.text);
+            study::require_order(read[0], "x_over_a", where);
+        });
+    options.require(!points[0].empty(), "pressure", "have at least one row below its header");
+    const auto table = study::blame(options.said("pressure"), [&] {
+        return rollbem::PressureTable<double>(study::array(points[0]), study::array(points[1]));
+    });
+    const double scale = mu_N / table.integral();
+    return {[=](double x_over_a) { return scale * table(x_over_a); },
+            [=](const rollbem::Mesh<double>& mesh) { return Eigen::ArrayXd(scale * table(mesh)); }, false};
+}
 
 void add_options(study::Options& options) {
     add_contact_options(options);

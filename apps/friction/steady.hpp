@@ -79,6 +79,7 @@ inline const study::HistoryColumns history_columns{
 
 void add_options(study::Options& options);
 Curve read_curve(const study::Options& options);
+Pressure read_pressure(const study::Options& options);  ///< of --pressure, else Hertz's
 Scenario read_scenario(const study::Options& options);
 
 // --- the modes: their columns and meanings, and their tables, which refer to the scene

@@ -17,7 +17,7 @@
 
 #include <rollbem/normal/hertz_load.hpp>
 
-#include "friction/line.hpp"
+#include "friction/steady.hpp"
 #include "support/csv.hpp"
 #include "support/input.hpp"
 #include "support/options.hpp"
@@ -94,7 +94,7 @@ void take_friction(const std::vector<std::string>& words) {
     if (options.given("lateral-ratio")) options.numbers("lateral-ratio", study::finite());
     options.number("layer", study::finite());
     const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(5);
-    const friction::Pressure pressure = friction::make_pressure(options);
+    const friction::Pressure pressure = friction::read_pressure(options);
     require((pressure(mesh) >= 0).all() && pressure(mesh).allFinite(), "pressures press");
     const study::RunSettings run(options);
     study::History imposed;
