@@ -33,7 +33,7 @@ void add_contact_options(study::Options& options) {
     options.set_default("alpha-T", "0.5");
     options.add("creepage-ratio", "LIST",
                 "creepage ratio delta = xi G/(2 (1-nu) mu p0) [dimensionless], any finite: Carter's contact slides as "
-                "a whole from 1 on; with --transient one value, constant, and none by default",
+                "a whole from 1 on; with --transient one constant value, which must be given",
                 "0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9,1,1.1");
     options.add("force", "F",
                 "given force -F_x/(mu N), in time -F_x/(mu N_0) [dimensionless], any finite, in place of "
@@ -89,7 +89,8 @@ void add_rolling_options(study::Options& options) {
                            "mesh that follows the half-length of the contact, with --kernel plane; without it the mesh "
                            "covers the largest contact");
     options.not_with({"from"}, "shift", ", which starts from rest");
-    options.only_with({"lambda"}, {"transient"}, ": a steady problem builds no G, the only matrix lambda acts on");
+    study::Options::Added{options, "lambda"}.only_with(
+        {"transient"}, ": a steady problem builds no G, the only matrix lambda acts on");
     for (const char* way : {"step", "ramp", "sine"}) options.not_with({"creepage-ratio"}, way);
     options
         .add_flag(

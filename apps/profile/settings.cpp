@@ -151,8 +151,8 @@ void add_options(study::Options& options) {
     options.refuse_group("Discretisation", "patches have strips along x, with the cosine mesh and rows between nodes",
                          {"n"});
     options.set_default("n", "12");
-    options.set_help("n", "number of elements in each strip [dimensionless], 1 to 100; only with --friction");
-    options.only_with({"n"}, {"friction"});
+    options.set_help("n", "number of elements in each strip [dimensionless], 1 to 100");
+    study::Options::Added{options, "n"}.only_with({"friction"});
     options.refuse("kernel", "the bodies are half-spaces");
     options.refuse("aspect", "a patch is as wide as profiles and load make it");
     add_profile_options(options);

@@ -1,3 +1,4 @@
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -68,11 +69,14 @@ std::string in_options(const study::Options& options, const SideOptions& side, s
         text.erase(0, std::string_view(start).size());
         if (start[0] == 'w') blamed = side.source("wheel");
     }
-    for (const std::string name : {"gauge_depth", "shear_modulus", "rail_origin", "poisson_ratio"}) {
+    const std::array<std::array<std::string, 3>, 3> names{
+        {{"gauge_depth", "--gauge-depth", "gauge-depth"},
+         {"rail_origin", "--rail-origin", "rail-origin"},
+         {"(1 - poisson_ratio) / shear_modulus", "(1 - nu)/G", "shear-modulus"}}};
+    for (const auto& [name, shown, option] : names) {
         const std::size_t at = text.find(name);
         if (at == std::string::npos) continue;
-        const std::string option = name == "poisson_ratio" ? "poisson" : study::option_of(name);
-        text.replace(at, name.size(), "--" + option);
+        text.replace(at, name.size(), shown);
         if (blamed == side.source("rail") && options.given(option)) blamed = option;
     }
     return options.said(blamed) + ": " + text;

@@ -96,7 +96,9 @@ void add_history_options(Options& options, const HistoryColumns& columns, const 
     options.not_with({"ramp", "sine", "history"}, "step");
     options.not_with({"sine", "history"}, "ramp");
     options.not_with({"history"}, "sine");
-    if (!mode.empty()) options.only_with({"step", "ramp", "sine", "history"}, {mode});
+    for (const char* name : {"step", "ramp", "sine", "history"}) {
+        if (!mode.empty()) Options::Added{options, name}.only_with({mode});
+    }
 }
 
 namespace {

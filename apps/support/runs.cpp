@@ -88,8 +88,7 @@ void add_run_options(Options& options, const std::string& load, const std::strin
                        load + "; linear between its rows, which must cover the run")
         .only_with({"transient"})
         .not_with("load-sine");
-    options.only_with({"breathing"}, {"transient"});
-    options.add_flag("breathing", breathing);
+    options.add_flag("breathing", breathing).only_with({"transient"});
     options.add("from", "rest|steady", "state at the start of the run: rest, or steady rolling", "rest")
         .only_with({"transient"});
     add_steps(options, "transient");
