@@ -92,6 +92,21 @@ std::string ends_of(const Table& table) {
            " runs ended";
 }
 
+/// Draws the rows, and throws if runs ended early, with why the picture failed if it did.
+void conclude(const Table& table, OutputFile* drawing, const std::vector<Row>& rows, bool png) {
+    std::string early = ends_of(table);
+    try {
+        if (drawing != nullptr) {
+            drawing->write(picture(table.plot(rows), png, drawing->path()));
+            drawing->commit();
+        }
+    } catch (const PlotError& error) {
+        if (early.empty()) throw;
+        early += std::string("; ") + error.what();
+    }
+    if (!early.empty()) throw std::runtime_error(early);
+}
+
 }  // namespace
 
 void write_table(const Options& options, const Table& table, OutputFiles& files) {
@@ -150,15 +165,7 @@ void write_table(const Options& options, const Table& table, OutputFiles& files)
         for (const Row& row : table.beside->rows[i]) side->write(csv_line(row));
     }
     files.commit();
-    std::string early = ends_of(table);
-    try {
-        if (plots) drawing->write(picture(table.plot(kept), png, drawing->path()));
-        if (plots) drawing->commit();
-    } catch (const PlotError& error) {
-        if (early.empty()) throw;
-        early += std::string("; ") + error.what();
-    }
-    if (!early.empty()) throw std::runtime_error(early);
+    conclude(table, drawing ? &*drawing : nullptr, kept, png);
 }
 
 }  // namespace study
