@@ -114,11 +114,11 @@ set up anew from G, G' and du/dy (with sdirk2, whose stages are hidden, of |p| <
 last -F_y over mu N. Steps that a mesh cannot follow must be refused.
 --contacts: S1002 on UIC 60, in every second scene one of ten pairs of profiles with hollows, bumps and waves, shifted
 by up to 12 mm, yaw to 30 mrad, roll to 5 mrad, under 10 kN to 1 MN, on 24 x 16 cells, or on 48 x 32 where the error
-would be above 1; every 99th contact is searched in slices, as if surfaces changed along the way. value is the least gap [m]
-that a brute-force search finds after the displacements of all patches. relative_error is the largest of three: the size
-of that gap over 1 um (3 if something was dropped) and 4 % of the deepest approach (10 % with doubtful_plane), the error
-of the vertical load over 1e-6, and the load dropped over 2e-3 of all. A status other than not_finite and not_converged
-is told.
+would be above 1; every 99th contact is searched in slices, as if surfaces changed along the way. value is the least
+gap [m] that a brute-force search finds after the displacements of all patches. relative_error is the largest of three:
+the size of that gap over 1 um (3 if something was dropped) and 4 % of the deepest approach (10 % with doubtful_plane),
+the error of the vertical load over 1e-6, and the load dropped over 2e-3 of all. A status other than not_finite and
+not_converged is told.
 )");
 }
 
