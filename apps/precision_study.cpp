@@ -85,12 +85,12 @@ void add_options(study::Options& options) {
     options.set_default("n", elements_by_default);
     options.set_default("kernel", "plane");
     options.set_help(
-        "scheme",
-        study::scheme_help(
-            ". Without elements: chebyshev (n states), polynomial (of the order n), closed-form. "
-            "richardson:MESH:METHOD[:PARAMETERS]: extrapolation from n/2 and n elements, n even. On patches: "
-            "cosine:nodes or cosine:nodes-chebyshev, then :cosine-strips or :uniform-strips. Default: " +
-            study::join(line_schemes, ", ") + "; for quantities of patches " + study::join(patch_schemes, ", ")));
+        "scheme", study::scheme_help(
+                      ". Without elements: chebyshev (n states), polynomial (of the order n), closed-form. "
+                      "richardson:MESH:METHOD[:PARAMETERS]: extrapolation from n/2 and n elements, n even. On patches: "
+                      "cosine:nodes or cosine:nodes-chebyshev, then :cosine-strips or :uniform-strips. Default: " +
+                      study::join(study::cells_of(line_schemes), ", ") + "; for quantities of patches " +
+                      study::join(study::cells_of(patch_schemes), ", ")));
     options.set_help("aspect",
                      "ratio b/a of half-width and half-length [dimensionless], one value above 0, inf for quantities "
                      "of steady rolling");
