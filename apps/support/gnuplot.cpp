@@ -366,7 +366,7 @@ std::string title_of(const Plot& plot) {
 // --- panels --------------------------------------------------------------------------------------------------------
 
 // A picture is one column of a page wide, 85 mm: its text is then printed in 7 points.
-constexpr double width = 600, font = 18, line = 27;
+constexpr double width = 600, font = 18, line_height = 27;
 constexpr double character = 0.6 * font;
 constexpr double left = 122;  // of the frame: marks and label of the y axis
 
@@ -456,7 +456,7 @@ struct Legend {
         return std::clamp<std::size_t>(std::size_t(width / entry), 1, 4);
     }
     std::size_t rows() const { return (labels.size() + columns() - 1) / columns(); }
-    double height() const { return labels.empty() ? 0 : line * double(rows()) + 12; }
+    double height() const { return labels.empty() ? 0 : line_height * double(rows()) + 12; }
 
     /// gnuplot would choose the columns by the frame: in this way it does not.
     std::string layout() const {
@@ -537,7 +537,7 @@ Panel panel_of(Plot plot, Legend& legend) {
     const double beside = !plot.z_label.empty() ? 110 : ends.empty() ? 25 : character * longest(texts) + 20;
     return {script + label_commands(ends),
             "plot " + join(commands, ", ") + "\n",
-            title.empty() ? 20 : 34 + line * double(title.size()),
+            title.empty() ? 20 : 34 + line_height * double(title.size()),
             frame_height(plot, width - left - beside),
             75 + legend.height(),
             beside};
