@@ -97,12 +97,12 @@ TEST_CASE("systems of both directions are checked") {
     CHECK_NOTHROW(ElementSystem<double, 2>(G, G_prime, both.longitudinal.elements()));
     G[0][1] = G[1][0] = both.longitudinal.G();
     CHECK(refusal([&] { ElementSystem<double, 2>(G, G_prime, both.longitudinal.elements()); }) ==
-          "ElementSystem: number of rows of G_xy = 16 must be that of G_prime_xy");
+          "ElementSystem: number of rows of G_xy = 16 must be the number of rows of G_prime_xy");
     Elements<double> odd = both.longitudinal.elements();
     odd.behind[3] = 16;
     G[0][1] = G[1][0] = {};
     CHECK(refusal([&] { ElementSystem<double, 2>(G, G_prime, odd); }) ==
-          "ElementSystem: equation behind = 16 must be that of another element, or -1");
+          "ElementSystem: equation behind = 16 must be the index of another element, or -1");
 }
 
 }  // namespace response_tests

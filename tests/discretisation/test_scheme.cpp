@@ -132,7 +132,7 @@ TEST_CASE("Chebyshev nodes require the cosine mesh", "[scheme]") {
     CHECK_NOTHROW(check_scheme(chebyshev, uniform_mesh(2)));  // both are the same
     CHECK_THROWS_WITH(
         check_scheme(chebyshev, uniform_mesh(3)),
-        ContainsSubstring("NodeDifference: width of an element over that of the cosine mesh = 1.333333") &&
+        ContainsSubstring("NodeDifference: width of an element over its width in the cosine mesh = 1.333333") &&
             ContainsSubstring("must be 1: Chebyshev nodes require the cosine mesh"));
     CHECK_THROWS_AS(check_scheme(chebyshev, geometric_mesh(8, 1.5)), std::invalid_argument);
 }
@@ -160,13 +160,13 @@ TEST_CASE("Rows that break the requirements on a scheme are rejected", "[scheme]
     CHECK_THROWS_WITH(check([](Rows& rows) { rows.lengths[4] = 0; }),
                       "SchemeRows: length = 0 must be positive and finite");
     CHECK_THROWS_WITH(check([](Rows& rows) { rows.alpha.setZero(4); }),
-                      "SchemeRows: number of alphas = 4 must equal that of elements");
+                      "SchemeRows: number of alphas = 4 must equal the number of elements");
     CHECK_THROWS_WITH(check([](Rows& rows) { rows.lengths.resize(0); }),
-                      "SchemeRows: number of lengths = 0 must equal that of elements");
+                      "SchemeRows: number of lengths = 0 must equal the number of elements");
     CHECK_THROWS_WITH(check([](Rows& rows) { rows.offsets.resize(0); }),
                       "SchemeRows: number of offsets = 0 must be at least 1");
     CHECK_THROWS_WITH(check([](Rows& rows) { rows.weights.setConstant(2, 0.5); }),
-                      "SchemeRows: number of weights = 2 must equal that of offsets");
+                      "SchemeRows: number of weights = 2 must equal the number of offsets");
     CHECK_THROWS_WITH(check([&](Rows& rows) { rows.offsets[0] = nan; }), "SchemeRows: offset = nan must be finite");
     CHECK_THROWS_WITH(check([](Rows& rows) { rows.weights[0] = 2; }), "SchemeRows: sum of weights = 2 must be 1");
     CHECK_THROWS_WITH(check([&](Rows& rows) { rows.weights[0] = nan; }), "SchemeRows: sum of weights = nan must be 1");

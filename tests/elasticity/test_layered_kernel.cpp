@@ -216,7 +216,7 @@ TEST_CASE("Layers reject invalid compliances and analytic derivatives", "[layer]
     const Contact<double> other = Contact<double>::dimensionless(50, 0.25);
     CHECK(refusal([&] {
               AdhesionModel<>(other, rolling_system(mesh, halves, layered), unchecked);
-          }).find("b/a of the kernel over that of the contact") != std::string::npos);
+          }).find("b/a of the kernel over b/a of the contact") != std::string::npos);
 }
 
 }  // namespace

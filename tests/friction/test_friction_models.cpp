@@ -74,10 +74,10 @@ TEST_CASE("What needs G refuses a system without it", "[friction]") {
     using Catch::Matchers::ContainsSubstring;
     CHECK_THROWS_WITH(judge_stability(along), ContainsSubstring("number of rows of G = 0"));
     CHECK_THROWS_WITH(judge_stability(both), ContainsSubstring("number of rows of G = 0"));
-    CHECK_THROWS_WITH(
-        AdhesionModel<>(setup.contact(), along, unchecked),
-        "AdhesionModel: number of rows of G = 0 must be that of G_prime: a system without G is for steady "
-        "friction alone");
+    CHECK_THROWS_WITH(AdhesionModel<>(setup.contact(), along, unchecked),
+                      "AdhesionModel: number of rows of G = 0 must be the number of rows of G_prime: a system without "
+                      "G is for steady "
+                      "friction alone");
     CHECK_THROWS_WITH(AdhesionModel<2>(setup.contact(), both, unchecked), ContainsSubstring("number of rows of G = 0"));
     CHECK_THROWS_WITH(FrequencySweep<double>(along), ContainsSubstring("number of rows of G = 0"));
     CHECK_THROWS_WITH(both_directions<double>(along, across), ContainsSubstring("number of rows of G = 0"));

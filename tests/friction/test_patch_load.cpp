@@ -360,7 +360,7 @@ TEST_CASE("patch_load: shapes between the nodes") {
     CHECK_THROWS_WITH(PatchShapes<double>(4, 4, chebyshev, kernel, {.least = 1, .largest = 1}),
                       ContainsSubstring("largest a/b"));
     CHECK_THROWS_WITH(Model(scene.contact, shapes().system(1), unchecked, {mu, scene.pressure()}),
-                      ContainsSubstring("a/b of the patch over that of its system"));
+                      ContainsSubstring("a/b of the patch over a/b of its system"));
 }
 
 TEST_CASE("patch_load: what a mesh cannot follow has a status") {

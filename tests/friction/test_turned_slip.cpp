@@ -272,7 +272,7 @@ TEST_CASE("Directions that do not belong together, or one of which grows, are re
     CHECK(paired(Scene(cosine_mesh<double>(7), half, 10)) ==
           "ElementSystem: number of lateral elements = 7 must equal the number of longitudinal ones");
     CHECK(paired(Scene(uniform_mesh<double>(8), half, 10))
-              .find("ElementSystem: width of a lateral element over that of the longitudinal one = ") == 0);
+              .find("ElementSystem: width of a lateral element over the width of the longitudinal one = ") == 0);
     CHECK(paired(Scene(scene.mesh, half, 11)).find("ElementSystem: b/a of the lateral kernel = 11 must be") == 0);
     const StabilityVerdict settled{.n = 16, .unstable_count = 0, .uncertain_count = 0, .status = Status::ok};
     StabilityVerdict grows = settled;

@@ -38,7 +38,7 @@ TEST_CASE("The means of a tabulated pressure are exact on any mesh", "[pressure]
     const ArrayX<double> constant = PressureTable<double>(array({-1, 1}), array({0.7, 0.7}))(fine);
     CHECK((constant / 0.7 - 1).abs().maxCoeff() < 1e-15);
     CHECK_THROWS_WITH((PressureTable<double>(array({-1, 1}), array({0.7}))),
-                      "PressureTable: number of pressures = 1 must equal that of points");
+                      "PressureTable: number of pressures = 1 must equal the number of points");
     CHECK_THROWS_WITH((PressureTable<double>(array({-1, 1.5}), array({1, 1}))),
                       "PressureTable: x/a = 1.5 must lie in [-1, 1]");
     CHECK_THROWS_WITH((PressureTable<double>(array({-1.5, 1}), array({1, 1}))),
@@ -99,7 +99,7 @@ TEST_CASE("The means of a pressure on a grid are exact on any rectangle", "[pres
     }
     const MatrixX<double> ones = MatrixX<double>::Ones(4, 3);
     CHECK_THROWS_WITH((PressureGrid<double>(x, x, ones)),
-                      "PressureGrid: number of pressures = 12 must equal that of points");
+                      "PressureGrid: number of pressures = 12 must equal the number of points");
     CHECK_THROWS_WITH((PressureGrid<double>(x.head(1), y, ones.topRows(1))),
                       "PressureGrid: number of x = 1 must be at least 2");
     CHECK_THROWS_WITH((PressureGrid<double>(x.reverse(), y, ones)),

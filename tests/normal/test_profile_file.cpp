@@ -356,7 +356,7 @@ TEST_CASE("profile_file: what folds back, crosses itself or has a gap is refused
          "line 5 (8 0): the curve folds back at y = 8, z = 0 mm, over 0.32 mm"},
         {"a long hook", "0.6 0\n0 0\n2 0\n4 0\n6 0\n", "line 2 (0 0): the curve folds back at y = 0, z = 0 mm, over"},
         {"a gap", "0 0\n2 0\n4 0\n24.1 0\n26 0\n",
-         "line 4 (24.1 0): the next point is expected within 20 mm; this one is 20.1 mm from that of line 3"},
+         "line 4 (24.1 0): the next point is expected within 20 mm; this one is 20.1 mm from the point of line 3"},
         {"a loop", "0 0\n5 0\n8 3\n5 6\n2 3\n5 -3\n9 -3\n", "the curve crosses itself at y = "},
         {"a loop of three steps", "0 0\n10 0\n5 3\n8 -3\n12 -3\n", "the curve crosses itself at y = "},
         {"a closed curve", "0 0\n5 0\n5 5\n0 5\n0 0\n", "the curve crosses itself"},

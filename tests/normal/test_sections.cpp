@@ -249,7 +249,7 @@ TEST_CASE("sections: what cannot be a surface is refused", "[profiles]") {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto scene = GENERATE_COPY(values<Scene>({
         {"one", {0}, {{}}, "number of sections = 1 must be at least 2"},
-        {"u falls", {0, 1, 0.5}, {{}, {}, {}}, "u of section 3 = 0.5 must be greater than that of the section before"},
+        {"u falls", {0, 1, 0.5}, {{}, {}, {}}, "u of section 3 = 0.5 must be greater than u of the section before"},
         {"u twice", {0, 0}, {{}, {}}, "u of section 2 = 0"},
         {"no u", {0, nan}, {{}, {}}, "u of section 2 = nan must be finite"},
         {"numbers differ", {0, 1}, {{0, 0.01}, {0, 0.01, 0.02}}, "number of features of section 2 = 3 must equal"},

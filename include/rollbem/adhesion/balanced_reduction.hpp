@@ -146,10 +146,12 @@ void require_state_space(const char* who, const StateSpace<Scalar>& space) {
     const Eigen::Index n = space.A.rows();
     require(n >= 1, who, "number of rows of A", n, "be at least 1");
     require(space.A.cols() == n, who, "number of columns of A", space.A.cols(), "equal its number of rows");
-    require(space.B.rows() == n, who, "number of rows of B", space.B.rows(), "equal that of A");
-    require(space.C.cols() == n, who, "number of columns of C", space.C.cols(), "equal that of A");
-    require(space.D.rows() == space.C.rows(), who, "number of rows of D", space.D.rows(), "equal that of C");
-    require(space.D.cols() == space.B.cols(), who, "number of columns of D", space.D.cols(), "equal that of B");
+    require(space.B.rows() == n, who, "number of rows of B", space.B.rows(), "equal the number of rows of A");
+    require(space.C.cols() == n, who, "number of columns of C", space.C.cols(), "equal the number of columns of A");
+    require(space.D.rows() == space.C.rows(), who, "number of rows of D", space.D.rows(),
+            "equal the number of rows of C");
+    require(space.D.cols() == space.B.cols(), who, "number of columns of D", space.D.cols(),
+            "equal the number of columns of B");
     require_finite(who, "A", space.A);
     require_finite(who, "B", space.B);
     require_finite(who, "C", space.C);

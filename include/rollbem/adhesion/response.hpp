@@ -123,9 +123,9 @@ Response<Scalar> solve_steady(MatrixX<Scalar> G_prime, const MatrixX<Scalar>& in
     detail::require_equations(G_prime);
     const Eigen::Index n = G_prime.rows();
     detail::require(inputs.rows() == n, "solve_steady", "number of rows of inputs", inputs.rows(),
-                    "equal that of G_prime");
+                    "equal the number of rows of G_prime");
     detail::require(outputs.rows() == n, "solve_steady", "number of rows of outputs", outputs.rows(),
-                    "equal that of G_prime");
+                    "equal the number of rows of G_prime");
     return detail::solve_copied<Scalar, Scalar>(std::move(G_prime), inputs, outputs);
 }
 

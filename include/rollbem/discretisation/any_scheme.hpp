@@ -48,7 +48,7 @@ private:
         SchemeRows<Scalar> rows(Quantity quantity, const Mesh<Scalar>& mesh) const {
             if constexpr (std::same_as<Scalar, double>) return in_double(quantity, mesh);
             detail::require(false, "AnyScheme", "size of the scalar", sizeof(Scalar),
-                            "be that of double for a scheme of the user's own");
+                            "be the size of double for a scheme of the user's own");
             return {};
         }
     };

@@ -48,7 +48,7 @@ public:
         const Eigen::Index m = half_lengths_.size();
         detail::require(m >= 1, "PatchMesh", "number of strips", m, "be at least 1");
         detail::require(data.edges.size() == m + 1, "PatchMesh", "number of edges of strips", data.edges.size(),
-                        "be one more than that of strips");
+                        "be one more than the number of strips");
         lower_ = data.edges.head(m);
         upper_ = data.edges.tail(m);
         check();
@@ -64,7 +64,7 @@ public:
             detail::require(
                 piece.along().size() == whole.along().size() && (piece.along().edges() == whole.along().edges()).all(),
                 "PatchMesh", "number of elements of a piece's strips", piece.elements_per_strip(),
-                "be that of the others, with the same edges");
+                "be the number of the other strips, with the same edges");
             for (const auto part : {&PatchMesh::lower_, &PatchMesh::upper_, &PatchMesh::middles_y_,
                                     &PatchMesh::middles_x_, &PatchMesh::half_lengths_}) {
                 Array both((whole.*part).size() + (piece.*part).size());
@@ -108,7 +108,7 @@ private:
     void check() {
         const Eigen::Index m = half_lengths_.size();
         detail::require(middles_y_.size() == m && middles_x_.size() == m, "PatchMesh", "number of middles of strips",
-                        middles_x_.size(), "equal that of strips");
+                        middles_x_.size(), "equal the number of strips");
         widths_ = upper_ - lower_;
         mirrored_ = true;
         for (Eigen::Index j = 0; j < m; ++j) {

@@ -227,7 +227,7 @@ void require_cosine_mesh(const char* who, const Mesh<Scalar>& mesh) {
         const Scalar width = 2 * sine_of_quarters<Scalar>(4 * i + 2, n) * sine_of_quarters<Scalar>(2, n);
         const Scalar ratio = mesh.widths()[i] / width;
         require(std::abs(ratio - 1) <= std::sqrt(std::numeric_limits<Scalar>::epsilon()), who,
-                "width of an element over that of the cosine mesh", ratio,
+                "width of an element over its width in the cosine mesh", ratio,
                 "be 1: Chebyshev nodes require the cosine mesh");
     }
 }
@@ -235,8 +235,10 @@ void require_cosine_mesh(const char* who, const Mesh<Scalar>& mesh) {
 // Throws std::invalid_argument if rows do not meet the requirements of SchemeRows.
 template <class Scalar>
 void check_rows(const SchemeRows<Scalar>& rows, Quantity quantity, Eigen::Index n) {
-    require(rows.alpha.size() == n, "SchemeRows", "number of alphas", rows.alpha.size(), "equal that of elements");
-    require(rows.lengths.size() == n, "SchemeRows", "number of lengths", rows.lengths.size(), "equal that of elements");
+    require(rows.alpha.size() == n, "SchemeRows", "number of alphas", rows.alpha.size(),
+            "equal the number of elements");
+    require(rows.lengths.size() == n, "SchemeRows", "number of lengths", rows.lengths.size(),
+            "equal the number of elements");
     for (Eigen::Index l = 0; l < n; ++l) {
         require_finite("SchemeRows", "alpha", rows.alpha[l]);
         require_positive("SchemeRows", "length", rows.lengths[l]);
@@ -244,7 +246,7 @@ void check_rows(const SchemeRows<Scalar>& rows, Quantity quantity, Eigen::Index 
     const Eigen::Index points = rows.offsets.size();
     require(points >= 1, "SchemeRows", "number of offsets", points, "be at least 1");
     require(rows.weights.size() == points, "SchemeRows", "number of weights", rows.weights.size(),
-            "equal that of offsets");
+            "equal the number of offsets");
     Scalar sum = 0;
     for (Eigen::Index k = 0; k < points; ++k) {
         require_finite("SchemeRows", "offset", rows.offsets[k]);
@@ -277,7 +279,7 @@ SchemeRows<Scalar> Galerkin::rows(Quantity quantity, const Mesh<Scalar>& mesh) c
     detail::require(quadrature >= 0 && quadrature <= 1000, "Galerkin", "quadrature", quadrature,
                     "be exact_quadrature (0) or lie in [1, 1000]");
     detail::require(derivative != Derivative::fourth_order, "Galerkin", "derivative", "fourth_order",
-                    "be analytic or finite_difference: the fourth order is that of a slope at a point");
+                    "be analytic or finite_difference: the fourth order is for slopes at points");
     SchemeRows<Scalar> result = detail::collocation_rows(*this, quantity, mesh);
     if (quadrature == exact_quadrature) {
         ++result.averages;

@@ -136,7 +136,7 @@ private:
 inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const Grid& h, std::optional<double> load,
                                                     double approach, double tolerance, bool warm) {
     detail::require(h.rows() == grid.nx && h.cols() == grid.ny && h.size() > 0, "NormalContact", "number of gaps",
-                    h.size(), "be that of the grid's cells, and positive");
+                    h.size(), "be the number of the grid's cells, and positive");
     const bool finite = detail::all_finite(h) && detail::is_finite(load.value_or(approach)) &&
                         detail::is_finite(grid.x_0) && detail::is_finite(grid.y_0);
     if (!finite || !(grid.dx > 0 && grid.dy > 0)) return without({}, grid);

@@ -27,7 +27,7 @@ public:
         require_ascending("number of x", "x", x_);
         require_ascending("number of y", "y", y_);
         detail::require(pressure_.rows() == x_.size() && pressure_.cols() == y_.size(), "PressureGrid",
-                        "number of pressures", pressure_.size(), "equal that of points");
+                        "number of pressures", pressure_.size(), "equal the number of points");
         for (const Scalar value : pressure_.reshaped()) {
             detail::require_not_negative("PressureGrid", "pressure", value);
         }

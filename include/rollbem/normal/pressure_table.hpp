@@ -24,7 +24,7 @@ public:
     PressureTable(ArrayX<Scalar> x_over_a, ArrayX<Scalar> pressure)
         : x_(std::move(x_over_a)), pressure_(std::move(pressure)) {
         detail::require(x_.size() == pressure_.size(), "PressureTable", "number of pressures", pressure_.size(),
-                        "equal that of points");
+                        "equal the number of points");
         for (Eigen::Index i = 0; i < x_.size(); ++i) {
             detail::require(detail::is_finite(x_[i]) && x_[i] >= -1 && x_[i] <= 1, "PressureTable", "x/a", x_[i],
                             "lie in [-1, 1]");

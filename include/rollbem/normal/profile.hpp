@@ -45,7 +45,7 @@ public:
         const Eigen::Index n = values_[0].size();
         constexpr double least = 1e-100;  // least distance: squares and inverses of distances stay numbers
         detail::require(n >= 4, "Profile", "number of points", n, "be at least 4");
-        detail::require(values_[1].size() == n, "Profile", "number of z", values_[1].size(), "equal that of y");
+        detail::require(values_[1].size() == n, "Profile", "number of z", values_[1].size(), "equal the number of y");
         for (Eigen::Index i = 0; i < n; ++i) {
             check(i, detail::is_finite(values_[0][i]) && detail::is_finite(values_[1][i]), "be finite");
             if (i == 0) continue;

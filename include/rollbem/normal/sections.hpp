@@ -103,10 +103,11 @@ private:
         const auto named = [&](const char* quantity) { return quantity + of; };
         detail::require_finite("Sections", named("u").c_str(), section.u);
         detail::require(k == 0 || section.u > sections_[k - 1].u, "Sections", named("u").c_str(), section.u,
-                        "be greater than that of the section before");
+                        "be greater than u of the section before");
         const std::vector<double>& features = section.features;
         detail::require(features.size() == sections_[0].features.size(), "Sections",
-                        named("number of features").c_str(), features.size(), "equal that of section 1");
+                        named("number of features").c_str(), features.size(),
+                        "equal the number of features of section 1");
         detail::require(features.size() != 1, "Sections", named("number of features").c_str(), 1,
                         "be 0 or at least 2, for a part lies between two");
         double before = -1;
@@ -115,7 +116,7 @@ private:
             if (feature < 0) continue;
             detail::require(feature > before && before < section.profile.length(), "Sections",
                             named("length of a feature").c_str(), feature,
-                            "be greater than that of the feature before, which must lie on the profile");
+                            "be greater than the length of the feature before, which must lie on the profile");
             before = feature;
         }
     }
@@ -141,7 +142,7 @@ private:
             if (covers(part, k)) covered.push_back(k);
         }
         detail::require(!covered.empty(), "Sections", "number of the part", number + 1,
-                        "be that of a part that is there in two neighbouring sections");
+                        "be the number of a part that is there in two neighbouring sections");
         for (std::size_t k = 0; k + 1 < n; ++k) {
             const auto after = std::lower_bound(covered.begin(), covered.end(), k);
             const bool forward = after != covered.end() && (after == covered.begin() || *after - k < k - *(after - 1));

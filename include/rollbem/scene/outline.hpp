@@ -29,9 +29,9 @@ public:
         const Eigen::Index lines = y_.size();
         detail::require(lines >= 2, "Outline", "number of lines", lines, "be at least 2");
         detail::require(trailing_.size() == lines, "Outline", "number of trailing edges", trailing_.size(),
-                        "equal that of y");
+                        "equal the number of y");
         detail::require(leading_.size() == lines, "Outline", "number of leading edges", leading_.size(),
-                        "equal that of y");
+                        "equal the number of y");
         for (Eigen::Index i = 0; i < lines; ++i) {
             check(i, "y", y_[i], detail::is_finite(y_[i]), "be finite");
             check(i, "x_trailing", trailing_[i], detail::is_finite(trailing_[i]), "be finite");

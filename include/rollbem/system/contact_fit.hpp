@@ -17,7 +17,7 @@ void require_same_aspect(const char* who, const Contact<Scalar>& contact, const 
     if (!aspect || (!is_finite(*aspect) && !is_finite(contact.aspect()))) return;
     const Scalar ratio = *aspect / contact.aspect();
     const bool same = std::abs(ratio - 1) <= Scalar(1e-12) + 4 * std::numeric_limits<Scalar>::epsilon();
-    require(is_finite(ratio) && same, who, "b/a of the kernel over that of the contact", ratio, "be 1");
+    require(is_finite(ratio) && same, who, "b/a of the kernel over b/a of the contact", ratio, "be 1");
 }
 
 /// Throws std::invalid_argument if a system was made for another b/a than the contact's, or if the contact's is
@@ -36,7 +36,7 @@ void require_same_shape(const char* who, const AnyContact& contact, const System
     using Scalar = typename System::Scalar;
     const Scalar ratio = contact.a_over_b() / system.a_over_b();
     const bool same = std::abs(ratio - 1) <= Scalar(1e-12) + 4 * std::numeric_limits<Scalar>::epsilon();
-    require(same, who, "a/b of the patch over that of its system", ratio, "be 1");
+    require(same, who, "a/b of the patch over a/b of its system", ratio, "be 1");
 }
 
 }  // namespace rollbem::detail

@@ -130,7 +130,7 @@ public:
         if (has_G()) detail::require_blocks("ElementSystem", "G", G_, size());
         detail::require_blocks("ElementSystem", "G_prime", G_prime_, size());
         detail::require(!has_G() || (G_[0][1].size() > 0) == coupled(), "ElementSystem", "number of rows of G_xy",
-                        G_[0][1].rows(), "be that of G_prime_xy");
+                        G_[0][1].rows(), "be the number of rows of G_prime_xy");
     }
 
     /// Takes ready blocks of a patch of the given a/b; unless null, `shapes` cover it, and the patch may change its
@@ -157,11 +157,11 @@ public:
         for (Eigen::Index i = 0; i < n; ++i) {
             const Scalar ratio = lateral.weights()[i] / longitudinal.weights()[i];
             detail::require(std::abs(ratio - 1) <= 16 * std::numeric_limits<Scalar>::epsilon(), "ElementSystem",
-                            "width of a lateral element over that of the longitudinal one", ratio, "be 1");
+                            "width of a lateral element over the width of the longitudinal one", ratio, "be 1");
         }
         const bool aspects_differ = aspect_ && lateral.aspect() && *aspect_ != *lateral.aspect();
         detail::require(!aspects_differ, "ElementSystem", "b/a of the lateral kernel",
-                        lateral.aspect().value_or(Scalar(0)), "be that of the longitudinal one");
+                        lateral.aspect().value_or(Scalar(0)), "equal b/a of the longitudinal kernel");
         if (!aspect_) aspect_ = lateral.aspect();
     }
 

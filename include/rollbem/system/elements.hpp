@@ -75,7 +75,7 @@ void Elements<Scalar>::require_valid(const char* who, const char* area) const {
     for (Eigen::Index i = 0; i < n; ++i) {
         const Eigen::Index other = behind[static_cast<std::size_t>(i)];
         detail::require(other >= -1 && other < n && other != i, who, "equation behind", other,
-                        "be that of another element, or -1");
+                        "be the index of another element, or -1");
     }
 }
 

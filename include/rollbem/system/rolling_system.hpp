@@ -23,7 +23,7 @@ namespace detail {
 template <class System>
 void require_G(const char* who, const System& system) {
     require(system.has_G(), who, "number of rows of G", 0,
-            "be that of G_prime: a system without G is for steady friction alone");
+            "be the number of rows of G_prime: a system without G is for steady friction alone");
 }
 
 }  // namespace detail
@@ -195,7 +195,7 @@ ElementSystem<Scalar, directions>::ElementSystem(MatrixX<Scalar> G, MatrixX<Scal
     // an element is displaced in the direction of its own traction, and points ahead of it less than the element itself
     const bool swapped = (this->G().diagonal().array() < 0).all() && (this->G_prime().diagonal().array() > 0).all();
     detail::require(!swapped, "ElementSystem", "first diagonal entry of G", this->G()(0, 0),
-                    "be positive, and that of G_prime negative: have they changed places?");
+                    "be positive, and the entry of G_prime negative: have the matrices changed places?");
 }
 
 /// Two uncoupled systems as one: inputs and outputs of the first, then of the second. With spin in the lateral one,
@@ -204,7 +204,7 @@ template <class Scalar>
 RollingSystem<Scalar> both_directions(const RollingSystem<Scalar>& longitudinal, const RollingSystem<Scalar>& lateral) {
     const std::optional<Scalar>& aspect = longitudinal.aspect() ? longitudinal.aspect() : lateral.aspect();
     detail::require(!lateral.aspect() || *lateral.aspect() == *aspect, "both_directions", "b/a of the lateral kernel",
-                    lateral.aspect().value_or(Scalar(0)), "be that of the longitudinal one");
+                    lateral.aspect().value_or(Scalar(0)), "equal b/a of the longitudinal kernel");
     const auto diagonal = [](const MatrixX<Scalar>& first, const MatrixX<Scalar>& second) {
         MatrixX<Scalar> whole = MatrixX<Scalar>::Zero(first.rows() + second.rows(), first.cols() + second.cols());
         whole.topLeftCorner(first.rows(), first.cols()) = first;

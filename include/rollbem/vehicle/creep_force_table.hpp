@@ -354,7 +354,7 @@ BasicCreepForceTable<Real>::BasicCreepForceTable(CreepForceGrid grid, const Eige
     : BasicCreepForceTable(std::move(grid)) {
     const Eigen::Index nodes = grid_.nodes(), shapes = grid_.shapes();
     require(forces.cols() == nodes * shapes, name, "number of forces", forces.cols(),
-            "be the number of nodes times that of ellipses");
+            "be the number of nodes times the number of ellipses");
     for (Eigen::Index i = 0; i < forces.cols(); ++i) {
         for (Eigen::Index k = 0; k < 3; ++k) {
             require(is_finite(forces(k, i)) && std::abs(forces(k, i)) <= most, name, "force over mu N", forces(k, i),

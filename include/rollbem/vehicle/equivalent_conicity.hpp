@@ -89,7 +89,7 @@ public:
         const Eigen::Index n = y_.size();
         detail::require(n >= 2, who, "number of points", n, "be at least 2");
         detail::require(difference_.size() == n, who, "number of differences", difference_.size(),
-                        "equal that of points");
+                        "equal the number of points");
         detail::require_positive(who, "distance", distance);
         detail::require_positive(who, "radius", radius);
         integral_.setZero(n);

@@ -397,13 +397,14 @@ private:
     static constexpr const char* name = "make_contact_table";
 
     void require_whole(const std::vector<ContactSide>& sides) const {
-        detail::require(sides.size() == side_count(), name, "number of sides", sides.size(), "be that of the wheelset");
+        detail::require(sides.size() == side_count(), name, "number of sides", sides.size(),
+                        "be the number of sides of the wheelset");
         for (const ContactSide& side : sides) {
             detail::require(Eigen::Index(side.nodes.size()) == making_.grid.nodes(), name, "number of nodes",
-                            side.nodes.size(), "be that of the grid");
+                            side.nodes.size(), "be the number of nodes of the grid");
             for (const ContactNode& node : side.nodes) {
                 detail::require(!node.known || Eigen::Index(node.zones.size()) == side.zones.count(), name,
-                                "number of rows of a node", node.zones.size(), "be that of the zones");
+                                "number of rows of a node", node.zones.size(), "be the number of zones");
             }
         }
     }

@@ -26,7 +26,7 @@ public:
         constexpr const char* name = "RailFriction";
         detail::require(!nodes_.empty(), name, "number of nodes", nodes_.size(), "be at least 1");
         detail::require(nodes_.size() == coefficients_.size(), name, "number of coefficients", coefficients_.size(),
-                        "be that of the nodes");
+                        "be the number of nodes");
         for (std::size_t k = 0; k < nodes_.size(); ++k) {
             detail::require(detail::is_finite(nodes_[k]) && (k == 0 || nodes_[k] > nodes_[k - 1]), name, "node",
                             nodes_[k], "be finite and above the one before");

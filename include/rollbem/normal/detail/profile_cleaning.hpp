@@ -40,7 +40,7 @@ public:
         for (std::size_t i = 0; i + 1 < p.size(); ++i) {
             if (step(p, i) <= 20e-3) continue;
             file_.refuse(p.line[i + 1], "the next point is expected within 20 mm; this one is " + in_mm(step(p, i)) +
-                                            " from that of line " + std::to_string(p.line[i] + 1));
+                                            " from the point of line " + std::to_string(p.line[i] + 1));
         }
         for (std::size_t i = 1; i + 1 < p.size(); ++i) {
             if (!folds(p, i)) continue;

@@ -336,10 +336,10 @@ inline ContactTable::ContactTable(Grid grid, Material material, std::vector<Side
     for (Side& side : sides) {
         detail::require_positive(name, "radius", side.radius);
         detail::require(side.on_rails.rows() == 2 && side.on_rails.cols() == grid_.nodes(), name, "number of heights",
-                        side.on_rails.cols(), "be that of the grid's nodes");
+                        side.on_rails.cols(), "be the number of the grid's nodes");
         detail::require(
             side.points.rows() == ContactRow::rows && side.points.cols() == grid_.nodes() * side.zones.count(), name,
-            "number of points", side.points.cols(), "be that of the grid's nodes times the zones");
+            "number of points", side.points.cols(), "be the number of the grid's nodes times the number of zones");
         detail::require(side.on_rails.isFinite().all() && side.points.isFinite().all(), name, "values", "not finite",
                         "be finite");
         sides_.push_back(stored(std::move(side)));
@@ -636,7 +636,8 @@ inline ContactTable ContactTable::read(std::istream& stream) {
                                {&counts[2], unsigned(most_loads)},
                                {&counts[3], 2U}}) {
         *count = reader.integer<std::uint32_t>();
-        detail::require(*count >= 1 && *count <= most, name, "number of nodes", *count, "be 1 to that of a table");
+        detail::require(*count >= 1 && *count <= most, name, "number of nodes", *count,
+                        "be at least 1 and at most the largest number of a table");
     }
     Grid grid{std::vector<double>(counts[0]), std::vector<double>(counts[1]), std::vector<double>(counts[2])};
     for (auto* nodes : {&grid.shifts, &grid.yaws, &grid.loads}) {

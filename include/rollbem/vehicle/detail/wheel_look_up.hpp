@@ -22,7 +22,7 @@ namespace rollbem::detail {
 template <std::same_as<double> Real = double>
 class WheelLookUp {
 public:
-    /// The look-up writes into `result`, whose numbers must be those of an empty WheelForces.
+    /// The look-up writes into `result`, whose numbers must have the values of an empty WheelForces.
     WheelLookUp(const ContactTable& table, const CreepForceTable& creep, const WheelFriction& friction,
                 WheelForces& result)
         : table_(table), creep_(creep), friction_(friction), result_(result) {}
@@ -73,7 +73,7 @@ private:
         if constexpr (has_slopes<Number>) found.derivatives()[of] = 1;
         return found;
     }
-    /// Sine and cosine of an angle, from those of its value.
+    /// Sine and cosine of an angle with its derivatives, from sine and cosine of its value.
     template <class Number>
     static SineCosine<Number> turned(const Number& angle, const SineCosine<double>& value) {
         if constexpr (has_slopes<Number>) {
