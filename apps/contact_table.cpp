@@ -1,5 +1,5 @@
 // Where the wheels of a wheelset touch their rails over shift, yaw and load, from their profiles, as a ContactTable for
-// the time loop of a vehicle; and how far forces by it are from those of the patches:
+// the time loop of a vehicle; and how far forces by it are from the forces of the patches:
 //
 //     ./contact_table --output s1002_60e1.contact --jobs 2
 //     ./contact_table --check 200 s1002_60e1.contact
@@ -57,7 +57,7 @@ struct Scene {
 void require_fit(const study::Options& options, const rollbem::WheelsetOnTrack& wheelset) {
     constexpr double load = 1e5, most = 5e-3, largest_wheel = 2;  // [N], [m], [m]
     if (wheelset.wheel().dimensions().radius > largest_wheel) {
-        throw study::BadInput(options.said("radius") + " must be that of a wheel, in m: at most 2");
+        throw study::BadInput(options.said("radius") + " must be the radius of a wheel, in m: at most 2");
     }
     rollbem::WheelsetOnTrack::Workspace workspace;
     const auto middle = wheelset.solve({}, {load, load}, workspace);
@@ -92,7 +92,7 @@ Scene read_scene(const study::Options& options) {
     CreepForceTable creep = study::blame("--creep", [&] { return CreepForceTable::read(path); });
     const double own = creep.grid().poisson_ratio();
     options.require(std::abs(own - dimensions.poisson_ratio) <= 0.01, "poisson",
-                    "be that of the table of creep forces, " + study::Cell(own).text(3) +
+                    "be Poisson's ratio of the table of creep forces, " + study::Cell(own).text(3) +
                         ": make another one by creep_table, and give it as --creep");
     return {std::move(wheelset), std::move(creep), jobs, !study::shows_progress(options)};
 }
@@ -392,7 +392,7 @@ std::string summary(std::vector<double> all) {
            ", largest " + text(all.back());
 }
 
-/// A random scene: shift to the table's largest or 6.1 mm, yaw to 10 mrad, equal loads within those of the table,
+/// A random scene: shift to the table's largest or 6.1 mm, yaw to 10 mrad, equal loads within the table's range,
 /// creepages that would need 0.05 to 5 mu N in the linear law, in a random direction.
 WheelsetRolling random_scene(const ContactTable& table, double radius, std::uint64_t seed) {
     std::mt19937_64 random(seed);

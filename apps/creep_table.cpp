@@ -105,8 +105,8 @@ void emit_slab(const Job& job, const CreepForceGrid::Slab& slab, study::RowRange
     }
 }
 
-/// Computes and writes the rows, calls finish(forces) for those of all nodes, NaN where this run has none, and gives
-/// `files` their names.
+/// Computes and writes the rows, calls finish(forces) with the forces of all nodes, NaN where this run has none, and
+/// gives `files` their names.
 void write_rows(const study::Options& options, const Job& job, study::OutputFiles& files,
                 const std::function<void(const Eigen::Array3Xd&)>& finish) {
     const CreepForceGrid& grid = job.grid;
@@ -123,7 +123,7 @@ void write_rows(const study::Options& options, const Job& job, study::OutputFile
     study::write_table(options, table, files);
 }
 
-/// The forces of rows, which must be all those of the grid.
+/// The forces of rows, which must cover the whole grid.
 Eigen::Array3Xd read_forces(const Job& job, const study::JoinedRows& rows) {
     const CreepForceGrid& grid = job.grid;
     Eigen::Array3Xd forces(3, grid.nodes() * grid.shapes());

@@ -239,7 +239,7 @@ void write_state_space(const study::Options& options, study::OutputFiles& files,
         const auto space_of = [&](const auto& system) {
             const std::string flaw = study::flaw_in_steady_rolling(scene, system);
             options.require(flaw.empty(), "state-space",
-                            "go with another scheme: that of n = " + std::to_string(scene.n()) + " " + flaw);
+                            "go with another scheme: the scheme of n = " + std::to_string(scene.n()) + " " + flaw);
             return rollbem::state_space(system);
         };
         return scene.chebyshev ? space_of(rolling_system(*scene.chebyshev, scene.kernel))

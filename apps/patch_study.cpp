@@ -184,7 +184,7 @@ void write_state_space(const study::Options& options, study::OutputFiles& files,
          .bounded = "the matrix of coefficients"});
 }
 
-/// With the columns of the coefficients.
+/// The text of --help; `columns` name the coefficients.
 std::string help(const std::string& columns) {
     return R"(Examples: Kalker's creep coefficients over a/b, beside those of his table; a triangle, pointed in front
   patch_study --a-over-b 0.1,0.2,0.5,1,2,5,10 --poisson 0,0.25,0.5 --n 16 --output c.csv --plot c.svg

@@ -249,7 +249,7 @@ Columns heat_columns() {
              study::where(&Found::solved, [](const Found& f) { return f.solved()->peak_temperature; })}};
 }
 
-/// In track axes: of a left wheel, y, angles and what lies across the track are those of its mirror image reversed.
+/// The columns, in track axes: y, angles and lateral quantities of a left wheel are its mirror image's, reversed.
 study::Sheet<Found, Case> sheet_of(const std::string& positions, bool friction, bool heats, bool stress) {
     Columns columns = patch_columns();
     if (friction) columns = study::joined(columns, friction_columns());

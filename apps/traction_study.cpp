@@ -1,5 +1,5 @@
-// Traction in steady rolling: that of each element against Carter's exact solution, which is singular at the trailing
-// edge. Away from the edges it converges; the element at the trailing edge keeps its relative error. Chebyshev states
+// Tractions of the elements in steady rolling against Carter's exact solution, which is singular at the trailing
+// edge. Away from the edges they converge; the element at the trailing edge keeps its relative error. Chebyshev states
 // include the singularity:
 //
 //     ./traction_study --n 20
@@ -64,7 +64,7 @@ Elements solve_once(const study::Scene& scene) {
     return found;
 }
 
-/// The elements of the rows: those of the coarse mesh where there are two.
+/// The mesh whose elements have rows: the coarse one where there are two.
 const rollbem::Mesh<double>& mesh_of(const study::Scene& scene) { return scene.coarse ? *scene.coarse : *scene.mesh; }
 
 void by_elements(const study::Scene& scene, study::RowRange elements, const study::Results<Traction>& emit) {

@@ -98,15 +98,16 @@ void read_row(const study::JoinedRows& rows, std::size_t row, const std::vector<
     };
     const bool same = zone < cuts.size() ? number(0) == cuts[zone].y && number(1) == cuts[zone].half_width
                                          : cells[0].empty() && cells[1].empty();
-    rows.require(same, row, "cut_y and cut_half_width must be those of the first rows: parts are of one table");
+    rows.require(same, row, "cut_y and cut_half_width must be the cuts of the first rows: parts are of one table");
     rows.require(cells[4] == "ok" || cells[4] == "no_contact", row,
                  "status = " + cells[4] + " must be ok or no_contact");
     const bool known = cells[4] == "ok";
-    rows.require(zone == 0 || known == node.known, row, "status = " + cells[4] + " must be that of all rows of a node");
+    rows.require(zone == 0 || known == node.known, row,
+                 "status = " + cells[4] + " must be the status of all rows of a node");
     node.known = known;
     if (!known) return;
     rows.require(zone == 0 || (number(2) == node.support && number(3) == node.roll), row,
-                 "height and roll must be those of all rows of a node");
+                 "height and roll must be the same in all rows of a node");
     node.support = number(2);
     node.roll = number(3);
     if (zone >= std::size_t(side.zones.count())) return;

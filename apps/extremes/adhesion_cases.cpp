@@ -88,7 +88,8 @@ rollbem::EstimatedC11<double> reference(const Scene& s, double z, Against agains
     return result;
 }
 
-/// By the equations at z alone, or by a sweep, which reduces those of elements to Hessenberg form first.
+/// The comparison at z by the equations at z alone, or by a sweep, which reduces the equations of elements to
+/// Hessenberg form first.
 Outcome compared(const Scene& s, double z, Against against, double bound, bool by_sweep) {
     const auto exact = reference(s, z, against);
     const double per_condition = against != Against::long_double ? 0 : z == 0 ? 4 : 16;
@@ -139,7 +140,7 @@ void add_steady(Cases& cases, bool large) {
         c11.exact("nu = " + shown(nu), scene(on_cosine, 40, infinity, nu), 1.1e-4);
         c11.rounded("nu = " + shown(nu) + ", b/a = 1", scene(on_cosine, 40, 1, nu));
     }
-    // The strip, narrow to wide. The error is that of the cosine mesh until the elements in the middle, 3.1/n wide, no
+    // The strip, narrow to wide. The error is the cosine mesh's until the elements in the middle, 3.1/n wide, no
     // longer resolve the width b.
     for (const double aspect : {0.01, 0.1, 1.0, 10.0, 1e3, 1e6, 1e12}) {
         const std::string name = "b/a = " + shown(aspect);

@@ -58,7 +58,8 @@ struct Line {
         step.force /= -full_force;
         return step;
     }
-    /// The same where friction falls with slip to a share of mu, by half at a velocity over that of rolling.
+    /// A steady step with friction that falls with slip to a share of mu, by half at a slip velocity over the rolling
+    /// velocity.
     auto falling(double delta, double share, double half_velocity) const {
         const rollbem::ExponentialFall<> fall{1, share, half_velocity};
         const rollbem::FrictionModel model(contact(), rollbem::ElementSystem<double>({}, slopes(false), mesh.widths()),
@@ -89,7 +90,7 @@ void add_directions(Cases& cases) {
         const std::string end = ", nu = " + shown(nu);
         for (const bool lateral : {false, true}) {
             const auto along = [=](const auto& step) { return lateral ? step.force.lateral : step.force.longitudinal; };
-            // Nearly in one direction: the force differs from that of its own solver by the square of the angle.
+            // A force nearly in one direction differs from the force by that direction's solver by the square of the angle.
             for (const double angle : {0.0, 1e-12, 1e-6, 1e-3}) {
                 cases.add("creepage at " + shown(angle) + " rad to the " + (lateral ? "lateral" : "rolling") +
                               " direction" + end,

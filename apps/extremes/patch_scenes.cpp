@@ -41,7 +41,7 @@ struct PatchScene {
     std::array<Later, steps> later;
     bool euler;
     bool varies, reshapes;              ///< the size; and the shape
-    double half_length, narrowing = 1;  ///< in the beginning: a; a/b over that of the contact
+    double half_length, narrowing = 1;  ///< a at the beginning; a/b then over a/b of the contact
 
     explicit PatchScene(std::uint64_t seed) {
         drawn::Draw draw(seed);

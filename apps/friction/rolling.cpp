@@ -159,7 +159,7 @@ private:
         return step.status;
     }
 
-    // the state before a failed step is not that of a later instant: the run is over
+    // the state before a failed step belongs to no later instant: the run is over
     void end(double q, const Step& failed) {
         now_.step = failed;
         now_.rounds += failed.rounds;

@@ -16,7 +16,7 @@
 
 namespace friction {
 
-/// Whether the first row is that of a jump of a shift or force before rolling.
+/// Whether the first row shows a jump of a shift or force before rolling.
 bool begins_with_shift(const study::RunSettings& run, const study::History& imposed, const study::HistoryColumns& of);
 
 /// A contact and what happens to it over the distance rolled q [a_0], at the rolling velocity 1, or as the column speed

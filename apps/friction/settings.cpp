@@ -158,7 +158,7 @@ Line read_line(const study::Options& options) {
             scene_in_title(options)};
 }
 
-/// The lateral ratio is a loop inside that of the longitudinal one, spin the innermost.
+/// The points in the order of three loops: the longitudinal ratio outermost, then the lateral ratio, spin innermost.
 std::vector<CreepPoint> read_points(const study::Options& options) {
     std::vector<std::optional<double>> across{std::nullopt};
     if (options.given("lateral-ratio")) {

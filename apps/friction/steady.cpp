@@ -14,7 +14,7 @@ namespace {
 
 // --- rows ----------------------------------------------------------------------------------------------------------
 
-/// A row of either table, for that of the tractions with an element.
+/// A row of the table of forces or, with an element i, of the table of tractions.
 struct CreepRow {
     const Curve& curve;
     const Line& line;
@@ -170,7 +170,7 @@ std::vector<study::Plot> draw_tractions(const study::SideTable& tractions, const
     const double sign = *shown < 0 ? -1 : 1;
     study::Series exact{.label = "Carter", .markers = false, .reference = true};
     study::Series bound{.label = "bound " + coefficient(falling) + " p_n", .markers = false, .reference = true};
-    // other colours than those of the first creep curves
+    // slip and stick have other colours than the first creep curves
     study::Series slip{.label = "slip", .line = false, .style = 7};
     study::Series stick{.label = "stick", .line = false, .style = 6};
     double highest = 0;

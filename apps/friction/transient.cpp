@@ -18,7 +18,7 @@ namespace {
 
 // --- contacts ------------------------------------------------------------------------------------------------------
 
-// On a mesh that breathes b/a falls as the load grows, for the system of one direction or that of both.
+// The ratio b/a falls as the load grows on a mesh that breathes. `system` has one direction or both.
 template <class System>
 void require_plane_model(const study::Scene& scene, const study::History& imposed, const System& system,
                          const char* term) {
@@ -47,7 +47,7 @@ rollbem::FrictionContact make_contact(const Scenario& scenario, const study::Sce
     if (scenario.checked && across) study::require_steppable(scene, *across);
     if (breathes && across) require_plane_model(scene, imposed, rollbem::ElementSystem(along, *across), "- nu");
     if (breathes && !across) require_plane_model(scene, imposed, along, "+ nu/(1-nu)");
-    // the law is that of the largest load; what a run starts under is in its state
+    // the law has the pressures of the largest load; the load that a run starts under is in its state
     const Eigen::ArrayXd means =
         varies ? hertz_load(imposed, breathes, *scene.mesh).at(half_length * half_length * mu_N).normal_pressure
                : line.pressure(*scene.mesh);

@@ -172,7 +172,7 @@ inline double optimum_of(Case c, Eigen::Index n, Vary vary, Range search) {
 }
 
 /// Whether, for each number of elements, no x of the grid has a smaller error than `claimed`, or the true optimum is
-/// nearer than near_optimum. `curves` are those of the numbers; the true optimum lies between the ends of `search`.
+/// nearer than near_optimum. `curves` belong to `numbers`; the true optimum lies between the ends of `search`.
 inline Finding optimum(const std::vector<Points>& curves, const std::vector<Eigen::Index>& numbers, double claimed,
                        const Case& scheme, Vary vary, Range search) {
     return for_all_n(numbers, "", [&](std::size_t k) -> Finding {

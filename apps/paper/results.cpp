@@ -159,7 +159,7 @@ Samples traction_samples(const Panel&, const Curve& curve) {
     return samples;
 }
 
-/// The place of c11 at z in the complex plane, or those of real and imaginary part over frequency.
+/// The point of c11(z) in the complex plane, or the points of its real and imaginary part over frequency.
 Points places(Quantity quantity, double z, const std::complex<double>& c11) {
     if (quantity == Quantity::argand) return {{c11.real(), c11.imag()}};
     return {{z, c11.real()}, {z, c11.imag()}};
@@ -180,7 +180,8 @@ Samples response_samples(const Panel& panel, const Curve& curve) {
     return samples;
 }
 
-/// What a panel shows: the label of its axis, its columns behind those of the case, and how a curve is computed.
+/// The quantity of a panel: the label of its axis, its columns behind the columns of the case, and the function that
+/// computes a curve.
 struct Kind {
     std::string y_label, columns;
     Samples (*compute)(const Panel&, const Curve&);

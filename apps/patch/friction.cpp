@@ -17,7 +17,7 @@ namespace {
 
 constexpr double peak = 3 / (2 * std::numbers::pi);  // mu p_0
 
-/// A row of either table, for that of the tractions with an element.
+/// A row of the table of forces or, with an element i, of the table of tractions.
 struct FrictionRow {
     const Patch& patch;
     const CreepPoint& point;

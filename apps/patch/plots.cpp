@@ -170,7 +170,7 @@ study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const s
         longest = std::max(longest, std::hypot(*traction_x, *traction_y));
         area += 4 * dx * dy;
     }
-    // their middles in those of the elements, the longest as long as one and a half elements of mean size
+    // arrows have their middles in the middles of the elements; the longest is one and a half mean elements long
     const double scale = longest > 0 ? 1.5 * std::sqrt(2 * area / double(arrows.points.size())) / longest : 0;
     for (std::size_t i = 1; i < arrows.points.size(); i += 2) {
         auto& [x, y] = arrows.points[i - 1];

@@ -248,7 +248,7 @@ Pressure read_pressure(const study::Options& options) {
 /// Throws BadInput if a patch would gain energy from rolling with spin.
 void require_no_gain(const study::Options& options, const std::vector<Patch>& patches) {
     for (const Patch& patch : patches) {
-        // moments are those of tractions at the middles of elements, slip is taken elsewhere in them: creep work
+        // moments take the tractions at the middles of elements, slip is taken elsewhere in them: creep work
         // without slip, a quadratic form, may become negative where elements are few
         const auto steady = rollbem::solve_steady(patch.mesh, patch.scheme, patch.kernel());
         const Eigen::Matrix3d C = steady.coefficients;

@@ -131,8 +131,8 @@ void write_cheapest(study::OutputFile& file, const std::vector<Point>& points, c
 /// The recommended command line for each purpose, for the plane kernel or a strip with b/a >= 10.
 void print_recommendations(const study::Options& options);
 
-/// Panels for up to three quantities; of more, those of c11, response and friction that are there. Each shows the
-/// error of every scheme over its time, and the front of `points`.
+/// Panels for up to three quantities; where there are more, c11, response and friction alone have panels. Each panel
+/// shows the error of every scheme over its time, and the front of `points`.
 study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<Point>& points);
 
 }  // namespace precision

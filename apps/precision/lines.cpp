@@ -109,7 +109,7 @@ Values combined_forces(const Scene& scene, const Settings& settings) {
 }
 
 /// Whether a mesh follows the half-length if the load varies: a uniform mesh gains nothing from edges that move with
-/// those of the contact, and only equations that hold at points, with the plane kernel, can change the half-length.
+/// the contact's edges, and only equations that hold at points, with the plane kernel, can change the half-length.
 bool breathes(const Scene& scene, const Settings& settings) {
     return settings.may_breathe && scene.topology() != Topology::uniform && scene.is_plane() &&
            scene.method != "galerkin" && scene.lambda.value_or(1) == 1;
@@ -232,9 +232,9 @@ Found by_polynomial(const Contact<double>& contact, Eigen::Index degree, const S
 Found evaluate(const Scene& scene, const Settings& settings, const Quantity& quantity);
 
 /// What a quantity consists of in the plane model, by closed forms where there are any, none of which depends on an
-/// infinite aspect. The force in both directions is extrapolated from cosine meshes of 320 and 640 elements. Those
-/// under a load that varies are extrapolated from cosine meshes of 160 and 320 elements that breathe, in steps of a
-/// quarter of those of the schemes.
+/// infinite aspect. The force in both directions is extrapolated from cosine meshes of 320 and 640 elements. The
+/// force under a load that varies is extrapolated from cosine meshes of 160 and 320 elements that breathe, in steps of
+/// a quarter of the schemes' steps.
 Values reference(const Contact<double>& contact, const Settings& settings, const Quantity& quantity) {
     const double nu = contact.poisson_ratio();
     switch (quantity.problem) {
@@ -314,7 +314,8 @@ std::optional<bool> stable(const Scene& scene) {
 
 // --- the command line
 
-/// Times and the front are those of one contact and one model of it.
+/// The one contact of a study and its model: times and the front compare schemes on one problem. Throws BadInput if
+/// the options name several contacts.
 std::pair<Contact<double>, LineModel> make_contact(const study::Options& options,
                                                    const std::vector<NamedScheme>& schemes,
                                                    const std::vector<Quantity>& quantities) {

@@ -51,7 +51,7 @@ Settings read_settings(const study::Options& options, bool several);
 /// All positions, the shift outermost and the pitch rate innermost.
 std::vector<Case> read_cases(const study::Options& options);
 
-/// The columns of a case: those of what is swept.
+/// The columns of a case name the quantities that are swept.
 std::string case_columns(const study::Options& options);
 
 // --- equivalent conicity

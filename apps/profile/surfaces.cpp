@@ -15,13 +15,13 @@ namespace {
 
 using Use = rollbem::Profile::Use;
 
-/// The options of one side: those of the right one, or with "left-" before them.
+/// The options of one side; the names of the left side's options begin with "left-".
 struct SideOptions {
     const study::Options& options;
     std::string left;
 
     std::string own(const char* name) const { return left + name; }
-    /// The option that the profile comes from: that of the right side where the left one has none.
+    /// The option that names the profile: the right side's option where the left side has none.
     std::string source(const char* name) const { return options.given(own(name)) ? own(name) : name; }
 };
 
@@ -46,7 +46,7 @@ auto opened(const study::Options& options, const std::string& source, Use use, c
     const bool standard = is_standard(options, source, use);
     if (standard) options.ignored(source + "-mirror", "with a standard profile");
     rollbem::ProfileFileOptions how = file_options(options, source);
-    if (standard) how.smooth = 0;  // that of the other one, which is from a file
+    if (standard) how.smooth = 0;  // the option smooths the other profile, which is from a file
     auto file = study::blame("--" + source, [&] { return open(options.text(source), how); });
     for (const std::string& note : file.notes) options.note("--" + source + ": " + note);
     return std::move(file.surface);

@@ -449,7 +449,8 @@ struct Legend {
         labels.push_back(label);
         return " title " + gnuplot_string(label);
     }
-    /// Of gnuplot's width of an entry, which overestimates letters: that of its text and of seven characters.
+    /// The characters by which gnuplot overestimates an entry, which it takes for as wide as its text and seven
+    /// characters: letters are narrower.
     double excess() const { return 0.15 * longest(labels); }
     std::size_t columns() const {
         const double entry = 0.7 * font * (longest(labels) - excess() + 7);

@@ -26,7 +26,7 @@ JoinedRows::JoinedRows(const Options& options, const std::vector<std::string>& c
 std::vector<std::string> JoinedRows::cells(std::size_t row, const Row& expected) const {
     if (row >= lines_.size()) {
         throw BadInput(places_.back() + ": the end, after " + std::to_string(lines_.size()) + " of " +
-                       std::to_string(count_) + " rows, must be that of the last part of --shard");
+                       std::to_string(count_) + " rows, must be the end of the last part of --shard");
     }
     std::vector<std::string> cells = cells_of(detail::trim(lines_[row]), ',');
     if (cells.size() != columns_.size()) cells.assign(columns_.size(), "");

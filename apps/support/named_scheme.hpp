@@ -44,8 +44,8 @@ std::vector<std::string> derivative_names(const std::string& method);
 /// What --derivative is by default: fd, but analytic for galerkin with exact quadrature, and none with nodes.
 std::string usual_derivative(const NamedScheme& scheme);
 
-/// The scheme of a word, as of --scheme; those of patches alone have strips. Throws BadInput, which says what the part
-/// of the word that is to blame may be.
+/// The scheme of a word of --scheme; strips are for schemes of patches. Throws BadInput, which says what the wrong part
+/// of the word may be.
 NamedScheme scheme_named(const std::string& word, bool of_patch = false);
 
 /// What --help says of --scheme; `further` continues it.

@@ -24,7 +24,7 @@ void raise_to_drawn(Plot& plot, double least) {
     for (Series& series : plot.series) {
         for (auto& [at, value] : series.points) {
             any = any || value < least;
-            value = std::max(value, least);  // that of nan is nan
+            value = std::max(value, least);  // the maximum of nan is nan
             if (!std::isfinite(at) || !std::isfinite(value)) continue;
             x = {std::min(x.low, at), std::max(x.high, at)};
             y.high = std::max(y.high, 3 * value);

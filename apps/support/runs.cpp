@@ -111,7 +111,7 @@ void require_no_first_shift(const RunSettings& run, const History& imposed, cons
 
 namespace {
 
-/// A table of --load, whose first column is that of places.
+/// A table of --load, whose first column holds the places.
 std::vector<Numbers> read_load_table(const Options& options, const std::string& further) {
     std::vector<Numbers> columns =
         read_columns(options, "load", "q_over_a,load_ratio", further,

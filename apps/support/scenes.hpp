@@ -50,10 +50,10 @@ struct Scene : NamedScheme {
     bool is_plane() const { return kernel.model() == rollbem::LineModel::plane; }
 };
 
-/// The cell under a column: method, derivative, mesh, n, alpha_L, alpha_T, lambda and those of `settings`.
+/// The cell under a column: method, derivative, mesh, n, alpha_L, alpha_T, lambda or a column of `settings`.
 Cell scene_cell(const Scene& scene, const std::string& column);
 
-/// The columns that tell scenes apart behind the others, separated by commas; among them those of the gradings.
+/// The columns that tell scenes apart behind the others, separated by commas; the gradings' names are among them.
 inline const std::string distinctions = [] {
     std::string names = "kernel,aspect,poisson";
     for (const rollbem::GradingInfo& grading : rollbem::gradings) names += std::string(",") + grading.name;

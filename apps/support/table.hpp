@@ -41,8 +41,8 @@ struct SideTable {
 struct Table {
     std::vector<std::string> columns;
     std::vector<std::size_t> rows_of_task;  ///< known beforehand, so that rows can be divided into shards
-    /// If set, called once before any task is computed and anything written, with those of this run. It reports its
-    /// progress by done(part), 0 ... 1.
+    /// A function called once, if set, with the tasks of this run, before any of them is computed and anything written.
+    /// It reports its progress by done(part), 0 ... 1.
     std::function<void(const std::vector<std::size_t>& tasks, const std::function<void(double part)>& done)> prepare{};
     std::function<void(std::size_t task, RowRange range, const Emit& emit)> compute;  ///< emits just these rows
     /// If set, called when all rows are computed, to write what else belongs to the files of the run. If it throws, no

@@ -15,10 +15,10 @@ namespace study {
 /// What --help says of times.
 inline constexpr const char* median_of_runs = "median of at least 5 runs, one if it takes a second";
 
-/// One computation, whose time is the median over at least 5 runs, or that of the first if it takes a second. It is
-/// that of the processor, which other programs disturb less than that of the clock on the wall. A run lasts some
-/// hundred times the overhead of the clock, and runs are repeated for 8 ms, at most 51 times, which steadies the median
-/// of short computations.
+/// One computation, whose time is the median over at least 5 runs, or the time of the first run if it takes a second.
+/// The clock counts the time of the processor, which other programs disturb less than the time on the wall. A run lasts
+/// some hundred times the overhead of the clock, and runs are repeated for 8 ms, at most 51 times, which steadies the
+/// median of short computations.
 class Timer {
 public:
     /// `call` must return a double that depends on what it computed. The first call is made here.

@@ -63,7 +63,7 @@ cat node1.csv node2.csv node4.csv >broken.csv
 bad 'line 58: yaw = 0.01 must be 0, as the options of the grid want it' \
     "$table" $small --rows "$scratch/broken.csv" --output x.contact
 cat node1.csv node2.csv node3.csv >broken.csv
-bad 'line 85: the end, after 84 of 112 rows, must be that of the last part' \
+bad 'line 85: the end, after 84 of 112 rows, must be the end of the last part' \
     "$table" $small --rows "$scratch/broken.csv" --output x.contact
 cat node?.csv node4.csv >broken.csv
 bad 'line 114: must be the end, after all 112 rows' \
@@ -73,10 +73,10 @@ bad 'line 58: load = 80000 must be 100000' "$table" $small --rows "$scratch/brok
 cat node1.csv node3.csv node2.csv node4.csv >broken.csv
 bad 'line 30: load = 1e+05 must be 80000' "$table" $small --rows "$scratch/broken.csv" --output x.contact
 sed '10s/,1,,,/,1,0.73,0.002,/' nodes.csv >broken.csv
-bad 'line 10: cut_y and cut_half_width must be those of the first rows' \
+bad 'line 10: cut_y and cut_half_width must be the cuts of the first rows' \
     "$table" $small --rows "$scratch/broken.csv" --output x.contact
 sed '2s/,ok,/,no_contact,/' nodes.csv >broken.csv
-bad 'line 3: status = ok must be that of all rows of a node' \
+bad 'line 3: status = ok must be the status of all rows of a node' \
     "$table" $small --rows "$scratch/broken.csv" --output x.contact
 head -c -1 nodes.csv >broken.csv
 bad 'must end with a line feed: is the last part complete?' \

@@ -44,7 +44,7 @@ constexpr const char* analytic = ":analytic";  // in place of finite differences
 
 double oscillation_of(const Case& c) { return oscillation(tractions(c).value); }
 
-/// Largest difference of the tractions of Knothe and Gross-Thebing's boundary conditions on 41 elements from those of
+/// Largest difference between the tractions by Knothe and Gross-Thebing's boundary conditions on 41 elements and by
 /// collocation with alpha = 1 on 40, over the largest traction (plane kernel, which has no length scale).
 double knothe_boundary_difference(const std::string& derivative) {
     const auto unknowns = [](const Case& c) {
@@ -161,7 +161,7 @@ Finding best_in_the_middle(const Results& r) {
     return {holds, text};
 }
 
-/// Whether the curve alpha_L = 0 meets 1 twice where the status says that tractions are those of full adhesion.
+/// Whether the curve alpha_L = 0 meets 1 twice where the status accepts the tractions as full adhesion.
 Finding meets_one_twice(const Results& r) {
     std::string consistent, other;
     int count = 0;

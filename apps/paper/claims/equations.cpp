@@ -39,7 +39,8 @@ AsPrinted as_printed() {
             (rollbem::solve_response<double>(printed, {0, 1}).c11() / polynomial_c11(1)).real()};
 }
 
-/// Largest relative difference of G and G' of Galerkin's method with one Gauss point from those of collocation.
+/// Largest relative difference between the matrices G and G' of Galerkin's method with one Gauss point and of
+/// collocation.
 double one_point_difference() {
     double largest = 0;
     for (const std::string derivative : {":fd", ":analytic"}) {

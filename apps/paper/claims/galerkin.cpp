@@ -12,7 +12,7 @@ namespace paper {
 
 namespace {
 
-/// Time of a steady problem over that of collocation.
+/// Time of a steady problem over its time by collocation.
 double cost_ratio(const Case& c) {
     const auto time_us = [](const Case& one) { return study::median_time_us([&] { return c11_ratio(one); }); };
     double own = std::numeric_limits<double>::infinity(), collocation = own;

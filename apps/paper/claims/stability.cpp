@@ -17,8 +17,8 @@ double first_of(const Results& r, const std::string& panel, std::size_t k, doubl
     return first_positive(r.curve(panel, k)).value_or(never);
 }
 
-/// Holds if judge(first, before) does for every curve of all panels: where it becomes unstable, `never` if it does not,
-/// and where that of the coarser mesh does.
+/// The finding holds if judge(first, before) does for every curve of all panels. `first` is where the curve becomes
+/// unstable, `never` if it does not; `before` is where the curve of the coarser mesh does.
 template <class Each>
 Finding onsets_of(const Results& r, const std::vector<std::string>& panels, double never, const Each& judge) {
     bool holds = true;
