@@ -621,8 +621,8 @@ void add_options(study::Options& options) {
                      "FILE.toml beside it, standard output without it");
     options.set_help("jobs", "number of threads [dimensionless], 1 to 1024");
     options.add_input("rows",
-                      "CSV file of the rows, the parts of --shard one after the other, made with the same options but "
-                      "those of zones and the same version, in place of a computation");
+                      "CSV file of the rows, the parts of --shard one after the other, made with the same version and "
+                      "the same options but the zones, in place of a computation");
     options.not_with({"shard"}, "rows");
     options.not_with({"shard", "rows"}, "check");
     options.not_with({"rows"}, "scan");

@@ -186,7 +186,7 @@ void write_state_space(const study::Options& options, study::OutputFiles& files,
 
 /// The text of --help; `columns` name the coefficients.
 std::string help(const std::string& columns) {
-    return R"(Examples: Kalker's creep coefficients over a/b, beside those of his table; a triangle, pointed in front
+    return R"(Examples: Kalker's creep coefficients over a/b, beside his table; a triangle, pointed in front
   patch_study --a-over-b 0.1,0.2,0.5,1,2,5,10 --poisson 0,0.25,0.5 --n 16 --output c.csv --plot c.svg
   printf 'y,x_trailing,x_leading\n-1,-1,-1\n0,-1,2\n1,-1,-1\n' > triangle.csv
   patch_study --n 12 --outline triangle.csv --strips 12

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Compiles and runs one file of tests with templates of its own. Otherwise those of double come from rollbem::compiled,
-# and a header that was changed has no effect before that is built again.
+# Compiles and runs one file of tests with templates of its own. Otherwise templates of double come from
+# rollbem::compiled, and a header that was changed has no effect before that is built again.
 # Usage, in the root, after a build: sh tests/alone.sh tests/FOLDER/test_NAME.cpp [argument of Catch2]...
 set -eu
 file=$1

@@ -90,7 +90,8 @@ void add_directions(Cases& cases) {
         const std::string end = ", nu = " + shown(nu);
         for (const bool lateral : {false, true}) {
             const auto along = [=](const auto& step) { return lateral ? step.force.lateral : step.force.longitudinal; };
-            // A force nearly in one direction differs from the force by that direction's solver by the square of the angle.
+            // The force nearly in one direction differs from the force by the solver of that direction by the square of
+            // the angle.
             for (const double angle : {0.0, 1e-12, 1e-6, 1e-3}) {
                 cases.add("creepage at " + shown(angle) + " rad to the " + (lateral ? "lateral" : "rolling") +
                               " direction" + end,

@@ -1,5 +1,5 @@
-// Files of results appear whole or not at all, and the files of a run together. Until then they are written beside their
-// places under names of their own, so that runs do not disturb each other: the last to finish wins.
+// Files of results appear whole or not at all, and the files of a run together. Until then they are written beside
+// their places under names of their own, so that runs do not disturb each other: the last to finish wins.
 #pragma once
 
 #include <cstdio>

@@ -146,7 +146,7 @@ TEST_CASE("Recommended elements follow the measured table, and tolerances beyond
     CHECK(elements(0.9, Purpose::frequency) == 4);
     CHECK(elements(0.5, Purpose::time_loop) == 4);
     CHECK(elements(0.5, Purpose::friction) == 4);
-    // the bound is that of the recommended number of elements
+    // the bound holds for the recommended number of elements
     CHECK(recommended_elements(0.5, Purpose::steady).error_bound ==
           Approx(0.785 * std::pow(6, -4) + 0.0075 * std::pow(6, -3)).epsilon(1e-14));
     CHECK(recommended_elements(0.5, Purpose::friction).error_bound == Approx(1.32 * std::pow(4, -2)).epsilon(1e-14));

@@ -121,7 +121,7 @@ Eigen::MatrixXd gramian(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
     return X.reshaped(n, n);
 }
 
-TEST_CASE("Hankel singular values are those of the product of both Gramians", "[reduction]") {
+TEST_CASE("Hankel singular values agree with the product of both Gramians", "[reduction]") {
     for (const unsigned seed : {3U, 4U, 5U}) {
         const Eigen::Index k = seed - 2;
         const StateSpace<double> space = drawn(7, k, seed);

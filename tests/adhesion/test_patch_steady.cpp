@@ -150,7 +150,7 @@ TEST_CASE("patch_steady: wide patches have Kalker's limits, on cosine and on uni
     }
 }
 
-TEST_CASE("patch_steady: couplings of wide patches in the time domain are those of narrow strips") {
+TEST_CASE("patch_steady: wide patches have the couplings of narrow strips in the time domain") {
     const auto response = [](Eigen::Index strips) {
         const auto contact = PatchContact<double>::dimensionless(0.03, 0.5);
         const PatchMesh<double> mesh = patch_mesh(contact, 6, strips);
@@ -279,7 +279,7 @@ TEST_CASE("patch_steady: the unit of length is free") {
     CHECK_THAT(metres.response.coefficients(0, 2), WithinRel(one.response.coefficients(0, 2), 1e-11));
 }
 
-TEST_CASE("patch_steady: forces in SI units are those of Kalker's coefficients") {
+TEST_CASE("patch_steady: forces in SI units agree with Kalker's coefficients") {
     const double a = 6e-3, b = 4e-3, G = 8e10, c = std::sqrt(a * b), xi = 1e-4, eta = -2e-4, phi = 0.3;
     const PatchContact<double> contact({.half_length = a, .half_width = b, .shear_modulus = G, .poisson_ratio = 0.28});
     const auto steady = solved(contact, patch_mesh(contact, 6, 6));

@@ -63,7 +63,7 @@ TEST_CASE("In full adhesion a row of the table is all of a scheme", "[stages]") 
             CHECK((tractions - expected).cwiseAbs().maxCoeff() < 1e-12 * unit);
             CHECK((1e-3 * per_end - (risen - expected)).cwiseAbs().maxCoeff() < 1e-10 * unit);
             if (a_3 != a) continue;
-            // the map of a repeated step is that of the stages
+            // the map of a repeated step equals the map by stages
             detail::StepMap<1, double> map(mesh.size());
             detail::StageFactors<double> factors(mesh.size());
             map.prepare({1, dq, a, 0}, detail::influence(along), detail::RationalExponential<double>(halves),

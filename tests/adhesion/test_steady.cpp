@@ -177,7 +177,7 @@ TEMPLATE_TEST_CASE("The status reports that alpha = 0 is singular or carries no 
 TEST_CASE("At most a twentieth of the traction may assist the creepage", "[steady]") {
     const ArrayX<double> widths = ArrayX<double>::Constant(10, 0.2);
     for (const Eigen::Index wrong : {0, 4, 9}) {
-        const auto status = [&](double assisting) {  // traction of one element; that of the other nine is -1
+        const auto status = [&](double assisting) {  // traction of one element; the other nine have -1
             VectorX<double> diagonal = VectorX<double>::Constant(10, -1);
             diagonal[wrong] = 1 / assisting;
             return solve_steady<double>(diagonal.asDiagonal().toDenseMatrix(), widths).status;

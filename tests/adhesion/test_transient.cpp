@@ -41,7 +41,7 @@ double response(const AdhesionStep<>& step) {
     return -step.force_per_width;
 }
 
-/// Steps of one size through a history: motion(k) is that of step k = 0, 1, ...
+/// Steps of one size through a history: motion(k) is the motion in step k = 0, 1, ...
 template <class MotionOf>
 AdhesionStep<> run(const Model& model, double dq, int steps, const MotionOf& motion, Model::State state) {
     Model::Workspace workspace = model.workspace();

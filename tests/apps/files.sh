@@ -47,7 +47,7 @@ for run in "$results"/*.csv.toml; do
     (cd "$results" && "$programs/$(sed -n '1s/^# program = //p' "$run")" --config "$run" --shard 1000000/1000000) \
         >out 2>err || fail "$run cannot be repeated: $(cat err)"
 done
-# so are their pictures: a run or a script of gnuplot made each, but for that of the FMU, by fmu.py
+# pictures can be repeated, too: a run or a script of gnuplot made each but the FMU's, which fmu.py made
 for picture in "$results"/*.svg; do
     made=${picture%.svg}
     [ -e "$made.csv.toml" ] || [ -e "$made.gp" ] || [ "${made##*/}" = fmu_patch ] || fail "nothing draws $picture"

@@ -123,7 +123,7 @@ if command -v gnuplot >/dev/null; then
     # a scheme has the same colour in every panel, although friction lacks two of them; small errors have a floor
     good 11 "$precision" --n 40 --scheme polynomial,closed-form,cosine:collocation:0.5/0.5,chebyshev \
         --quantity c11,response,friction --plot p.svg
-    # the first curve of the last panel is that of the cosine mesh
+    # the first curve of the last panel belongs to the cosine mesh
     awk '/id="gnuplot_plot_/ { split($0, part, /<title>|<.title>/); curve = /gnuplot_plot_1c"/ ? "last" : part[2] }
         match($0, /rgb\([^)]*\)/) && curve { colours[curve] = substr($0, RSTART, RLENGTH); curve = "" }
         END { exit !("polynomial" in colours && colours["last"] == colours["cosine:collocation:0.5/0.5"] &&

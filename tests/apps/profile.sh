@@ -66,7 +66,7 @@ $here >one
 $here --left-wheel wheel.txt --left-wheel-mirror yz --left-rail rail.txt --left-rail-mirror yz >other
 cmp one other || fail '--left-wheel, --left-rail'
 
-# --- a place given by --rail-origin is that of the gauge; a height given carries the load that it was found with
+# --- --rail-origin gives the same place as the gauge; a height given carries the load that it was found with
 at='--rail uic60 --cant 0 --shift 0.002 --cells 60,40'
 $profile $at --roll 0 >one
 eval "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i }

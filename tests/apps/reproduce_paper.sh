@@ -16,7 +16,7 @@ results=$programs/paper
 for number in 03 05 06 07 08 09 10 11 12 13 14 15 16 17 18 19 20 21 22; do
     [ -s "$results/fig${number}a.csv" ] || fail "no fig${number}a.csv"
 done
-# every panel but that of one element has a status
+# every panel but the one of a single element has a status
 for figure in 05a 09a 10a 17b 18a 19b 21d 22a 22b; do
     awk -F, 'NR == 1 ? $NF != "status" : $NF !~ /^(ok|assists_creepage|ill_conditioned)$/ { bad = 1 }
         END { exit bad || NR < 10 }' \

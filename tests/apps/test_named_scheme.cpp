@@ -29,7 +29,7 @@ TEST_CASE("The word of a scheme is read as the same scheme", "[scheme]") {
     CHECK(study::scheme_named(word).word() == word);
 }
 
-TEST_CASE("A word has the parameters that it says, and those of the options where it says none", "[scheme]") {
+TEST_CASE("A word has the parameters that it says, and the options' parameters where it says none", "[scheme]") {
     const auto galerkin = study::scheme_named("knothe-0.4:galerkin:0.1/0.7:lambda-0.25:q9:analytic");
     CHECK(galerkin.word() == "knothe-0.4:galerkin:0.1/0.7:q9:analytic:lambda-0.25");
     CHECK(galerkin.graded_by("epsilon"));

@@ -193,7 +193,7 @@ TEST_CASE("A kernel needs only its logarithm and a smooth part, which a wide str
 }
 
 TEST_CASE("The smooth part is the same by interpolation and by quadrature", "[influence]") {
-    // rows of 2 elements are integrated one by one, those of all together interpolated
+    // two rows alone are integrated one by one, all rows together interpolated
     for (const double b : {0.5, 8.0}) {
         const StripKernel<double> kernel(b, 0, 1);  // no logarithm, whose rounding is larger
         for (const auto& [name, mesh] : brute_force::every_mesh<double>(80)) {

@@ -1,6 +1,6 @@
 // User-defined schemes, rollbem/discretisation/scheme.hpp and any_scheme.hpp: all that the library asks for
-// is rows(). The mean over two collocation points, whose matrices are the means of those of each point; problems see
-// nothing else of a scheme.
+// is rows(). The scheme here takes the mean over two collocation points, so that its matrices are the means of the
+// points' matrices; problems see nothing else of a scheme.
 #include <stdexcept>
 
 #include <rollbem/compiled/steady.hpp>
@@ -61,7 +61,7 @@ TEST_CASE("A row can be written as a mean about a point or as a difference betwe
     }
 }
 
-TEST_CASE("The matrices of a scheme with two points are the means of those of each point", "[scheme]") {
+TEST_CASE("The matrices of a scheme with two points are the means of the matrices of each point", "[scheme]") {
     for (const TwoPoints& scheme : {stable, unstable}) {
         for (const Mesh<double>& mesh : {uniform_mesh(20), cosine_mesh(17), geometric_mesh(12, 3.0)}) {
             const ElementSystem<double> own = rolling_system(mesh, scheme, kernel), mean = mean_of_both(mesh, scheme);

@@ -153,7 +153,8 @@ TEST_CASE("patch_system: distant entries do not cancel") {
     }
 }
 
-TEST_CASE("patch_system: the coupling of wide strips is its mean over their width, otherwise that of their middles") {
+TEST_CASE(
+    "patch_system: the coupling of wide strips is its mean over their width, otherwise the value at their middles") {
     const auto rule = detail::gauss_legendre<double>(40);
     const HalfSpace<double> kernel(0.4);
     for (const double a_over_b : {0.05, 0.2}) {  // above and below 13 lengths, below and above 1.6 for each strip

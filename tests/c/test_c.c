@@ -62,7 +62,7 @@ static void test_table(const char *path) {
         const double x = contact[varied];
         expect(tangent_error(look_up, x, 1e-5 * x, tangents + 3 * k) < 1e-6, "a tangent of the table");
     }
-    /* beyond a/b = 10 forces are those of a/b = 10 and the same area */
+    /* beyond a/b = 10 forces equal the forces of a/b = 10 and the same area */
     double alike[2 * 9], border[2 * 3];
     for (int i = 0; i < 2; ++i) {
         memcpy(alike + 9 * i, contact, sizeof contact);

@@ -59,7 +59,7 @@ set_tests_properties(package.fresh_find_package package.fresh_compiled PROPERTIE
 set_tests_properties(package.fresh_compiled PROPERTIES
     PASS_REGULAR_EXPRESSION "component compiled is not installed")
 
-# The main package finds that of `compiled` where it is itself, although only its own folder is named.
+# The main package finds the package of `compiled` where it is itself, although only its own folder is named.
 add_test(NAME package.compiled_beside
     COMMAND ${CMAKE_COMMAND}
         -G "${CMAKE_GENERATOR}"

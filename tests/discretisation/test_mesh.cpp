@@ -202,7 +202,7 @@ TEST_CASE("A mesh from edges keeps them", "[mesh]") {
     // vectors and expressions are accepted
     const Eigen::Vector3d ends(-2, 0, 2);
     CHECK(mesh_from_edges<double>(ends / 2).size() == 2);
-    // the scalar type defaults to that of the edges
+    // the scalar type defaults to the edges' scalar type
     CHECK(std::is_same_v<decltype(mesh_from_edges(edges)), Mesh<double>>);
     CHECK(std::is_same_v<decltype(mesh_from_edges(Eigen::ArrayXf())), Mesh<float>>);
     CHECK((mesh_from_edges(edges).widths() == mesh.widths()).all());

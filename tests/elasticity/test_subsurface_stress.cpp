@@ -69,7 +69,8 @@ TEST_CASE("Stresses are in equilibrium, and strains fit together", "[subsurface]
     }
 }
 
-TEST_CASE("Below the surface stresses are the tractions, and far below those of their sum", "[subsurface]") {
+TEST_CASE("Stresses are the tractions just below the surface, and the stresses of their sum far below",
+          "[subsurface]") {
     const Matrix3d under = subsurface_stress(loads, 0.28, {0.1, 0.2, 1e-9});
     CHECK(under(0, 2) == Approx(-0.3).epsilon(1e-7));
     CHECK(under(1, 2) == Approx(0.8).epsilon(1e-7));

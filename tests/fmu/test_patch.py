@@ -19,7 +19,7 @@ inputs = ("longitudinal_slip_velocity", "lateral_slip_velocity", "spin_rate", "r
 forces = ("longitudinal_force", "lateral_force", "spin_moment")
 circle = {"wheel_rolling_radius": 0.5, "wheel_lateral_radius": 0.5}
 radius = (3 * N * 0.5 * (1 - nu) / (4 * G)) ** (1 / 3)  # of its contact with a flat rail, rail_lateral_radius = 1e9
-a = 6e-3  # about that of the start values
+a = 6e-3  # about the half-length at the start values
 limit = mu * N / (G * a * a)  # creepage at which much of the contact slips
 
 
@@ -90,7 +90,7 @@ def test_table_at_its_limits():
 
 
 def test_table_does_not_know_the_past():
-    # its forces are those of the inputs at the end of the step, and its work the mean power over the step
+    # the forces belong to the inputs at the end of the step, and the work is the mean power over the step
     values, other = (0.02, -0.03, 1.0, V, N), (-0.01, 0.02, 0.5, 1.1 * V, 1.2 * N)
     here, there = Instance(fmu).start(**by_table), Instance(fmu).start(**by_table)
     first = Instance(fmu).start(**by_table, **dict(zip(inputs, values)))
@@ -152,7 +152,7 @@ def test_loads_too_small_for_a_contact():
 
 
 def test_derivatives_before_the_first_step():
-    # by table those of the forces shown, as after a step; at rest none; of steady rolling they are refused
+    # a table has the derivatives of the forces shown, as after a step, and none at rest; steady rolling refuses them
     values = dict(zip(inputs, (0.04, 0.03, 1.0, V, N)))
     instance = Instance(fmu).start(**by_table, **values)
     first = [instance.derivative(name, known) for name in forces for known in inputs]
@@ -178,7 +178,7 @@ def test_poisson_ratio_beside_the_table():
 
 
 def test_semi_axes_beyond_the_table():
-    # a step warns where a/b leaves the table, an output tells while it is beyond; forces are those of the border
+    # a step warns where a/b leaves the table, an output tells while it is beyond; forces stay at the border
     def axes(a_over_b):
         return {"given_half_length": 5e-3 * math.sqrt(a_over_b), "given_half_width": 5e-3 / math.sqrt(a_over_b)}
 

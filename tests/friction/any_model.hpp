@@ -77,7 +77,7 @@ struct Setup {
 /// The contact of a setup, with G' alone or in the time domain; in any_model.cpp, for all programs.
 FrictionContact make(const Setup& setup, bool steady = false);
 
-/// A step under a load, or, if it is null, under that of the state.
+/// A step under a load, or, if it is null, under the load of the state.
 inline Step advance(const FrictionContact& model, const State& from, const Travel<double>& travel, const Motion& motion,
                     const Load* load, State& to, Workspace& workspace) {
     return load == nullptr ? model.advance(from, {travel, motion}, to, workspace)

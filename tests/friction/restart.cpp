@@ -69,7 +69,7 @@ void read_state(std::istream& file, State& state) {
 }
 
 // Step k, whose results are written if there is a file: in full adhesion, and with friction under a load that varies or
-// that of the state; `even`: at a constant creepage, until nothing changes any more.
+// the state's own; `even` means a constant creepage, until nothing changes any more.
 void step(Run<AdhesionModel<>>& run, int k, bool even, std::ostream* file) {
     const double value = 1e-3 * std::sin(0.3 * k), dq = even || k % 7 == 0 ? 0.4 : 0.1;
     const auto step = k % 5 == 3 ? run.advance({dq * a, RigidMotion<double>::shift(a * value)})

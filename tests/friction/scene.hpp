@@ -15,7 +15,7 @@ constexpr double peak = 1e-3;                               // mu p0, with a = G
 constexpr double full_force = peak * std::numbers::pi / 2;  // per width
 constexpr Collocation half{.alpha_L = 0.5, .alpha_T = 0.5};
 
-/// Creepage [-] by its ratio to that of full sliding in Carter's problem.
+/// Creepage [-] by its ratio to the creepage of full sliding in Carter's problem.
 inline double creepage(double ratio) { return 2 * (1 - nu) * peak * ratio; }
 inline double force_ratio(const FrictionStep<>& step, const Contact<double>& contact) {
     return -step.force / (full_force * contact.width());

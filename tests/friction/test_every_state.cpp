@@ -481,7 +481,7 @@ TEST_CASE("If no coefficient fits its slip, status and residual say so", "[frict
     for (const int directions : {1, 2}) {
         Setup setup{.directions = directions, .integrator = Integrator::implicit_euler};
         setup.mesh = uniform_mesh<double>(1);
-        // it sticks at the coefficient of slip, and slips at that of rest
+        // the element sticks at the coefficient of slip, and slips at the coefficient of rest
         setup.any = [](double v) { return v > 0 ? 0.3 : 0.1; };
         Ride ride(setup);
         int failed = 0;

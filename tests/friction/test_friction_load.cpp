@@ -20,7 +20,7 @@ namespace {
 
 constexpr double load_nu = 0.28;
 
-/// Creepage [-] by its ratio to that of full sliding under the load `full_force`.
+/// Creepage [-] by its ratio to the creepage of full sliding under the load `full_force`.
 double load_creepage(double ratio) { return 2 * (1 - load_nu) * peak * ratio; }
 
 /// Cylinders of E = 1 with a = 1 and p_0 = `peak` under the load `full_force`; mu = 1.

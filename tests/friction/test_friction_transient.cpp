@@ -119,7 +119,7 @@ TEST_CASE("Steps and steady rolling with friction agree in every scalar type", "
 }
 #endif
 
-TEST_CASE("Matrices that are not those of elements are rejected by name", "[friction]") {
+TEST_CASE("Matrices that do not belong to elements are rejected by name", "[friction]") {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     Scene scene(cosine_mesh<double>(8));
     const Friction<>& good = scene.friction;

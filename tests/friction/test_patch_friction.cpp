@@ -246,7 +246,7 @@ TEST_CASE("patch_friction: slip work is the work of the creepages") {
     }
 }
 
-TEST_CASE("patch_friction: needles have forces where those of full adhesion are right") {
+TEST_CASE("patch_friction: needles have forces where full adhesion has right ones") {
     // 8 x 0.38 mm, off the middle: not dissipative on 24 x 32 elements, an eighth of the traction assists the creepage
     ArrayX<double> y = ArrayX<double>::LinSpaced(41, -0.19e-3, 0.19e-3), trailing(41), leading(41);
     for (Eigen::Index i = 0; i < 41; ++i) {

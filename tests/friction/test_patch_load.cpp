@@ -352,7 +352,7 @@ TEST_CASE("patch_load: shapes between the nodes") {
     REQUIRE(given.status == Status::ok);
     CHECK(largest_difference({scene.ratios(given.force)}, {scene.ratios(made.force)}) < 3e-5);
 
-    // a system of many shapes that keeps its own is that of one
+    // a system of many shapes that keeps its shape equals a system of one
     const auto shaped = circle.friction(rolling, 0.4);
     CHECK(largest_difference(shaped, circle.friction(circle.model(circle.breathing(), Integrator::sdirk2), 0.4)) <
           1e-4);
@@ -386,7 +386,7 @@ TEST_CASE("patch_load: what a mesh cannot follow has a status") {
     };
     for (const Model* model : {&fixed, &single, &many}) {
         CHECK(status(*model, 1, 1) == Status::ok);
-        CHECK(status(*model, 1, 0) == Status::ok);               // b is that of the state
+        CHECK(status(*model, 1, 0) == Status::ok);               // b stays the state's
         CHECK(status(*model, 1.05, 0) == Status::invalid_load);  // either of b and a/b might stay
         CHECK(status(*model, 1, -1) == Status::invalid_load);
         CHECK(status(*model, 1, NAN) == Status::invalid_load);
@@ -404,7 +404,7 @@ TEST_CASE("patch_load: what a mesh cannot follow has a status") {
     CHECK(status(many, 1, 2.6) == Status::needs_fixed_mesh);
     CHECK(status(many, 1, 1, 0.1, 3) == Status::needs_fixed_mesh);
 
-    // on a line the half-width is that of the contact
+    // a line has the half-width of the contact
     const Contact<double> contact({.half_length = a_0, .half_width = 2e-3, .shear_modulus = G, .poisson_ratio = nu});
     const FrictionModel line(
         contact, rolling_system(cosine_mesh<double>(4), chebyshev, StripKernel<double>::longitudinal(contact)),

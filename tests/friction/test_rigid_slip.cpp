@@ -1,4 +1,4 @@
-// rollbem/friction/model.hpp: a rigid slip of each element besides that of the creepage, RigidMotion::with_rows
+// rollbem/friction/model.hpp: a rigid slip of each element besides the creepage, RigidMotion::with_rows
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -47,7 +47,7 @@ double difference(const TangentialForce<double>& one, const TangentialForce<doub
                      std::abs(one.moment - two.moment) / a});
 }
 
-TEMPLATE_TEST_CASE("Slip by rows is that of creepages", "[friction]", ConstantFriction<>, ExponentialFall<>) {
+TEMPLATE_TEST_CASE("Slip by rows equals slip by creepages", "[friction]", ConstantFriction<>, ExponentialFall<>) {
     const auto law = [] {
         if constexpr (std::is_same_v<TestType, ConstantFriction<>>) {
             return ConstantFriction<>{mu};

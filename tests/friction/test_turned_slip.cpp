@@ -40,7 +40,7 @@ struct Scene {
           scheme(scheme_),
           friction{1, peak * mean_hertz_pressure(mesh)} {}
 
-    /// Creepage by its ratio to that of full sliding in Carter's problem, and its angle in degrees; spin by that ratio.
+    /// Creepage by its ratio to full sliding's in Carter's problem, and its angle in degrees; spin by that ratio.
     Creepage<double> creepage(double ratio, double degrees, double spin) const {
         const double unit = 2 * (1 - nu) * peak, angle = degrees * std::numbers::pi / 180;
         return {unit * ratio * std::cos(angle), unit * ratio * std::sin(angle), unit * spin};

@@ -322,7 +322,7 @@ TEST_CASE("contact_search: a wheel stands on the chord of its flat", "[profiles]
     CHECK(on_end.patches[0].rolling_radius == Approx(r).margin(3e-5));
 }
 
-TEST_CASE("contact_search: a wheel touches a ramp of 1:10 where its slope is that of the ramp", "[profiles]") {
+TEST_CASE("contact_search: a wheel touches a ramp of 1:10 where its slope equals the ramp's", "[profiles]") {
     std::vector<Section> sections;
     for (const double u : {-0.3, -0.1, 0.0, 0.2, 0.3}) {
         sections.push_back({u, piece(-0.03, 0.03, 201, [u](double y) { return crown(y, 0.3) - 0.1 * u; })});

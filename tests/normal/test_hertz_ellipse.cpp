@@ -58,7 +58,7 @@ TEST_CASE("Elliptic integrals are GSL's, and keep their digits for circles", "[h
 
 // theta [degrees], m, n of Hertz (1881) and Whittemore & Petrenko (1921), as in Timoshenko & Goodier, section 140: the
 // semi-axes are m and n times (3 N/(4 E* (A + B)))^(1/3), where cos theta = (B - A)/(B + A).
-TEST_CASE("Ellipses are those of Hertz's table", "[hertz]") {
+TEST_CASE("Ellipses agree with Hertz's table", "[hertz]") {
     const double table[][3] = {{30, 2.731, 0.493}, {40, 2.136, 0.567}, {50, 1.754, 0.641}, {60, 1.486, 0.717},
                                {70, 1.284, 0.802}, {80, 1.128, 0.893}, {90, 1, 1}};
     for (const auto& [degrees, m, n] : table) {

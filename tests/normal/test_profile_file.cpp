@@ -384,7 +384,7 @@ TEST_CASE("profile_file: smoothing goes over folds that are short beside its wav
     CHECK_THAT(file.notes[0], ContainsSubstring("smoothed over waves of 8 mm: points moved by at most "));
 }
 
-TEST_CASE("profile_file: smoothing is that of a profile", "[profiles]") {
+TEST_CASE("profile_file: smoothing equals a profile's smoothing", "[profiles]") {
     const Profile rail = rail_60e1();
     const Profile smooth = profile_of("a.csv", lines(rail), Use::rail, {.per_metre = 1000, .smooth = 8e-3});
     CHECK(farthest(smooth, rail.smoothed(8e-3)) < 1e-9);
@@ -530,7 +530,7 @@ TEST_CASE("profile_file: sections and their features", "[profiles]") {
     CHECK(std::get<Sections>(whole.curve).interpolation() == Sections::Interpolation::spline);
 }
 
-TEST_CASE("profile_file: features count from the first point, of a rail that of least y after mirroring",
+TEST_CASE("profile_file: features count from the first point, on a rail the point of least y after mirroring",
           "[profiles]") {
     folder().write("up.csv", "0 0\n5 0\n10 0\n15 1\n");
     folder().write("down.csv", "15 1\n10 0\n5 0\n0 0\n");

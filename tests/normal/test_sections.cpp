@@ -34,7 +34,7 @@ const std::vector<double> equal{0, 0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07};
 
 double one(double) { return 1; }
 
-TEST_CASE("sections: derivatives are those of the points, which are smooth in u", "[profiles]") {
+TEST_CASE("sections: derivatives differentiate the points, which are smooth in u", "[profiles]") {
     const Interpolation how = GENERATE(Interpolation::through, Interpolation::spline);
     std::vector<Section> list;
     for (const double at : unequal) {
@@ -110,7 +110,7 @@ TEST_CASE("sections: parabolas in u are exact with slopes by parabolas, lines wi
     }
 }
 
-TEST_CASE("sections: the B-spline of equal steps is that of a textbook", "[profiles]") {
+TEST_CASE("sections: the B-spline of equal steps agrees with a textbook", "[profiles]") {
     // (1, 4, 1)/6 at knots, (1, 23, 23, 1)/48 between, and (6 P_0)/6 at an end that goes on linearly
     const auto z = [](double u) { return std::cos(80 * u) / 100; };
     const Sections sections(arches(equal, one, z), Interpolation::spline);

@@ -72,7 +72,7 @@ WheelOnRail::Contact under_normal_force(const WheelOnRail& wheel, const Wheelset
 
 TEST_CASE("wheel_on_rail: contacts of the Manchester benchmark, S1002 on 60E1, against CONTACT", "[profiles]") {
     // Reference values of CONTACT v25.2 on its grid of 0.2 mm, with four digits; mm, N, MPa; left wheels are mirrored.
-    // Its areas are those of whole cells, its largest pressures and penetrations those at their centres: so are these.
+    // Areas consist of whole cells, and largest pressures and penetrations are taken at their centres, as in CONTACT.
     const WheelOnRail wheel(benchmark_profile("wheel.csv"), benchmark_profile("rail.csv"));
     const auto positions = benchmark_rows("positions.csv");
     struct Difference {

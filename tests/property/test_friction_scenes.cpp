@@ -46,9 +46,9 @@ Scalar carried(const ArrayX<Scalar>& points, const ArrayX<Scalar>& mu, Scalar x,
     return mu[0];
 }
 
-/// Of a steady solution (`before` null, `way` 1) or of an implicit step by `way` (in a, as imposed slip and slip) from
-/// `before`, with slip that is not turned. `duration` [s] is that of the step, or of the passage of one half-length. A
-/// state without coefficients has the constant one of `law`.
+/// The violation of the law of friction by a steady solution (`before` null, `way` 1) or by an implicit step by `way`
+/// (in a, as imposed slip and slip) from `before`, with slip that is not turned. `duration` [s] is the time of the
+/// step, or of the passage of one half-length. A state without coefficients has the constant one of `law`.
 template <class Scalar, class Law>
 Violation<Scalar> violation(const Law& law, const FrictionMemory<Scalar>& memory,
                             const ElementSystem<Scalar, 2>& system, Scalar half_length, Scalar shear_modulus,

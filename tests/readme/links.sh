@@ -47,7 +47,7 @@ END {
     exit bad
 }' README.md CONTRIBUTING.md docs/*.md
 
-# Names of several words, in examples within comments and in backquotes of pages; those of files are names too.
+# Names of several words, in examples within comments and in backquotes of pages; file names are names too.
 names=$(mktemp)
 trap 'rm -f "$names"' EXIT
 sources=$(find include apps tests bench cmake CMakeLists.txt -type f -not -path '*/corpus/*' -not -path '*/results/*')

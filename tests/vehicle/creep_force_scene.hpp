@@ -1,4 +1,4 @@
-// Creep forces in closed form, with the symmetries, the linear law and the limit of those of a patch: a source of
+// Creep forces in closed form, with the symmetries, the linear law and the limit of a patch's forces: a source of
 // tables for tests.
 #pragma once
 

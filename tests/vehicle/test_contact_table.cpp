@@ -38,7 +38,7 @@ constexpr double radius = 0.46, mu = 0.3;
 using Inputs = std::array<double, WheelForces::inputs>;
 constexpr Inputs scales{1e-4, 1e-4, 0.03, 0.06, 0.03, 0.03, 0.02, 0.02, 1e5, mu, 1e-4};
 
-/// A roll of 0 stands for that of equal loads.
+/// A roll of 0 stands for the roll of equal loads.
 WheelForces look_up(const Inputs& x, WheelsetSide side = WheelsetSide::right, WheelFriction friction = {}) {
     friction.coefficient = x[9];
     return s1002().look_up(
@@ -74,7 +74,7 @@ Inputs rolling(double lateral) { return {lateral, 0, 30, -30 / radius, 0, 0, 0, 
 
 }  // namespace
 
-TEST_CASE("tangents of a wheel's forces are those of its forces", "[contact_table]") {
+TEST_CASE("tangents of a wheel's forces are their derivatives", "[contact_table]") {
     const ReducedFriction wet({.adhesion_factor = 0.5, .slip_factor = 0.3, .friction_ratio = 0.4, .fall = 0.2});
     const int kind = GENERATE(0, 1, 2);  // dry, wet by zones, and with a roll of its own
     WheelFriction friction;
@@ -187,7 +187,7 @@ TEST_CASE("rolling backwards is the mirror image of rolling forward; at standsti
     }
 }
 
-TEST_CASE("power on a wheel is that of its points: minus heat, and what normal forces do", "[contact_table]") {
+TEST_CASE("power on a wheel is the power on its points: minus heat, and the work of normal forces", "[contact_table]") {
     std::mt19937_64 random(9);
     for (int scene = 0; scene < 200; ++scene) {
         const Inputs x = with_roll(random_inputs(random, 8e-3), random);

@@ -36,7 +36,7 @@ PatchContact<double> contact(double a_over_b, double nu = 0.28) {
     return PatchContact<double>({5e-3 * std::sqrt(a_over_b), 5e-3 / std::sqrt(a_over_b), modulus, nu});
 }
 
-/// Creepages of a level near that of saturation: in units of mu N/(G a b), the spin over c besides.
+/// Creepages of a level near saturation: in units of mu N/(G a b), the spin over c besides.
 Creepage<double> creepage(const PatchContact<double>& patch, double x, double y, double spin) {
     const double unit = mu * load / (modulus * patch.c() * patch.c());
     return {unit * x, unit * y, unit * spin / patch.c()};
@@ -399,7 +399,7 @@ TEST_CASE("creep_force_table: a file gives the same table, and nothing else is t
     CHECK_THAT(grid_refused(0.28, 0.5, 2, 6, 3), ContainsSubstring("number of ellipses = 3"));
 }
 
-TEST_CASE("creep_force_table: that of steel holds the forces of its patches") {
+TEST_CASE("creep_force_table: the table of steel holds the forces of its patches") {
     const CreepForceTable steel = CreepForceTable::read(ROLLBEM_STEEL_CREEP);
     const CreepForceGrid& grid = steel.grid();
     const CreepForceGrid::Range range;

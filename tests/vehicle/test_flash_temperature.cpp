@@ -57,7 +57,7 @@ TEST_CASE("A sliding ellipse is as hot as the integral over its middle strip", "
     const PatchForce found = sliding({.coefficient = mu, .elements = 40, .strips = 15, .heating = heating});
     REQUIRE(found.status == Status::ok);
     CHECK_THAT(found.slip_work * 30, WithinRel(mu * load * slide, 3e-3));
-    // heat of rigid slip: that of elastic surfaces differs by the strain, which is small beside the creepage
+    // heat of rigid slip; the heat of elastic surfaces differs by the strain, which is small beside the creepage
     const auto rule = detail::gauss_legendre<double>(40);
     double largest = 0;
     for (double x = -a; x < a; x += a / 50) {
@@ -122,7 +122,7 @@ TEST_CASE("Friction and heating that cannot be meant are refused", "[profiles]")
     CHECK_THAT(hot({0.1, 300, 20}), ContainsSubstring("end of hot friction = 20 must lie above its begin"));
 }
 
-TEST_CASE("Places on a rail below a patch are those of its profile", "[profiles]") {
+TEST_CASE("Places on a rail below a patch lie on its profile", "[profiles]") {
     const WheelOnRail wheel(s1002(), rail_uic60());
     WheelsetOnTrack::Workspace workspace;
     for (const double lateral : {5e-3, 6.8e-3}) {

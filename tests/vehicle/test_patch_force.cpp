@@ -119,7 +119,7 @@ TEST_CASE("Pressures act along the normals of the rail's surface", "[profiles]")
 
 TEST_CASE("The strips of a patch with two lobes are less than a third of the narrower one", "[profiles]") {
     struct Lobes {
-        double second, width;  // height over that of the first, which is 0.1 wide, and width
+        double second, width;  // height over the first one's, which is 0.1 wide, and width
         Eigen::Index strips;
     };
     const Lobes lobes = GENERATE(Lobes{1, 0.9, 25}, Lobes{0.2, 0.9, 25}, Lobes{0.02, 0.9, 13}, Lobes{0, 0.9, 13});

@@ -24,7 +24,7 @@ PatchForce rolling(const RailPatch& patch, double mu,
 
 }  // namespace
 
-TEST_CASE("Below a ball without friction the stress is that of Hertz's axis", "[profiles]") {
+TEST_CASE("The stress below a ball without friction agrees with Hertz's on the axis", "[profiles]") {
     const double a = 5e-3, nu = 0.28;
     const RailPatch patch = testing::hertz_patch(a, a, 8e4);
     const std::vector<StripStress> strips = stresses_below(rolling(patch, 0), nu);

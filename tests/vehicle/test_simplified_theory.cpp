@@ -49,7 +49,7 @@ TEST_CASE("Small creepages have the forces of Kalker's coefficients", "[simplifi
     CHECK(force(which, creepage(0, 0, small), mesh).lateral == Approx(-small * mu * load).epsilon(2e-4));
 }
 
-TEST_CASE("In full sliding forces reach mu N, those of FaStrip against the slip of the rigid bodies", "[simplified]") {
+TEST_CASE("Forces reach mu N in full sliding, by FaStrip against the slip of the rigid bodies", "[simplified]") {
     const SimplifiedMesh mesh{.strips = 40, .elements = 40};
     const double bound = mu * load;
     CHECK(force(By::fastsim, {1, 0, 0}, {3, 1}).longitudinal == Approx(-bound).epsilon(1e-12));
@@ -85,7 +85,7 @@ struct WideStrip {
     CreepCoefficients<double> limit{pi * pi / (4 * (1 - nu)), pi* pi / 4, pi / 3 / std::sqrt(1e3), 0, 0};
     double peak = 1e-3;  // mu p0, of half-length and G of 1
     int elements;
-    TangentialForce<double> force{0, 0, 0};  // over that of full sliding
+    TangentialForce<double> force{0, 0, 0};  // over the force of full sliding
     std::vector<SimplifiedElement> found;
 
     WideStrip(const Creepage<double>& at, int count, int strip = 4) : elements(count) {
@@ -217,7 +217,7 @@ TEST_CASE("Simplified theory refuses creepages whose tractions overflow, and no 
             CHECK(std::isnan(refused.force.longitudinal + refused.force.lateral));
         }
     }
-    // up to the largest creepages that are taken, forces are those of sliding
+    // forces equal the forces of sliding up to the largest creepages that are taken
     const double unit = kalker.c22 * ellipse.shear_modulus();
     for (double exponent = 280; exponent < 308; exponent += 0.125) {
         const SimplifiedForce at_edge = found(theory({40, 40}), {0, -std::pow(10, exponent) / unit, 0});

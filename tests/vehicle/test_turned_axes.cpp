@@ -69,7 +69,7 @@ TEST_CASE("turned_axes: no turn changes nothing, a quarter exchanges the axes, a
     }
 }
 
-TEST_CASE("turned_axes: derivatives, and those of a look-up with respect to the turn") {
+TEST_CASE("turned_axes: derivatives, and a look-up's derivatives with respect to the turn") {
     const CreepForceTable table = creep_forces::table(6, 5);
     const Creepage<double> creepage{3e-4, -5e-4, 0.1};
     const auto force_at = [&](const SemiAxes<double>& axes) {

@@ -73,7 +73,7 @@ TEST_CASE("Work by table over a profile adds up to the wheel's creep work", "[we
     }
 }
 
-TEST_CASE("Work and fatigue by table are those of patches at the same places", "[wear]") {
+TEST_CASE("Work and fatigue by table agree with patches at the same places", "[wear]") {
     WheelsetOnTrack::Workspace workspace;
     const Profile& rail = track().wheel().rail();
     constexpr Eigen::Index cells = 300;
