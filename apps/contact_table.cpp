@@ -1,5 +1,5 @@
-// Where the wheels of a wheelset touch their rails over shift, yaw and load, from their profiles, as a ContactTable for
-// the time loop of a vehicle; and how far forces by it are from the forces of the patches:
+// Contacts of the wheels of a wheelset with their rails over shift, yaw and load, from their profiles, as a ContactTable
+// for the time loop of a vehicle; and how far forces by it are from the forces of the patches:
 //
 //     ./contact_table --output s1002_60e1.contact --jobs 2
 //     ./contact_table --check 200 s1002_60e1.contact
@@ -228,7 +228,7 @@ double position_seconds(const Scene& scene, const rollbem::ContactTableMaking& m
     return double(std::clock() - start) / CLOCKS_PER_SEC / (scene.wheelset.is_mirrored() ? 6 : 10);
 }
 
-/// What a table is made with.
+/// The settings that a table is made with.
 rollbem::ContactTableMaking read_making(const study::Options& options) {
     rollbem::ContactTableMaking making{.grid = read_grid(options), .jobs = study::job_count(options)};
     making.zones = {read_zones(options, "left-zones"), read_zones(options, "zones")};
@@ -332,7 +332,7 @@ struct Compared {
 
 Eigen::Array3d judged(double f_x, double f_y, double m_z) { return {f_x, f_y, m_z / ContactTable::support_y}; }
 
-/// In steady rolling through a curve, where normal forces do no work.
+/// Adds the power in steady rolling through a curve, where normal forces do no work.
 void add_power(const Scene& scene, const ContactTable& table, const WheelsetRolling& rolling, Compared& result) {
     constexpr double curve = 300;  // [m]
     const rollbem::WheelsetSpeeds speeds{.forward = rolling.speeds.forward,

@@ -155,8 +155,8 @@ struct Difference {
     double sum = 0;
 };
 
-/// In `scenes` random scenes of a random ellipse: log(a/b) uniform, the direction of (xi C11, eta C22, phi c C23)
-/// uniform on the sphere, its length log-uniform on 0.02 ... 20.
+/// The difference in `scenes` random scenes of a random ellipse: log(a/b) uniform, the direction of (xi C11, eta C22,
+/// phi c C23) uniform on the sphere, its length log-uniform on 0.02 ... 20.
 Difference compare(const Job& job, const CreepForceTable& table, std::size_t seed, std::size_t scenes) {
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> uniform;

@@ -218,7 +218,7 @@ Polynomials solve_polynomials(const study::Options& options, const std::vector<d
     return all;
 }
 
-/// By a polynomial of the scene's degree, or the closed form.
+/// Emits responses by a polynomial of the scene's degree, or by the closed form.
 void emit_without_elements(const study::Scene& scene, const std::vector<double>& omegas, bool checked,
                            study::RowRange range, const study::Results<Response>& emit) {
     for (std::size_t i = range.first; i < range.last; ++i) {

@@ -181,7 +181,7 @@ public:
     }
 
 private:
-    /// What each of the quantities is computed to be; the coefficients of a patch come together.
+    /// The computed value of each of the quantities; the coefficients of a patch come together.
     template <class Value, class Compute>
     static std::vector<Value> each(const std::vector<Quantity>& quantities, const Compute& compute) {
         std::vector<Value> all;

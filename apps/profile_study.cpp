@@ -1,4 +1,4 @@
-// Where a wheel touches a rail and how hard, from their profiles: positions, angles, loads, pressures and areas of all
+// Contacts of a wheel and a rail, from their profiles: positions, angles, loads, pressures and areas of all
 // patches, over the lateral shift and yaw of a wheelset, and with friction the creepages and forces:
 //
 //     ./profile_study --shift 0,0.001,0.002,0.003,0.004,0.005 --plot contacts.svg

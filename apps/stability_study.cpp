@@ -242,8 +242,8 @@ void emit_spectrum(const study::Scene& scene, study::RowRange range, const auto&
     }
 }
 
-/// What the picture shows: the complex plane up to the highest wavenumber that the elements resolve, and every mode
-/// that grows. Those that decay faster are left beyond the frame.
+/// The frame holds the complex plane up to the highest wavenumber that the elements resolve, and every mode that grows.
+/// Modes that decay faster are left beyond it.
 void set_view(study::Plot& plot, double wavenumber) {
     double fastest = 0, right = 0, height = wavenumber;
     for (const study::Series& series : plot.series) {

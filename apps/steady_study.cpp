@@ -110,7 +110,7 @@ Steady solve_once(const study::Scene& scene, bool timed) {
     return result;
 }
 
-/// The same where it takes two meshes, too; times are sums.
+/// The solution of a scene without elements, on one mesh, or extrapolated from two, whose times are added.
 Steady solve(const study::Scene& scene, bool timed) {
     if (!scene.is_discrete()) return solve_without_elements(scene, timed);
     if (!scene.coarse) return solve_once(scene, timed);

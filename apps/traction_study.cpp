@@ -23,7 +23,7 @@ namespace {
 
 constexpr study::Methods methods{.states = true};
 
-/// At a point. Carter's traction there is compared with, or where there are elements his mean over the element.
+/// The traction at a point and Carter's; elements are compared with his mean over the element.
 struct Traction {
     double x, traction, carter;
     std::string status;
@@ -49,13 +49,13 @@ const study::Sheet<Traction> sheet{
       &Traction::status}},
     std::string("method, derivative, mesh, ") + study::settings};
 
-/// Of every element, for unit creepage; not numbers unless the status is ok.
+/// The tractions of all elements for unit creepage; not numbers unless the status is ok.
 struct Elements {
     Eigen::ArrayXd tractions;
     std::string status;
 };
 
-/// On one mesh. With Knothe and Gross-Thebing's boundary conditions the leading element has no traction.
+/// The tractions on one mesh. The leading element has none with Knothe and Gross-Thebing's boundary conditions.
 Elements solve_once(const study::Scene& scene) {
     const rollbem::Response<double> solution = solve_steady(*scene.mesh, scene.scheme, scene.kernel);
     Elements found{Eigen::ArrayXd::Zero(scene.n()), study::steady_status(scene, solution.status, solution.c11())};
@@ -84,7 +84,7 @@ void by_elements(const study::Scene& scene, study::RowRange elements, const stud
     }
 }
 
-/// The same by Chebyshev states, at the points x/a = cos((2k - 1) pi/(2n)), so that there is no mean.
+/// Emits the tractions by Chebyshev states, at the points x/a = cos((2k - 1) pi/(2n)), so that there is no mean.
 void by_states(const study::Scene& scene, study::RowRange points, const study::Results<Traction>& emit) {
     const auto solution = solve_steady(*scene.chebyshev, scene.kernel);
     const rollbem::ChebyshevTraction<double> traction_at{solution.unknowns.col(0)};

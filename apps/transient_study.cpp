@@ -108,8 +108,7 @@ const study::Sheet<Moment> sheet{
       &Moment::status}},
     study::settings};
 
-/// What rolls: a model, or two whose forces are extrapolated, the coarse one last; and the exact response of the
-/// contact.
+/// A model, or two whose forces are extrapolated, the coarse one last; and the exact response of the contact.
 struct Rolling {
     double order;  ///< of convergence
     std::vector<Model> models{};

@@ -21,8 +21,8 @@ constexpr double load = 1e5, mu = 0.3, speed = 20, wheel_radius = 0.46;  // of e
 constexpr double lateral_spring = 5e6, yaw_spring = 1e7, damper = 1e5;   // of each axle [N/m], [N m/rad], [N s/m]
 constexpr double half_wheelbase = 1.25;                                  // [m]
 
-// Of each axle and, without the last, of the frame; relative to the track where it is. y points to the right, yaw
-// clockwise from above; pitch rates are negative when rolling forward.
+// The coordinates of each axle and, without the last, of the frame, relative to the track where it is. y points to the
+// right, yaw clockwise from above; pitch rates are negative when rolling forward.
 enum { y, yaw, pitch, axle_size, frame_y = 2 * axle_size, frame_yaw, size };
 using Vector = Eigen::Matrix<double, size, 1>;
 using Matrix = Eigen::Matrix<double, size, size>;

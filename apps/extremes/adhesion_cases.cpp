@@ -48,13 +48,13 @@ rollbem::ElementSystem<double> system_of(const Scene& s) { return rolling_system
 
 // --- c11 in steady rolling, z = 0, or at the frequency z = omega a/V
 
-/// What it is compared with: the closed form of the plane, the spectral solution of the strip, which has another
+/// The reference of a case: the closed form of the plane, the spectral solution of the strip, which has another
 /// quadrature and other unknowns than Chebyshev states, or the same elements in long double, which show the rounding
 /// error: the condition says how large that may be.
 enum class Against { exact, spectral, long_double };
 
-/// Of elements in long double, (G' - i z G) p = 1 by real numbers and with rollbem's own LU, which compile in a third of
-/// the time.
+/// The coefficient of elements in long double. Real numbers and rollbem's own LU solve (G' - i z G) p = 1, as they
+/// compile in a third of the time.
 Complex in_long_double(const Scene& s, double z) {
     using Real = long double;
     const auto mesh = rollbem::make_mesh<Real>(s.topology(), s.n(), s.grading.value_or(1));
@@ -200,7 +200,7 @@ void add_frequencies(Cases& cases) {
             Against::exact, 0, "assists_creepage", true);
 }
 
-/// How many modes grow, by two methods; the scheme has some where alpha_T is large.
+/// Cases of the number of growing modes by two methods; the scheme has some where alpha_T is large.
 void add_eigenvalues(Cases& cases) {
     for (const double aspect : {0.05, 1.0, 1e3, 1e12}) {
         for (const std::string alpha_T : {"0.63", "1"}) {

@@ -83,8 +83,8 @@ Outcome compare(Value value, std::type_identity_t<Value> reference, double bound
     return outcome;
 }
 
-/// The same with what else is known of the solution that the value is from. A bound of 0 stands for `per_condition`
-/// times the condition and the rounding error.
+/// The outcome with the residual and condition of the solution that the value is from. A bound of 0 stands for
+/// `per_condition` times the condition and the rounding error.
 template <class Solution, class Value>
 Outcome compare(const Solution& solution, Value value, std::type_identity_t<Value> reference, double bound,
                 double per_condition = 0) {

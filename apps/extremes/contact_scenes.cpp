@@ -74,7 +74,7 @@ bool is_sound(const RailPatch& patch) {
            patch.area > 0 && patch.peak_pressure > 0;
 }
 
-/// On 24 x 16 cells, times a factor.
+/// The outcome on 24 x 16 cells, times a factor.
 Outcome judged(const Pair& pair, bool in_slices, const WheelsetPosition& at, double load, Eigen::Index times) {
     WheelOnRail::Workspace workspace;
     const WheelOnRail& wheel = in_slices ? pair.in_slices : pair.wheel;

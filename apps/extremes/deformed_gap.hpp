@@ -24,8 +24,8 @@ public:
             points_[column(y)].push_back({y, z, p.slope[0], p.slope[1]});
         }
     }
-    /// How far a point of the wheel lies above the rail, along the rail's normal, where normals are less than 60
-    /// degrees apart; infinite where nothing is near. The rail's angle there.
+    /// The height of a point of the wheel above the rail, along the rail's normal, where normals are less than 60
+    /// degrees apart, infinite where nothing is near; and the rail's angle there.
     std::pair<double, double> above(double y, double z, double slope_y, double slope_z) const {
         double least = 4e-6, found = std::numeric_limits<double>::infinity(), angle = 0;
         for (int k = column(y) - 1; k <= column(y) + 1; ++k) {
@@ -50,7 +50,7 @@ private:
     std::map<int, std::vector<std::array<double, 4>>> points_;
 };
 
-/// What the pressures of a patch displace both surfaces by at (x, y, z), along its normal [m].
+/// The displacement of both surfaces by the pressures of a patch at (x, y, z), along its normal [m].
 inline double displacement(const rollbem::RailPatch& patch, double compliance, double x, double y, double z) {
     const double s = (y - patch.y) * std::cos(patch.angle) + (z - patch.z) * std::sin(patch.angle), here = x - patch.x;
     const rollbem::CellGrid& grid = patch.grid;

@@ -35,7 +35,7 @@ private:
     std::normal_distribution<double> normal_;
 };
 
-/// How far a solution is from Coulomb's law, not a number where it has some that is none.
+/// The distance of a solution from Coulomb's law, not a number where the solution has a value that is none.
 template <class Scalar>
 struct Violation {
     Scalar bound = 0;      ///< |p| <= bound, and = where it slips; a traction
@@ -43,7 +43,7 @@ struct Violation {
     Scalar direction = 0;  ///< slip against traction, up to 60 degrees off where it is turned; a slip
 };
 
-/// By rows of tractions and slips, one or two columns, in the directions of both.
+/// The violation by the rows of tractions and slips, whose columns are both directions.
 template <class Tractions, class Slips, class Bounds, class Scalar = typename Slips::Scalar>
 Violation<Scalar> violation(const Tractions& tractions, const Slips& slips, const Bounds& bounds,
                             const std::vector<rollbem::Zone>& zones, bool turned) {

@@ -51,7 +51,7 @@ struct Line {
         step.force = {-step.force.longitudinal / full_force, -step.force.lateral / full_force};
         return step;
     }
-    /// The same by the solver of one direction.
+    /// A steady step by the solver of one direction.
     auto alone(bool lateral, double delta) const {
         const rollbem::FrictionModel<> model(contact(), {{}, slopes(lateral), mesh.widths()}, law());
         auto step = rollbem::Run(model).steady({.motion = creepage(delta, nu)});
@@ -305,7 +305,7 @@ void add_lift_off(Cases& cases) {
     }
 }
 
-/// In full adhesion, against the same steps of Chebyshev states.
+/// The outcome in full adhesion, against the same steps of Chebyshev states.
 Outcome grown_in_adhesion(const std::function<double(int)>& half_length) {
     Rolling rolling(rollbem::cosine_mesh(160), 0, 1e9);
     const auto contact = rollbem::Contact<double>::dimensionless(half_width, steel);

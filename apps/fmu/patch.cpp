@@ -513,7 +513,8 @@ private:
         return (load > 0 && !lifted(load) ? ellipse_->under(load) : *ellipse_).contact();
     }
 
-    // By table: at standstill, where there is no creepage, forces oppose the slip all the same. [m/s]
+    // The least rolling speed of forces by table [m/s], which oppose the slip at standstill, too, where no creepage is
+    // defined.
     static constexpr Scalar least_speed = 1e-6;
 
     Input slip_[2] = {{0}, {0}}, spin_{0}, speed_{20}, load_{1e5}, factor_{1}, axes_[2] = {{0}, {0}};

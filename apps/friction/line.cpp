@@ -10,7 +10,7 @@ namespace friction {
 
 namespace {
 
-/// Of a mesh of that half-length [a_0].
+/// The contact of a mesh of the half-length [a_0].
 rollbem::Contact<double> contact_of(const study::Scene& scene, double half_length) {
     return rollbem::Contact<double>({.half_length = half_length,
                                      .half_width = scene.contact.half_width(),

@@ -64,7 +64,7 @@ struct CreepPoint {
 /// Creepage xi [-] of the ratio 1.
 inline double creepage_unit(const study::Scene& scene) { return 2 * (1 - scene.contact.poisson_ratio()); }
 
-/// What all scenes share.
+/// The settings that all scenes share.
 struct Line {
     bool both;  ///< friction in both directions
     Pressure pressure;
@@ -117,7 +117,7 @@ study::Series carter_curve(double from, double to);
 /// Range of forces up to full sliding, for the signs that occur.
 study::PlotRange force_range(const study::Plot& plot);
 
-/// What forces and tractions are drawn in units of.
+/// The unit and labels of forces and tractions in pictures.
 std::string coefficient(bool falling);
 std::string creepage_label(bool falling, const std::string& ratio);
 std::string force_label(bool falling, const std::string& force = "-F", const std::string& load = "N");

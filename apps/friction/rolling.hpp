@@ -39,14 +39,14 @@ struct Rolling {
     /// Rigid displacement besides: where it jumps, without rolling, in dq's time.
     rollbem::Creepage<double> shift(double q, bool behind) const;
     double speed(double q, bool behind) const;
-    /// Of a step over which the speed is linear.
+    /// The duration of a step over which the speed is linear.
     double duration(double from, double to) const;
-    /// What a jump at q displaces; nothing where there is none. Where a force jumps, its displacement is to be found.
+    /// The displacement of a jump at q; nothing where there is none. The displacement by a jump of a force is still to be found.
     std::optional<rollbem::Creepage<double>> jump(double q) const;
     bool begins_with_shift() const { return friction::begins_with_shift(run, imposed, of); }
 };
 
-/// What a row has come to, in the units of the contact.
+/// The state of a run at a row, in the units of the contact.
 struct Moment {
     double q = 0;
     bool shifted = false;                                 ///< the row of the shift before rolling

@@ -26,7 +26,7 @@ void add_law_options(study::Options& options) {
         .only_with({"falling"});
 }
 
-/// What steady rolling and that in the time domain share: creepages, pressure, a layer and the law of friction.
+/// The options of steady rolling and of the time domain: creepages, pressure, a layer and the law of friction.
 void add_contact_options(study::Options& options) {
     options.set_default("mesh", "cosine");
     options.set_default("alpha-L", "0.5");
@@ -55,7 +55,7 @@ void add_contact_options(study::Options& options) {
     add_law_options(options);
 }
 
-/// What steady rolling alone has: sweeps, tractions and the exact border of stick.
+/// The options of steady rolling alone: sweeps, tractions and the exact border of stick.
 void add_steady_options(study::Options& options) {
     options
         .add("sweep", "up|down",

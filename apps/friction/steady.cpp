@@ -30,7 +30,8 @@ struct CreepRow {
     double tangent_ratio(double tangent) const { return -tangent * creepage_unit(scene) / of.full; }
     study::Cell if_both(double value) const { return line.both ? study::Cell(value) : study::Cell(); }
 
-    /// Where there is a closed form: Carter's, along the creepage where nu = 0, and in either direction alone.
+    /// The force by a closed form where there is one: Carter's, along the creepage where nu = 0, and in either
+    /// direction alone.
     struct Exact {
         std::optional<double> longitudinal{}, lateral{};
     };
@@ -196,7 +197,7 @@ std::vector<study::Plot> draw_tractions(const study::SideTable& tractions, const
     return {std::move(panel)};
 }
 
-/// With the tractions beside it at the creepage nearest to half of full sliding, for the last mesh.
+/// The creep curve, with the tractions beside it at the creepage nearest to half of full sliding, for the last mesh.
 study::Plot creep_picture(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
                           const Curve& curve, const study::SideTable& tractions) {
     const bool falling = curve.line.law.has_value();

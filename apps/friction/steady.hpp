@@ -44,7 +44,7 @@ struct Scenario {
     }
 };
 
-/// What was found at a point.
+/// The solution at a point of a creep curve.
 struct Solution {
     std::string mesh_name;
     std::optional<double> alpha_L, alpha_T;
@@ -71,7 +71,7 @@ void solve_by_border(const Curve& curve, const study::Scene& scene, study::RowRa
 /// The points without a solution, where G' is not finite, as for b/a or a layer near the limits of double.
 void leave_out(const study::Scene& scene, study::RowRange range, const Line& line, const See& see);
 
-/// What may be imposed in the time domain.
+/// The columns that may be imposed in the time domain.
 inline const study::HistoryColumns history_columns{
     {"creepage_ratio", "lateral_ratio", "spin_ratio"}, {"shift"}, {"force", "load_ratio", "speed"}};
 

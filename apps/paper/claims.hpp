@@ -105,13 +105,13 @@ std::string say(const std::string& text, const Values&... values) {
 
 // --- what several claims are judged by
 
-/// What was found, told by say().
+/// A finding whose text say() makes of the values.
 template <class... Values>
 Finding judged(bool holds, const std::string& text, const Values&... values) {
     return {holds, say(text, values...)};
 }
 
-/// Holds if the value is below the limit.
+/// A finding that holds if the value is below the limit.
 inline Finding below(double limit, double value, const std::string& text) { return judged(value < limit, text, value); }
 
 /// "n = 40: a; n = 60: b" with text(k) for every number of elements.
@@ -159,8 +159,8 @@ inline std::vector<double> paper_alphas() {
 /// The smallest error that the paper speaks of, 0.01 % of c11: schemes whose errors differ by less are equally good.
 inline constexpr double equal_errors = 1e-4;
 
-/// What a reading of an optimum off the paper's plots may be wrong by. Where all errors nearby are below equal_errors,
-/// these say nothing on it.
+/// The error that a reading of an optimum off the paper's plots may have. Errors nearby say nothing on it where all are
+/// below equal_errors.
 inline constexpr double near_optimum = 0.02;
 
 inline double ratio_at(const Case& c, Vary vary, double x) { return c11_ratio(at(c, vary, x)); }
@@ -240,7 +240,7 @@ inline Difference from_carter(const Tractions& t, double trailing, double leadin
     return {largest(Eigen::ArrayXd::Constant(t.x.size(), t.value.abs().maxCoeff())), largest(t.carter)};
 }
 
-/// Where a curve over alpha or lambda leaves 0.
+/// The text on the alpha or lambda at which a curve leaves 0.
 inline std::string onset(const Points& points) {
     const std::optional<double> first = first_positive(points);
     return first ? "from " + number(*first) : "none";

@@ -16,7 +16,7 @@
 
 namespace paper {
 
-/// What the paper does not give: steel, and a strip so wide that c11 differs from the plane limit by 2e-7.
+/// Parameters that the paper does not give: steel, and a strip so wide that c11 differs from the plane limit by 2e-7.
 inline constexpr double poisson_ratio = 0.28;
 inline constexpr double aspect = 1000;  ///< b/a [-]
 

@@ -33,7 +33,7 @@ struct Curve {
 
 using Range = study::PlotRange;
 
-/// What panels have in common.
+/// The properties that panels have in common.
 struct Family {
     Quantity quantity;
     std::vector<double> grid;     ///< x values; empty where the elements are the x values

@@ -115,13 +115,13 @@ struct TimeScene {
     CreepPoint at(double q, bool behind) const {
         return {imposed.at("longitudinal", q, behind), imposed.at("lateral", q, behind), imposed.at("spin", q, behind)};
     }
-    /// By Hertz the cube root of the load, or columns of a table.
+    /// Whether columns of a table give the ratios of the semi-axes. By Hertz they are the cube root of the load.
     bool has_axes() const { return imposed.has("a_ratio"); }
     AxisRatios axes(double q) const {
         if (has_axes()) return {imposed.at("a_ratio", q), imposed.at("b_ratio", q)};
         return {std::cbrt(load_ratio(q)), std::cbrt(load_ratio(q))};
     }
-    /// Of a mesh that covers the contact during the whole run.
+    /// The ratios of a mesh that covers the contact during the whole run.
     AxisRatios largest_axes() const {
         if (has_axes()) return {imposed.largest("a_ratio"), imposed.largest("b_ratio")};
         const double ratio = std::cbrt(imposed.largest("load_ratio"));

@@ -35,7 +35,7 @@ Columns by_scheme(const Columns& columns, const Rows& rows) {
     return words.size() > 1 ? Columns{"scheme"} : Columns{};
 }
 
-/// What a picture of patches may have along x.
+/// A quantity that a picture of patches may have along x.
 struct Axis {
     std::string column, label;
 };
@@ -129,8 +129,8 @@ std::vector<std::pair<double, double>> edge_of(const rollbem::PatchContact<doubl
     return points;
 }
 
-/// What sticks, what slips, tractions on body 1 and the pole of the rigid slip. y points down: z points away from who
-/// looks.
+/// The zones of stick and slip, tractions on body 1 and the pole of the rigid slip. y points down: z points away from
+/// the viewer.
 study::Plot seen_from_above(const Patch& patch, const CreepPoint& point, const study::SideTable& tractions,
                             const Rows& rows) {
     const rollbem::PatchContact<double>& contact = patch.contact;

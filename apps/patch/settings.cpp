@@ -41,7 +41,7 @@ Outline read_outline(const study::Options& options) {
     }
 }
 
-/// Of --scheme, or of --method, --nodes and --strip-grading.
+/// The schemes of --scheme, or of --method, --nodes and --strip-grading.
 std::vector<study::NamedScheme> make_schemes(const study::Options& options) {
     if (options.given("scheme")) {
         std::vector<study::NamedScheme> schemes = study::named_schemes(options.texts("scheme"), true);
@@ -204,7 +204,8 @@ rollbem::PressureGrid<double> read_grid(const study::Options& options) {
                         [&] { return rollbem::PressureGrid<double>(x, y, std::move(pressures)); });
 }
 
-/// Of a grid that the options `said`, which measures an ellipse in a and b, an outline in its own unit.
+/// The mean pressures on the elements by a grid that the options `said`, which measures an ellipse in a
+/// and b, an outline in its own unit.
 Eigen::ArrayXd means_of(const rollbem::PressureGrid<double>& grid, const std::string& said, const Patch& patch) {
     const double a = patch.contact.half_length(), b = patch.contact.half_width();
     const bool outline = patch.contact.outline() != nullptr;

@@ -1,4 +1,4 @@
-// What precision_study compares: schemes at several n, by quantities of a line or of patches.
+// The comparisons of precision_study: schemes at several n, by quantities of a line or of patches.
 #pragma once
 
 #include <complex>
@@ -52,13 +52,13 @@ inline double largest_difference(const Values& found, const Values& exact) {
     return largest(real(found) - real(exact));
 }
 
-/// What was computed; not numbers unless the status is ok.
+/// The values that were computed; not numbers unless the status is ok.
 struct Found {
-    Values values, exact{};  ///< and what they should be, if that is not the reference
+    Values values, exact{};  ///< and their exact values, if these differ from the reference
     rollbem::Status status = rollbem::Status::ok;
 };
 
-/// Extrapolated from what a coarser mesh gives.
+/// The values extrapolated with the values on a coarser mesh.
 inline Found extrapolate(const Found& coarse, Found fine, double order) {
     for (std::size_t k = 0; k < fine.values.size(); ++k) {
         fine.values[k] = rollbem::richardson(coarse.values[k], fine.values[k], order);
@@ -81,7 +81,7 @@ struct Task {
     std::function<std::optional<bool>()> stable{};
 };
 
-/// What is compared, and what the quantities should be.
+/// The tasks of a comparison, and the reference of its quantities.
 struct Comparison {
     std::vector<std::string> columns;
     std::vector<Quantity> quantities;
@@ -92,10 +92,10 @@ struct Comparison {
 
 /// All quantities of a line, in the order of the rows; the response is at --omega.
 std::vector<Quantity> line_quantities(const study::Options& options);
-/// The same of patches.
+/// The quantities of patches.
 std::vector<Quantity> patch_quantities();
 
-/// What --scheme is by default, of a line and of patches.
+/// The defaults of --scheme, of a line and of patches.
 inline constexpr const char* line_schemes =
     "uniform:collocation:0.5/0.5,uniform:collocation:0/0.63,geometric-1.89:collocation:0.5/0.5,"
     "knothe-0.37:collocation:0.5/0.5,cosine:collocation:0.5/0.5,uniform:galerkin:0/0.63,uniform:galerkin:0/0.75:q7,"

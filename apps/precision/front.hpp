@@ -37,7 +37,7 @@ inline bool is_discretisation(const std::string& scheme) { return scheme != "pol
 /// Element schemes also work with friction.
 inline bool is_element_scheme(const std::string& scheme) { return is_discretisation(scheme) && scheme != "chebyshev"; }
 
-/// For each point the largest |error| of its scheme and quantity at its own and all larger n; infinite if one of them
+/// The largest |error| of each point's scheme and quantity at the point's n and all larger n; infinite if one of them
 /// has no result.
 inline std::vector<double> sustained_errors(const std::vector<Point>& points) {
     std::vector<std::size_t> order(points.size());

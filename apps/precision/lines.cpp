@@ -42,7 +42,7 @@ constexpr double load_amplitude = 0.5;  // N = N_0 (1 + A sin(2 pi q/L))
 constexpr double load_length = 8;       // L/a_0
 constexpr int load_steps = 160;         // in a period
 
-/// What the schemes are applied to besides a contact.
+/// The parameters of the problems besides the contact.
 struct Settings {
     double dq = 1;                ///< [a]
     double creepage_ratio = 0.5;  ///< of the problems with friction
@@ -63,14 +63,14 @@ rollbem::ElementSystem<double> slopes(const Scene& scene, const Kernel& kernel) 
 
 rollbem::Friction<> friction(const Scene& scene) { return {1, peak * rollbem::mean_hertz_pressure(*scene.mesh)}; }
 
-/// In steady rolling, on one mesh or by states.
+/// The solution of steady rolling on one mesh or by states.
 rollbem::Response<double> steady(const Scene& scene) {
     if (scene.chebyshev) return solve_steady(*scene.chebyshev, scene.kernel);
     return rollbem::solve_steady<double>(rollbem::assemble_G_prime(*scene.mesh, scene.scheme, scene.kernel),
                                          rollbem::unknown_widths(*scene.mesh, scene.scheme));
 }
 
-// --- what a quantity consists of; not a number if the status is not ok
+// --- the values of a quantity; not a number if the status is not ok
 
 /// force(q) at q = dq, 2 dq, ...
 template <class Force>
@@ -95,7 +95,7 @@ Values friction_force(const Scene& scene, const Settings& settings) {
     return {step.status == Status::ok ? -step.force / full(scene) : nan};
 }
 
-/// The same along and across at 45 degrees.
+/// The forces along and across with the creepage at 45 degrees.
 Values combined_forces(const Scene& scene, const Settings& settings) {
     // from kernels, as only then the model knows where the equations hold and turns the slip
     const rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2> model(
@@ -157,7 +157,8 @@ Found weighted(const Array& tractions, const Array& carter, const Array& weights
     return {scaled(tractions), scaled(carter)};
 }
 
-/// Of a function of x/a: with x = cos(theta) the integral of (p sin(theta))^2, by the midpoint rule.
+/// The tractions by a function of x/a, weighted for the integral of (p sin(theta))^2 over x = cos(theta) by the midpoint
+/// rule.
 template <class Traction>
 Found at_points(double nu, const Traction& traction) {
     constexpr int points = 64;
@@ -171,8 +172,9 @@ Found at_points(double nu, const Traction& traction) {
     return weighted(own, carter, weights);
 }
 
-/// On one mesh, or extrapolated from two to pairs of elements, which form the coarser mesh. Tractions are constant on
-/// each element and compared with Carter's means: the integral of p^2 sqrt(1 - x^2).
+/// The tractions on one mesh, or extrapolated from two meshes to the elements of the coarser one, which are pairs of
+/// elements of the finer. They are constant on each element and compared with Carter's means by the integral of
+/// p^2 sqrt(1 - x^2).
 Found tractions(const Scene& scene) {
     const double nu = scene.contact.poisson_ratio();
     if (scene.chebyshev) {
@@ -196,7 +198,7 @@ Found tractions(const Scene& scene) {
 
 bool is_traction(const Quantity& quantity) { return quantity.name == "traction"; }
 
-/// What a quantity other than the traction consists of on one mesh, or by states.
+/// The values of a quantity other than the traction on one mesh, or by states.
 Values values(const Scene& scene, const Settings& settings, const Quantity& quantity) {
     switch (quantity.problem) {
         case Problem::harmonic: {
@@ -213,7 +215,8 @@ Values values(const Scene& scene, const Settings& settings, const Quantity& quan
     return {response.status == Status::ok ? response.c11() : nan};
 }
 
-/// By a polynomial of the order `degree`. Steady results of the plane do not depend on the aspect.
+/// The values of a quantity by a polynomial of the order `degree`. Steady results of the plane do not depend on the
+/// aspect.
 Found by_polynomial(const Contact<double>& contact, Eigen::Index degree, const Settings& settings,
                     const Quantity& quantity) {
     const double nu = contact.poisson_ratio(), aspect = std::isfinite(contact.aspect()) ? contact.aspect() : 1000;
@@ -231,7 +234,7 @@ Found by_polynomial(const Contact<double>& contact, Eigen::Index degree, const S
 
 Found evaluate(const Scene& scene, const Settings& settings, const Quantity& quantity);
 
-/// What a quantity consists of in the plane model, by closed forms where there are any, none of which depends on an
+/// The exact values of a quantity in the plane model, by closed forms where there are any, none of which depends on an
 /// infinite aspect. The force in both directions is extrapolated from cosine meshes of 320 and 640 elements. The
 /// force under a load that varies is extrapolated from cosine meshes of 160 and 320 elements that breathe, in steps of
 /// a quarter of the schemes' steps.

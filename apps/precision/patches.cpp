@@ -72,7 +72,7 @@ Found forces(const PatchContact& contact, const PatchMesh& mesh, const NodeDiffe
     return found;
 }
 
-/// On one mesh, whose error is what is asked for.
+/// The values of a problem on one mesh.
 Found on_mesh(const PatchContact& contact, Problem problem, const NamedScheme& scheme, long n, long strips) {
     const PatchMesh mesh = mesh_of(contact, scheme, n, strips);
     if (problem == Problem::patch_friction) return forces(contact, mesh, difference(scheme));
@@ -100,7 +100,7 @@ Values reference_forces(const PatchContact& contact) {
     return extrapolate(times(1), times(3), 2 * std::log2(3)).values;
 }
 
-/// What the quantities of a problem should be; not numbers if that was not found out.
+/// The reference of the quantities of a problem; not numbers if it was not found.
 Values reference(const PatchContact& contact, Problem problem) {
     if (problem == Problem::patch_friction) return reference_forces(contact);
     const long part = contact.a_over_b() > 10 ? 2 : 1;  // elements of long patches must not be as much longer than wide

@@ -22,7 +22,7 @@ std::vector<std::string> all_schemes(const std::vector<Point>& points) {
     return names;
 }
 
-/// As many schemes as can be told apart, those on the front of a quantity first.
+/// The schemes that a panel can show apart; schemes on the front of a quantity come first.
 std::vector<std::string> drawn_schemes(const std::vector<Point>& points) {
     std::vector<std::string> drawn = all_schemes(points);
     std::stable_partition(drawn.begin(), drawn.end(), [&](const std::string& scheme) {

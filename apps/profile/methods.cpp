@@ -22,7 +22,7 @@ using rollbem::Status;
 using rollbem::WheelOnRail;
 using rollbem::WheelsetPosition;
 
-/// Of all patches of a wheel.
+/// Sums over all patches of a wheel.
 struct Totals {
     double load = 0, area = 0, peak_pressure = 0;
     Status status = Status::ok;

@@ -1,4 +1,4 @@
-// What profile_study is asked for, profiles, track, loads and positions, and its pictures.
+// The input of profile_study, profiles, track, loads and positions, and its pictures.
 #pragma once
 
 #include <optional>
@@ -45,7 +45,7 @@ struct Settings {
 /// Declares the options of profile_study; its footer is for the program.
 void add_options(study::Options& options);
 
-/// Of a run with one position or several. Throws BadInput, as read_cases does.
+/// The settings of a run with one position or several. Throws BadInput, as read_cases does.
 Settings read_settings(const study::Options& options, bool several);
 
 /// All positions, the shift outermost and the pitch rate innermost.

@@ -35,7 +35,7 @@ struct PlotAxis {
     std::optional<PlotRange> Plot::*range;
     double Point::*coordinate;
 
-    /// Where a value lies on the paper, but for shift and scale, and the value there.
+    /// The place of a value on the paper, but for shift and scale, and the value at a place.
     double place(double value) const {
         return logarithmic ? std::log10(value) : linear_within > 0 ? std::asinh(value / linear_within) : value;
     }
@@ -241,7 +241,7 @@ Series arrows_to_hidden(const Plot& plot) {
     return arrows;
 }
 
-/// What the title says of values that no point shows: undefined ones, and those that a logarithmic axis lacks.
+/// The title's words on values that no point shows: undefined ones, and ones that a logarithmic axis lacks.
 std::string missing_values(const Plot& plot) {
     std::size_t missing = 0, all = 0;
     for (const Series& series : plot.series) {
@@ -353,7 +353,7 @@ std::string data_of(const Plot& plot, const Series& series) {
     return text;
 }
 
-/// What a title says besides: values that are not drawn.
+/// The title with a note on values that are not drawn.
 std::string title_of(const Plot& plot) {
     std::string title = plot.title;
     const auto add = [&](const std::string& between, const std::string& note) {
@@ -490,7 +490,7 @@ std::vector<std::string> curve_commands(const Plot& plot, std::string& script, L
     return commands;
 }
 
-/// What gnuplot draws, and the space around its frame.
+/// Commands of a panel, and the space around its frame.
 struct Panel {
     std::string script, plot;
     double above, height, below, beside;

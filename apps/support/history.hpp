@@ -28,17 +28,17 @@ public:
     bool has(const std::string& column) const { return signals_.count(column) > 0; }
     /// Just before (or at) q, or `behind` it: they differ at a jump only.
     double at(const std::string& column, double q, bool behind = true) const;
-    /// Of a sine or a table.
+    /// The largest value of a sine or a table.
     double largest(const std::string& column) const { return signals_.at(column).largest; }
 
-    /// From q = 0 on.
+    /// A column has the value from q = 0 on.
     void set(const std::string& column, double value);
     void set(const std::string& column, const Sine& sine, double mean = 0);
     void set_ramp(const std::string& column, double rate);
     /// Linear between ascending places, of which two equal ones make a jump.
     void set(const Numbers& places, std::map<std::string, Numbers> columns);
 
-    /// Where steps have to end: the places of all tables.
+    /// The places at which steps have to end: the places of all tables.
     const Numbers& places() const { return places_; }
     /// The values of a column of a table at its own places; empty where it has none.
     const Numbers& values(const std::string& column) const;
@@ -58,7 +58,7 @@ private:
     Numbers places_;
 };
 
-/// What a study imposes, by the names of its columns; empty where it has none.
+/// The names of the columns that a study imposes; empty where it has none.
 struct HistoryColumns {
     std::array<std::string, 3> creepage;  ///< along x, which --step, --ramp and --sine set, along y, and spin
     std::array<std::string, 2> shift{};
@@ -71,8 +71,8 @@ struct HistoryColumns {
 /// Declares --step, --ramp, --sine and --history, of which one may be given; with `mode`, only that option takes them.
 void add_history_options(Options& options, const HistoryColumns& columns, const std::string& mode = "");
 
-/// What they impose, and besides the constants of options that are called as their columns, which hold to a rule.
-/// Throws BadInput.
+/// The history by the options of `columns`, and the constants of options that are called like their columns and hold to
+/// a rule. Throws BadInput.
 History read_history(const Options& options, const HistoryColumns& columns,
                      const std::vector<std::string>& constants = {}, const Rule& rule = finite());
 

@@ -112,7 +112,7 @@ Numbers read_edges(const Options& options, const std::string& name, double low, 
 
 namespace {
 
-// Of columns that may be missing a misspelt one would pass for one that is not there.
+// A misspelt column that may be missing would pass for one that is not there.
 void require_meant(const std::string& cell, const std::vector<std::string>& names, const std::string& where) {
     if (contains(names, cell)) return;
     for (const std::string& name : names) {

@@ -14,7 +14,8 @@ namespace study {
 /// The rows of --rows: the parts of --shard, one after the other, each row at its place.
 class JoinedRows {
 public:
-    /// Of `count` rows. Throws BadInput unless the file has a header of these columns and ends with a whole line.
+    /// The file should have `count` rows. Throws BadInput unless it has a header of these columns and ends with a whole
+    /// line.
     JoinedRows(const Options& options, const std::vector<std::string>& columns, std::size_t count);
 
     /// The row that begins with `expected`; its other cells from there on are the result. Throws BadInput, which names

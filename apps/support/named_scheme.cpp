@@ -64,7 +64,7 @@ struct Reader {
                 "be ALPHA_L/ALPHA_T, both in [-2, 2]");
     }
 
-    /// What may follow the method and the alphas, in any order and each once.
+    /// The parameters that may follow the method and the alphas, in any order and each once.
     void read_parameter(const std::string& part) {
         std::vector<std::string> known = derivative_names(scheme.method);
         if (scheme.derivative.empty() && contains(known, part)) return void(scheme.derivative = part);

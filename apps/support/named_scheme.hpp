@@ -24,12 +24,12 @@ struct NamedScheme {
 
     bool has_elements() const { return !mesh_name.empty(); }
     bool is_discrete() const { return has_elements() || method == "chebyshev"; }
-    /// Of named meshes.
+    /// The topology of a named mesh.
     rollbem::Topology topology() const { return *rollbem::topology_named(mesh_name); }
     bool graded_by(std::string_view name) const {
         return grading.has_value() && rollbem::topology_info(topology()).grading == name;
     }
-    /// Of convergence, which extrapolation takes for granted.
+    /// The order of convergence, which extrapolation takes for granted.
     double order() const { return mesh_name == "cosine" ? 2 : 1; }
     /// The equations of elements.
     rollbem::AnyScheme equations() const;
@@ -38,10 +38,10 @@ struct NamedScheme {
     std::string word() const;
 };
 
-/// What --derivative may be with a method of elements.
+/// The values of --derivative with a method of elements.
 std::vector<std::string> derivative_names(const std::string& method);
 
-/// What --derivative is by default: fd, but analytic for galerkin with exact quadrature, and none with nodes.
+/// The default of --derivative: fd, but analytic for galerkin with exact quadrature, and none with nodes.
 std::string usual_derivative(const NamedScheme& scheme);
 
 /// The scheme of a word of --scheme; strips are for schemes of patches. Throws BadInput, which says what the wrong part
@@ -51,7 +51,7 @@ NamedScheme scheme_named(const std::string& word, bool of_patch = false);
 /// What --help says of --scheme; `further` continues it.
 std::string scheme_help(const std::string& further = "");
 
-/// The same of several. Throws BadInput, also for a scheme that is there twice.
+/// The schemes of several words. Throws BadInput, also for a scheme that is there twice.
 std::vector<NamedScheme> named_schemes(const std::vector<std::string>& words, bool of_patch = false);
 
 }  // namespace study

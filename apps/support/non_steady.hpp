@@ -1,5 +1,5 @@
-// What studies of non-steady problems share: scenes whose model itself is stable, whether the plane model has exact
-// solutions for a contact, and which discretisations can be trusted and stepped.
+// The checks that studies of non-steady problems share: scenes whose model itself is stable, whether the plane model has
+// exact solutions for a contact, and which discretisations can be trusted and stepped.
 #pragma once
 
 #include <optional>
@@ -24,11 +24,11 @@ void require_plane_model(const rollbem::Contact<double>& contact);
 /// All cases of a problem in the time domain. Throws BadInput if make_scenes or require_plane_model does.
 std::vector<Scene> make_non_steady_scenes(const Options& options, const Methods& methods);
 
-/// Of elements or Chebyshev states; nothing if a matrix has entries that are not finite, as for b/a near the limits of
-/// double.
+/// The system of elements or Chebyshev states; nothing if a matrix has entries that are not finite, as for b/a near the
+/// limits of double.
 std::optional<rollbem::RollingSystem<double>> system_if_finite(const Scene& scene);
 
-/// The same, but throws BadInput, naming --aspect, if there is none.
+/// The system; throws BadInput, naming --aspect, if there is none.
 rollbem::RollingSystem<double> system_of(const Scene& scene);
 
 /// `status` or, if that is ok, the flaw that the scene's `system` shows in steady rolling: assists_creepage, coarse, or

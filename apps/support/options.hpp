@@ -31,7 +31,7 @@ enum ExitCode : int {
     exit_write_error = 4,
 };
 
-/// What was typed cannot be used, or the output cannot be written to: nothing was computed.
+/// The input cannot be used, or the output cannot be written to: nothing was computed.
 class BadInput : public std::invalid_argument {
 public:
     using std::invalid_argument::invalid_argument;
@@ -49,7 +49,7 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// What call() returns; what the library refuses of it is BadInput that begins with `said`.
+/// The result of call(); a refusal by the library becomes BadInput that begins with `said`.
 template <class Call>
 auto blame(const std::string& said, const Call& call) {
     try {
@@ -92,7 +92,7 @@ std::optional<Number> parse_number(std::string_view text) {
     return value;
 }
 
-/// How many letters to add, remove or change to turn `from` into `to`.
+/// The number of letters to add, remove or change to turn `from` into `to`.
 std::size_t edit_distance(const std::string& from, const std::string& to);
 
 }  // namespace detail
@@ -108,7 +108,7 @@ std::string join(const std::vector<std::string>& words, const std::string& separ
 /// "a, b or c" with last = "or".
 std::string listed(const std::vector<std::string>& words, const std::string& last);
 
-/// What --mesh may be.
+/// The values of --mesh.
 std::vector<std::string> mesh_names();
 
 /// The option that sets what a column of this name shows: "size-ratio" for size_ratio.
@@ -160,7 +160,7 @@ public:
         return add(name, "FILE", help, Kind::argument);
     }
 
-    /// The same with a file beside it, FILE.toml.
+    /// Declares --name FILE, a table that is written, with a file beside it, FILE.toml. No other file may be the same.
     Added add_table(const std::string& name, const std::string& help) { return add(name, "FILE", help, Kind::table); }
 
     /// Declares --name DIR, a folder that files are written to.
@@ -177,16 +177,16 @@ public:
     /// Makes --name bad input for this study, for a reason that the message gives; --help does not list it.
     void refuse(const std::string& name, const std::string& reason);
 
-    /// The same for all options under a heading except `allowed`.
+    /// Refuses all options under a heading except `allowed`.
     void refuse_group(const std::string& heading, const std::string& reason,
                       const std::vector<std::string>& allowed = {});
 
-    /// As Added::not_with, for several options.
+    /// Added::not_with for several options.
     void not_with(const std::vector<std::string>& names, const std::string& mode, const std::string& why = "") {
         for (const std::string& name : names) limits_.push_back({name, {mode}, false, why});
     }
 
-    /// As Added::only_with, for several options, but without a word in --help.
+    /// Added::only_with for several options, but without a word in --help.
     void only_with(const std::vector<std::string>& names, const std::vector<std::string>& modes,
                    const std::string& why = "") {
         for (const std::string& name : names) limits_.push_back({name, modes, true, why});
@@ -240,7 +240,7 @@ public:
 
     /// FIRST,SECOND,... as so many finite numbers; empty where the one value is something else.
     std::vector<double> row(const std::string& name, std::size_t count) const;
-    /// The same of two; nothing where the value is something else.
+    /// A row of two numbers; nothing where the value is something else.
     std::optional<std::pair<double, double>> pair(const std::string& name) const;
 
     std::ptrdiff_t integer(const std::string& name, std::ptrdiff_t low, std::ptrdiff_t high) const;
@@ -272,7 +272,7 @@ private:
         bool typed() const;
     };
 
-    /// Where an option has no effect: without any of the modes, or with the one.
+    /// The modes without any of which an option has no effect, or the one with which it has none.
     struct Limit {
         std::string name;
         std::vector<std::string> modes;

@@ -17,7 +17,7 @@ namespace study {
 
 namespace fs = std::filesystem;
 
-/// What a run has made and must not leave: a file, or a folder if it is empty.
+/// A file, or a folder if it is empty, that a run has made and must not leave.
 struct Unfinished {
     std::string path;
     Unfinished* older;
@@ -31,7 +31,7 @@ struct Unfinished {
 
 namespace {
 
-/// Of a list that only grows: an interrupt may come at any time.
+/// The head of a list that only grows: an interrupt may come at any time.
 std::atomic<Unfinished*> newest{nullptr};
 
 Unfinished* unfinished(const std::string& path) { return newest = new Unfinished{path, newest}; }

@@ -62,7 +62,7 @@ public:
     /// A folder to write to, created if it does not exist. Throws BadInput, which names `name`.
     void make_folder(const std::string& path, const std::string& name);
 
-    /// As the constructor of OutputFile. Throws BadInput also if this run writes that file already.
+    /// Opens a file as the constructor of OutputFile does. Throws BadInput also if this run writes that file already.
     OutputFile& open(const std::string& path, const std::string& name);
 
     /// A file of this text.

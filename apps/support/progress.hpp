@@ -34,7 +34,7 @@ public:
         done_ = done;
     }
 
-    /// What is being computed, e.g. "n = 20".
+    /// Sets the task that the line names, e.g. "n = 20".
     void doing(const std::string& now) {
         const std::lock_guard lock(mutex_);
         now_ = now;

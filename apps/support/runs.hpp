@@ -46,7 +46,7 @@ inline constexpr const char* unresolved = "unresolved";        ///< a sine with 
 inline constexpr const char* after_failure = "after_failure";  ///< a step before has failed
 inline constexpr const char* unchecked = "unchecked";  ///< ok, except for the checks that --unchecked leaves out
 
-/// Where a step has to end: at the first knot between two places, otherwise at the second place.
+/// The end of a step: the first knot between two places, otherwise the second place.
 double next_stop(const Numbers& knots, double from, double to);
 
 /// Declares what runs with friction share: --load-sine, --load, --breathing, --from, --dq, --until and --integrator,

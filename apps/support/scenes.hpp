@@ -23,7 +23,7 @@ namespace study {
 /// Whether b/a may be infinite: a problem in the time domain needs G, which has no such limit.
 enum class Problem { steady, non_steady };
 
-/// What a study can compute with besides elements on one mesh.
+/// The methods of a study besides elements on one mesh.
 struct Methods {
     bool states = false;                     ///< Chebyshev's, which are for full adhesion
     bool closed = false;                     ///< polynomials and the closed form, which have a c11 alone
@@ -41,10 +41,10 @@ struct Scene : NamedScheme {
     Eigen::Index degree = 0;  ///< of a polynomial
 
     Eigen::Index n() const { return chebyshev ? chebyshev->states : mesh ? mesh->size() : degree; }
-    /// On each of its meshes alone, the coarse one last.
+    /// The scene on each of its meshes alone, the coarse one last.
     std::vector<Scene> meshes() const;
 
-    /// For the progress line.
+    /// The label of the progress line.
     std::string label() const { return "n = " + std::to_string(n()); }
 
     bool is_plane() const { return kernel.model() == rollbem::LineModel::plane; }
@@ -93,7 +93,7 @@ std::vector<Scene> make_scenes(const Options& options, Problem problem, const Me
 /// is a coarse one, on uniform and cosine meshes.
 Eigen::ArrayXd extrapolate_tractions(const Scene& scene, const Eigen::ArrayXd& fine, const Eigen::ArrayXd& rough);
 
-/// What columns called status say in addition to the library's names.
+/// The words of columns called status in addition to the library's names.
 inline constexpr const char* ok = "ok";
 inline constexpr const char* coarse = "coarse";  ///< few elements, and an error of c11 above 50 %
 

@@ -29,7 +29,7 @@ auto where(const Condition& condition, const Value& value) {
     return [=](const auto& r) { return std::invoke(condition, r) ? Cell(std::invoke(value, r)) : Cell(); };
 }
 
-/// What takes the results of a case, one by one.
+/// The function that takes the results of a case, one by one.
 template <class Result>
 using Results = std::function<void(const Result&)>;
 

@@ -54,7 +54,7 @@ std::string comments(const std::string& lines) {
     return text;
 }
 
-/// As --config reads it.
+/// The text in quotes, as --config reads it.
 std::string quoted(const std::string& name, const std::string& text) {
     const char mark = text.find('"') == std::string::npos ? '"' : '\'';
     if (text.find(mark) != std::string::npos || text.find_first_of("\n\r\\") != std::string::npos) {

@@ -15,7 +15,7 @@ namespace study {
 /// Declares --state-space and --states; `what` has the equations.
 void add_state_space_options(Options& options, const std::string& what);
 
-/// What the equations are of, for messages, and what stands in state_space.toml.
+/// The words of messages on the equations, and of state_space.toml.
 struct StateSpaceWords {
     std::string one;          ///< scheme, or patch
     std::string lists;        ///< options whose values make several

@@ -38,7 +38,7 @@ public:
         runs_.push_back(run(calls_));
         total_ += runs_.back();
     }
-    /// Of one call [us].
+    /// The time of one call [us].
     double median() {
         const auto middle = runs_.begin() + std::ptrdiff_t(runs_.size() / 2);
         std::nth_element(runs_.begin(), middle, runs_.end());

@@ -15,8 +15,8 @@ namespace paper {
 
 namespace {
 
-/// What Eqs. (8), (12), (15) and (16) give as printed, over what Eqs. (2), (23) and (30) give: recommended scheme,
-/// xi = a = G = V = 1.
+/// Results of Eqs. (8), (12), (15) and (16) as printed over results of Eqs. (2), (23) and (30), by the recommended
+/// scheme with xi = a = G = V = 1.
 struct AsPrinted {
     double sides;     ///< left side of Eq. (8) over the right one with Carter's traction, mean over |x| < a/2
     double in_time;   ///< c11 by Eqs. (12) and (30) after rolling 200 a from rest
