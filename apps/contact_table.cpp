@@ -1,5 +1,5 @@
-// Contacts of the wheels of a wheelset with their rails over shift, yaw and load, from their profiles, as a ContactTable
-// for the time loop of a vehicle; and how far forces by it are from the forces of the patches:
+// Contacts of a wheelset with its rails over shift, yaw and load, from the profiles, as a ContactTable for the time
+// loop of a vehicle; and how far forces by it are from the forces of the patches:
 //
 //     ./contact_table --output s1002_60e1.contact --jobs 2
 //     ./contact_table --check 200 s1002_60e1.contact

@@ -78,7 +78,7 @@ double largest_creepage(const Creepage& creepage, const study::Steps& steps) {
     return largest;
 }
 
-/// After a step.
+/// The creepage and force after a step.
 struct Moment {
     double q, creepage, force;
     std::optional<double> exact;

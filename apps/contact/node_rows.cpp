@@ -30,7 +30,7 @@ std::vector<std::string> columns() {
 }
 constexpr std::size_t key_columns = 5, first_value = 5;  // after the key: cut, height, roll and status
 
-/// Which node and zone a row is.
+/// The node and zone of a row.
 struct Place {
     std::size_t line, shift, side, zone;
 

@@ -18,7 +18,7 @@ std::size_t rows_of_line(const rollbem::ContactTable::Grid& grid, std::size_t si
 /// The table of rows of a maker, which is to solve the lines that it asks for. Both must outlive it.
 study::Table node_table(rollbem::ContactTableMaker& maker, const rollbem::ContactTable::Grid& grid);
 
-/// From --rows. Throws BadInput.
+/// The sides of a table by the rows of --rows. Throws BadInput.
 std::vector<rollbem::ContactSide> read_sides(const study::Options& options, const rollbem::ContactTable::Grid& grid,
                                              std::size_t sides);
 

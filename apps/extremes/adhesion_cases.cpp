@@ -233,8 +233,8 @@ void add_steps(Cases& cases) {
                                            {Integrator::matrix_exponential, 0.0}}) {
         for (const double aspect : {0.05, 1.0, 1e3, 1e12}) {
             const std::string where = ", " + study::word(integrator) + ", b/a = " + shown(aspect);
-            // Far above 1/|nu_max|: the steady force. The initial state decays by Lambda a/dq in each step of
-            // implicit Euler, by five times that with sdirk2, and at once with the exponential.
+            // Steps far above 1/|nu_max| give the steady force. The initial state decays by Lambda a/dq in each step
+            // of implicit Euler, by 5 Lambda a/dq with sdirk2, and at once with the exponential.
             const double lambda = std::max(rollbem::plane_lambda(steel, aspect), 1.0);
             for (const double dq : {1e3, 1e6}) {
                 const double bound = std::pow(left * lambda / dq, 4) + 1e-12;

@@ -111,7 +111,7 @@ Outcome run(std::uint64_t seed, bool in_slices) {
     at.yaw = 0.03 * uniform(random);
     const double load = 1e5 * std::pow(10, uniform(random));
     const Outcome outcome = judged(pair, in_slices, at, load, 1);
-    // what coarse cells leave becomes less on finer ones, a contact that was lost stays so
+    // errors by coarse cells become less on finer ones, a contact that was lost stays so
     return outcome.error > outcome.bound ? judged(pair, in_slices, at, load, 2) : outcome;
 }
 

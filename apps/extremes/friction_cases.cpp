@@ -152,7 +152,7 @@ void add_layers(Cases& cases) {
                 return compare(with(layer).adhesion(false), brush, 3 / layer + 1e-13);
             });
         }
-        // the same in both directions, also with friction: at this ratio the brush has begun to slip
+        // the layer is the same in both directions, also with friction: at this ratio the brush has begun to slip
         cases.add("layer 1e6, creepage at 60 degrees" + elements, "lateral over longitudinal force", [=] {
             return direction_against(with(1e6).both(0.2 * 1e6, 0.5, std::sqrt(0.75)), std::sqrt(3.0), 1e-6);
         });

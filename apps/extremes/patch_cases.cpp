@@ -28,7 +28,7 @@ constexpr Entry c11{"c11", 0, 0, &rollbem::CreepCoefficients<double>::c11},
     c32{"c32", 2, 1, &rollbem::CreepCoefficients<double>::c32},
     c33{"c33", 2, 2, &rollbem::CreepCoefficients<double>::c33};
 
-/// It can be used if other meshes confirm it, whatever becomes of the others.
+/// The outcome of one coefficient, which can be used if other meshes confirm it, even if they do not confirm the rest.
 Outcome coefficient(const PatchContact<double>& contact, Index n, Index m, const Entry& c, double reference,
                     double bound) {
     const auto response = rollbem::solve_steady(contact, rollbem::patch_mesh(contact, n, m), chebyshev);
@@ -44,7 +44,7 @@ std::array<double, 4> wide(double a_over_b, double nu) {
             pi * pi / 16 / (1 - nu) / a_over_b};
 }
 
-/// Those of a/b -> inf: c11 and c22 to terms of order 1/ln(a/b)^2, c23 and c33 to terms of order 1/ln(a/b).
+/// The coefficients for a/b -> inf: c11 and c22 to terms of order 1/ln(a/b)^2, c23 and c33 to terms of order 1/ln(a/b).
 std::array<double, 4> slender(double a_over_b, double nu) {
     const double log = std::log(16 * a_over_b * a_over_b), rest = 3 - std::log(4.0);
     const double x = log - 2 * nu, y = (1 - nu) * log + 2 * nu, turn = (1 - nu) * log - 2 + 4 * nu;
@@ -88,7 +88,7 @@ void add_ellipses(Cases& cases) {
                       return coefficient(PatchContact<double>::dimensionless(1, 0.25), n, m, c11, 4.111, 8e-3);
                   });
     }
-    // the same in the limit of small elements
+    // c32 and -c23 are the same in the limit of small elements
     for (const double a_over_b : {0.02, 1.0, 20.0}) {
         cases.add("patch a/b = " + shown(a_over_b) + ", nu = 0.28", "c32 against -c23", [=] {
             const auto contact = PatchContact<double>::dimensionless(a_over_b, steel);

@@ -505,10 +505,10 @@ private:
         half_width_ = now.semi_axes[1];
     }
 
-    // No load, or next to none.
+    // Whether there is no load, or next to none.
     bool lifted(Scalar load) const { return load >= 0 && load / ellipse_->load() < Scalar(1e-100); }
 
-    // Without a load of that under largest_load.
+    // The contact under a load; without a load it is the contact under largest_load.
     rollbem::PatchContact<Scalar> contact_under(Scalar load) const {
         return (load > 0 && !lifted(load) ? ellipse_->under(load) : *ellipse_).contact();
     }

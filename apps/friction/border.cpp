@@ -14,7 +14,7 @@ void solve_by_border(const Curve& curve, const study::Scene& scene, study::RowRa
     } catch (const std::invalid_argument&) {
         return leave_out(scene, range, curve.line, see);
     }
-    // tractions are those at the centres of the cosine mesh, which is also the one used where the border has no exact
+    // tractions are taken at the centres of the cosine mesh, which also serves where the border has no exact
     // solution
     const Pressure& pressure = curve.line.pressure;
     const rollbem::Mesh<double> mesh = rollbem::cosine_mesh<double>(scene.n());

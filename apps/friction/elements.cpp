@@ -28,7 +28,7 @@ Solution unsolved(const study::Scene& scene, const Line& line) {
             .full = mu_N * scene.contact.width()};
 }
 
-/// Nothing where G' is not finite.
+/// The contact of a curve; nothing where G' is not finite.
 std::optional<Contact> contact_of(const Curve& curve, const study::Scene& scene) {
     std::optional<System> along, across;
     try {

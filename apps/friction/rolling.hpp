@@ -1,5 +1,5 @@
 // One driver in time for friction on lines and patches: steps divided where the load has a knot or where they have no
-// solution, works, and what each row has come to.
+// solution, works, and the state at each row.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ namespace friction {
 bool begins_with_shift(const study::RunSettings& run, const study::History& imposed, const study::HistoryColumns& of);
 
 /// A contact and what happens to it over the distance rolled q [a_0], at the rolling velocity 1, or as the column speed
-/// has it. Motions are those just before (or at) q, or `behind` it.
+/// has it. Motions are taken just before (or at) q, or `behind` it.
 struct Rolling {
     rollbem::FrictionContact contact;
     const study::RunSettings& run;    ///< steps in a_0
@@ -41,7 +41,8 @@ struct Rolling {
     double speed(double q, bool behind) const;
     /// The duration of a step over which the speed is linear.
     double duration(double from, double to) const;
-    /// The displacement of a jump at q; nothing where there is none. The displacement by a jump of a force is still to be found.
+    /// The displacement of a jump at q; nothing where there is none. Where a force jumps, the displacement is still to
+    /// be found.
     std::optional<rollbem::Creepage<double>> jump(double q) const;
     bool begins_with_shift() const { return friction::begins_with_shift(run, imposed, of); }
 };

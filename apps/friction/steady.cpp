@@ -228,7 +228,7 @@ study::Plot creep_picture(const std::vector<std::string>& columns, const std::ve
     return plot;
 }
 
-/// Both forces over the creepage ratio, a panel each, one line for each lateral ratio.
+/// The two forces over the creepage ratio, a panel each, one line for each lateral ratio.
 study::Plot combined_creep(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
                            const Curve& curve) {
     const bool falling = curve.line.law.has_value();

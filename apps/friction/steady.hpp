@@ -63,7 +63,7 @@ struct Solution {
 
 using See = std::function<void(std::size_t point, const Solution&)>;
 
-/// Solves the points of `range`, which do not depend on those before: each from scratch, or in a sweep after its
+/// Solves the points of `range`, which do not depend on points before: each from scratch, or in a sweep after its
 /// neighbours.
 void solve_by_elements(const Curve& curve, const study::Scene& scene, study::RowRange range, const See& see);
 void solve_by_border(const Curve& curve, const study::Scene& scene, study::RowRange range, const See& see);

@@ -124,7 +124,7 @@ std::string for_each_n(const std::vector<Eigen::Index>& numbers, const Text& tex
     return result;
 }
 
-/// Holds if judge(k) does for every one of the numbers of elements, all of whose texts follow `text`.
+/// A finding that holds if judge(k) does for every one of the numbers of elements, all of whose texts follow `text`.
 template <class Each>
 Finding for_all_n(const std::vector<Eigen::Index>& numbers, const std::string& text, const Each& judge) {
     bool holds = true;
@@ -136,7 +136,8 @@ Finding for_all_n(const std::vector<Eigen::Index>& numbers, const std::string& t
     return {holds, text + all};
 }
 
-/// Holds if |value(n)| falls below `factor` times that before with every step of n; `shown` is the form of its text.
+/// A finding that holds if |value(n)| falls below `factor` times its predecessor with every step of n; `shown` is the
+/// form of its text.
 template <class Value>
 Finding falls_with_n(const std::vector<Eigen::Index>& numbers, const std::string& text, const std::string& shown,
                      const Value& value, double factor = 1) {
@@ -195,7 +196,8 @@ inline std::vector<Points> on_paper_alphas(const Results& r, const std::string& 
     return curves;
 }
 
-/// Holds if that way of varying alpha has the smallest, or the largest, of the least errors on the grid of a panel.
+/// A finding that holds if a way of varying alpha has the smallest, or the largest, of the least errors on the grid of a
+/// panel.
 inline Finding best_of(const Results& r, const std::string& panel, std::size_t way, bool worst = false) {
     std::array<double, 3> errors;
     for (std::size_t k = 0; k < 3; ++k) errors[k] = least_error(on_paper_alphas(r, panel)[k]);

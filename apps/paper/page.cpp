@@ -38,7 +38,7 @@ std::string html(const std::string& text) {
                                       {"c_{11}", "c<sub>11</sub>"}});
 }
 
-/// Those of the claims that are asked for.
+/// The condition on the claims that are asked for.
 using Filter = std::function<bool(const Claim&)>;
 long count(const Claims& claims, const Filter& wanted) { return std::count_if(claims.begin(), claims.end(), wanted); }
 bool holds(const Claim& claim) { return claim.finding.holds; }
@@ -151,7 +151,7 @@ std::string page(const Results& results, const Claims& claims, const std::set<st
     const auto add = [&](Body& body, const std::string& id, const std::string& title, const Filter& wanted) {
         body.add(id, title, std::to_string(count(claims, wanted)), claim_table(claims, wanted));
     };
-    // what does not hold, additions, each figure with its claims, the rest
+    // the parts are statements that do not hold, additions, each figure with its claims, and the rest
     Body body;
     add(body, "not-as-printed", "Statements that do not hold as printed", fails);
     add(body, "additions", "Our additions", std::mem_fn(&Claim::is_addition));

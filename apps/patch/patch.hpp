@@ -47,7 +47,7 @@ struct Patch {
 inline constexpr const char* identity = "a_over_b, poisson, n, strips";
 inline constexpr const char* distinctions = "nodes, scheme, layer";
 
-/// The cell of one of these.
+/// The cell of one of these columns.
 study::Cell scene_cell(const Patch& patch, const std::string& column);
 
 // --- friction
@@ -97,7 +97,7 @@ study::Table friction_table(const Friction& scene);
 inline const study::HistoryColumns history_columns{
     {"longitudinal", "lateral", "spin"}, {"shift_x", "shift_y"}, {"force", "load_ratio", "a_ratio", "b_ratio"}};
 
-/// Semi-axes over those under N_0.
+/// Semi-axes over the semi-axes under N_0.
 struct AxisRatios {
     double a, b;
 };
@@ -127,7 +127,7 @@ struct TimeScene {
         const double ratio = std::cbrt(imposed.largest("load_ratio"));
         return {ratio, ratio};
     }
-    /// Least and largest a/b over that under N_0, which lies between them.
+    /// Least and largest a/b over a/b under N_0; 1 lies between them.
     std::pair<double, double> shapes() const {
         std::pair<double, double> range{1, 1};
         if (!has_axes()) return range;

@@ -44,7 +44,7 @@ const std::vector<Axis> picture_axes{{"longitudinal", "ξ G a b / (μ N)"}, {"la
                                      {"n", "elements of a strip n"},      {"strips", "number of strips m"},
                                      {"poisson", "Poisson's ratio ν"}};
 
-/// That of the axes `first` ... `last` - 1 whose column has the most values.
+/// The axis among `first` ... `last` - 1 whose column has the most values.
 Axis most_varied(const Columns& columns, const Rows& rows, std::ptrdiff_t first, std::ptrdiff_t last) {
     const auto count = [&](const Axis& axis) { return values(columns, rows, axis.column).size(); };
     return *std::max_element(picture_axes.begin() + first, picture_axes.begin() + last,

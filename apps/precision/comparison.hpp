@@ -75,9 +75,9 @@ struct Task {
     std::map<Problem, double> time_us{};
     /// Everything from the mesh to the result.
     std::function<Found(const Quantity&)> compute{};
-    /// Why there is no error.
+    /// The reason why there is no error.
     std::function<rollbem::Status(const Found&)> status{};
-    /// Whether no mode grows, as computed; empty if that was not found out.
+    /// Whether no mode grows, as computed; empty if that is unknown.
     std::function<std::optional<bool>()> stable{};
 };
 
@@ -109,10 +109,10 @@ inline constexpr const char* patch_schemes =
 /// The schemes of --scheme. Throws BadInput.
 std::vector<study::NamedScheme> chosen_schemes(const study::Options& options, bool of_patch);
 
-/// Those of `all` that --quantity gives.
+/// The quantities of `all` that --quantity names.
 std::vector<Quantity> chosen(const study::Options& options, const std::vector<Quantity>& all);
 
-/// Throw BadInput.
+/// The comparisons that the options ask for. Throw BadInput.
 Comparison compare_on_line(const study::Options& options);
 Comparison compare_on_patch(const study::Options& options);
 

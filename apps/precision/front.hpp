@@ -1,6 +1,6 @@
-// Which of the measured schemes are worth their time: the Pareto front of error and run time, and the cheapest scheme
-// for a tolerance. The error that counts is the largest at this and every larger n, so that a change of sign does not
-// pass for precision.
+// The schemes that are worth their time: the Pareto front of error and run time, and the cheapest scheme for a
+// tolerance. The error that counts is the largest at this and every larger n, so that a change of sign does not pass
+// for precision.
 #pragma once
 
 #include <algorithm>
@@ -76,7 +76,7 @@ inline void mark_front(std::vector<Point>& points) {
     }
 }
 
-/// Which schemes may be chosen for a tolerance; `stable`: discretisations without a growing mode.
+/// The schemes that may be chosen for a tolerance; `stable` schemes are discretisations without a growing mode.
 enum class Among { elements, stable_elements, stable, all };
 
 /// The fastest point of a quantity whose sustained error is at most `tolerance`, if there is one.

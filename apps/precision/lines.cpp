@@ -97,7 +97,7 @@ Values friction_force(const Scene& scene, const Settings& settings) {
 
 /// The forces along and across with the creepage at 45 degrees.
 Values combined_forces(const Scene& scene, const Settings& settings) {
-    // from kernels, as only then the model knows where the equations hold and turns the slip
+    // the model is made from kernels, as only then it knows where the equations hold and turns the slip
     const rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2> model(
         scene.contact,
         {slopes(scene, scene.kernel), slopes(scene, Kernel::lateral(scene.kernel.model(), scene.contact))},
@@ -157,7 +157,7 @@ Found weighted(const Array& tractions, const Array& carter, const Array& weights
     return {scaled(tractions), scaled(carter)};
 }
 
-/// The tractions by a function of x/a, weighted for the integral of (p sin(theta))^2 over x = cos(theta) by the midpoint
+/// The tractions by a function of x/a, weighted for the integral of (p sin(theta))^2, x = cos(theta), by the midpoint
 /// rule.
 template <class Traction>
 Found at_points(double nu, const Traction& traction) {
@@ -305,7 +305,7 @@ Status status_of(const Scene& scene) {
 std::optional<bool> stable(const Scene& scene) {
     if (!std::isfinite(scene.contact.aspect())) return std::nullopt;
     const bool plane_decays = study::plane_model_decays(scene.contact);
-    if (!scene.is_discrete()) return plane_decays;  // of the model itself
+    if (!scene.is_discrete()) return plane_decays;  // the model's own mode
     if (scene.is_plane() && !plane_decays) return std::nullopt;
     for (const Scene& one : scene.meshes()) {
         const auto count = rollbem::count_unstable<double>(study::system_of(one));
@@ -353,13 +353,13 @@ bool exists(const NamedScheme& scheme, long n) {
     return scheme.richardson ? n % 2 == 0 && n / 2 >= least : n >= least;
 }
 
-/// Whether it solves the problem: Coulomb's law takes elements.
+/// Whether a scheme solves the problem: Coulomb's law takes elements.
 bool solves(const NamedScheme& scheme, Problem problem) {
     return scheme.has_elements() || problem < Problem::friction ||
            (scheme.method == "closed-form" && problem == Problem::friction);
 }
 
-/// Without --n, costly problems stop at smaller n.
+/// Whether n is used without --n: costly problems stop at smaller n.
 bool affordable(Problem problem, long n) {
     return n <= (problem == Problem::steady ? 640 : problem == Problem::harmonic ? 320 : 160);
 }
@@ -432,7 +432,7 @@ Comparison compare_on_line(const study::Options& options) {
         }
     }
     options.require(!result.tasks.empty(), "n", "fit at least one of the schemes and quantities");
-    // by n, as given or increasing, and within it in the order of the schemes; what has no n comes last
+    // tasks are ordered by n, as given or increasing, then in the order of the schemes; tasks without n come last
     const std::vector<std::ptrdiff_t> numbers = options.integers("n", 1, largest_n);
     const auto place = [&](const Task& task) {
         const std::optional<long> n = task.point.n;

@@ -80,7 +80,7 @@ Found on_mesh(const PatchContact& contact, Problem problem, const NamedScheme& s
     return coefficients(contact, rollbem::solve_steady(mesh, difference(scheme), kernel));
 }
 
-/// Not numbers unless the status is ok.
+/// The values by a scheme; not numbers unless the status is ok.
 Found compute(const PatchContact& contact, Problem problem, const NamedScheme& scheme, long n, long strips) {
     Found found = on_mesh(contact, problem, scheme, n, strips);
     if (scheme.richardson) found = extrapolate(on_mesh(contact, problem, scheme, n / 2, strips / 2), found, 2);
@@ -88,7 +88,7 @@ Found compute(const PatchContact& contact, Problem problem, const NamedScheme& s
     return found;
 }
 
-/// Extrapolated from strips of equal width and three times as many in both directions.
+/// Reference forces extrapolated from strips of equal width and three times as many in both directions.
 Values reference_forces(const PatchContact& contact) {
     const double a_over_b = std::clamp(contact.a_over_b(), 0.1, 25.0);
     long n = 10;
@@ -115,7 +115,7 @@ Values reference(const PatchContact& contact, Problem problem) {
     return found;
 }
 
-/// Empty if the eigenvalues were not found or are too many.
+/// Whether no mode grows; empty if the eigenvalues were not found or are too many.
 std::optional<bool> stable(const PatchContact& contact, const NamedScheme& scheme, long n, long strips) {
     const PatchMesh mesh = mesh_of(contact, scheme, n, strips);
     if (mesh.size() > most_judged) return std::nullopt;

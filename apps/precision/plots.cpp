@@ -65,7 +65,7 @@ study::Plot panel(const Quantity& shown, const std::vector<Point>& points) {
     }
     std::sort(front.points.begin(), front.points.end());
     front.markers = front.points.size() == 1;
-    int left_out = 0;  // of the front: they serve for comparison
+    int left_out = 0;  // schemes that serve for comparison are not on the front
     for (std::size_t k = 0; k < schemes.size(); ++k) {
         if (of_scheme[k].points.empty()) continue;
         of_scheme[k].label = schemes[k];

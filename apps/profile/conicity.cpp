@@ -181,7 +181,7 @@ Conicity read_conicity(const study::Options& options) {
     }
     conicity.radii = radius_difference(conicity.wheelset);
     if (!conicity.radii) {
-        // where Delta r rises, its zero lies beyond what the wheels reach
+        // where Delta r rises, its zero lies beyond the reach of the wheels
         const auto difference = [&](double lateral) { return rolling_radii(conicity.wheelset, lateral).difference(); };
         conicity.status = centred != Status::ok                  ? centred
                           : difference(1e-3) > difference(-1e-3) ? Status::beyond_clearance

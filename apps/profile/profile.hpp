@@ -95,7 +95,7 @@ void add_profile_options(study::Options& options);
 void add_track_options(study::Options& options);
 rollbem::TrackDimensions read_dimensions(const study::Options& options);
 
-/// Both wheels on their rails; what was cleaned or turned is noted in the sidecar. Throws BadInput.
+/// Both wheels on their rails; the sidecar notes which profiles were cleaned or turned. Throws BadInput.
 rollbem::WheelsetOnTrack read_wheelset(const study::Options& options, const rollbem::TrackDimensions& dimensions);
 
 // --- pictures

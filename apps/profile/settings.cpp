@@ -94,7 +94,7 @@ void add_friction_options(study::Options& options) {
         .only_with({"temperature"});
 }
 
-/// From a file of angle,mu or y,mu. Throws BadInput.
+/// The friction of a file of angle,mu or y,mu. Throws BadInput.
 rollbem::RailFriction read_rail_friction(const study::Options& options) {
     using Over = rollbem::RailFriction::Over;
     const std::vector<study::Numbers> columns = study::read_columns(options, "friction", "mu", "angle;y");

@@ -13,8 +13,8 @@ namespace {
 
 const Rule not_zero{[](double value) { return std::isfinite(value) && value != 0; }, "be finite and not 0"};
 
-/// The value at q between places that ascend, linear, and constant beyond them. At two equal places, which make a jump,
-/// that before it unless `behind`.
+/// The value at q between places that ascend, linear, and constant beyond them. Two equal places make a
+/// jump, where the value is the one before it unless `behind`.
 double interpolate(const Numbers& places, const Numbers& values, double q, bool behind) {
     const auto next =
         behind ? std::upper_bound(places.begin(), places.end(), q) : std::lower_bound(places.begin(), places.end(), q);

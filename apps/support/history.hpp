@@ -26,7 +26,7 @@ Sine read_sine(const Options& options);
 class History {
 public:
     bool has(const std::string& column) const { return signals_.count(column) > 0; }
-    /// Just before (or at) q, or `behind` it: they differ at a jump only.
+    /// The value just before (or at) q, or `behind` it: both differ at a jump only.
     double at(const std::string& column, double q, bool behind = true) const;
     /// The largest value of a sine or a table.
     double largest(const std::string& column) const { return signals_.at(column).largest; }
@@ -35,7 +35,7 @@ public:
     void set(const std::string& column, double value);
     void set(const std::string& column, const Sine& sine, double mean = 0);
     void set_ramp(const std::string& column, double rate);
-    /// Linear between ascending places, of which two equal ones make a jump.
+    /// A column is linear between ascending places, of which two equal ones make a jump.
     void set(const Numbers& places, std::map<std::string, Numbers> columns);
 
     /// The places at which steps have to end: the places of all tables.

@@ -1,4 +1,4 @@
-// Schemes by name: what discretises a contact in one word, MESH:METHOD[:PARAMETERS], as --scheme takes it and the
+// Schemes by name: the discretisation of a contact in one word, MESH:METHOD[:PARAMETERS], as --scheme takes it and the
 // columns `scheme` show it.
 #pragma once
 

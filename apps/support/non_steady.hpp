@@ -1,4 +1,4 @@
-// The checks that studies of non-steady problems share: scenes whose model itself is stable, whether the plane model has
+// The checks that studies of non-steady problems share: whether the model itself is stable, whether the plane model has
 // exact solutions for a contact, and which discretisations can be trusted and stepped.
 #pragma once
 

@@ -136,12 +136,12 @@ public:
         Options& options;
         std::string name;
 
-        /// It has an effect with one of these modes only: --help says so, and without them it is bad input. `why`
-        /// follows the message.
+        /// The option has an effect with one of these modes only: --help says so, and without them it is bad input.
+        /// `why` follows the message.
         const Added& only_with(const std::vector<std::string>& modes, const std::string& why = "") const;
 
-        /// It has no effect with that mode. Where one of the two stands in a configuration file, the one on the command
-        /// line takes its place.
+        /// The option has no effect with that mode. Where one of the two stands in a configuration file, the one on the
+        /// command line takes its place.
         const Added& not_with(const std::string& mode, const std::string& why = "") const;
     };
 

@@ -72,7 +72,7 @@ struct Selection {
     std::vector<std::string> by{};
     std::string x{}, y{};
     bool absolute = false;             ///< |y|
-    std::vector<std::string> apart{};  ///< as `by`, behind those in titles and labels
+    std::vector<std::string> apart{};  ///< columns as `by`, whose values follow in titles and labels
     std::string prefix{};              ///< of labels
     bool markers = true;
     bool reference = false;  ///< the first series alone, as a black line that the prefix names

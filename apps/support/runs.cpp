@@ -120,7 +120,7 @@ std::vector<Numbers> read_load_table(const Options& options, const std::string& 
     return columns;
 }
 
-/// Throws BadInput if ratios at these places are no load of the run. Those of a `history` may stand twice at a place.
+/// Throws BadInput if ratios at these places are no load of the run. Ratios of a `history` may stand twice at a place.
 void require_load(const std::string& said, const Numbers& places, const Numbers& ratios, const RunSettings& run,
                   bool by_history) {
     const auto require = [&](bool holds, const std::string& what, double value, const std::string& rest) {

@@ -72,7 +72,7 @@ void read_load(const Options& options, const RunSettings& run, History& imposed,
 /// Refuses a shift before rolling in a run from steady rolling. Throws BadInput.
 void require_no_first_shift(const RunSettings& run, const History& imposed, const HistoryColumns& columns);
 
-/// Before any task is computed: what make(case) returns for each of the cases, as checks may take long.
+/// Fills `runs` with make(case) for each of the cases before any task is computed, as checks may take long.
 template <class Run, class Case, class Make>
 void prepare_runs(Table& table, std::vector<Run>& runs, const std::vector<Case>& cases, const Make& make) {
     table.prepare = [&, make](const auto&, const auto& done) {

@@ -81,7 +81,7 @@ void offer_chebyshev(Options& options, const std::string& further = "");
 /// Says in --help of --scheme what the study takes besides elements.
 void offer_schemes(Options& options, const Methods& methods);
 
-/// A case of n elements or states, or of the order n of a polynomial; the plane alone knows those without either.
+/// A case of n elements or states, or of the order n of a polynomial; the plane alone knows cases without either.
 /// Throws BadInput if they are too few for the mesh.
 Scene make_scene(const NamedScheme& scheme, Eigen::Index n, const rollbem::Contact<double>& contact,
                  rollbem::LineModel model);
@@ -89,8 +89,8 @@ Scene make_scene(const NamedScheme& scheme, Eigen::Index n, const rollbem::Conta
 /// All cases that the common options ask for. Throws BadInput if a value is out of range or an option would be ignored.
 std::vector<Scene> make_scenes(const Options& options, Problem problem, const Methods& methods);
 
-/// Tractions on the coarse mesh of a scene, extrapolated from those on each of its meshes alone: a pair of fine elements
-/// is a coarse one, on uniform and cosine meshes.
+/// Tractions on the coarse mesh of a scene, extrapolated from tractions on each of its meshes alone: a pair of fine
+/// elements is a coarse one, on uniform and cosine meshes.
 Eigen::ArrayXd extrapolate_tractions(const Scene& scene, const Eigen::ArrayXd& fine, const Eigen::ArrayXd& rough);
 
 /// The words of columns called status in addition to the library's names.

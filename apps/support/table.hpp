@@ -45,14 +45,14 @@ struct Table {
     /// It reports its progress by done(part), 0 ... 1.
     std::function<void(const std::vector<std::size_t>& tasks, const std::function<void(double part)>& done)> prepare{};
     std::function<void(std::size_t task, RowRange range, const Emit& emit)> compute;  ///< emits just these rows
-    /// If set, called when all rows are computed, to write what else belongs to the files of the run. If it throws, no
+    /// A function called, if set, when all rows are computed, to write the other files of the run. If it throws, no
     /// file takes its name.
     std::function<void()> finish{};
     std::function<Plot(const std::vector<Row>& rows)> plot;  ///< for --plot
     std::shared_ptr<SideTable> beside{};                     ///< if set
-    /// If set, why a task, a run in time, ended early, once it is computed; empty if it did not.
+    /// The reason, if set, why a computed task, a run in time, ended early; empty if it did not.
     std::function<std::string(std::size_t task)> ended{};
-    /// If set, what a task computes, e.g. "n = 20", for the progress line.
+    /// The words of the progress line, if set, on a task, e.g. "n = 20".
     std::function<std::string(std::size_t task)> label{};
 };
 

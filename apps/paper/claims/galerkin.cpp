@@ -23,7 +23,7 @@ double cost_ratio(const Case& c) {
     return own / collocation;
 }
 
-/// How many of the 7 coincidences of a Gauss point with an element's edge cause a dip of c11, and the deepest dip.
+/// The number of dips of c11 at the 7 coincidences of a Gauss point with an element's edge, and the deepest dip.
 struct Dips {
     int count = 0;
     double largest = 0;

@@ -12,7 +12,7 @@ namespace {
 /// Whether an eigenvalue has a positive real part that rounding cannot explain, by the QZ algorithm.
 bool certainly_unstable(const Case& c) { return rollbem::judge_stability(system_of(c)).certainly_unstable(); }
 
-/// Where a curve becomes unstable; `never` if it does not.
+/// The x at which a curve becomes unstable; `never` if it does not.
 double first_of(const Results& r, const std::string& panel, std::size_t k, double never = 1.5) {
     return first_positive(r.curve(panel, k)).value_or(never);
 }
