@@ -196,8 +196,8 @@ inline std::vector<Points> on_paper_alphas(const Results& r, const std::string& 
     return curves;
 }
 
-/// A finding that holds if a way of varying alpha has the smallest, or the largest, of the least errors on the grid of a
-/// panel.
+/// A finding that holds if a way of varying alpha has the smallest, or the largest, of the least errors on the grid of
+/// a panel.
 inline Finding best_of(const Results& r, const std::string& panel, std::size_t way, bool worst = false) {
     std::array<double, 3> errors;
     for (std::size_t k = 0; k < 3; ++k) errors[k] = least_error(on_paper_alphas(r, panel)[k]);

@@ -32,7 +32,7 @@ for turn in 1 -1; do
 done >out
 check 'all nine coefficients' '$c12 ^ 2 > 0.221 ^ 2 && $c12 ^ 2 < 0.223 ^ 2 && $c13 ^ 2 > 0.257 ^ 2 &&
     $c13 ^ 2 < 0.259 ^ 2 && $c12 * $c13 > 0'
-check 'coefficients of the mirror image' 'NR == 2 && (a = $c12) + (b = $c13) + (c = $c21) + (d = $c31) + (e = $c23) != 0 ||
+check 'the mirror image' 'NR == 2 && (a = $c12) + (b = $c13) + (c = $c21) + (d = $c31) + (e = $c23) != 0 ||
     NR == 3 && a < 0 && ($c12 + a) ^ 2 + ($c13 + b) ^ 2 + ($c21 + c) ^ 2 + ($c31 + d) ^ 2 + ($c23 - e) ^ 2 < 1e-20'
 cut -d, -f"$(column c21),$(column c31)" out | tail -n 1 >steady
 "$patch" --n 16 --outline turned.csv --omega 0 >out

@@ -298,7 +298,7 @@ TEST_CASE("Spin needs two states, known points and kernels of one width", "[cheb
                       ContainsSubstring("spin needs them"));
     const auto wider = rolling_system(Chebyshev{4}, PlaneKernel<double>(200, 0.72, 0.28));
     CHECK_THROWS_WITH(both_directions<double>(wider, rolling_system(Chebyshev{4}, lateral_plane).with_spin()),
-                      ContainsSubstring("b/a of the lateral kernel = 100 must equal b/a of the longitudinal kernel"));
+                      ContainsSubstring("b/a of the lateral kernel = 100 must be b/a of the longitudinal kernel"));
 }
 
 TEST_CASE("Chebyshev states reject kernels and arguments out of their domain", "[chebyshev]") {

@@ -161,7 +161,7 @@ public:
         }
         const bool aspects_differ = aspect_ && lateral.aspect() && *aspect_ != *lateral.aspect();
         detail::require(!aspects_differ, "ElementSystem", "b/a of the lateral kernel",
-                        lateral.aspect().value_or(Scalar(0)), "equal b/a of the longitudinal kernel");
+                        lateral.aspect().value_or(Scalar(0)), "be b/a of the longitudinal kernel");
         if (!aspect_) aspect_ = lateral.aspect();
     }
 

@@ -204,7 +204,7 @@ template <class Scalar>
 RollingSystem<Scalar> both_directions(const RollingSystem<Scalar>& longitudinal, const RollingSystem<Scalar>& lateral) {
     const std::optional<Scalar>& aspect = longitudinal.aspect() ? longitudinal.aspect() : lateral.aspect();
     detail::require(!lateral.aspect() || *lateral.aspect() == *aspect, "both_directions", "b/a of the lateral kernel",
-                    lateral.aspect().value_or(Scalar(0)), "equal b/a of the longitudinal kernel");
+                    lateral.aspect().value_or(Scalar(0)), "be b/a of the longitudinal kernel");
     const auto diagonal = [](const MatrixX<Scalar>& first, const MatrixX<Scalar>& second) {
         MatrixX<Scalar> whole = MatrixX<Scalar>::Zero(first.rows() + second.rows(), first.cols() + second.cols());
         whole.topLeftCorner(first.rows(), first.cols()) = first;
