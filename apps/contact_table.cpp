@@ -161,7 +161,7 @@ ContactTable read_table(const study::Options& options, const Scene& scene) {
 
 // --- making ----------------------------------------------------------------------------------------------------------
 
-/// MIN,MAX,N.
+/// The nodes of MIN,MAX,N.
 std::vector<double> read_range(const study::Options& options, const std::string& name) {
     const std::vector<double> parts = options.row(name, 3);
     options.require(parts.size() == 3 && parts[0] < parts[1], name, "be MIN,MAX,N with MIN below MAX");

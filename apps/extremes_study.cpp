@@ -38,7 +38,7 @@ Outcome run(const Case& one) {
     }
 }
 
-/// right, told or broken.
+/// The verdict on a case: right, told or broken.
 std::string verdict(const Case& one, const Outcome& outcome) {
     if (!one.says.empty()) return outcome.told.find(one.says) != std::string::npos ? "told" : "broken";
     const bool within = std::abs(outcome.error) <= outcome.bound;
@@ -46,7 +46,7 @@ std::string verdict(const Case& one, const Outcome& outcome) {
     return within ? "right" : "broken";
 }
 
-/// ok, the library's name of what went wrong, or exception.
+/// The status of a case: ok, the library's name of a failure, or exception.
 std::string status(const Outcome& outcome) {
     if (outcome.refused) return "exception";
     const std::string prefix = "status ";
@@ -69,7 +69,7 @@ extremes::Cases cases_of(const study::Options& given) {
     extremes::adhesion_cases(cases, given.flag("large"));
     extremes::friction_cases(cases);
     extremes::patch_cases(cases);
-    // Newton's method alone does not solve these
+    // Newton's method alone does not solve these scenes
     for (const std::uint64_t seed : {5405u, 7148u, 24326u, 24949u}) cases.all.push_back(extremes::patch_scene(seed));
     // a flank and a gauge corner in one run of depths, far apart along x
     for (const std::uint64_t seed : {115512u, 136686u}) cases.all.push_back(extremes::contact_scene(seed, false));

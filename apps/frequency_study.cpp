@@ -33,8 +33,8 @@ constexpr study::Methods methods{.states = true, .closed = true};
 
 constexpr Complex unknown{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 
-/// The response at one frequency. Where c11 is not finite, it and the error are left out, as is what needs the exact
-/// value where the plane model has none.
+/// The response at one frequency. The cells of c11 and of the error are empty where c11 is not finite, and cells that
+/// need the exact value where the plane model has none.
 struct Response {
     double omega;
     Complex c11, exact;
@@ -122,7 +122,7 @@ private:
     std::optional<rollbem::FrequencySweep<double>> sweep_;
 };
 
-/// A c11 that cannot be trusted is left out if that is `checked`.
+/// Emits the responses at the frequencies; if `checked`, a c11 that cannot be trusted is left out.
 void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, bool checked, study::RowRange range,
                 const study::Results<Response>& emit) {
     const std::vector<study::Scene> meshes = scene.meshes();
@@ -144,8 +144,8 @@ void emit_sweep(const study::Scene& scene, const std::vector<double>& omegas, bo
 
 // --- the polynomial approach
 
-/// Monomials break down, which is refused; of Chebyshev polynomials an order can be too low: then a c11 that is
-/// `checked` is not a number, and the estimate stays.
+/// The response by a polynomial. Monomials that break down are refused. If the order of Chebyshev polynomials is too
+/// low, a `checked` c11 is not a number, and the estimate stays.
 Response solve(const rollbem::Contact<double>& contact, double omega, Eigen::Index order, const std::string& basis,
                bool checked) {
     const double nu = contact.poisson_ratio();

@@ -149,7 +149,7 @@ void add_steady(Cases& cases, bool large) {
         c11.spectral(name, scene(on_cosine, 80, aspect), 0, 3e-5 + 4e-5 / aspect / std::max(1.0, 1e-2 / aspect));
     }
     c11.exact("b/a = inf", scene(on_cosine, 80), 3e-5);
-    // graded meshes: of first order in the largest element, and larger if that is at the leading edge
+    // errors of graded meshes are of first order in the largest element, and larger if that is at the leading edge
     const auto graded = [&](const std::string& name, const std::string& mesh, double factor) {
         const Scene s = scene(mesh + ":collocation:0.5/0.5", 40);
         c11.exact(name, s, factor * s.mesh->widths().maxCoeff());
@@ -218,7 +218,7 @@ void add_eigenvalues(Cases& cases) {
 
 // --- the time domain
 
-/// cosine 0.5/0.5, strip kernel: stable by its eigenvalues.
+/// A model of the scheme cosine 0.5/0.5 with the strip kernel, judged by its eigenvalues.
 rollbem::AdhesionModel<> stable_model(const rollbem::Contact<double>& contact, Integrator integrator) {
     const rollbem::ElementSystem<double> system = system_of(scene(on_cosine, 40, contact.aspect()));
     return {contact, system, rollbem::judge_stability<double>(system), integrator};
@@ -244,7 +244,7 @@ void add_steps(Cases& cases) {
                     return rolled(model, dq, 4, steady, bound);
                 });
             }
-            // Far below: dp/dq = -G^-1 xi at rest. Relative to it the change of slope is of order dq |nu_max|, 6e-7.
+            // Steps far below start from dp/dq = -G^-1 xi at rest. Its relative change is of order dq |nu_max|, 6e-7.
             cases.add("dq = 1e-09" + where, "force against -G^-1 xi dq", [=, integrator = integrator] {
                 const auto system = system_of(scene(on_cosine, 40, aspect));
                 const Eigen::VectorXd slope = system.G().partialPivLu().solve(system.inputs().col(0));
@@ -293,9 +293,9 @@ void add_strips_of_states(Cases& cases, bool large) {
 
 void add_frequencies_of_states(Cases& cases, bool large) {
     Coefficients c11{cases};
-    // Geometric once there are more than about 1.4 z states. With fewer, the error in units of the steady c11 falls
-    // like 0.024/m^2; at frequencies far above, the relative error is 1/z, as the contact is a rigid shift, for which
-    // one state suffices.
+    // Convergence is geometric once there are more than about 1.4 z states. With fewer, the error in units of the
+    // steady c11 falls like 0.024/m^2; at frequencies far above, the relative error is 1/z, as the contact is a rigid
+    // shift, for which one state suffices.
     const auto add = [&](Eigen::Index n, double z, double nu = steel) {
         const double m = static_cast<double>(n), steady = rollbem::steady_c11(nu);
         const double bound = m >= 1.4 * z + 10 || z < 1e-9 ? 40 * rounding + (n == 1 ? z : 0)
@@ -327,11 +327,11 @@ void add_steps_of_states(Cases& cases) {
                                                      rollbem::unchecked, Integrator::matrix_exponential);
                 return rolled(model, dq, count, reference, bound);
             };
-            // Far above 1/|nu_max|: the steady force.
+            // Steps far above 1/|nu_max| give the steady force.
             cases.add("dq = 1e+06" + where, "force against steady rolling",
                       [=] { return roll(1e6, 2, -rollbem::steady_c11(steel), 1e-12); });
-            // Far below: a rigid shift, K_00 a_0 = -dq. Relative to it the slope is of order dq |nu_max|, about
-            // m^2 dq/10.
+            // Steps far below are a rigid shift, K_00 a_0 = -dq. Relative to it the slope is of order dq |nu_max|,
+            // about m^2 dq/10.
             const double stiffness = pi / (2 * ((1 - steel) * std::log(4 * aspect) + steel));
             const double m = static_cast<double>(n);
             cases.add("dq = 1e-09" + where, "force against a rigid shift",

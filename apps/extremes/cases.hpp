@@ -1,4 +1,4 @@
-// Extreme cases as data: what is computed, the reference, and what is promised.
+// Extreme cases as data: a computation, its reference and the promised bound.
 #pragma once
 
 #include <cmath>
@@ -63,7 +63,7 @@ struct Cases {
     }
 };
 
-/// Empty for ok.
+/// The text of a status, empty for ok.
 inline std::string told_by(rollbem::Status status) {
     return status == rollbem::Status::ok ? std::string() : std::string("status ") + name(status);
 }
@@ -117,8 +117,8 @@ void patch_cases(Cases& cases);
 
 /// A random patch with friction, steady and in the time domain.
 Case patch_scene(std::uint64_t seed);
-/// A random position and load of a wheel on a rail, or on the same as a surface that changes along the way: what
-/// violates its bound most, over this bound.
+/// A random position and load of a wheel on a rail, or on the rail as a surface that changes along the way. The error
+/// is the largest ratio of a violation to its bound.
 Case contact_scene(std::uint64_t seed, bool in_slices);
 
 }  // namespace extremes

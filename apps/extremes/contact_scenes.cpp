@@ -38,7 +38,7 @@ Profile rough(const Profile& profile, Random& random) {
     return {profile.y(), z};
 }
 
-/// The rail as a roller of 100 km, on which a contact is what it is on the rail, but is searched in slices.
+/// The rail as a roller of 100 km, whose contacts equal contacts on the rail, but are searched in slices.
 WheelOnRail rolled(const WheelOnRail& of) {
     TrackDimensions dimensions = of.dimensions();
     dimensions.rail_origin = of.geometry().rail_origin();

@@ -174,7 +174,7 @@ study::Cell scene_cell(const Patch& patch, const std::string& column) {
 
 namespace {
 
-/// Rows in any order.
+/// The grid of --pressure, whose rows may have any order.
 rollbem::PressureGrid<double> read_grid(const study::Options& options) {
     std::map<std::pair<double, double>, double> points;
     const std::vector<study::Numbers> columns =

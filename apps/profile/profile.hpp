@@ -88,10 +88,10 @@ std::string method_help();  ///< the columns and their meanings
 
 // --- profiles by name or from files
 
-/// Declares --wheel, --rail, their material, and what they need.
+/// Declares --wheel, --rail, their material, and the options that they need.
 void add_profile_options(study::Options& options);
 
-/// Declares where they stand, and reads it. Throws BadInput.
+/// Declares the dimensions of the track, and reads them. Throws BadInput.
 void add_track_options(study::Options& options);
 rollbem::TrackDimensions read_dimensions(const study::Options& options);
 

@@ -216,7 +216,7 @@ std::vector<Case> read_cases(const study::Options& options) {
             for (const double yaw : options.numbers("yaw", turn)) cases.push_back({shift, yaw, {}, {}});
         }
     }
-    // each case with each value of an option
+    // the sweep combines each case with each value of an option
     const auto sweep = [&](const char* name, const study::Rule& rule, const auto& set) {
         if (!options.given(name)) return;
         std::vector<Case> product;

@@ -268,7 +268,7 @@ std::vector<Point> isolated_points(const Plot& plot, const Series& series) {
 
 // --- gnuplot's commands --------------------------------------------------------------------------------------------
 
-/// How many characters of a text are shown, but for the marks of subscripts.
+/// The number of characters of a text that are shown: the marks of subscripts are not.
 std::ptrdiff_t shown_length(std::string_view text) {
     return std::count_if(text.begin(), text.end(), [](char c) {
         return (static_cast<unsigned char>(c) & 0xC0) != 0x80 && c != '_' && c != '{' && c != '}' && c != '^';
@@ -443,7 +443,7 @@ struct Legend {
     std::set<std::string> listed{};  ///< label and style of the entries of this panel and those above
     std::vector<std::string> labels{};
 
-    /// How gnuplot's command lists a curve: a panel need not repeat what one above it says.
+    /// The words that list a curve in gnuplot's command: a panel need not repeat an entry of a panel above it.
     std::string title_of(const std::string& label, const std::string& style) {
         if (label.empty() || !listed.insert(label + style).second) return " notitle";
         labels.push_back(label);

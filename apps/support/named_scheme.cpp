@@ -30,7 +30,7 @@ struct Reader {
         if (!holds) throw BadInput("--scheme = " + word + ": " + (part.empty() ? "''" : part) + " must " + rule);
     }
 
-    /// uniform, or knothe-0.3.
+    /// Reads a mesh: uniform, or knothe-0.3.
     void read_mesh(const std::string& part) {
         for (const rollbem::TopologyInfo& known : rollbem::topologies) {
             scheme.mesh_name = known.name;
@@ -55,7 +55,7 @@ struct Reader {
                 "be cosine:nodes or cosine:nodes-chebyshev on a patch");
     }
 
-    /// 0/0.63.
+    /// Reads the alphas: 0/0.63.
     void read_alphas(const std::string& part) {
         const std::vector<std::string> both = cells_of(part, '/');
         scheme.alpha_L = parse_number<double>(both.front());

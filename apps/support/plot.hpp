@@ -13,8 +13,8 @@
 
 namespace study {
 
-/// How the points of a series are drawn: one by one, or two by two as opposite corners of filled rectangles, or as tail
-/// and head of arrows.
+/// The shape of a series: its points are drawn one by one, or two by two as opposite corners of filled rectangles, or
+/// as tail and head of arrows.
 enum class Shape { curve, rectangles, arrows };
 
 /// A line of the plot, interrupted at points that are not finite or have no place on a logarithmic axis. The title
@@ -33,10 +33,10 @@ struct Series {
     std::vector<double> values{};  ///< of rectangles: 0 to 1, their colour
 };
 
-/// How many curves with a label a panel draws at most: more cannot be told apart.
+/// The largest number of curves with a label in a panel: more cannot be told apart.
 inline constexpr std::size_t most_curves = 12;
 
-/// How pictures name a column: "α_T" for alpha_T.
+/// The name of a column in pictures: "α_T" for alpha_T.
 std::string shown_name(const std::string& column);
 
 struct PlotRange {

@@ -49,11 +49,11 @@ inline constexpr const char* unchecked = "unchecked";  ///< ok, except for the c
 /// The end of a step: the first knot between two places, otherwise the second place.
 double next_stop(const Numbers& knots, double from, double to);
 
-/// Declares what runs with friction share: --load-sine, --load, --breathing, --from, --dq, --until and --integrator,
-/// all for --transient. `load` and `breathing` are what --help says of these besides.
+/// Declares the options of runs with friction: --load-sine, --load, --breathing, --from, --dq, --until and
+/// --integrator, all for --transient. `load` and `breathing` are what --help says of these besides.
 void add_run_options(Options& options, const std::string& load, const std::string& breathing);
 
-/// The last of these. Throws BadInput.
+/// The values of --breathing, --from, --dq, --until and --integrator. Throws BadInput.
 struct RunSettings {
     Steps steps;
     bool from_steady;
@@ -64,9 +64,9 @@ struct RunSettings {
     double until() const { return double(steps.count) * steps.dq; }
 };
 
-/// Adds N/N_0, the column load_ratio, of --load-sine or --load to what is imposed on a run that is `until` long [a_0]:
-/// 1 + A sin(2 pi q/LENGTH), or a table, which may have the columns `further` besides. Throws BadInput, also if what is
-/// there is no load, or jumps.
+/// Adds N/N_0, the column load_ratio, of --load-sine or --load to the history `imposed` on a run:
+/// 1 + A sin(2 pi q/LENGTH), lengths in a_0, or a table, which may have the columns `further` besides. Throws BadInput,
+/// also if the values are no load, or jump.
 void read_load(const Options& options, const RunSettings& run, History& imposed, const std::string& further = "");
 
 /// Refuses a shift before rolling in a run from steady rolling. Throws BadInput.
@@ -83,7 +83,7 @@ void prepare_runs(Table& table, std::vector<Run>& runs, const std::vector<Case>&
     };
 }
 
-/// How often a step without a solution is divided in halves before the run ends.
+/// The number of times that a step without a solution is divided in halves before the run ends.
 inline constexpr int most_halvings = 6;
 
 /// Rolls between two places by step(from, to), which moves on if its status is ok: divided at the knots in between, and
@@ -91,7 +91,7 @@ inline constexpr int most_halvings = 6;
 std::optional<double> roll(double from, double to, const Numbers& knots,
                            const std::function<rollbem::Status(double, double)>& step);
 
-/// Why a run has no results from the step to q [a] on.
+/// The reason why a run has no results from the step to q [a] on.
 std::string why_ended(double q, rollbem::Status status);
 
 }  // namespace study

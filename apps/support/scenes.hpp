@@ -60,10 +60,10 @@ inline const std::string distinctions = [] {
     return names + ",quadrature,nodes";
 }();
 
-/// The same, and the scheme in one word.
+/// The distinctions, and the scheme in one word.
 inline const std::string settings = distinctions + ",scheme";
 
-/// The names in such a text.
+/// The names in a text that commas separate.
 std::vector<std::string> columns_of(const std::string& text);
 
 /// b/a, "inf" if it is infinite.
@@ -72,13 +72,13 @@ Cell aspect_cell(const rollbem::Contact<double>& contact);
 /// The contacts of --aspect and --poisson, with a = G = 1; the latter is the inner loop.
 std::vector<rollbem::Contact<double>> make_contacts(const Options& options, Problem problem);
 
-/// Why studies of steady rolling refuse --lambda.
+/// The reason why studies of steady rolling refuse --lambda.
 inline constexpr const char* no_lambda = "a steady problem builds no G, the only matrix lambda acts on";
 
 /// Says in --help that --method takes chebyshev, too, and further methods of the study's own.
 void offer_chebyshev(Options& options, const std::string& further = "");
 
-/// Says in --help of --scheme what the study takes besides elements.
+/// Says in --help of --scheme which schemes the study takes besides elements.
 void offer_schemes(Options& options, const Methods& methods);
 
 /// A case of n elements or states, or of the order n of a polynomial; the plane alone knows cases without either.

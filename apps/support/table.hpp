@@ -68,7 +68,7 @@ Table table_of(std::vector<std::string> columns, const std::vector<Case>& cases,
     return table;
 }
 
-/// --jobs.
+/// The number of threads by --jobs.
 std::size_t job_count(const Options& options);
 
 /// Whether rows have times: one job, which no other disturbs, and no --no-timing.
