@@ -218,7 +218,8 @@ private:
         for (std::size_t k = 0; k < found.size(); ++k) {
             Point& point = points[k];
             const Quantity& quantity = task.quantities[k];
-            const Values& exact = found[k].exact.empty() ? references_.at(quantity.name) : found[k].exact;
+            Values exact = found[k].exact.empty() ? task.exact(quantity) : found[k].exact;
+            if (exact.empty()) exact = references_.at(quantity.name);
             point.quantity = quantity.name;
             point.stable = stable;
             point.relative_error = quantity.error(found[k].values, exact);

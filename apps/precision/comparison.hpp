@@ -75,6 +75,8 @@ struct Task {
     std::map<Problem, double> time_us{};
     /// Everything from the mesh to the result.
     std::function<Found(const Quantity&)> compute{};
+    /// Exact values that take the place of the reference, found without being timed; empty if none do.
+    std::function<Values(const Quantity&)> exact = [](const Quantity&) { return Values{}; };
     /// The reason why there is no error.
     std::function<rollbem::Status(const Found&)> status{};
     /// Whether no mode grows, as computed; empty if that is unknown.

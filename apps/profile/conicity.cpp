@@ -132,8 +132,8 @@ std::vector<double> all_positions(const rollbem::WheelsetOnTrack& wheelset) {
     const auto reached = [&](int k) {
         return std::abs(k) <= most && rolling_radii(wheelset, k / 1e4).status == Status::ok;
     };
-    for (int k = -1; reached(k); --k) positions.insert(positions.begin(), k / 1e4);
     for (int k = 0; reached(k); ++k) positions.push_back(k / 1e4);
+    for (int k = -1; !positions.empty() && reached(k); --k) positions.insert(positions.begin(), k / 1e4);
     return positions;
 }
 

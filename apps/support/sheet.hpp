@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -79,7 +80,11 @@ public:
     Row row(const Case& scene, const Result& result) const {
         Row row;
         const auto add = [&](const std::string& name) {
-            if constexpr (requires { scene_cell(scene, name); }) row.push_back(scene_cell(scene, name));
+            if constexpr (requires { scene_cell(scene, name); }) {
+                row.push_back(scene_cell(scene, name));
+            } else {
+                throw std::logic_error("no cell of a scene for the column " + name);
+            }
         };
         for (const std::string& name : before_) add(name);
         for (const Column<Result>& column : own_) {

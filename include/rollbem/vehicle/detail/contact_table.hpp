@@ -284,7 +284,7 @@ private:
                         Eigen::Index first) const noexcept;
     /// Number of rows in whole packets that have derivatives; places on the profiles follow without.
     static constexpr int differentiated_rows = packed_rows - 4;
-    static_assert(ContactRow::rail_y >= differentiated_rows);
+    static_assert(ContactRow::peak <= differentiated_rows && ContactRow::rail_y >= differentiated_rows);
     /// Rows of a point over their means, at the place, under one load of the table.
     struct LoadedRows {
         Eigen::Array<double, packed_rows, 1> value;
