@@ -363,7 +363,7 @@ private:
         return status;
     }
 
-    /// The same with derivatives.
+    /// Forces on the ellipse of a zone at its own creepages, with all derivatives.
     Status creep_forces(Pass<Dual>& pass, std::size_t zone, const std::array<Dual, 3>& own) const {
         Contact<Dual>& found = pass.contacts[zone];
         const double factor = friction_.factor[zone], mu = input(WheelForces::mu) * factor, N = found.normal.value();
@@ -414,6 +414,7 @@ private:
         return now.status;
     }
 
+    /// Derivatives of a contact's creepages by the speeds, from the derivatives of its rolling velocity.
     BySpeeds creepage_by_speeds(const Pass<Dual>& pass, const Contact<Dual>& of,
                                 const Eigen::Matrix<double, 1, speed_count>& rolling_by_speeds) const {
         using Number = Eigen::AutoDiffScalar<Eigen::Matrix<double, speed_count, 1>>;
@@ -436,7 +437,7 @@ private:
         return found;
     }
 
-    /// The roll of the wheelset: given, or that under equal loads.
+    /// The roll of the wheelset: the given roll, or the roll under equal loads.
     template <class Number>
     Number roll(const LoadWeights& weights, double root) const {
         if (has_roll_) return variable<Number>(input(WheelForces::roll), by_roll);
@@ -460,8 +461,8 @@ private:
     /// Finds the sum of vertical normal loads with which normal forces and friction carry the load: Newton's method,
     /// whose last step is taken along the tangents.
     void balance() {
-        constexpr double settled =
-            1e-7;  // errors of values are as the square of the last step, of tangents as the step
+        // errors of values are as the square of the last step, errors of tangents as the step
+        constexpr double settled = 1e-7;
         Pass<Dual> pass;
         Pass<double> values;
         double sum = secants(values).value_or(input(WheelForces::load));
