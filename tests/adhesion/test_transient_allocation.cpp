@@ -25,16 +25,19 @@
 #include "support/catch.hpp"
 #include "vehicle/creep_force_scene.hpp"
 
+namespace allocation_tests {
 namespace {
 
 std::atomic<long> allocations{0}, held{0}, peak{0};  // held, at most: bytes
 
 }  // namespace
+}  // namespace allocation_tests
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
 #include <malloc.h>
 
+namespace allocation_tests {
 namespace {
 
 constexpr bool counts_bytes = true;
@@ -52,6 +55,7 @@ void released(void* memory) {
 }
 
 }  // namespace
+}  // namespace allocation_tests
 
 // Eigen takes its memory from malloc, not from operator new.
 extern "C" {
@@ -60,36 +64,39 @@ void* __libc_calloc(std::size_t count, std::size_t size);  // NOLINT
 void* __libc_realloc(void* memory, std::size_t size);      // NOLINT
 void __libc_free(void* memory);                            // NOLINT
 
-void* malloc(std::size_t size) { return counted(__libc_malloc(size)); }
-void* calloc(std::size_t count, std::size_t size) { return counted(__libc_calloc(count, size)); }
+void* malloc(std::size_t size) { return allocation_tests::counted(__libc_malloc(size)); }
+void* calloc(std::size_t count, std::size_t size) { return allocation_tests::counted(__libc_calloc(count, size)); }
 void* realloc(void* memory, std::size_t size) {
-    released(memory);
-    return counted(__libc_realloc(memory, size));
+    allocation_tests::released(memory);
+    return allocation_tests::counted(__libc_realloc(memory, size));
 }
 void free(void* memory) {
-    released(memory);
+    allocation_tests::released(memory);
     __libc_free(memory);
 }
 }
 
 #else
 
+namespace allocation_tests {
 namespace {
 
 constexpr bool counts_bytes = false;
 
 }  // namespace
+}  // namespace allocation_tests
 
 #endif
 
 void* operator new(std::size_t size) {
-    ++allocations;
+    ++allocation_tests::allocations;
     if (void* memory = std::malloc(size)) return memory;
     throw std::bad_alloc();
 }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
+namespace allocation_tests {
 namespace {
 
 using namespace rollbem;
@@ -377,3 +384,5 @@ TEST_CASE("A look-up of a wheelset does not allocate") {
 }
 
 }  // namespace
+
+}  // namespace allocation_tests

@@ -461,7 +461,7 @@ TEST_CASE("contact_search: a contact that another one lifts is none", "[profiles
     const Profile crowns =
         piece(-0.05, 0.05, 401, [](double y) { return std::pow(std::abs(y) - 0.03, 2) / 0.6 + (y > 0 ? 6e-5 : 0); });
     const WheelOnRail wheel(cylinder(), crowns, above);
-    detail::ContactParts parts;
+    detail::ContactParts<> parts;
     REQUIRE(parts.locate(wheel.geometry(), {}, coarse_cells) == Status::ok);
     const double touching = parts.touch() + 9e-5, lifted = parts.touch() + 6.05e-5;
     parts.divide(touching);

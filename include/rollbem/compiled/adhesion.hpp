@@ -40,6 +40,8 @@ extern template void detail::require_convergent<double, ArrayX<double>>(const ch
                                                                         const ArrayX<double>&, double);
 extern template void detail::require_usable_in_time<double>(const char*, const RollingSystem<double>&,
                                                             const StabilityVerdict&);
+extern template class detail::StepMap<1, double>;
+extern template class detail::StepMap<2, double>;
 extern template class AdhesionModel<1, double>;
 extern template class AdhesionModel<2, double>;
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../assembly/patch_system.hpp"
+#include "../friction/friction_contact.hpp"
 #include "../friction/law.hpp"
 #include "../friction/model.hpp"
 #include "../normal/hertz.hpp"
@@ -56,5 +57,7 @@ extern template class detail::FrictionCore<ConstantFriction<double>, 1, double>;
 extern template class detail::FrictionCore<ConstantFriction<double>, 2, double>;
 extern template class detail::FrictionCore<std::function<double(double)>, 1, double>;
 extern template class detail::FrictionCore<std::function<double(double)>, 2, double>;
+extern template FrictionContact::FrictionContact(FrictionModel<ConstantFriction<double>, 1, double>, Eigen::Index);
+extern template FrictionContact::FrictionContact(FrictionModel<ConstantFriction<double>, 2, double>, Eigen::Index);
 
 }  // namespace rollbem

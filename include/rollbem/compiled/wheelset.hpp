@@ -2,7 +2,11 @@
 // vehicle/contact_table.hpp and vehicle/wheelset_forces.hpp; link rollbem::compiled.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "../vehicle/contact_table.hpp"
 #include "../vehicle/wheelset_forces.hpp"
@@ -12,12 +16,22 @@
 
 namespace rollbem {
 
+extern template std::array<Eigen::ArrayXd, 2> detail::smooth_curve<double>(const Eigen::ArrayXd&,
+                                                                           const std::vector<Eigen::Index>&,
+                                                                           const std::array<Eigen::ArrayXd, 2>&,
+                                                                           double);
+extern template NormalContact::Solution NormalContact::solve<double>(const CellGrid&, const NormalContact::Grid&,
+                                                                     std::optional<double>, double, double, bool);
+extern template double detail::vertical_load<double>(const Eigen::ArrayXXd&, const CellGrid&, const Eigen::ArrayXd&,
+                                                     double);
+extern template RailPatch mirrored<double>(RailPatch, const Mirror&);
 extern template WheelOnRail::Contact WheelOnRail::solve_for_load<double>(const WheelsetPosition&, double,
                                                                          WheelOnRail::Workspace&,
                                                                          const WheelOnRail::Options&) const;
 extern template WheelOnRail::Contact WheelOnRail::solve_at_height<double>(const WheelsetPosition&,
                                                                           WheelOnRail::Workspace&,
                                                                           const WheelOnRail::Options&) const;
+extern template ContactTable::Stored ContactTable::stored<double>(ContactTable::Side) const;
 extern template WheelForces ContactTable::look_up<double>(const CreepForceTable&, WheelsetSide, const WheelsetPosition&,
                                                           const WheelsetSpeeds&, const WheelLoad&,
                                                           const WheelFriction&) const noexcept;

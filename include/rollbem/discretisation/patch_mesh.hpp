@@ -56,25 +56,7 @@ public:
 
     /// Joins pieces of one plane, in one unit and with the same elements along x, to one mesh: the strips of all in
     /// turn, whether they touch or not. Throws std::invalid_argument if there are none, or the elements along x differ.
-    static PatchMesh joined(const std::vector<PatchMesh>& pieces) {
-        detail::require(!pieces.empty(), "PatchMesh", "number of pieces", pieces.size(), "be at least 1");
-        PatchMesh whole = pieces.front();
-        for (std::size_t k = 1; k < pieces.size(); ++k) {
-            const PatchMesh& piece = pieces[k];
-            detail::require(
-                piece.along().size() == whole.along().size() && (piece.along().edges() == whole.along().edges()).all(),
-                "PatchMesh", "number of elements of a piece's strips", piece.elements_per_strip(),
-                "be the number of the other strips, with the same edges");
-            for (const auto part : {&PatchMesh::lower_, &PatchMesh::upper_, &PatchMesh::middles_y_,
-                                    &PatchMesh::middles_x_, &PatchMesh::half_lengths_}) {
-                Array both((whole.*part).size() + (piece.*part).size());
-                both << whole.*part, piece.*part;
-                whole.*part = std::move(both);
-            }
-        }
-        whole.check();
-        return whole;
-    }
+    static PatchMesh joined(const std::vector<PatchMesh>& pieces);
 
     Eigen::Index strip_count() const { return widths_.size(); }                 ///< m
     Eigen::Index elements_per_strip() const { return along_.size(); }           ///< n
@@ -127,6 +109,27 @@ private:
     Array lower_, upper_, middles_y_, middles_x_, half_lengths_, widths_;
     bool mirrored_ = false;
 };
+
+template <class Scalar>
+PatchMesh<Scalar> PatchMesh<Scalar>::joined(const std::vector<PatchMesh>& pieces) {
+    detail::require(!pieces.empty(), "PatchMesh", "number of pieces", pieces.size(), "be at least 1");
+    PatchMesh whole = pieces.front();
+    for (std::size_t k = 1; k < pieces.size(); ++k) {
+        const PatchMesh& piece = pieces[k];
+        detail::require(
+            piece.along().size() == whole.along().size() && (piece.along().edges() == whole.along().edges()).all(),
+            "PatchMesh", "number of elements of a piece's strips", piece.elements_per_strip(),
+            "be the number of the other strips, with the same edges");
+        for (const auto part : {&PatchMesh::lower_, &PatchMesh::upper_, &PatchMesh::middles_y_, &PatchMesh::middles_x_,
+                                &PatchMesh::half_lengths_}) {
+            Array both((whole.*part).size() + (piece.*part).size());
+            both << whole.*part, piece.*part;
+            whole.*part = std::move(both);
+        }
+    }
+    whole.check();
+    return whole;
+}
 
 /// An ellipse with semi-axes a = 1 in x and b = 1/a_over_b in y. `along` divides each strip, `across` the height, y/b =
 /// -1 ... 1. A strip is as long as the ellipse at the middle of its width, which is more accurate than the mean length

@@ -78,10 +78,7 @@ public:
     /// A model of one direction acts along `direction`, 0 longitudinal or 1 lateral, which must be the direction of its
     /// kernel. Throws std::invalid_argument for any other number.
     template <class Law, int directions>
-    FrictionContact(FrictionModel<Law, directions> model, Eigen::Index direction = 0)  // NOLINT: implicit on purpose
-        : model_(std::make_shared<Erased<FrictionModel<Law, directions>>>(std::move(model), direction)) {
-        detail::require(direction == 0 || direction == 1, "FrictionContact", "direction", direction, "be 0 or 1");
-    }
+    FrictionContact(FrictionModel<Law, directions> model, Eigen::Index direction = 0);  // NOLINT: implicit on purpose
 
     int directions() const { return model_->directions(); }
     Eigen::Index size() const { return model_->size(); }
@@ -271,5 +268,11 @@ private:
     Own model_;
     Eigen::Index direction_;
 };
+
+template <class Law, int directions>
+FrictionContact::FrictionContact(FrictionModel<Law, directions> model, Eigen::Index direction)
+    : model_(std::make_shared<Erased<FrictionModel<Law, directions>>>(std::move(model), direction)) {
+    detail::require(direction == 0 || direction == 1, "FrictionContact", "direction", direction, "be 0 or 1");
+}
 
 }  // namespace rollbem

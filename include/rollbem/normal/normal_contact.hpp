@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -70,11 +71,15 @@ public:
     double compliance() const { return compliance_; }
 
 private:
+    template <std::same_as<double> Scalar = double>  // for rollbem::compiled
     Solution solve(const CellGrid& grid, const Grid& h, std::optional<double> load, double approach, double tolerance,
                    bool warm);
+    template <std::same_as<double> Scalar = double>
     void begin(const CellGrid& grid, bool by_load, bool warm, double unit);
+    template <std::same_as<double> Scalar = double>
     Solution iterate(bool by_load, double tolerance);
 
+    template <std::same_as<double> Scalar = double>
     const Solution& without(const Solution& none, const CellGrid& grid) {
         p_ = Grid::Zero(grid.nx, grid.ny);
         grid_ = grid;
@@ -82,6 +87,7 @@ private:
     }
 
     // moves pressures from another grid, linear between the centres of its cells
+    template <std::same_as<double> Scalar = double>
     void move_to(const CellGrid& grid) {
         const CellGrid from = std::exchange(grid_, grid);
         if (from.nx == grid.nx && from.ny == grid.ny && from.dx == grid.dx && from.dy == grid.dy) return;
@@ -102,6 +108,7 @@ private:
     }
 
     // the mean over cells with pressure
+    template <std::same_as<double> Scalar = double>
     double mean(const Grid& of) const {
         return (p_ > 0).select(of, 0).sum() / double(std::max<Eigen::Index>((p_ > 0).count(), 1));
     }
@@ -128,13 +135,14 @@ private:
     }
 
     double compliance_;
-    detail::GridConvolution convolution_;
+    detail::GridConvolution<> convolution_;
     CellGrid grid_{};  // grid of p_
     Grid p_, h_, u_, g_, t_, q_;
 };
 
-inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const Grid& h, std::optional<double> load,
-                                                    double approach, double tolerance, bool warm) {
+template <std::same_as<double> Scalar>
+NormalContact::Solution NormalContact::solve(const CellGrid& grid, const Grid& h, std::optional<double> load,
+                                             double approach, double tolerance, bool warm) {
     detail::require(h.rows() == grid.nx && h.cols() == grid.ny && h.size() > 0, "NormalContact", "number of gaps",
                     h.size(), "be the number of the grid's cells, and positive");
     const bool finite = detail::all_finite(h) && detail::is_finite(load.value_or(approach)) &&
@@ -166,7 +174,8 @@ inline NormalContact::Solution NormalContact::solve(const CellGrid& grid, const 
 }
 
 // The first guess, in units of `unit`.
-inline void NormalContact::begin(const CellGrid& grid, bool by_load, bool warm, double unit) {
+template <std::same_as<double> Scalar>
+void NormalContact::begin(const CellGrid& grid, bool by_load, bool warm, double unit) {
     if (warm && p_.size() > 0) {
         move_to(grid);
         p_ /= by_load ? p_.maxCoeff() : unit;
@@ -184,7 +193,8 @@ inline void NormalContact::begin(const CellGrid& grid, bool by_load, bool warm, 
 
 // Conjugate gradients with projection from the first guess. Units: the load of a cell, or the approach, is 1; the
 // approach of the result is in the unit of length.
-inline NormalContact::Solution NormalContact::iterate(bool by_load, double tolerance) {
+template <std::same_as<double> Scalar>
+NormalContact::Solution NormalContact::iterate(bool by_load, double tolerance) {
     Solution result;
     const auto displace = [&](const Grid& p, Grid& u) {
         u.resize(p.rows(), p.cols());

@@ -134,8 +134,8 @@ private:
     }
     void reverse() {
         for (std::size_t k = 0; k < 2; ++k) {
-            values_[k].reverseInPlace();
-            bends_[k].reverseInPlace();
+            values_[k] = values_[k].reverse().eval();
+            bends_[k] = bends_[k].reverse().eval();
         }
         knots_ = length() - Eigen::ArrayXd(knots_.reverse());
         for (Eigen::Index& corner : corners_) corner = size() - 1 - corner;

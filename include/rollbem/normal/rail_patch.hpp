@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -23,7 +24,8 @@ namespace detail {
 
 /// The vertical load [N] of pressures in a plane turned by `angle`, which act along the normals of a surface whose rows
 /// have the slopes dn/ds.
-inline double vertical_load(const Eigen::ArrayXXd& pressure, const CellGrid& grid, const Eigen::ArrayXd& slope,
+template <std::same_as<double> Real = double>
+double vertical_load(const Eigen::ArrayXXd& pressure, const CellGrid& grid, const Eigen::ArrayXd& slope,
                             double angle) {
     return (pressure.colwise().sum().transpose() * (std::cos(angle) - std::sin(angle) * slope)).sum() * grid.dx *
            grid.dy;
@@ -81,7 +83,8 @@ private:
 };
 
 /// The mirror image of a patch. Lengths along the profiles stay as they are.
-inline RailPatch mirrored(RailPatch patch, const Mirror& mirror) {
+template <std::same_as<double> Real = double>
+RailPatch mirrored(RailPatch patch, const Mirror& mirror) {
     const auto [x, y, z] = mirror.of_vector();
     patch.x *= x;
     for (double* of : {&patch.y, &patch.rail_y, &patch.wheel_y, &patch.angle}) *of *= y;
@@ -112,7 +115,8 @@ struct PlanePressures {
 };
 
 /// The worst status of the cells beside pressures: not ok where a surface has no point there.
-inline Status border_of(const Gaps& gaps, const Eigen::ArrayXXd& pressure) {
+template <std::same_as<double> Real = double>
+Status border_of(const Gaps& gaps, const Eigen::ArrayXXd& pressure) {
     Status worst = Status::ok;
     if (gaps.all_known) return worst;
     const Eigen::Index nx = pressure.rows(), ny = pressure.cols();
@@ -153,7 +157,8 @@ inline double turn_across(const ContactGeometry& geometry, const ContactPlane& p
 
 /// The largest depth of the undeformed surfaces over the cells of a piece: where they are smooth, the vertex of the
 /// parabolas through the deepest cell and its neighbours.
-inline double largest_depth(const NormalContact::Grid& h, const Eigen::ArrayXXd& piece) {
+template <std::same_as<double> Real = double>
+double largest_depth(const NormalContact::Grid& h, const Eigen::ArrayXXd& piece) {
     constexpr double smooth = 0.1;  // across edges of profiles parabolas are meaningless
     Eigen::Index i = 0, j = 0;
     double least = (piece > 0).select(h, h.maxCoeff()).minCoeff(&i, &j);
@@ -167,7 +172,8 @@ inline double largest_depth(const NormalContact::Grid& h, const Eigen::ArrayXXd&
 }
 
 /// The common part of all pieces of a plane.
-inline RailPatch patch_on(const ContactGeometry& geometry, const WheelsetPosition& at, const PlanePressures& of) {
+template <std::same_as<double> Real = double>
+RailPatch patch_on(const ContactGeometry& geometry, const WheelsetPosition& at, const PlanePressures& of) {
     const ContactPlane& plane = of.plane;
     const PlacedWheel placed = geometry.placed(at);
     RailPatch patch;
@@ -175,7 +181,7 @@ inline RailPatch patch_on(const ContactGeometry& geometry, const WheelsetPositio
     patch.y = plane.y;
     patch.z = plane.z;
     patch.rail_s = plane.rail_s;
-    patch.wheel_s = GapFinder::wheel_place(placed, at.height, plane);
+    patch.wheel_s = GapFinder<>::wheel_place(placed, at.height, plane);
     patch.rail_y = plane.y - geometry.rail_origin().y;
     const WheelSurface::Point wheel = placed.unplaced(plane.wheel_part, patch.wheel_s, plane.x)
                                           .value_or(geometry.wheel().at(plane.wheel_part, patch.wheel_s, -at.pitch));
@@ -193,8 +199,9 @@ inline RailPatch patch_on(const ContactGeometry& geometry, const WheelsetPositio
 
 /// Divides pressures into patches that every row cuts in one interval. Crumbs (pieces too small for an outline that
 /// carry less than `crumb` [N]) are dropped.
-inline void add_patches(const ContactGeometry& geometry, const WheelsetPosition& at, const PlanePressures& of,
-                        double crumb, std::vector<RailPatch>& patches) {
+template <std::same_as<double> Real = double>
+void add_patches(const ContactGeometry& geometry, const WheelsetPosition& at, const PlanePressures& of, double crumb,
+                 std::vector<RailPatch>& patches) {
     constexpr double doubtful = 0.2;  // [rad]
     const RailPatch common = patch_on(geometry, at, of);
     for (Eigen::ArrayXXd& piece : pieces(of.pressure)) {

@@ -32,7 +32,7 @@ inline RigidContact rigid_contact(const WheelOnRail& wheel, const WheelsetPositi
     RigidContact contact;
     const WheelsetPosition used{.lateral = position.lateral, .roll = position.roll, .yaw = position.yaw};
     if (!detail::is_finite(used)) return contact;
-    detail::SilhouetteSearch search;
+    detail::SilhouetteSearch<> search;
     contact.status = search.locate(geometry, used);
     if (contact.status != Status::ok) return contact;
     const std::optional<detail::SurfaceCut> cut = search.first_point();

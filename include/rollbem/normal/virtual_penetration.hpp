@@ -151,14 +151,14 @@ inline std::vector<VirtualPenetration> virtual_penetration(const WheelOnRail& wh
                     "be one: a round wheel on a straight rail");
     detail::require(share > 0 && share <= 1, who, "share", share, "lie in (0, 1]");
     if (!detail::is_finite(position)) return {{.status = Status::not_finite}};
-    detail::SilhouetteSearch search;
+    detail::SilhouetteSearch<> search;
     const Status located = search.locate(geometry, position);
     if (located != Status::ok) return {{.status = located}};
     const std::vector<detail::Region> regions = search.regions(position.height);
     if (search.is_too_deep()) return {{.status = Status::too_deep}};
     std::vector<VirtualPenetration> all;
     const PlacedWheel placed = geometry.placed(position);
-    detail::GapFinder finder;
+    detail::GapFinder<> finder;
     detail::Gaps gaps;
     for (const detail::Region& region : regions) {
         const detail::ContactPlane plane = detail::plane_of(geometry, region, position.along);

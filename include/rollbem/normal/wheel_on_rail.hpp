@@ -55,7 +55,7 @@ public:
     class Workspace {
         friend class WheelOnRail;
         double approach_ = 0;  // vertical approach of the last solution [m]; 0: none
-        detail::ContactParts parts_;
+        detail::ContactParts<> parts_;
     };
 
     struct Contact {
@@ -104,7 +104,7 @@ public:
     const Profile& rail() const { return geometry_.rail().profile(); }    ///< profile of a straight rail or a roller
 
 private:
-    using Parts = detail::ContactParts;
+    using Parts = detail::ContactParts<>;
 
     static void check(const Options& options) {
         constexpr const char *who = "WheelOnRail", *few = "be at least 5";
@@ -119,15 +119,19 @@ private:
         return {options.cells_x, options.cells_s, options.tolerance, options.cell_size, options.interaction};
     }
     // Finds the height on coarse grids, roughly.
+    template <std::same_as<double> Scalar = double>
     static Status approach_load(Parts& parts, double load, double& approach);
     // Finds the height on fine grids, the wheel lower by `lower` than its gaps assume.
+    template <std::same_as<double> Scalar = double>
     static Status settle_height(Parts& parts, double load, bool first, double& approach, double& lower);
+    template <std::same_as<double> Scalar = double>
     static void collect(const Parts& parts, double lower, Contact& contact);
 
     ContactGeometry geometry_;
 };
 
-inline Status WheelOnRail::approach_load(Parts& parts, double load, double& approach) {
+template <std::same_as<double> Scalar>
+Status WheelOnRail::approach_load(Parts& parts, double load, double& approach) {
     // loads grow like the power 3/2 of the approach
     if (!(approach > 0)) approach = 2e-5 * std::cbrt(load / 1e4 * (load / 1e4));
     double low = 0, high = std::numeric_limits<double>::infinity();
@@ -144,7 +148,8 @@ inline Status WheelOnRail::approach_load(Parts& parts, double load, double& appr
     return Status::load_not_reached;
 }
 
-inline Status WheelOnRail::settle_height(Parts& parts, double load, bool first, double& approach, double& lower) {
+template <std::same_as<double> Scalar>
+Status WheelOnRail::settle_height(Parts& parts, double load, bool first, double& approach, double& lower) {
     // planes rotate with the height: secants on the missing load
     double last = 0, step = 0, rate = -1;
     for (int round = first ? 0 : 1, k = 0; k < 12; ++round, ++k) {
@@ -163,7 +168,8 @@ inline Status WheelOnRail::settle_height(Parts& parts, double load, bool first, 
     return std::abs(last) < 1e-2 * parts.deepest() ? Status::ok : Status::load_not_reached;
 }
 
-inline void WheelOnRail::collect(const Parts& parts, double lower, Contact& contact) {
+template <std::same_as<double> Scalar>
+void WheelOnRail::collect(const Parts& parts, double lower, Contact& contact) {
     contact.height = parts.height() + lower;
     contact.patches = parts.patches(lower);
     contact.dropped = parts.carried();

@@ -95,15 +95,7 @@ public:
     }
 
     /// The elastic energy [J]; NaN if the system cannot represent the half-length.
-    Scalar elastic_energy(const State& state) const {
-        const Axes present = axes(state);
-        if (!system_.has_G() || check_growth(system_, Scalar(0), present, present) != Status::ok)
-            return unknown<Scalar>;
-        const Vectors traction = state.traction / units_.shear_modulus;
-        Vectors displacement = traction;
-        find_displacements(system_, present, traction, displacement);
-        return energy_unit(present) * slip_work_.product(traction, displacement) / 2;
-    }
+    Scalar elastic_energy(const State& state) const;
 
     /// Whether states and workspace belong to the model, and whether the load in a state is valid.
     Status check(const State& from, const State& to, const Workspace& workspace) const noexcept;
@@ -291,6 +283,16 @@ private:
     Friction<Law, Scalar> friction_;
     std::uint64_t fingerprint_, of_matrices_;
 };
+
+template <class Law, int directions, class Scalar>
+Scalar FrictionCore<Law, directions, Scalar>::elastic_energy(const State& state) const {
+    const Axes present = axes(state);
+    if (!system_.has_G() || check_growth(system_, Scalar(0), present, present) != Status::ok) return unknown<Scalar>;
+    const Vectors traction = state.traction / units_.shear_modulus;
+    Vectors displacement = traction;
+    find_displacements(system_, present, traction, displacement);
+    return energy_unit(present) * slip_work_.product(traction, displacement) / 2;
+}
 
 template <class Law, int directions, class Scalar>
 FrictionCore<Law, directions, Scalar>::FrictionCore(const char* who, const ContactUnits<Scalar>& units, System system,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <numbers>
@@ -42,6 +43,7 @@ struct ContactPart {
     double vertical = 0;  // vertical load of the pressures [N]
 };
 
+template <std::same_as<double> Real = double>
 class ContactParts {
 public:
     /// Starts a contact at a position, without its height.
@@ -333,9 +335,9 @@ private:
     ContactSettings settings_{};
     WheelsetPosition at_;
     std::optional<PlacedWheel> placed_;
-    SilhouetteSearch silhouette_;
-    SliceSearch slices_;
-    GapFinder finder_;
+    SilhouetteSearch<> silhouette_;
+    SliceSearch<> slices_;
+    GapFinder<> finder_;
     Gaps row_;
     NormalContact::Grid displaced_;
     std::vector<ContactPart> parts_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <numbers>
@@ -28,6 +29,7 @@ struct Edge {
 
 /// A polynomial by least squares at the centres of cells with pressure along a line, counted from its edge inwards: the
 /// factors common to all lines with the same number of cells.
+template <std::same_as<double> Real = double>
 struct EdgeFit {
     using Vector = Eigen::Matrix<double, 5, 1>;
     using Matrix = Eigen::Matrix<double, 5, 5>;
@@ -82,9 +84,10 @@ struct EdgeFit {
 };
 
 /// Fits of lines on usual grids.
-inline const std::vector<EdgeFit>& usual_edge_fits() {
-    static const std::vector<EdgeFit> fits = [] {
-        std::vector<EdgeFit> made;
+template <std::same_as<double> Real = double>
+const std::vector<EdgeFit<>>& usual_edge_fits() {
+    static const std::vector<EdgeFit<>> fits = [] {
+        std::vector<EdgeFit<>> made;
         for (Eigen::Index count = 0; count <= 64; ++count) made.emplace_back(count);
         return made;
     }();
@@ -100,13 +103,13 @@ inline const std::vector<EdgeFit>& usual_edge_fits() {
 template <class Squares>
 Edge edge_distance(const Squares& squares, Eigen::Index count) {
     constexpr double inside = -0.5, outside = 1;
-    const std::vector<EdgeFit>& usual = usual_edge_fits();
-    std::optional<EdgeFit> other;
+    const std::vector<EdgeFit<>>& usual = usual_edge_fits();
+    std::optional<EdgeFit<>> other;
     const bool is_usual = std::size_t(count) < usual.size();
-    const EdgeFit& fit = is_usual ? usual[std::size_t(count)] : other.emplace(count);
+    const EdgeFit<>& fit = is_usual ? usual[std::size_t(count)] : other.emplace(count);
     if (!fit.is_known()) return {0.5, false};
     const double middle = fit.middle, scale = fit.scale;
-    EdgeFit::Vector c = fit.polynomial(squares);
+    EdgeFit<>::Vector c = fit.polynomial(squares);
     const auto value = [&](double from) {  // value of the polynomial at the distance `from` behind the centre of cell 0
         const double t = (-from - middle) / scale;
         return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4])));
@@ -152,15 +155,18 @@ std::vector<Interval> intervals(const Pressures& p, Eigen::Index count) {
     }
     return found;
 }
-inline std::vector<Interval> row_intervals(const Eigen::ArrayXXd& p, Eigen::Index j) {
+template <std::same_as<double> Real = double>
+std::vector<Interval> row_intervals(const Eigen::ArrayXXd& p, Eigen::Index j) {
     return intervals([&](Eigen::Index i) { return p(i, j); }, p.rows());
 }
-inline std::vector<Interval> column_intervals(const Eigen::ArrayXXd& p, Eigen::Index i) {
+template <std::same_as<double> Real = double>
+std::vector<Interval> column_intervals(const Eigen::ArrayXXd& p, Eigen::Index i) {
     return intervals([&](Eigen::Index j) { return p(i, j); }, p.cols());
 }
 
 /// The rectangle around all pressures: x from and to, y from and to.
-inline std::array<double, 4> extents(const CellGrid& grid, const Eigen::ArrayXXd& p) {
+template <std::same_as<double> Real = double>
+std::array<double, 4> extents(const CellGrid& grid, const Eigen::ArrayXXd& p) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     double left = infinite, right = -left, bottom = infinite, top = -bottom;
     for (Eigen::Index j = 0; j < grid.ny; ++j) {
@@ -217,7 +223,8 @@ private:
 
 /// Divides pressures into pieces that every row y = const cuts in one interval, heaviest first: each piece is the chain
 /// of touching intervals in neighbouring rows that carries most of the remaining load.
-inline std::vector<Eigen::ArrayXXd> pieces(Eigen::ArrayXXd p) {
+template <std::same_as<double> Real = double>
+std::vector<Eigen::ArrayXXd> pieces(Eigen::ArrayXXd p) {
     struct Cut {
         Eigen::Index row, first, last;
         double load;
@@ -258,7 +265,8 @@ inline std::vector<Eigen::ArrayXXd> pieces(Eigen::ArrayXXd p) {
 
 /// Outline of the cells with pressure, which every row y = const must cut in one interval; nothing otherwise, or if
 /// fewer than 3 rows have any. Where the border runs along the rows, it is determined by columns.
-inline std::optional<Outline<double>> contact_outline(const CellGrid& grid, const Eigen::ArrayXXd& p) {
+template <std::same_as<double> Real = double>
+std::optional<Outline<double>> contact_outline(const CellGrid& grid, const Eigen::ArrayXXd& p) {
     std::vector<std::vector<Interval>> columns;
     for (Eigen::Index i = 0; i < grid.nx; ++i) columns.push_back(column_intervals(p, i));
     // the interval of column i that touches the cells first ... last, preferably one that contains cell j
@@ -351,7 +359,8 @@ inline std::optional<Outline<double>> contact_outline(const CellGrid& grid, cons
 }
 
 /// The largest pressure: the square of the pressure is nearly quadratic about its largest cell.
-inline double peak_pressure(const Eigen::ArrayXXd& p) {
+template <std::same_as<double> Real = double>
+double peak_pressure(const Eigen::ArrayXXd& p) {
     Eigen::Index i, j;
     const double largest = p.maxCoeff(&i, &j), square = largest * largest;
     double peak = square;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -15,6 +16,7 @@
 namespace rollbem::detail {
 
 /// A search at one lateral position, roll and yaw: locate() first, then regions() at any height near the touching one.
+template <std::same_as<double> Real = double>
 class SilhouetteSearch {
 public:
     /// Finds the height at which the wheel, lowered, touches first.

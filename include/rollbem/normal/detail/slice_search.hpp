@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -17,6 +18,7 @@
 namespace rollbem::detail {
 
 /// A search at one lateral position, roll, yaw, pitch and place along the track; used as SilhouetteSearch.
+template <std::same_as<double> Real = double>
 class SliceSearch {
 public:
     Status locate(const ContactGeometry& geometry, const WheelsetPosition& at) {

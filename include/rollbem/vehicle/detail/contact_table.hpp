@@ -262,6 +262,7 @@ private:
         }
     };
     std::size_t index_of(WheelsetSide side) const { return is_mirrored() ? 0 : std::size_t(side); }
+    template <std::same_as<double> Real = double>
     Stored stored(Side side) const;
 
     /// A place on the grid, without the load.
@@ -350,7 +351,8 @@ namespace detail {
 
 /// Where a zone carries nothing, its rows except the share are copied from the nearest node on its line that carries;
 /// lines without such a node are copied from the nearest line. `points` are the nodes of one zone.
-inline void fill_zone(const ContactTable::Grid& grid, Eigen::Ref<Eigen::ArrayXXd> points) {
+template <std::same_as<double> Real = double>
+void fill_zone(const ContactTable::Grid& grid, Eigen::Ref<Eigen::ArrayXXd> points) {
     const auto shifts = Eigen::Index(grid.shifts.size()), yaws = Eigen::Index(grid.yaws.size()),
                loads = Eigen::Index(grid.loads.size());
     const auto carries = [&](Eigen::Index node) { return points(ContactRow::share, node) > 0; };
@@ -390,7 +392,8 @@ inline void fill_zone(const ContactTable::Grid& grid, Eigen::Ref<Eigen::ArrayXXd
 }
 
 /// Slopes by the shift of each row of each line; the slopes of row 0, the share, are limited where `limit` is set.
-inline Eigen::ArrayXXd slopes_of(const ContactTable::Grid& grid, const Eigen::ArrayXXd& values, bool limit) {
+template <std::same_as<double> Real = double>
+Eigen::ArrayXXd slopes_of(const ContactTable::Grid& grid, const Eigen::ArrayXXd& values, bool limit) {
     const auto shifts = Eigen::Index(grid.shifts.size());
     Eigen::ArrayXXd slopes(values.rows(), values.cols());
     for (Eigen::Index node = 0; node < values.cols(); ++node) {
@@ -412,7 +415,8 @@ inline Eigen::ArrayXXd slopes_of(const ContactTable::Grid& grid, const Eigen::Ar
 
 }  // namespace detail
 
-inline auto ContactTable::stored(Side side) const -> Stored {
+template <std::same_as<double> Real>
+auto ContactTable::stored(Side side) const -> Stored {
     Stored made{.given = {},
                 .means = ContactRow::Values::Zero(),
                 .points = {},
