@@ -20,6 +20,7 @@
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
 
+#include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/wheelset.hpp>
 
 namespace {
@@ -61,7 +62,7 @@ public:
         const Vector arms{{1, 0.75, radius, 1, 0.75, radius, 1, 1}};  // of the moments [m]
         const auto norm = [&](const Vector& forces) { return forces.cwiseQuotient(arms).norm() / load; };
         for (int k = 0; k < 200 && !(norm(rest) < precise); ++k) {
-            const Vector step = by_position_.partialPivLu().solve(rest), from = x;
+            const Vector step = Eigen::MatrixXd(by_position_).partialPivLu().solve(rest), from = x;
             double least = std::numeric_limits<double>::infinity();
             for (double part = 1; part > 1e-3; part /= 2) {  // the best of them, as forces bend where contacts jump
                 const double left = norm(residual(from - part * step));
@@ -84,7 +85,8 @@ public:
         for (const int pitch : {int(pitch_rate), axle_size + pitch_rate}) A.col(size + pitch) += A.col(pitch);
         std::array<int, positions.size() + size> kept{};
         std::iota(std::ranges::copy(positions, kept.begin()).out, kept.end(), int(size));
-        return Eigen::EigenSolver<Eigen::MatrixXd>(A(kept, kept), false).eigenvalues().real().maxCoeff();
+        const Eigen::MatrixXd moving = A(kept, kept);
+        return Eigen::EigenSolver<Eigen::MatrixXd>(moving, false).eigenvalues().real().maxCoeff();
     }
 
 private:

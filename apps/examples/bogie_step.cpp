@@ -72,7 +72,7 @@ struct Bogie {
             by_x -= lateral_spring * shift * shift.transpose() + yaw_spring * turn * turn.transpose();
             by_v -= damper * shift * shift.transpose();
         }
-        const Matrix implicit = Matrix(mass.asDiagonal()) - h * by_v - h * h * by_x;
+        const Eigen::MatrixXd implicit = Matrix(mass.asDiagonal()) - h * by_v - h * h * by_x;
         v += implicit.partialPivLu().solve(h * (force + h * by_x * v));
         x += h * v;
     }
