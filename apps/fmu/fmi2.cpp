@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <exception>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -21,6 +22,7 @@ namespace {
 using fmu::call;
 using fmu::Instance;
 
+using References = const fmi2ValueReference*;
 using Bytes = std::vector<std::byte>;
 
 void require(bool holds, const char* message) {
@@ -31,7 +33,7 @@ constexpr unsigned before_and_between_steps = fmu::instantiated | fmu::initializ
                    can_tell = fmu::stepping | fmu::terminated | fmu::failed;
 
 template <class Held, class Value>
-fmi2Status get(fmi2Component component, const char* function, const fmi2ValueReference references[], std::size_t count,
+fmi2Status get(fmi2Component component, const char* function, References references, std::size_t count,
                Value values[]) {
     return call(component, function, fmu::any, [&](Instance& instance) {
         for (std::size_t i = 0; i < count; ++i) {
@@ -46,12 +48,12 @@ fmi2Status get(fmi2Component component, const char* function, const fmi2ValueRef
 }
 
 template <class Held, class Value>
-fmi2Status set(fmi2Component component, const char* function, const fmi2ValueReference references[], std::size_t count,
+fmi2Status set(fmi2Component component, const char* function, References references, std::size_t count,
                const Value values[]) {
     return call(component, function, before_and_between_steps, [&](Instance& instance) {
         for (std::size_t i = 0; i < count; ++i) {
             if constexpr (std::is_pointer_v<Value>) require(values[i] != nullptr, "there is no text");
-            instance.settable<Held>(references[i]) = values[i];
+            instance.settable<Held>(references[i]) = static_cast<Held>(values[i]);
         }
     });
 }
@@ -59,10 +61,6 @@ fmi2Status set(fmi2Component component, const char* function, const fmi2ValueRef
 /// The answer of functions that always have the same one.
 fmi2Status refuse(fmi2Component component, const char* function, const char* reason) {
     return call(component, function, fmu::any, [&](Instance&) { require(false, reason); });
-}
-fmi2Status no_booleans(fmi2Component component, const char* function, std::size_t count) {
-    return call(component, function, fmu::any,
-                [&](Instance&) { require(count == 0, "there are no variables of this type"); });
 }
 fmi2Status nothing_in_background(fmi2Component component, const char* function) {
     return call(component, function, can_tell, [](Instance&) { return fmi2Discard; });
@@ -89,22 +87,18 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
                               const fmi2CallbackFunctions* functions, fmi2Boolean /*visible*/,
                               fmi2Boolean /*logging_on*/) {
     if (functions == nullptr) return nullptr;
-    const auto refuse = [&](const char* message) -> fmi2Component {
+    try {
+        require(name != nullptr && *name != 0, "the instance needs a name");
+        require(guid != nullptr && fmu::guid() == guid,
+                "modelDescription.xml and the library do not belong together (GUID)");
+        require(type == fmi2CoSimulation, "this FMU is for co-simulation only");
+        return std::make_unique<Instance>(name, resources == nullptr ? "" : resources, *functions).release();
+    } catch (const std::exception& error) {
         if (functions->logger != nullptr) {
             functions->logger(functions->componentEnvironment, name == nullptr ? "" : name, fmi2Error, "logStatusError",
-                              "%s", message);
+                              "fmi2Instantiate: %s", error.what());
         }
         return nullptr;
-    };
-    try {
-        if (name == nullptr || *name == 0) return refuse("fmi2Instantiate: the instance needs a name");
-        if (guid == nullptr || fmu::guid() != guid) {
-            return refuse("fmi2Instantiate: modelDescription.xml and the library do not belong together (GUID)");
-        }
-        if (type != fmi2CoSimulation) return refuse("fmi2Instantiate: this FMU is for co-simulation only");
-        return std::make_unique<Instance>(name, resources == nullptr ? "" : resources, *functions).release();
-    } catch (...) {
-        return refuse("fmi2Instantiate: out of memory");
     }
 }
 
@@ -148,41 +142,37 @@ fmi2Status fmi2Reset(fmi2Component component) {
     return call(component, __func__, fmu::any, [](Instance& instance) { instance.reset(); });
 }
 
-fmi2Status fmi2GetReal(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
-                       fmi2Real values[]) {
+fmi2Status fmi2GetReal(fmi2Component component, References references, std::size_t count, fmi2Real values[]) {
     return get<double>(component, __func__, references, count, values);
 }
 
-fmi2Status fmi2GetInteger(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
-                          fmi2Integer values[]) {
+fmi2Status fmi2GetInteger(fmi2Component component, References references, std::size_t count, fmi2Integer values[]) {
     return get<int>(component, __func__, references, count, values);
 }
 
-fmi2Status fmi2GetBoolean(fmi2Component component, const fmi2ValueReference[], std::size_t count, fmi2Boolean[]) {
-    return no_booleans(component, __func__, count);
+fmi2Status fmi2GetBoolean(fmi2Component component, References references, std::size_t count, fmi2Boolean values[]) {
+    return get<bool>(component, __func__, references, count, values);
 }
 
-fmi2Status fmi2GetString(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
-                         fmi2String values[]) {
+fmi2Status fmi2GetString(fmi2Component component, References references, std::size_t count, fmi2String values[]) {
     return get<std::string>(component, __func__, references, count, values);
 }
 
-fmi2Status fmi2SetReal(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
-                       const fmi2Real values[]) {
+fmi2Status fmi2SetReal(fmi2Component component, References references, std::size_t count, const fmi2Real values[]) {
     return set<double>(component, __func__, references, count, values);
 }
 
-fmi2Status fmi2SetInteger(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
+fmi2Status fmi2SetInteger(fmi2Component component, References references, std::size_t count,
                           const fmi2Integer values[]) {
     return set<int>(component, __func__, references, count, values);
 }
 
-fmi2Status fmi2SetBoolean(fmi2Component component, const fmi2ValueReference[], std::size_t count, const fmi2Boolean[]) {
-    return no_booleans(component, __func__, count);
+fmi2Status fmi2SetBoolean(fmi2Component component, References references, std::size_t count,
+                          const fmi2Boolean values[]) {
+    return set<bool>(component, __func__, references, count, values);
 }
 
-fmi2Status fmi2SetString(fmi2Component component, const fmi2ValueReference references[], std::size_t count,
-                         const fmi2String values[]) {
+fmi2Status fmi2SetString(fmi2Component component, References references, std::size_t count, const fmi2String values[]) {
     return set<std::string>(component, __func__, references, count, values);
 }
 
@@ -227,9 +217,9 @@ fmi2Status fmi2DeSerializeFMUstate(fmi2Component component, const fmi2Byte seria
     });
 }
 
-fmi2Status fmi2GetDirectionalDerivative(fmi2Component component, const fmi2ValueReference unknowns[],
-                                        std::size_t unknown_count, const fmi2ValueReference knowns[],
-                                        std::size_t known_count, const fmi2Real seeds[], fmi2Real derivatives[]) {
+fmi2Status fmi2GetDirectionalDerivative(fmi2Component component, References unknowns, std::size_t unknown_count,
+                                        References knowns, std::size_t known_count, const fmi2Real seeds[],
+                                        fmi2Real derivatives[]) {
     return call(component, __func__, fmu::stepping, [&](Instance& instance) {
         for (std::size_t i = 0; i < unknown_count; ++i) {
             derivatives[i] = 0;
@@ -249,8 +239,8 @@ fmi2Status fmi2GetDirectionalDerivative(fmi2Component component, const fmi2Value
     });
 }
 
-fmi2Status fmi2SetRealInputDerivatives(fmi2Component component, const fmi2ValueReference references[],
-                                       std::size_t count, const fmi2Integer orders[], const fmi2Real values[]) {
+fmi2Status fmi2SetRealInputDerivatives(fmi2Component component, References references, std::size_t count,
+                                       const fmi2Integer orders[], const fmi2Real values[]) {
     return call(component, __func__, before_and_between_steps, [&](Instance& instance) {
         for (std::size_t i = 0; i < count; ++i) {
             const fmu::Variable& variable = instance.variable<double>(references[i]);
@@ -261,8 +251,8 @@ fmi2Status fmi2SetRealInputDerivatives(fmi2Component component, const fmi2ValueR
     });
 }
 
-fmi2Status fmi2GetRealOutputDerivatives(fmi2Component component, const fmi2ValueReference[], std::size_t,
-                                        const fmi2Integer[], fmi2Real[]) {
+fmi2Status fmi2GetRealOutputDerivatives(fmi2Component component, References, std::size_t, const fmi2Integer[],
+                                        fmi2Real[]) {
     return refuse(component, __func__, "outputs have no derivatives by time");
 }
 

@@ -59,9 +59,6 @@ inline std::string path_of(std::string_view uri) {
     return path;
 }
 
-/// Of the messages with fmi2Warning, fmi2Discard and fmi2Error.
-inline constexpr std::array categories{"logStatusWarning", "logStatusDiscard", "logStatusError"};
-
 /// The beginning of a saved state.
 struct Header {
     std::array<char, 38> guid{};
@@ -82,7 +79,7 @@ public:
     void log(fmi2Status status, const std::string& message) const {
         const auto category = static_cast<std::size_t>(status - fmi2Warning);
         if (callbacks_.logger == nullptr || !logged_[category]) return;
-        callbacks_.logger(callbacks_.componentEnvironment, name_.c_str(), status, categories[category], "%s",
+        callbacks_.logger(callbacks_.componentEnvironment, name_.c_str(), status, log_categories[category], "%s",
                           message.c_str());
     }
     /// Chooses the categories to log, all of them if none is named. Throws std::invalid_argument for an unknown one.
@@ -92,10 +89,10 @@ public:
         for (const fmi2String one : names) {
             const std::string_view wanted = one == nullptr ? "" : one;
             const auto found =
-                std::ranges::find(categories, wanted, [](const char* name) { return std::string_view(name); });
-            if (found == categories.end())
+                std::ranges::find(log_categories, wanted, [](const char* name) { return std::string_view(name); });
+            if (found == log_categories.end())
                 throw std::invalid_argument("there is no log category " + std::string(wanted));
-            logged[static_cast<std::size_t>(found - categories.begin())] = true;
+            logged[static_cast<std::size_t>(found - log_categories.begin())] = true;
         }
         logged_ = logged;
     }

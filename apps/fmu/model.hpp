@@ -40,7 +40,7 @@ enum class Causality { parameter, input, output };
 
 /// One variable. Its value reference is its place in the table, its start value the value when it enters the table.
 struct Variable {
-    using Value = std::variant<double*, int*, std::string*>;
+    using Value = std::variant<double*, int*, bool*, std::string*>;
     /// Throws std::invalid_argument, naming a quantity whose value breaks the rule.
     using Rule = void (*)(const char* who, const char* quantity, double value);
 

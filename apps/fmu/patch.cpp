@@ -34,6 +34,9 @@ namespace fmu {
 
 namespace {
 
+using namespace rollbem;
+using detail::to_text;
+
 enum MeshSize { mesh_follows_load = 1, fixed_mesh };
 enum InitialState { at_rest = 1, in_steady_rolling };
 enum Mode { by_elements = 1, by_table };
@@ -60,16 +63,14 @@ struct Past {
     Values at = Values::Zero();
 
     double distance() const { return duration * at[speed]; }
-    rollbem::Creepage<double> shift() const {
-        return {duration * at[along], duration * at[across], duration * at[spin]};
-    }
+    Creepage<double> shift() const { return {duration * at[along], duration * at[across], duration * at[spin]}; }
 };
 
 class Patch final : public Model {
 public:
     Patch() {
         add_parameter(&shear_modulus_, "shear_modulus", "Pa", "Shear modulus G of both bodies").rule =
-            rollbem::detail::require_positive<double>;
+            detail::require_positive<double>;
         add_parameter(&poisson_ratio_, "poisson_ratio", "", "Poisson's ratio nu of both bodies").lies_in(0, 0.5);
         add_radius(wheel_.rolling, "wheel_rolling_radius", "Radius of the wheel, in the plane of rolling");
         add_radius(wheel_.lateral, "wheel_lateral_radius", "Radius of the wheel's profile at the contact");
@@ -88,7 +89,7 @@ public:
         add_parameter(&strips_, "strips", "", "Number of strips along the rolling direction, 1 to 32").lies_in(1, 32);
         add_parameter(&mesh_size_, "mesh_size", "", "Area that the mesh covers", &mesh_sizes);
         add_parameter(&largest_load_, "largest_load", "N", "The largest normal_load that a fixed mesh can take").rule =
-            rollbem::detail::require_positive<double>;
+            detail::require_positive<double>;
         add_parameter(&initial_state_, "initial_state", "", "State at the start", &initial_states);
         add_input(inputs_[along], "longitudinal_slip_velocity", "m/s",
                   "Rigid velocity of the wheel relative to the rail in the middle of the contact, along the rolling "
@@ -131,6 +132,8 @@ public:
     double partial(Eigen::Index output, Eigen::Index input) override {
         const bool stepped = past_.duration > 0;
         if (output > 2) throw NoDerivative{};
+        // a step that changes only one semi-axis from 0, or any semi-axis of a patch, is refused
+        if (input >= length && !is_given(past_.at)) throw NoDerivative{" here"};
         if (!stepped && initial_state_ == in_steady_rolling) throw NoDerivative{" before the first step"};
         const Force by = stepped ? partial_by(input) : Force{0, 0, 0};  // at rest there is no force
         return std::array{by.longitudinal, by.lateral, by.moment}[static_cast<std::size_t>(output)];
@@ -153,26 +156,24 @@ public:
     }
 
 private:
-    using Status = rollbem::Status;
-    using Force = rollbem::TangentialForce<double>;
-    using Hertz = rollbem::HertzPatchLoad<double>;
-    using FrictionModel = rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2>;
-    using Step = FrictionModel::Step;
-    using State = FrictionModel::State;
+    using Force = TangentialForce<double>;
+    using Hertz = HertzPatchLoad<double>;
+    using Friction = FrictionModel<ConstantFriction<double>, 2>;
+    using Step = FrictionStep<2>;
+    using State = FrictionState<2>;
 
     void add_radius(double& radius, const char* name, const std::string& description) {
         add_parameter(&radius, name, "m", description + "; negative if concave, 1e9 if flat").rule =
             [](const char* who, const char* quantity, double value) {
-                rollbem::detail::require(!rollbem::detail::is_nan(value) && value != 0, who, quantity, value,
-                                         "be a number other than 0");
+                detail::require(!detail::is_nan(value) && value != 0, who, quantity, value, "be a number other than 0");
             };
     }
 
     std::optional<Status> build() override {
-        const rollbem::ElasticBody<double> body{.young_modulus = 2 * shear_modulus_ * (1 + poisson_ratio_),
-                                                .poisson_ratio = poisson_ratio_};
+        const ElasticBody<double> body{.young_modulus = 2 * shear_modulus_ * (1 + poisson_ratio_),
+                                       .poisson_ratio = poisson_ratio_};
         // largest_load rather than normal_load: a state can be restored in a contact built under another load
-        ellipse_.emplace(rollbem::HertzEllipse<double>::Parameters{
+        ellipse_.emplace(HertzEllipse<double>::Parameters{
             .load = largest_load_, .radii_1 = wheel_, .radii_2 = rail_, .body_1 = body, .body_2 = body});
         table_.reset();
         run_.reset();
@@ -187,7 +188,7 @@ private:
 
     Status advance(double duration) override {
         const Values start = after(0, inputs_), end = after(duration, inputs_);
-        if (!rollbem::detail::all_finite(start) || !rollbem::detail::all_finite(end)) return Status::not_finite;
+        if (!detail::all_finite(start) || !detail::all_finite(end)) return Status::not_finite;
         if (end[factor] < 0) return Status::invalid_load;
         if (start[speed] < 0 || end[speed] < 0) return Status::invalid_step;
         Past step{duration, end};
@@ -203,7 +204,7 @@ private:
     void show() {
         force_ = last_.force;
         sticking_elements_ = static_cast<int>(last_.stick_count);
-        const rollbem::SemiAxes<double> axes = axes_of(past_.at);
+        const SemiAxes<double> axes = axes_of(past_.at);
         half_length_ = axes.half_length;
         half_width_ = axes.half_width;
     }
@@ -214,7 +215,7 @@ private:
     bool is_lifted(const Values& at) const { return at[load] / ellipse_->load() < 1e-100; }
 
     // Semi-axes as given, or by Hertz, where both grow like N^(1/3).
-    rollbem::SemiAxes<double> axes_of(const Values& at) const {
+    SemiAxes<double> axes_of(const Values& at) const {
         if (is_given(at)) return {at[length], at[width]};
         const double scale = std::cbrt(at[load] / ellipse_->load());
         return {scale * ellipse_->half_length(), scale * ellipse_->half_width()};
@@ -223,20 +224,18 @@ private:
     // Derivative of the forces at the end of the last step by an input during it.
     Force partial_by(Eigen::Index input) {
         switch (input) {
-            case along: return past_.duration * last_.tangent.by_longitudinal;
-            case across: return past_.duration * last_.tangent.by_lateral;
-            case spin: return past_.duration * last_.tangent.by_spin;
+            case along: return last_.tangent.by_longitudinal;
+            case across: return last_.tangent.by_lateral;
+            case spin: return last_.tangent.by_spin;
             case speed: return table_ ? partial_of_table_by_speed() : partial_of_elements_by_speed();
             case load: return partial_by_load();
             case factor:
                 return table_ ? friction_coefficient_ * find(past_.at).tangent_by_friction_coefficient
                               : again(past_, true).tangent_by_load;
-            // a step that changes only one semi-axis from 0, or any semi-axis of a patch, is refused
-            case length: return is_given(past_.at) ? last_.tangent_by_half_length : none();
-            default: return is_given(past_.at) ? last_.tangent_by_half_width : none();
+            case length: return last_.tangent_by_half_length;
+            default: return last_.tangent_by_half_width;
         }
     }
-    [[noreturn]] static Force none() { throw NoDerivative{" here"}; }
 
     Force partial_by_load() const {
         const double N = past_.at[load];
@@ -255,11 +254,11 @@ private:
         require(!fixed || now[load] <= largest_load_, "normal_load", now[load], "be at most largest_load");
         require(now[length] == 0, "given_half_length", now[length], "be 0 where mode is patch");
         require(now[width] == 0, "given_half_width", now[width], "be 0 where mode is patch");
-        rollbem::detail::require_not_negative(identity.identifier, "friction_factor", now[factor]);
-        const rollbem::PatchContact<double> contact = ellipse_->contact();
-        const rollbem::PatchMesh<double> mesh = patch_mesh(contact, elements_, strips_);
-        const rollbem::NodeDifference scheme{rollbem::Nodes::chebyshev};
-        const rollbem::HalfSpace<double> kernel(poisson_ratio_);
+        detail::require_not_negative(identity.identifier, "friction_factor", now[factor]);
+        const PatchContact<double> contact = ellipse_->contact();
+        const PatchMesh<double> mesh = patch_mesh(contact, elements_, strips_);
+        const NodeDifference scheme{Nodes::chebyshev};
+        const HalfSpace<double> kernel(poisson_ratio_);
         hertz_ = fixed ? Hertz::fixed(*ellipse_, contact, mesh) : Hertz::breathing(*ellipse_, contact, mesh);
         model_.emplace(contact,
                        fixed ? rolling_system(mesh, scheme, kernel) : breathing_system(contact, mesh, scheme, kernel),
@@ -271,26 +270,28 @@ private:
         Step first;
         first.force = {0, 0, 0};
         first.stick_count = model_->size();
-        if (steady) {
-            require_inputs();
-            const double V = now[speed];
-            require(V > 0, "rolling_speed", V, "be positive where initial_state is steady");
-            const Step found =
-                run_->steady({.motion = {now[along] / V, now[across] / V, now[spin] / V}, .load = end_load_});
-            require(found.status == Status::ok, "status of steady rolling at the first inputs", name(found.status),
-                    "be ok");
-            first.force = found.force;
-            first.stick_count = found.stick_count;
-        }
+        if (steady) first = roll_steadily(now);
         from_ = run_->now();
         return first;
+    }
+
+    Step roll_steadily(const Values& now) {
+        require_inputs();
+        const double V = now[speed];
+        require(V > 0, "rolling_speed", V, "be positive where initial_state is steady");
+        const Step found =
+            run_->steady({.motion = {now[along] / V, now[across] / V, now[spin] / V}, .load = end_load_});
+        require(found.status == Status::ok, "status of steady rolling at the first inputs", name(found.status),
+                "be ok");
+        return found;
     }
 
     // A step over the mean velocities.
     Step take_by_elements(const Values& start, Past& step) {
         step.at.head<speed + 1>() = (start.head<speed + 1>() + step.at.head<speed + 1>()) / 2;
-        const Step result = try_step(step);
+        Step result = try_step(step);
         if (result.status != Status::ok) return result;
+        result.tangent = step.duration * result.tangent;
         from_ = run_->now();
         run_->accept();
         return result;
@@ -306,7 +307,7 @@ private:
         if (by_factor) end_load_.pressure_rate = end_load_.normal_pressure;
         end_load_.normal_pressure *= step.at[factor];
         if (!by_factor) end_load_.pressure_rate *= step.at[factor];
-        return run_->try_advance({step.distance(), FrictionModel::Motion::shift(step.shift()), end_load_});
+        return run_->try_advance({step.distance(), Friction::Motion::shift(step.shift()), end_load_});
     }
 
     // The last step again, or another from its start.
@@ -318,27 +319,26 @@ private:
     }
 
     Force partial_of_elements_by_speed() {
-        return past_.duration *
-               rollbem::tangent_by_distance(past_.distance(), run_->now().half_length, [&](double distance) {
-                   Past step = past_;
-                   step.at[speed] = distance / step.duration;
-                   return again(step).force;
-               });
+        const auto force_at = [&](double distance) {
+            Past step = past_;
+            step.at[speed] = distance / step.duration;
+            return again(step).force;
+        };
+        return past_.duration * tangent_by_distance(past_.distance(), run_->now().half_length, force_at);
     }
 
     // --- by table
 
     Step begin_by_table(const Values& now) {
-        table_ = shared_table<rollbem::CreepForceTable>("table_file",
-                                                        table_file_.empty() ? resources + "/steel.creep" : table_file_);
+        table_ =
+            shared_table<CreepForceTable>("table_file", table_file_.empty() ? resources + "/steel.creep" : table_file_);
         require_inputs();
         require(table_->fits(poisson_ratio_), "poisson_ratio", poisson_ratio_,
-                "be within 0.01 of " + rollbem::detail::to_text(table_->grid().poisson_ratio()) + " of the table");
-        const double a_over_b = ellipse_->contact().a_over_b(), least = table_->grid().smallest_a_over_b(),
-                     most = table_->grid().largest_a_over_b();
-        require(
-            a_over_b >= least && a_over_b <= most, "a/b of the contact", a_over_b,
-            "lie in [" + rollbem::detail::to_text(least) + ", " + rollbem::detail::to_text(most) + "] of the table");
+                "be within 0.01 of " + to_text(table_->grid().poisson_ratio()) + " of the table");
+        const CreepForceGrid& grid = table_->grid();
+        const double a_over_b = ellipse_->contact().a_over_b();
+        require(a_over_b >= grid.smallest_a_over_b() && a_over_b <= grid.largest_a_over_b(), "a/b of the contact",
+                a_over_b, "lie in [" + range_of_table(", ") + "] of the table");
         const Step first = take_by_table(now, {1, now});
         require(first.status == Status::ok, "status of the table at the first inputs", name(first.status), "be ok");
         return first;
@@ -346,7 +346,7 @@ private:
 
     // A step by table: forces at the inputs of its end, work as the mean over the inputs of both ends.
     Step take_by_table(const Values& start, const Past& step) {
-        const rollbem::TabulatedForce found = find(step.at);
+        const TabulatedForce found = find(step.at);
         Step result = step_of(found, step);
         if (result.status == Status::ok && (start != step.at).any()) {
             const Step before = step_of(find(start), {step.duration, start});
@@ -357,26 +357,27 @@ private:
         return result;
     }
 
+    std::string range_of_table(const char* to) const {
+        return to_text(table_->grid().smallest_a_over_b()) + to + to_text(table_->grid().largest_a_over_b());
+    }
+
     // Sets off_table, and warns where a/b leaves the table.
     void tell(const Values& at, bool on_table) {
         if (!on_table && off_table_ == 0) {
-            const rollbem::CreepForceGrid& grid = table_->grid();
-            warning = "a/b = " + rollbem::detail::to_text(contact_of(at).a_over_b()) +
-                      " of the contact lies beyond the table, " + rollbem::detail::to_text(grid.smallest_a_over_b()) +
-                      " to " + rollbem::detail::to_text(grid.largest_a_over_b()) +
-                      ": its border gives the forces while off_table is 1";
+            warning = "a/b = " + to_text(contact_of(at).a_over_b()) + " of the contact lies beyond the table, " +
+                      range_of_table(" to ") + ": its border gives the forces while off_table is 1";
         }
         off_table_ = on_table ? 0 : 1;
     }
 
-    rollbem::PatchContact<double> contact_of(const Values& at) const {
+    PatchContact<double> contact_of(const Values& at) const {
         if (!is_given(at) && is_lifted(at)) return ellipse_->contact();
-        const rollbem::SemiAxes<double> axes = axes_of(at);
-        return rollbem::PatchContact<double>({axes.half_length, axes.half_width, shear_modulus_, poisson_ratio_});
+        const SemiAxes<double> axes = axes_of(at);
+        return PatchContact<double>({axes.half_length, axes.half_width, shear_modulus_, poisson_ratio_});
     }
 
-    rollbem::TabulatedForce find(const Values& at) const {
-        rollbem::TabulatedForce refused;
+    TabulatedForce find(const Values& at) const {
+        TabulatedForce refused;
         refused.status = Status::invalid_load;
         if (at[load] < 0 || (is_given(at) && !(at[length] > 0 && at[width] > 0))) return refused;
         const double V = std::max(at[speed], least_speed);
@@ -384,24 +385,25 @@ private:
                                {at[along] / V, at[across] / V, at[spin] / V});
     }
 
-    static Step step_of(const rollbem::TabulatedForce& found, const Past& step) {
+    static Step step_of(const TabulatedForce& found, const Past& step) {
         Step result;
         result.status = found.status;
         if (result.status != Status::ok) return result;
-        const auto [x, y, turn] = step.shift();
         result.force = found.force;
-        result.tangent = 1 / (step.duration * std::max(step.at[speed], least_speed)) * found.tangent;
+        result.tangent = 1 / std::max(step.at[speed], least_speed) * found.tangent;
         result.tangent_by_load = found.tangent_by_load;
         result.tangent_by_half_length = found.tangent_by_half_length;
         result.tangent_by_half_width = found.tangent_by_half_width;
-        result.slip_work = -(x * found.force.longitudinal + y * found.force.lateral + turn * found.force.moment);
+        result.slip_work =
+            -step.duration * (step.at[along] * found.force.longitudinal + step.at[across] * found.force.lateral +
+                              step.at[spin] * found.force.moment);
         return result;
     }
 
     Force partial_of_table_by_speed() const {
         if (past_.at[speed] <= least_speed) return {0, 0, 0};
         const auto& [by_longitudinal, by_lateral, by_spin] = last_.tangent;
-        return -past_.duration / past_.at[speed] *
+        return -1 / past_.at[speed] *
                (past_.at[along] * by_longitudinal + past_.at[across] * by_lateral + past_.at[spin] * by_spin);
     }
 
@@ -422,7 +424,7 @@ private:
 
     std::array<Input, inputs> inputs_{{{0}, {0}, {0}, {20}, {1e5}, {1}, {0}, {0}}};
     double shear_modulus_ = 8e10, poisson_ratio_ = 0.28, friction_coefficient_ = 0.3, largest_load_ = 2e5;
-    rollbem::HertzEllipse<double>::Radii wheel_{.rolling = 0.46, .lateral = 1e9}, rail_{.rolling = 1e9, .lateral = 0.3};
+    HertzEllipse<double>::Radii wheel_{.rolling = 0.46, .lateral = 1e9}, rail_{.rolling = 1e9, .lateral = 0.3};
     int elements_ = 8, strips_ = 8, mesh_size_ = mesh_follows_load, mode_ = by_elements, initial_state_ = at_rest;
     std::string table_file_;
 
@@ -430,17 +432,17 @@ private:
     double half_length_ = 0, half_width_ = 0;
     int sticking_elements_ = 0, off_table_ = 0;
 
-    std::optional<rollbem::HertzEllipse<double>> ellipse_;  // under largest_load
-    Past past_;                                             // the last step: inputs that count, result
+    std::optional<HertzEllipse<double>> ellipse_;  // under largest_load
+    Past past_;                                    // the last step: inputs that count, result
     Step last_;
 
-    std::shared_ptr<const rollbem::CreepForceTable> table_;  // where mode is table
+    std::shared_ptr<const CreepForceTable> table_;  // where mode is table
 
     std::optional<Hertz> hertz_;  // where mode is patch, as all below
-    std::optional<FrictionModel> model_;
-    std::optional<rollbem::Run<FrictionModel>> run_;
-    State from_;                            // where the last step began
-    rollbem::NormalLoad<double> end_load_;  // of the present step
+    std::optional<Friction> model_;
+    std::optional<Run<Friction>> run_;
+    State from_;                   // where the last step began
+    NormalLoad<double> end_load_;  // of the present step
 };
 
 }  // namespace
