@@ -9,7 +9,7 @@
 
 namespace fmu {
 
-/// Of the messages with fmi2Warning, fmi2Discard and fmi2Error.
+/// Categories of messages with fmi2Warning, fmi2Discard and fmi2Error.
 inline constexpr std::array log_categories{"logStatusWarning", "logStatusDiscard", "logStatusError"};
 
 /// The text of modelDescription.xml.

@@ -41,7 +41,7 @@ enum class Causality { parameter, input, output };
 /// One variable. Its value reference is its place in the table, its start value the value when it enters the table.
 struct Variable {
     using Value = std::variant<double*, int*, bool*, std::string*>;
-    /// Throws std::invalid_argument, naming a quantity whose value breaks the rule.
+    /// A check that throws std::invalid_argument, naming the quantity whose value breaks its rule.
     using Rule = void (*)(const char* who, const char* quantity, double value);
 
     std::string name;
@@ -151,7 +151,7 @@ public:
     rollbem::Status step(double duration);
 
     /// The derivative of an output at the end of the last step by an input during it, both by their index. Throws
-    /// NoDerivative if there is none; NaN likewise.
+    /// NoDerivative if there is none, or returns NaN.
     virtual double partial(Eigen::Index output, Eigen::Index input) = 0;
 
     /// Names the values that an instance keeps besides the variables.
@@ -164,6 +164,7 @@ protected:
         double rate = 0;
         double after(double duration) const { return value + duration * rate; }
     };
+    /// Values of inputs after a part of the next step.
     template <std::size_t count>
     static auto after(double duration, const std::array<Input, count>& inputs) {
         Eigen::Array<double, static_cast<int>(count), 1> values;

@@ -52,8 +52,8 @@ const Enumeration mesh_sizes{
 const Enumeration initial_states{"InitialState",
                                  {{"rest", "no traction"}, {"steady", "steady rolling at the first inputs"}}};
 
-/// Inputs in the order of the table of variables: velocities of slip and of spin, the rolling speed, and what counts at
-/// the end of a step.
+/// Inputs in the order of the table of variables: velocities of slip and spin, the rolling speed, and those that count
+/// at the end of a step.
 enum Of : Eigen::Index { along, across, spin, speed, load, factor, length, width, inputs };
 using Values = Eigen::Array<double, inputs, 1>;
 
@@ -286,7 +286,7 @@ private:
         return found;
     }
 
-    // A step over the mean velocities.
+    // A step at the mean velocities, which becomes the present state if it is ok.
     Step take_by_elements(const Values& start, Past& step) {
         step.at.head<speed + 1>() = (start.head<speed + 1>() + step.at.head<speed + 1>()) / 2;
         Step result = try_step(step);
@@ -297,7 +297,7 @@ private:
         return result;
     }
 
-    // With `by_factor` tangent_by_load is the derivative by the factor of mu.
+    // A step that is not accepted; with `by_factor` tangent_by_load is the derivative by the factor of mu.
     Step try_step(const Past& step, bool by_factor = false) {
         Step failed;
         failed.status = is_given(step.at) ? Status::invalid_load : hertz_->set(step.at[load], end_load_);
