@@ -20,6 +20,7 @@
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
 
+#include <rollbem/compiled/stability.hpp>
 #include <rollbem/compiled/wheelset.hpp>
 
 namespace {
@@ -61,7 +62,7 @@ public:
         const Vector arms{{1, 0.75, radius, 1, 0.75, radius, 1, 1}};  // of the moments [m]
         const auto norm = [&](const Vector& forces) { return forces.cwiseQuotient(arms).norm() / load; };
         for (int k = 0; k < 200 && !(norm(rest) < precise); ++k) {
-            const Vector step = by_position_.partialPivLu().solve(rest), from = x;
+            const Vector step = Eigen::MatrixXd(by_position_).partialPivLu().solve(rest), from = x;
             double least = std::numeric_limits<double>::infinity();
             for (double part = 1; part > 1e-3; part /= 2) {  // the best of them, as forces bend where contacts jump
                 const double left = norm(residual(from - part * step));
@@ -84,7 +85,8 @@ public:
         for (const int pitch : {int(pitch_rate), axle_size + pitch_rate}) A.col(size + pitch) += A.col(pitch);
         std::array<int, positions.size() + size> kept{};
         std::iota(std::ranges::copy(positions, kept.begin()).out, kept.end(), int(size));
-        return Eigen::EigenSolver<Eigen::MatrixXd>(A(kept, kept), false).eigenvalues().real().maxCoeff();
+        const Eigen::MatrixXd moving = A(kept, kept);
+        return Eigen::EigenSolver<Eigen::MatrixXd>(moving, false).eigenvalues().real().maxCoeff();
     }
 
 private:
@@ -171,13 +173,8 @@ int compare(int count, char** radii) {
     std::puts(
         "# R m, growth 1/s, y and yaw of axles and frame mm, mrad: by tables, then by patches with 10, 20, 40 um");
     for (int k = 0; k < count; ++k) {
-        const double radius_of_curve = std::atof(radii[k]);
-        if (!(radius_of_curve >= 300)) {
-            std::fprintf(stderr, "bogie_curve: radius of the curve = %s m must be at least 300\n", radii[k]);
-            return 2;
-        }
         Bogie bogie;
-        bogie.curvature = 1 / radius_of_curve;
+        bogie.curvature = 1 / std::atof(radii[k]);
         std::optional<Vector> x = bogie.balance(0);
         for (const double step : {0.0, 1e-5, 2e-5, 4e-5}) {
             bogie.patch_step = step;

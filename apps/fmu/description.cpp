@@ -1,12 +1,16 @@
 // modelDescription.xml and the documentation of an FMU, written from the table of its variables.
 #include "description.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "model.hpp"
@@ -18,13 +22,7 @@ namespace {
 std::string escaped(std::string_view text) {
     std::string result;
     for (const char c : text) {
-        switch (c) {
-            case '&': result += "&amp;"; break;
-            case '<': result += "&lt;"; break;
-            case '>': result += "&gt;"; break;
-            case '"': result += "&quot;"; break;
-            default: result += c;
-        }
+        result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
     }
     return result;
 }
@@ -33,21 +31,10 @@ std::string attribute(const char* name, std::string_view value) {
     return std::string(" ") + name + "=\"" + escaped(value) + '"';
 }
 
-bool has_start(const Variable& variable) {
-    return variable.causality == Causality::parameter || variable.causality == Causality::input;
-}
+bool has_start(const Variable& variable) { return variable.causality != Causality::output; }
 
-const char* causality_of(const Variable& variable) {
-    switch (variable.causality) {
-        case Causality::parameter: return "parameter";
-        case Causality::input: return "input";
-        case Causality::output: break;
-    }
-    return "output";
-}
-
-const char* variability_of(const Variable& variable) {
-    return variable.causality == Causality::parameter ? "fixed" : variable.is<double>() ? "continuous" : "discrete";
+const char* name_of(Causality causality) {
+    return std::array{"parameter", "input", "output"}[static_cast<std::size_t>(causality)];
 }
 
 std::string start_of(const Variable& variable) {
@@ -56,16 +43,14 @@ std::string start_of(const Variable& variable) {
 }
 
 std::string units(const std::vector<Variable>& variables) {
-    std::set<std::string> used;
-    for (const Variable& variable : variables) used.insert(variable.unit);
     std::string text = "  <UnitDefinitions>\n";
     for (const Unit& unit : known_units()) {
-        if (!used.contains(unit.name)) continue;
+        if (std::ranges::find(variables, unit.name, &Variable::unit) == variables.end()) continue;
         text += "    <Unit" + attribute("name", unit.name) + "><BaseUnit";
-        if (unit.kg != 0) text += attribute("kg", text_of(unit.kg));
-        if (unit.m != 0) text += attribute("m", text_of(unit.m));
-        if (unit.s != 0) text += attribute("s", text_of(unit.s));
-        if (unit.rad != 0) text += attribute("rad", text_of(unit.rad));
+        for (const auto& [base, exponent] :
+             {std::pair("kg", unit.kg), {"m", unit.m}, {"s", unit.s}, {"rad", unit.rad}}) {
+            if (exponent != 0) text += attribute(base, text_of(exponent));
+        }
         text += "/></Unit>\n";
     }
     return text + "  </UnitDefinitions>\n";
@@ -91,8 +76,10 @@ std::string types(const std::vector<Variable>& variables) {
 std::string scalar_variable(const Variable& variable, std::size_t place) {
     std::string text = "    <ScalarVariable" + attribute("name", variable.name) +
                        attribute("valueReference", text_of(place)) + attribute("description", variable.description) +
-                       attribute("causality", causality_of(variable)) +
-                       attribute("variability", variability_of(variable));
+                       attribute("causality", name_of(variable.causality)) +
+                       attribute("variability", variable.causality == Causality::parameter ? "fixed"
+                                                : variable.is<double>()                    ? "continuous"
+                                                                                           : "discrete");
     // FMI takes an input's start value as exact
     if (variable.causality != Causality::input) {
         text += attribute("initial", has_start(variable) ? "exact" : "calculated");
@@ -108,15 +95,6 @@ std::string scalar_variable(const Variable& variable, std::size_t place) {
     if (std::isfinite(variable.max)) text += attribute("max", text_of(variable.max));
     if (has_start(variable)) text += attribute("start", start_of(variable));
     return text + "/></ScalarVariable>\n";
-}
-
-/// The outputs as a list of unknowns.
-std::string unknowns(const char* name, const std::vector<Variable>& variables) {
-    std::string text = std::string("    <") + name + ">\n";
-    for (std::size_t i = 0; i < variables.size(); ++i) {
-        if (!has_start(variables[i])) text += "      <Unknown" + attribute("index", text_of(i + 1)) + "/>\n";
-    }
-    return text + "    </" + name + ">\n";
 }
 
 /// All of modelDescription.xml, with a given GUID.
@@ -136,16 +114,19 @@ std::string description_with(std::string_view guid) {
     text += "  <CoSimulation" + abilities + attribute("canHandleVariableCommunicationStepSize", "true") +
             attribute("canInterpolateInputs", "true") + "/>\n";
     text += units(variables) + types(variables);
-    text +=
-        "  <LogCategories>\n    <Category name=\"logStatusWarning\"/>\n    <Category name=\"logStatusDiscard\"/>\n"
-        "    <Category name=\"logStatusError\"/>\n"
-        "  </LogCategories>\n";
+    text += "  <LogCategories>\n";
+    for (const char* category : log_categories) text += "    <Category" + attribute("name", category) + "/>\n";
+    text += "  </LogCategories>\n";
     text += "  <DefaultExperiment" + attribute("startTime", "0") + attribute("stopTime", text_of(identity.stop_time)) +
             attribute("stepSize", text_of(identity.step_size)) + "/>\n";
+    std::string unknowns;
     text += "  <ModelVariables>\n";
-    for (std::size_t i = 0; i < variables.size(); ++i) text += scalar_variable(variables[i], i);
-    text += "  </ModelVariables>\n  <ModelStructure>\n";
-    text += unknowns("Outputs", variables) + unknowns("InitialUnknowns", variables);
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+        text += scalar_variable(variables[i], i);
+        if (!has_start(variables[i])) unknowns += "      <Unknown" + attribute("index", text_of(i + 1)) + "/>\n";
+    }
+    text += "  </ModelVariables>\n  <ModelStructure>\n    <Outputs>\n" + unknowns + "    </Outputs>\n";
+    text += "    <InitialUnknowns>\n" + unknowns + "    </InitialUnknowns>\n";
     return text + "  </ModelStructure>\n</fmiModelDescription>\n";
 }
 
@@ -185,7 +166,7 @@ std::string table_of_variables() {
                 ++value;
             }
         }
-        text += "| `" + variable.name + "` | " + causality_of(variable) + " | " + variable.unit + " | " + start +
+        text += "| `" + variable.name + "` | " + name_of(variable.causality) + " | " + variable.unit + " | " + start +
                 " | " + meaning + " |\n";
     }
     return text;

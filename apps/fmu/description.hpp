@@ -2,11 +2,15 @@
 // the hash of a description or a saved state.
 #pragma once
 
+#include <array>
 #include <charconv>
 #include <cstdint>
 #include <string>
 
 namespace fmu {
+
+/// Categories of messages with fmi2Warning, fmi2Discard and fmi2Error.
+inline constexpr std::array log_categories{"logStatusWarning", "logStatusDiscard", "logStatusError"};
 
 /// The text of modelDescription.xml.
 std::string model_description();

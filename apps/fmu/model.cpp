@@ -1,8 +1,12 @@
 // Functions that all models share.
 #include "model.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 namespace fmu {
 
@@ -24,11 +28,6 @@ Enumeration enumerate_statuses() {
 
 const Enumeration step_statuses = enumerate_statuses();
 
-Outcome outcome_of(rollbem::Status status) {
-    if (status == rollbem::Status::ok) return Outcome::ok;
-    return status == rollbem::Status::not_finite ? Outcome::not_a_number : Outcome::refused;
-}
-
 std::span<const Unit> known_units() {
     static constexpr Unit units[] = {{"m", 0, 1, 0},  {"m/s", 0, 1, -1}, {"rad", 0, 0, 0, 1}, {"rad/s", 0, 0, -1, 1},
                                      {"N", 1, 1, -2}, {"N.m", 1, 2, -2}, {"Pa", 1, -1, -2},   {"J", 1, 2, -2}};
@@ -36,6 +35,8 @@ std::span<const Unit> known_units() {
 }
 
 Variable& Model::add(Variable variable) {
+    const auto same = [&](const Variable& other) { return other.causality == variable.causality; };
+    variable.index = std::ranges::count_if(variables_, same);
     const std::size_t place = variables_.size();
     variables_.push_back(variable);
     if (variable.items != nullptr) {
@@ -45,15 +46,27 @@ Variable& Model::add(Variable variable) {
                               .value = sets ? &codes_.emplace_back(0) : &variable.integer(),
                               .description = variable.name + meaning,
                               .causality = variable.causality,
-                              .is_code = true});
+                              .is_code = true,
+                              .index = variable.index + 1});
     }
     return variables_[place];
 }
 
-void Model::require_finite_inputs() const {
+void Model::check_range(const Variable& variable, double least, double most) {
+    const double value = variable.number();
+    const std::string within =
+        "lie in [" + rollbem::detail::to_text(least) + ", " + rollbem::detail::to_text(most) + "]";
+    require(value >= least && value <= most, variable.name.c_str(), value,
+            rollbem::detail::is_finite(most) ? within : "not be negative");
+}
+
+void Model::check(Causality causality) const {
     for (const Variable& variable : variables_) {
-        if (variable.causality != Causality::input) continue;
-        require(rollbem::detail::is_finite(variable.real()), variable.name.c_str(), variable.real(), "be finite");
+        if (variable.causality != causality) continue;
+        const char* const name = variable.name.c_str();
+        if (causality == Causality::input) rollbem::detail::require_finite(identity.identifier, name, variable.real());
+        if (variable.rule != nullptr) variable.rule(identity.identifier, name, variable.number());
+        if (std::isfinite(variable.min)) check_range(variable, variable.min, variable.max);
     }
 }
 
@@ -61,16 +74,26 @@ void Model::settle_enumerations() {
     for (std::size_t i = 0; i < variables_.size(); ++i) {
         const Variable& variable = variables_[i];
         if (variable.items == nullptr || variable.causality != Causality::parameter) continue;
-        const int most = static_cast<int>(variable.items->items.size());
-        const auto check = [most](const Variable& one, int least) {
-            const std::string rule = "lie in [" + std::to_string(least) + ", " + std::to_string(most) + "]";
-            require(one.integer() >= least && one.integer() <= most, one.name.c_str(), one.integer(), rule.c_str());
-        };
         const Variable& code = variables_[i + 1];
-        check(code, 0);
+        const double most = static_cast<double>(variable.items->items.size());
+        check_range(code, 0, most);
         if (code.integer() != 0) variable.integer() = code.integer();
-        check(variable, 1);
+        check_range(variable, 1, most);
     }
+}
+
+void Model::begin() {
+    settle_enumerations();
+    check(Causality::parameter);
+    slip_work_ = 0;
+    const std::optional<rollbem::Status> first = build();
+    status_ = first ? static_cast<int>(*first) + 1 : 0;
+}
+
+rollbem::Status Model::step(double duration) {
+    const rollbem::Status status = advance(duration);
+    status_ = static_cast<int>(status) + 1;
+    return status;
 }
 
 void Archive::keep(std::string& text) {
