@@ -44,11 +44,11 @@ struct SlipLaw {
     rollbem::FrictionMemory<> memory{};
 };
 
-/// Half-length of a mesh that covers the contact under load_ratio during the whole run [a_0].
-double largest_half_length(const study::History& imposed);
+/// Half-length of a mesh that covers the contact during the whole run [a_0].
+double largest_half_length(const study::Run& run);
 
-/// Hertz's contact with a_0 = 1 and p_0 = 1 under N_0, on the mesh that the history needs.
-rollbem::HertzLoad<double> hertz_load(const study::History& imposed, bool breathing, const rollbem::Mesh<double>& mesh);
+/// Hertz's contact with a_0 = 1 and p_0 = 1 under N_0, on the mesh that the run needs.
+rollbem::HertzLoad<double> hertz_load(const study::Run& run, const rollbem::Mesh<double>& mesh);
 
 /// Creepage ratios delta = xi G/(2 (1-nu) mu p0).
 struct CreepPoint {

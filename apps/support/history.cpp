@@ -76,11 +76,36 @@ const Numbers& History::values(const std::string& column) const {
 std::vector<std::string> HistoryColumns::all() const {
     std::vector<std::string> names(creepage.begin(), creepage.end());
     names.insert(names.end(), shift.begin(), shift.end());
+    if (friction()) names.emplace_back("force");
     std::erase(names, "");
-    return joined(std::move(names), others);
+    return joined(joined(std::move(names), load), others);
 }
 
-void add_history_options(Options& options, const HistoryColumns& columns, const std::string& mode) {
+HistoryTable read_history_table(const Options& options, const std::string& name, const std::string& needed,
+                                const std::string& further, bool only) {
+    std::string list = needed + "," + further;
+    std::replace(list.begin(), list.end(), ';', ',');
+    std::vector<std::string> names = cells_of(list);
+    std::erase(names, "");
+    std::vector<Numbers> read = read_columns(
+        options, name, "q_over_a" + (needed.empty() ? "" : "," + needed), further,
+        [&](const auto& so_far, const auto& where) {
+            if (only && so_far[0].back() < 0) {
+                throw BadInput(where + ": q_over_a must be at least 0: rolling starts from rest there");
+            }
+            require_order(so_far[0], "q_over_a", where);
+        },
+        only ? names : std::vector<std::string>{});
+    options.require(!read[0].empty(), name, "have at least one row below its header");
+    HistoryTable table{std::move(read[0]), {}};
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        if (!read[k + 1].empty()) table.columns[names[k]] = std::move(read[k + 1]);
+    }
+    options.require(!table.columns.empty(), name, "have a column of " + listed(names, "or"));
+    return table;
+}
+
+void add_history_options(Options& options, const HistoryColumns& columns) {
     const std::string& main = columns.main();
     const std::vector<std::string> all = columns.all();
     options.add("step", "X", main + " X [dimensionless] from q = 0 on, not 0");
@@ -96,46 +121,22 @@ void add_history_options(Options& options, const HistoryColumns& columns, const 
     options.not_with({"ramp", "sine", "history"}, "step");
     options.not_with({"sine", "history"}, "ramp");
     options.not_with({"history"}, "sine");
-    for (const char* name : {"step", "ramp", "sine", "history"}) {
-        if (!mode.empty()) Options::Added{options, name}.only_with({mode});
-    }
 }
 
-namespace {
-
-void read_table(const Options& options, const HistoryColumns& columns, History& history) {
-    const std::vector<std::string> names = columns.all();
-    const bool one = names.size() == 1;
-    std::vector<Numbers> read = read_columns(
-        options, "history", one ? "q_over_a," + names[0] : "q_over_a", one ? "" : join(names, ";"),
-        [&](const auto& so_far, const auto& where) {
-            if (so_far[0].back() < 0) {
-                throw BadInput(where + ": q_over_a must be at least 0: rolling starts from rest there");
-            }
-            require_order(so_far[0], "q_over_a", where);
-        },
-        names);
-    options.require(!read[0].empty(), "history", "have at least one row below its header");
-    std::map<std::string, Numbers> found;
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        if (!read[k + 1].empty()) found[names[k]] = std::move(read[k + 1]);
-    }
-    options.require(!found.empty(), "history", "have a column of " + listed(names, "or"));
-    history.set(read[0], std::move(found));
-}
-
-}  // namespace
-
-History read_history(const Options& options, const HistoryColumns& columns, const std::vector<std::string>& constants,
-                     const Rule& rule) {
+History read_history(const Options& options, const HistoryColumns& columns, const Rule& rule) {
+    const std::vector<std::string> all = columns.all();
     History history;
     if (options.given("step")) history.set(columns.main(), options.number("step", not_zero));
     if (options.given("ramp")) history.set_ramp(columns.main(), options.number("ramp", not_zero));
     if (options.given("sine")) history.set(columns.main(), read_sine(options));
-    if (options.given("history")) read_table(options, columns, history);
-    for (const std::string& column : constants) {
+    if (options.given("history")) {
+        const bool one = all.size() == 1;
+        HistoryTable table = read_history_table(options, "history", one ? all[0] : "", one ? "" : join(all, ";"), true);
+        history.set(table.places, std::move(table.columns));
+    }
+    for (const std::string& column : all) {
         const std::string name = option_of(column);
-        if (!options.given(name)) continue;
+        if (!options.has(name) || !options.given(name)) continue;
         if (history.has(column)) options.ignored(name, "with the column " + column + " of --history");
         history.set(column, options.number(name, rule));
     }

@@ -35,7 +35,7 @@ public:
     void set(const std::string& column, double value);
     void set(const std::string& column, const Sine& sine, double mean = 0);
     void set_ramp(const std::string& column, double rate);
-    /// A column is linear between ascending places, of which two equal ones make a jump.
+    /// Columns are linear between ascending places, of which two equal ones make a jump.
     void set(const Numbers& places, std::map<std::string, Numbers> columns);
 
     /// The places at which steps have to end: the places of all tables.
@@ -62,18 +62,31 @@ private:
 struct HistoryColumns {
     std::array<std::string, 3> creepage;  ///< along x, which --step, --ramp and --sine set, along y, and spin
     std::array<std::string, 2> shift{};
+    std::vector<std::string> load{};  ///< of friction, which takes a force, too: load_ratio, and further ones of --load
     std::vector<std::string> others{};
 
+    bool friction() const { return !load.empty(); }
     const std::string& main() const { return creepage[0]; }
     std::vector<std::string> all() const;
 };
 
-/// Declares --step, --ramp, --sine and --history, of which one may be given; with `mode`, only that option takes them.
-void add_history_options(Options& options, const HistoryColumns& columns, const std::string& mode = "");
+/// Columns of a file over ascending places q_over_a.
+struct HistoryTable {
+    Numbers places;
+    std::map<std::string, Numbers> columns;
+};
 
-/// The history by the options of `columns`, and the constants of options that are called like their columns and hold to
-/// a rule. Throws BadInput.
-History read_history(const Options& options, const HistoryColumns& columns,
-                     const std::vector<std::string>& constants = {}, const Rule& rule = finite());
+/// The file of --name: its columns `needed`, separated by commas, and the `further` ones that it has, in groups as
+/// read_columns takes them, with its `check` of each line besides; others are refused if `only` these apply. Throws
+/// BadInput.
+HistoryTable read_history_table(const Options& options, const std::string& name, const std::string& needed,
+                                const std::string& further, bool only = false);
+
+/// Declares --step, --ramp, --sine and --history, of which one may be given.
+void add_history_options(Options& options, const HistoryColumns& columns);
+
+/// The history by the options of `columns`. Options that are called like a column give it a constant value, which holds
+/// to a rule. Throws BadInput.
+History read_history(const Options& options, const HistoryColumns& columns, const Rule& rule = finite());
 
 }  // namespace study
