@@ -14,6 +14,7 @@
 #include "options.hpp"
 #include "output.hpp"
 #include "plot.hpp"
+#include "progress.hpp"
 
 namespace study {
 
@@ -76,6 +77,11 @@ bool has_times(const Options& options);
 
 /// Whether a progress line is wanted: not with --quiet.
 inline bool shows_progress(const Options& options) { return !options.flag("quiet"); }
+
+/// The threads of --jobs.
+inline Threads read_threads(const Options& options) {
+    return {options.program(), job_count(options), shows_progress(options)};
+}
 
 /// Writes the table to --output, with its companion file, gives these and `files` their names, and draws it. Throws
 /// BadInput before it computes anything, WriteError, and when the rows are written PlotError, or std::runtime_error if
