@@ -228,14 +228,17 @@ Response solve(const rollbem::Contact<double>& contact, double omega, Eigen::Ind
     return response;
 }
 
-/// Emits responses by a polynomial of the scene's degree, or by the closed form.
-void emit_without_elements(const study::Scene& scene, const std::vector<double>& omegas, bool checked,
-                           study::RowRange range, const study::Results<Response>& emit) {
-    for (std::size_t i = range.first; i < range.last; ++i) {
-        const Complex exact = exact_c11(scene.contact, omegas[i]);
-        emit(scene.degree > 0 ? solve(scene.contact, omegas[i], scene.degree, "chebyshev", checked)
-                              : Response{omegas[i], exact, exact, study::ok});
+/// The response by a polynomial or by the closed form, of the task of a scene without elements.
+Response solve_without_elements(const Job& job, std::size_t task, double omega) {
+    const study::Scene& scene = job.scenes[task];
+    if (scene.method == "closed-form") {
+        const Complex exact = exact_c11(scene.contact, omega);
+        return {omega, exact, exact, study::ok};
     }
+    if (!job.by_polynomials()) return solve(scene.contact, omega, scene.degree, "chebyshev", job.checked);
+    const Eigen::Index order =
+        job.has_orders() ? job.orders[task] : rollbem::default_polynomial_order(Complex(0, omega));
+    return solve(scene.contact, omega, order, job.basis, job.checked);
 }
 
 // --- differential equations and pictures
@@ -293,27 +296,22 @@ study::Plot draw_response(const std::vector<study::Row>& rows, const Job& job) {
 
 /// A row for each scene and frequency. What must be refused of polynomials shows before anything is written.
 study::Table table_of(const Job& job) {
-    const auto index_of = [&](const study::Scene& scene) { return std::size_t(&scene - job.scenes.data()); };
-    const auto known = std::make_shared<std::vector<std::vector<Response>>>(job.scenes.size());
+    const auto known = std::make_shared<std::vector<std::vector<Response>>>(job.scenes.size());  // without elements
     study::Table table = sheet.table(
         job.scenes, [&](const study::Scene&) { return job.omegas.size(); },
         [=, &job](const study::Scene& scene, study::RowRange range, const study::Results<Response>& emit) {
             if (scene.is_discrete()) return emit_sweep(scene, job.omegas, job.checked, range, emit);
-            if (!job.by_polynomials()) return emit_without_elements(scene, job.omegas, job.checked, range, emit);
-            for (std::size_t i = range.first; i < range.last; ++i) emit((*known)[index_of(scene)][i]);
+            const std::vector<Response>& own = (*known)[std::size_t(&scene - job.scenes.data())];
+            for (std::size_t i = range.first; i < range.last; ++i) emit(own[i]);
         });
-    table.plot = [&](const std::vector<study::Row>& rows) { return draw_response(rows, job); };
-    if (!job.by_polynomials()) return table;
-    table.label = {};
     table.prepare = [=, &job](const std::vector<std::size_t>& tasks, const auto&) {
         for (const std::size_t task : tasks) {
-            for (const double omega : job.omegas) {
-                const Eigen::Index order =
-                    job.has_orders() ? job.orders[task] : rollbem::default_polynomial_order(Complex(0, omega));
-                (*known)[task].push_back(solve(job.scenes[task].contact, omega, order, job.basis, job.checked));
-            }
+            if (job.scenes[task].is_discrete()) continue;
+            for (const double omega : job.omegas) (*known)[task].push_back(solve_without_elements(job, task, omega));
         }
     };
+    table.plot = [&](const std::vector<study::Row>& rows) { return draw_response(rows, job); };
+    if (job.by_polynomials()) table.label = {};
     return table;
 }
 

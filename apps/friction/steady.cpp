@@ -256,24 +256,21 @@ std::string curve_help() {
 
 study::Table curve_table(const Curve& curve) {
     study::Table table = study::table_of(creep_sheet().names(), curve.scenes, curve.points.size());
-    const auto tractions = std::make_shared<study::SideTable>(
-        study::SideTable{"tractions", traction_sheet().names(), curve.keeps_tractions});
-    tractions->rows.resize(curve.scenes.size());
-    table.beside = tractions;
-    table.compute = [&, tractions](std::size_t task, study::RowRange range, const study::Emit& emit) {
+    study::SideTable& tractions = table.put_beside("tractions", traction_sheet().names(), curve.keeps_tractions);
+    table.compute = [&curve, &tractions](std::size_t task, study::RowRange range, const study::Emit& emit) {
         const study::Scene& scene = curve.scenes[task];
         const auto solve = curve.by_border ? solve_by_border : solve_by_elements;
         solve(curve, scene, range, [&](std::size_t k, const Solution& solution) {
             CreepRow row{curve, curve.line, scene, curve.points[k], solution};
             row.point.longitudinal = solution.creepage_ratio.value_or(row.point.longitudinal);
             emit(creep_sheet().row(scene, row));
-            for (; tractions->wanted && row.i < solution.x.size(); ++row.i) {
-                tractions->rows[task].push_back(traction_sheet().row(scene, row));
+            for (; tractions.wanted && row.i < solution.x.size(); ++row.i) {
+                tractions.rows[task].push_back(traction_sheet().row(scene, row));
             }
         });
     };
-    table.plot = [&, tractions, columns = table.columns](const std::vector<study::Row>& rows) {
-        return curve.line.both ? combined_creep(columns, rows, curve) : creep_picture(columns, rows, curve, *tractions);
+    table.plot = [&curve, &tractions, columns = table.columns](const std::vector<study::Row>& rows) {
+        return curve.line.both ? combined_creep(columns, rows, curve) : creep_picture(columns, rows, curve, tractions);
     };
     return table;
 }

@@ -108,11 +108,8 @@ std::string friction_help() {
 
 study::Table friction_table(const Friction& scene) {
     study::Table table = study::table_of(friction_sheet().names(), scene.patches, scene.points.size());
-    const auto tractions = std::make_shared<study::SideTable>(
-        study::SideTable{"tractions", traction_sheet().names(), scene.keeps_tractions});
-    tractions->rows.resize(scene.patches.size());
-    table.beside = tractions;
-    table.compute = [&, tractions](std::size_t task, study::RowRange range, const study::Emit& emit) {
+    study::SideTable& tractions = table.put_beside("tractions", traction_sheet().names(), scene.keeps_tractions);
+    table.compute = [&scene, &tractions](std::size_t task, study::RowRange range, const study::Emit& emit) {
         const Patch& patch = scene.patches[task];
         const rollbem::Elements<double> elements = rollbem::patch_elements(patch.mesh, patch.scheme);
         const rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2> model(
@@ -136,13 +133,13 @@ study::Table friction_table(const Friction& scene) {
             FrictionRow row{
                 patch, point, step, state, workspace.slip(), elements, largest_slip(patch, point, elements), time_us};
             emit(friction_sheet().row(patch, row));
-            for (; tractions->wanted && row.i < elements.size(); ++row.i) {
-                tractions->rows[task].push_back(traction_sheet().row(patch, row));
+            for (; tractions.wanted && row.i < elements.size(); ++row.i) {
+                tractions.rows[task].push_back(traction_sheet().row(patch, row));
             }
         }
     };
-    table.plot = [&, tractions, columns = table.columns](const std::vector<study::Row>& rows) {
-        return scene.from_above ? draw_from_above(scene.patches, scene.points.front(), *tractions)
+    table.plot = [&scene, &tractions, columns = table.columns](const std::vector<study::Row>& rows) {
+        return scene.from_above ? draw_from_above(scene.patches, scene.points.front(), tractions)
                                 : draw_friction(columns, rows, scene.force.has_value());
     };
     return table;

@@ -19,9 +19,6 @@ struct Sine {
     double amplitude, omega;
 };
 
-/// --sine AMP,OMEGA. Throws BadInput unless both are finite, AMP is not 0 and OMEGA is positive.
-Sine read_sine(const Options& options);
-
 /// Quantities over q [a], 0 where nothing is imposed and before it is.
 class History {
 public:
@@ -69,24 +66,5 @@ struct HistoryColumns {
     const std::string& main() const { return creepage[0]; }
     std::vector<std::string> all() const;
 };
-
-/// Columns of a file over ascending places q_over_a.
-struct HistoryTable {
-    Numbers places;
-    std::map<std::string, Numbers> columns;
-};
-
-/// The file of --name: its columns `needed`, separated by commas, and the `further` ones that it has, in groups as
-/// read_columns takes them, with its `check` of each line besides; others are refused if `only` these apply. Throws
-/// BadInput.
-HistoryTable read_history_table(const Options& options, const std::string& name, const std::string& needed,
-                                const std::string& further, bool only = false);
-
-/// Declares --step, --ramp, --sine and --history, of which one may be given.
-void add_history_options(Options& options, const HistoryColumns& columns);
-
-/// The history by the options of `columns`. Options that are called like a column give it a constant value, which holds
-/// to a rule. Throws BadInput.
-History read_history(const Options& options, const HistoryColumns& columns, const Rule& rule = finite());
 
 }  // namespace study

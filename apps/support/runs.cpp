@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include "csv.hpp"
+#include "input.hpp"
 #include "scenes.hpp"
 
 namespace study {
@@ -57,6 +59,36 @@ double next_stop(const Numbers& knots, double from, double to) {
     const auto next = std::upper_bound(knots.begin(), knots.end(), from);
     return next == knots.end() ? to : std::min(*next, to);
 }
+
+Sine read_sine(const Options& options) {
+    const auto sine = options.pair("sine");
+    options.require(sine && sine->first != 0 && sine->second > 0, "sine",
+                    "be AMP,OMEGA with AMP finite and not 0 and OMEGA > 0");
+    return {sine->first, sine->second};
+}
+
+namespace {
+
+/// Declares --step, --ramp, --sine and --history, of which one may be given.
+void add_history_options(Options& options, const HistoryColumns& columns) {
+    const std::string& main = columns.main();
+    const std::vector<std::string> all = columns.all();
+    options.add("step", "X", main + " X [dimensionless] from q = 0 on, not 0");
+    options.add("ramp", "RATE", main + " RATE q/a [dimensionless], RATE not 0");
+    options.add("sine", "AMP,OMEGA",
+                main +
+                    " AMP sin(OMEGA q/a) [dimensionless], AMP not 0, OMEGA in V/a above 0; steps of D take its chords, "
+                    "which are too low by a fraction (OMEGA D)^2/12");
+    options.add_input("history", "CSV file of the imposed quantities [dimensionless], with the column q_over_a and " +
+                                     (all.size() == 1 ? main : "any of " + listed(all, "and")) +
+                                     ": linear between its rows, zero before the first, constant after the last; two "
+                                     "rows at one q_over_a make a jump");
+    options.not_with({"ramp", "sine", "history"}, "step");
+    options.not_with({"sine", "history"}, "ramp");
+    options.not_with({"history"}, "sine");
+}
+
+}  // namespace
 
 void add_run_options(Options& options, const HistoryColumns& columns, const RunWords& words) {
     std::vector<std::string> own{"step", "ramp", "sine", "history", "dq", "until", "integrator"};
@@ -113,6 +145,69 @@ bool Run::begins_with_shift() const {
 
 namespace {
 
+const Rule not_zero{[](double value) { return std::isfinite(value) && value != 0; }, "be finite and not 0"};
+
+/// Columns of a file over ascending places q_over_a.
+struct HistoryTable {
+    Numbers places;
+    std::map<std::string, Numbers> columns;
+};
+
+/// The file of --name: its columns `needed`, separated by commas, and the `further` ones that it has, in groups as
+/// read_columns takes them. A history begins at 0 or later, and has no other columns.
+HistoryTable read_table(const Options& options, const std::string& name, const std::string& needed,
+                        const std::string& further) {
+    const bool only = name == "history";
+    std::string list = needed + "," + further;
+    std::replace(list.begin(), list.end(), ';', ',');
+    std::vector<std::string> names = cells_of(list);
+    std::erase(names, "");
+    std::vector<Numbers> read = read_columns(
+        options, name, "q_over_a" + (needed.empty() ? "" : "," + needed), further,
+        [&](const auto& so_far, const auto& where) {
+            if (only && so_far[0].back() < 0) {
+                throw BadInput(where + ": q_over_a must be at least 0: rolling starts from rest there");
+            }
+            require_order(so_far[0], "q_over_a", where);
+        },
+        only ? names : std::vector<std::string>{});
+    options.require(!read[0].empty(), name, "have at least one row below its header");
+    HistoryTable table{std::move(read[0]), {}};
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        if (!read[k + 1].empty()) table.columns[names[k]] = std::move(read[k + 1]);
+    }
+    options.require(!table.columns.empty(), name, "have a column of " + listed(names, "or"));
+    return table;
+}
+
+/// What is imposed by --step, --ramp, --sine, --history and options that are called like a column, which give it a
+/// constant value that holds to a rule.
+History read_history(const Options& options, const HistoryColumns& columns, const Rule& rule) {
+    const std::vector<std::string> all = columns.all();
+    History history;
+    if (options.given("step")) history.set(columns.main(), options.number("step", not_zero));
+    if (options.given("ramp")) history.set_ramp(columns.main(), options.number("ramp", not_zero));
+    if (options.given("sine")) history.set(columns.main(), read_sine(options));
+    if (options.given("history")) {
+        const bool one = all.size() == 1;
+        HistoryTable table = read_table(options, "history", one ? all[0] : "", one ? "" : join(all, ";"));
+        history.set(table.places, std::move(table.columns));
+    }
+    for (const std::string& column : all) {
+        const std::string name = option_of(column);
+        if (!options.has(name) || !options.given(name)) continue;
+        if (history.has(column)) options.ignored(name, "with the column " + column + " of --history");
+        history.set(column, options.number(name, rule));
+    }
+    if (history.has("force") && history.has(columns.main())) {
+        throw BadInput("a force and a creepage along x must not be given together");
+    }
+    if (history.has("force") && history.has(columns.shift[0])) {
+        throw BadInput("a force and a shift along x must not be given together: the shift follows from the force");
+    }
+    return history;
+}
+
 /// Throws BadInput if ratios at these places are no load of the run. Ratios of a `history` may stand twice at a place.
 void require_load(const std::string& said, const Numbers& places, const Numbers& ratios, const Run& run,
                   bool by_history) {
@@ -159,7 +254,7 @@ void read_load(const Options& options, Run& run) {
         return require_load(options.said("history"), imposed.places(), imposed.values("load_ratio"), run, true);
     }
     const std::vector<std::string> further(run.columns.load.begin() + 1, run.columns.load.end());
-    HistoryTable table = read_history_table(options, "load", run.columns.load[0], join(further, ","));
+    HistoryTable table = read_table(options, "load", run.columns.load[0], join(further, ","));
     require_load(options.said("load"), table.places, table.columns["load_ratio"], run, false);
     imposed.set(table.places, std::move(table.columns));
 }

@@ -71,6 +71,9 @@ struct RunWords {
 /// --breathing and --from.
 void add_run_options(Options& options, const HistoryColumns& columns, const RunWords& words = {});
 
+/// --sine AMP,OMEGA. Throws BadInput unless both are finite, AMP is not 0 and OMEGA is positive.
+Sine read_sine(const Options& options);
+
 /// Declares --force, which friction may take in place of the creepage along x.
 void add_force(Options& options, const HistoryColumns& columns);
 
@@ -78,8 +81,9 @@ void add_force(Options& options, const HistoryColumns& columns);
 void add_unchecked(Options& options);
 
 /// The run that the options ask for: 1 to 1e7 steps, N/N_0 as the column load_ratio of its history, 1 + A sin(2 pi
-/// q/LENGTH) by --load-sine, or of the table --load. Constants hold to a rule. Throws BadInput, also if the load is
-/// negative or jumps, or a shift comes before a run from steady rolling.
+/// q/LENGTH) by --load-sine, or of the table --load. Options that are called like a column give it a constant value,
+/// which holds to a rule. Throws BadInput, also if the load is negative or jumps, or a shift comes before a run from
+/// steady rolling.
 Run read_run(const Options& options, const HistoryColumns& columns, const Rule& rule = finite());
 
 /// Fills `runs` with make(case) for each of the cases before any task is computed, as checks may take long.

@@ -55,6 +55,13 @@ struct Table {
     std::function<std::string(std::size_t task)> ended{};
     /// The words of the progress line, if set, on a task, e.g. "n = 20".
     std::function<std::string(std::size_t task)> label{};
+
+    /// Puts a second table beside this one, which must have its tasks.
+    SideTable& put_beside(const std::string& option, std::vector<std::string> its_columns, bool wanted) {
+        beside = std::make_shared<SideTable>(SideTable{option, std::move(its_columns), wanted});
+        beside->rows.resize(rows_of_task.size());
+        return *beside;
+    }
 };
 
 /// A table with a task of `rows` rows for each of `cases`, which may have a label() and must outlive it.

@@ -56,7 +56,7 @@ void require(bool holds, const char* what) {
 void take(const std::vector<std::string>& words) {
     study::Options options("fuzz", "purpose");
     const study::HistoryColumns columns{{"creepage"}};
-    study::add_history_options(options, columns);
+    study::add_run_options(options, columns);
     options.add("omega", "LIST", "numbers");
     options.refuse("plot", "there is nothing to draw");
     std::vector<const char*> argv{"fuzz"};
@@ -64,7 +64,7 @@ void take(const std::vector<std::string>& words) {
     if (options.parse(static_cast<int>(argv.size()), argv.data())) return;
     if (options.given("omega")) options.numbers("omega", study::positive());
     if (options.given("history")) {
-        const auto history = study::read_history(options, columns);
+        const study::History history = study::read_run(options, columns).imposed;
         const study::Numbers& places = history.places();
         require(!places.empty() && places.size() == history.values("creepage").size(), "as many places as values");
         require(std::is_sorted(places.begin(), places.end()), "places ascend");
