@@ -118,6 +118,21 @@ struct Rolling {
     std::optional<rollbem::reference::StepResponse> exact{};
 };
 
+// 2. One model for each scene, if eigenvalues and steady rolling tell that stepping makes sense, and the exact response
+// of its contact.
+Rolling make_rolling(const study::Scene& scene, const study::Run& run) {
+    Rolling rolling{scene.order()};
+    for (const study::Scene& one : scene.meshes()) {
+        rollbem::RollingSystem<double> system = study::system_of(one);
+        if (run.checked) study::require_steppable(one, system);
+        rolling.models.emplace_back(one.contact, std::move(system), rollbem::unchecked, run.integrator);
+    }
+    if (study::plane_model_decays(scene.contact)) {
+        rolling.exact.emplace(scene.contact.poisson_ratio(), scene.contact.aspect());
+    }
+    return rolling;
+}
+
 /// One run: emits the rows of `range`, but steps from the start, because each state needs the one before.
 void roll(const Rolling& rolling, const Creepage& creepage, study::RowRange range, const study::Results<Moment>& emit) {
     const study::Run& run = creepage.run;
@@ -209,29 +224,14 @@ int main(int argc, char** argv) {
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         const Creepage creepage = read_creepage(given);
-        const study::Run& run = creepage.run;
         const std::vector<study::Scene> scenes = study::make_non_steady_scenes(given, methods);
-        std::vector<Rolling> runs;
-        study::Table table = sheet.table(
-            scenes, [&](const study::Scene&) { return run.steps.count; },
-            [&](const study::Scene& scene, study::RowRange range, const study::Results<Moment>& emit) {
-                roll(runs[std::size_t(&scene - scenes.data())], creepage, range, emit);
+        study::Table table = study::run_table(
+            sheet, scenes, creepage.run.steps.count,
+            [&](const study::Scene& scene) { return make_rolling(scene, creepage.run); },
+            [&](const Rolling& rolling, const study::Scene&, study::RowRange range, const auto& emit) {
+                roll(rolling, creepage, range, emit);
+                return "";
             });
-
-        // 2. One model for each scene, if eigenvalues and steady rolling tell that stepping makes sense, and the exact
-        // response of its contact.
-        study::prepare_runs(table, runs, scenes, [&](const study::Scene& scene) {
-            Rolling rolling{scene.order()};
-            for (const study::Scene& one : scene.meshes()) {
-                rollbem::RollingSystem<double> system = study::system_of(one);
-                if (run.checked) study::require_steppable(one, system);
-                rolling.models.emplace_back(one.contact, std::move(system), rollbem::unchecked, run.integrator);
-            }
-            if (study::plane_model_decays(scene.contact)) {
-                rolling.exact.emplace(scene.contact.poisson_ratio(), scene.contact.aspect());
-            }
-            return rolling;
-        });
         table.plot = [&](const std::vector<study::Row>& rows) { return draw_force(creepage, rows); };
         study::write_table(given, table);
         return study::exit_ok;

@@ -95,12 +95,11 @@ std::vector<study::Column<Row>> law_columns() {
     const auto of = [](auto part, auto member) {
         return [=](const Row& r) { return r.line.law ? study::Cell((*r.line.law).*part.*member) : study::Cell(); };
     };
-    return {
-        {"layer", "compliance of the layer [a/G], of --layer", [](const Row& r) { return r.line.layer; }},
-        {"falling_ratio", "parameters of --falling", of(&SlipLaw::mu, &rollbem::ExponentialFall<>::mu_k)},
-        {"half_velocity", "parameters of --falling", of(&SlipLaw::mu, &rollbem::ExponentialFall<>::half_velocity)},
-        {"memory_distance", "parameters of --memory", of(&SlipLaw::memory, &rollbem::FrictionMemory<>::distance)},
-        {"least_velocity", "parameters of --memory", of(&SlipLaw::memory, &rollbem::FrictionMemory<>::least_velocity)}};
+    return {{"layer", "compliance of the layer [a/G], of --layer", [](const Row& r) { return r.line.layer; }},
+            {"falling_ratio", "parameters of --falling", of(&SlipLaw::mu, &rollbem::ExponentialFall<>::mu_k)},
+            {"half_velocity", "", of(&SlipLaw::mu, &rollbem::ExponentialFall<>::half_velocity)},
+            {"memory_distance", "parameters of --memory", of(&SlipLaw::memory, &rollbem::FrictionMemory<>::distance)},
+            {"least_velocity", "", of(&SlipLaw::memory, &rollbem::FrictionMemory<>::least_velocity)}};
 }
 
 /// value/exact - 1 where both are defined.

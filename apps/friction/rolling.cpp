@@ -141,7 +141,7 @@ private:
 
     /// The last trial of a motion for the force at q.
     Step found(double q, bool behind, double guess, const std::function<Step(double)>& trial) const {
-        return find_for_force(rolling_.run.imposed.at("force", q, behind), rolling_.full, guess, trial).step;
+        return find_for_force(rolling_.run.imposed.at("force", q, behind), rolling_.full, guess, trial);
     }
 
     /// The trial of the run becomes its present state.
@@ -203,13 +203,13 @@ std::optional<Creepage> Rolling::jump(double q) const {
     return moves || pulls ? std::optional(by) : std::nullopt;
 }
 
-FoundMotion find_for_force(double force, double full, double guess, const std::function<Step(double)>& trial) {
+Step find_for_force(double force, double full, double guess, const std::function<Step(double)>& trial) {
     constexpr double precision = 1e-13;  // of the force
-    FoundMotion last{guess, {}};
+    Step last;
     const auto miss = [&](double motion) {
-        last = {motion, trial(motion)};
-        const bool solved = last.step.status == Status::ok;
-        return solved ? -last.step.force.longitudinal / full - force : std::numeric_limits<double>::quiet_NaN();
+        last = trial(motion);
+        return last.status == Status::ok ? -last.force.longitudinal / full - force
+                                         : std::numeric_limits<double>::quiet_NaN();
     };
     const auto is_done = [](double miss_) { return !(std::abs(miss_) > precision); };
     double a = guess, at_a = miss(a), stride = at_a < 0 ? 0.05 : -0.05;
@@ -223,7 +223,7 @@ FoundMotion find_for_force(double force, double full, double guess, const std::f
         if (is_done(at_b)) return last;
     }
     if (at_a * at_b > 0) {
-        last.step.status = Status::no_solution;
+        last.status = Status::no_solution;
         return last;
     }
     for (int k = 0; k < 200; ++k) {  // regula falsi, by Illinois
@@ -238,7 +238,7 @@ FoundMotion find_for_force(double force, double full, double guess, const std::f
         b = middle;
         at_b = at_middle;
     }
-    last.step.status = Status::no_solution;
+    last.status = Status::no_solution;
     return last;
 }
 

@@ -54,14 +54,10 @@ struct Moment {
     std::string status{};
 };
 
-/// The longitudinal creepage, or shift, under which trial() has the force -F_x/full = `force`, near `guess`. Its step
-/// is the last trial; no_solution where there is none.
-struct FoundMotion {
-    double motion;
-    rollbem::FrictionStep<2> step;
-};
-FoundMotion find_for_force(double force, double full, double guess,
-                           const std::function<rollbem::FrictionStep<2>(double)>& trial);
+/// The last trial of a longitudinal creepage, or shift, the one with the force -F_x/full = `force`, searched from `guess`
+/// on; no_solution where there is none.
+rollbem::FrictionStep<2> find_for_force(double force, double full, double guess,
+                                        const std::function<rollbem::FrictionStep<2>(double)>& trial);
 
 /// Rolls from the start, as the state requires, and emits the rows of `range`. Returns why the run ended before these
 /// rows did; nothing if it did not.
@@ -82,20 +78,11 @@ auto if_computed(const Value& value) {
 template <class Sheet, class Case, class Make, class Row>
 study::Table rolling_table(const Sheet& sheet, const std::vector<Case>& cases, const study::Run& run, const Make& make,
                            const Row& row) {
-    struct Runs {
-        std::vector<Rolling> of;
-        std::vector<std::string> ended;
-    };
-    const auto runs = std::make_shared<Runs>();
-    runs->ended.resize(cases.size());
-    study::Table table = study::table_of(sheet.names(), cases, run.steps.count + (run.begins_with_shift() ? 1 : 0));
-    study::prepare_runs(table, runs->of, cases, make);
-    table.compute = [&, runs, row](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        runs->ended[task] = roll(runs->of[task], range,
-                                 [&](const Moment& moment) { emit(sheet.row(cases[task], row(cases[task], moment))); });
-    };
-    table.ended = [runs](std::size_t task) { return runs->ended[task]; };
-    return table;
+    const std::size_t rows = run.steps.count + (run.begins_with_shift() ? 1 : 0);
+    return study::run_table(sheet, cases, rows, make,
+                            [row](const Rolling& rolling, const Case& one, study::RowRange range, const auto& emit) {
+                                return roll(rolling, range, [&](const Moment& moment) { emit(row(one, moment)); });
+                            });
 }
 
 }  // namespace friction

@@ -77,12 +77,10 @@ const study::Sheet<FrictionRow, Patch>& traction_sheet() {
                         [](const R& r) { return r.state.normal_pressure[r.i] / peak; }},
                        {"traction_x", "tractions along x and y [mu p_0]",
                         if_ok([](const R& r) { return r.state.traction(r.i, 0) / peak; })},
-                       {"traction_y", "tractions along x and y [mu p_0]",
-                        if_ok([](const R& r) { return r.state.traction(r.i, 1) / peak; })},
+                       {"traction_y", "", if_ok([](const R& r) { return r.state.traction(r.i, 1) / peak; })},
                        {"slip_x", "slip along x and y [largest rigid slip of the patch]",
                         if_ok([](const R& r) { return r.slip(r.i, 0) / r.largest_slip; })},
-                       {"slip_y", "slip along x and y [largest rigid slip of the patch]",
-                        if_ok([](const R& r) { return r.slip(r.i, 1) / r.largest_slip; })},
+                       {"slip_y", "", if_ok([](const R& r) { return r.slip(r.i, 1) / r.largest_slip; })},
                        {"stick", "1 where the element sticks, else 0",
                         if_ok([](const R& r) { return int(r.state.zones[std::size_t(r.i)] == rollbem::Zone::stick); })},
                        {"status", "ok, or why tractions are empty", [](const R& r) { return name(r.step.status); }}}),
@@ -125,7 +123,7 @@ study::Table friction_table(const Friction& scene) {
                 return model.steady(rest, {.motion = creepage(patch, point)}, state, workspace);
             };
             const auto time_us = study::time_us_if(scene.timed, [&] {
-                step = scene.force ? friction::find_for_force(*scene.force, mu_N(patch), 0, at).step
+                step = scene.force ? friction::find_for_force(*scene.force, mu_N(patch), 0, at)
                                    : at(scene.points[k].longitudinal);
                 return step.force.longitudinal;
             });

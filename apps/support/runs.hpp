@@ -4,8 +4,10 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <rollbem/rolling/integrator.hpp>
@@ -86,15 +88,30 @@ void add_unchecked(Options& options);
 /// steady rolling.
 Run read_run(const Options& options, const HistoryColumns& columns, const Rule& rule = finite());
 
-/// Fills `runs` with make(case) for each of the cases before any task is computed, as checks may take long.
-template <class Run, class Case, class Make>
-void prepare_runs(Table& table, std::vector<Run>& runs, const std::vector<Case>& cases, const Make& make) {
-    table.prepare = [&, make](const auto&, const auto& done) {
+/// The table of a run of `rows` rows with each case. make(case), as checks may take long, is called for all before any
+/// row; then roll(run, case, range, emit) emits the results of these rows and returns why the run ended early.
+template <class Sheet, class Case, class Make, class Roll>
+Table run_table(const Sheet& sheet, const std::vector<Case>& cases, std::size_t rows, const Make& make,
+                const Roll& roll) {
+    struct Runs {
+        std::vector<std::decay_t<std::invoke_result_t<Make, const Case&>>> of;
+        std::vector<std::string> ended;
+    };
+    const auto runs = std::make_shared<Runs>();
+    runs->ended.resize(cases.size());
+    Table table = table_of(sheet.names(), cases, rows);
+    table.prepare = [&cases, runs, make](const auto&, const auto& done) {
         for (const Case& one : cases) {
-            runs.push_back(make(one));
-            done(double(runs.size()) / double(cases.size()));
+            runs->of.push_back(make(one));
+            done(double(runs->of.size()) / double(cases.size()));
         }
     };
+    table.compute = [&sheet, &cases, runs, roll](std::size_t task, RowRange range, const Emit& emit) {
+        const Case& one = cases[task];
+        runs->ended[task] = roll(runs->of[task], one, range, [&](const auto& result) { emit(sheet.row(one, result)); });
+    };
+    table.ended = [runs](std::size_t task) { return runs->ended[task]; };
+    return table;
 }
 
 /// The number of times that a step without a solution is divided in halves before the run ends.
