@@ -80,15 +80,13 @@ void add_rolling_options(study::Options& options) {
     options.add_flag("transient", "rolling in time, one row per step, in place of steady rolling");
     options.add("shift", "W", "rigid shift [mu p0 a/G] before the contact rolls, any finite; none without it")
         .only_with({"transient"});
-    study::add_run_options(options, history_columns,
-                           {.mode = "transient",
-                            .breathing = "mesh that follows the half-length of the contact, with --kernel plane; "
-                                         "without it the mesh covers the largest contact"});
+    study::add_run_options(options, history_columns, "transient", "",
+                           "mesh that follows the half-length of the contact, with --kernel plane; without it the mesh "
+                           "covers the largest contact");
     options.not_with({"from"}, "shift", ", which starts from rest");
     study::Options::Added{options, "lambda"}.only_with(
         {"transient"}, ": a steady problem builds no G, the only matrix lambda acts on");
-    study::add_unchecked(options);
-    study::Options::Added{options, "unchecked"}.only_with({"transient"});
+    study::add_unchecked(options).only_with({"transient"});
 }
 
 // --- scenes --------------------------------------------------------------------------------------------------------

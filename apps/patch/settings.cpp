@@ -304,13 +304,11 @@ void add_transient_options(study::Options& options) {
     options.add_flag("transient",
                      "friction in time, one row per step, under one value of each creepage or a history, in place of "
                      "steady friction; N, a and b are those at load_ratio 1");
-    study::add_run_options(options, history_columns,
-                           {.mode = "transient",
-                            .load = " and, if known, a_ratio = a/a_0, b_ratio = b/b_0 [dimensionless], by default the "
-                                    "cube root of load_ratio",
-                            .breathing = "mesh that follows the ellipse, the default where a table has a_ratio,b_ratio "
-                                         "and the load never vanishes; without it, and with --breathing=false, the "
-                                         "mesh covers the largest ellipse"});
+    study::add_run_options(
+        options, history_columns, "transient",
+        " and, if known, a_ratio = a/a_0, b_ratio = b/b_0 [dimensionless], by default the cube root of load_ratio",
+        "mesh that follows the ellipse, the default where a table has a_ratio,b_ratio and the load never vanishes; "
+        "without it, and with --breathing=false, the mesh covers the largest ellipse");
 }
 
 Friction read_friction(const study::Options& options, const std::vector<Patch>& patches) {

@@ -44,17 +44,20 @@ void History::set_ramp(const std::string& column, double rate) {
     signals_[column] = {[=](double q, bool) { return rate * q; }};
 }
 
-void History::set(const Numbers& places, std::map<std::string, Numbers> columns) {
-    for (auto& [column, values] : columns) {
-        const auto at = [places, values = values](double q, bool behind) {
-            if (behind ? q < places.front() : q <= places.front()) return 0.0;
-            return interpolate(places, values, q, behind);
-        };
-        const double largest = *std::max_element(values.begin(), values.end());
-        signals_[column] = {at, largest, std::move(values)};
-    }
+void History::set(const std::string& column, Numbers values) {
+    const auto at = [places = places_, values](double q, bool behind) {
+        if (behind ? q < places.front() : q <= places.front()) return 0.0;
+        return interpolate(places, values, q, behind);
+    };
+    const double largest = *std::max_element(values.begin(), values.end());
+    signals_[column] = {at, largest, std::move(values)};
+}
+
+void History::add(const History& other) {
+    signals_.insert(other.signals_.begin(), other.signals_.end());
+    omega_ = std::max(omega_, other.omega_);
     Numbers all;
-    std::merge(places_.begin(), places_.end(), places.begin(), places.end(), std::back_inserter(all));
+    std::merge(places_.begin(), places_.end(), other.places_.begin(), other.places_.end(), std::back_inserter(all));
     places_ = std::move(all);
 }
 

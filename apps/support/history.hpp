@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "input.hpp"
@@ -22,6 +23,10 @@ struct Sine {
 /// Quantities over q [a], 0 where nothing is imposed and before it is.
 class History {
 public:
+    History() = default;
+    /// The places of tables: ascending, of which two equal ones make a jump.
+    explicit History(Numbers places) : places_(std::move(places)) {}
+
     bool has(const std::string& column) const { return signals_.count(column) > 0; }
     /// The value just before (or at) q, or `behind` it: both differ at a jump only.
     double at(const std::string& column, double q, bool behind = true) const;
@@ -32,8 +37,10 @@ public:
     void set(const std::string& column, double value);
     void set(const std::string& column, const Sine& sine, double mean = 0);
     void set_ramp(const std::string& column, double rate);
-    /// Columns are linear between ascending places, of which two equal ones make a jump.
-    void set(const Numbers& places, std::map<std::string, Numbers> columns);
+    /// A column is linear between the places of this history.
+    void set(const std::string& column, Numbers values);
+    /// Adds another history's columns and places.
+    void add(const History& other);
 
     /// The places at which steps have to end: the places of all tables.
     const Numbers& places() const { return places_; }

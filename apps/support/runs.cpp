@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -67,12 +66,11 @@ Sine read_sine(const Options& options) {
     return {sine->first, sine->second};
 }
 
-namespace {
-
-/// Declares --step, --ramp, --sine and --history, of which one may be given.
-void add_history_options(Options& options, const HistoryColumns& columns) {
-    const std::string& main = columns.main();
+void add_run_options(Options& options, const HistoryColumns& columns, const std::string& mode, const std::string& load,
+                     const std::string& breathing) {
+    const std::string &main = columns.main(), creepage = option_of(main);
     const std::vector<std::string> all = columns.all();
+    std::vector<std::string> own{"step", "ramp", "sine", "history", "dq", "until", "integrator"};
     options.add("step", "X", main + " X [dimensionless] from q = 0 on, not 0");
     options.add("ramp", "RATE", main + " RATE q/a [dimensionless], RATE not 0");
     options.add("sine", "AMP,OMEGA",
@@ -86,28 +84,19 @@ void add_history_options(Options& options, const HistoryColumns& columns) {
     options.not_with({"ramp", "sine", "history"}, "step");
     options.not_with({"sine", "history"}, "ramp");
     options.not_with({"history"}, "sine");
-}
-
-}  // namespace
-
-void add_run_options(Options& options, const HistoryColumns& columns, const RunWords& words) {
-    std::vector<std::string> own{"step", "ramp", "sine", "history", "dq", "until", "integrator"};
-    add_history_options(options, columns);
     if (columns.friction()) {
         own = joined<std::string>(std::move(own), {"load-sine", "load", "breathing", "from"});
-        options.not_with({option_of(columns.main())}, "step");
-        options.not_with({option_of(columns.main())}, "ramp");
-        options.not_with({option_of(columns.main())}, "sine");
+        for (const char* way : {"step", "ramp", "sine"}) options.not_with({creepage}, way);
         options.add("load-sine", "A,LENGTH",
                     "sinusoidal load N = N_0 (1 + A sin(2 pi q/LENGTH)), A [dimensionless] from -1 to 1, LENGTH [a_0] "
                     "above 0; constant load without it");
-        options
-            .add_input("load",
-                       "CSV file of the load over the distance rolled, with the columns q_over_a [a_0], load_ratio = "
-                       "N/N_0 [dimensionless]" +
-                           words.load + "; linear between its rows, which must cover the run")
-            .not_with("load-sine");
-        options.add_flag("breathing", words.breathing);
+        options.add_input(
+            "load",
+            "CSV file of the load over the distance rolled, with the columns q_over_a [a_0], load_ratio = "
+            "N/N_0 [dimensionless]" +
+                load + "; linear between its rows, which must cover the run");
+        options.not_with({"load"}, "load-sine");
+        options.add_flag("breathing", breathing);
         options.add("from", "rest|steady", "state at the start of the run: rest, or steady rolling", "rest");
     }
     options.add("dq", "D", "distance rolled in a step [a], above 0", "0.05");
@@ -118,7 +107,7 @@ void add_run_options(Options& options, const HistoryColumns& columns, const RunW
     }
     options.add("integrator", "NAME", "integrator: " + listed(names, "or"), integrators.front().word);
     for (const std::string& name : own) {
-        if (!words.mode.empty()) Options::Added{options, name}.only_with({words.mode});
+        if (!mode.empty()) Options::Added{options, name}.only_with({mode});
     }
 }
 
@@ -130,8 +119,8 @@ void add_force(Options& options, const HistoryColumns& columns) {
     options.not_with({creepage, "step", "ramp", "sine"}, "force");
 }
 
-void add_unchecked(Options& options) {
-    options.add_flag(
+Options::Added add_unchecked(Options& options) {
+    return options.add_flag(
         "unchecked",
         "no check of the schemes: those that are unstable, may be unstable or do not converge are stepped, too");
 }
@@ -147,53 +136,41 @@ namespace {
 
 const Rule not_zero{[](double value) { return std::isfinite(value) && value != 0; }, "be finite and not 0"};
 
-/// Columns of a file over ascending places q_over_a.
-struct HistoryTable {
-    Numbers places;
-    std::map<std::string, Numbers> columns;
-};
-
-/// The file of --name: its columns `needed`, separated by commas, and the `further` ones that it has, in groups as
-/// read_columns takes them. A history begins at 0 or later, and has no other columns.
-HistoryTable read_table(const Options& options, const std::string& name, const std::string& needed,
-                        const std::string& further) {
-    const bool only = name == "history";
-    std::string list = needed + "," + further;
-    std::replace(list.begin(), list.end(), ';', ',');
-    std::vector<std::string> names = cells_of(list);
-    std::erase(names, "");
-    std::vector<Numbers> read = read_columns(
-        options, name, "q_over_a" + (needed.empty() ? "" : "," + needed), further,
+/// The columns of --history, any of them and no others, or of --load, the first and all further ones or none.
+History read_table(const Options& options, const std::string& name, const HistoryColumns& columns) {
+    const bool imposes = name == "history";
+    const std::vector<std::string> names = imposes ? columns.all() : columns.load;
+    const bool any = imposes && names.size() > 1;
+    const std::vector<std::string> further(names.begin() + (any ? 0 : 1), names.end());
+    const std::vector<Numbers> read = read_columns(
+        options, name, any ? "q_over_a" : "q_over_a," + names[0], join(further, imposes ? ";" : ","),
         [&](const auto& so_far, const auto& where) {
-            if (only && so_far[0].back() < 0) {
+            if (imposes && so_far[0].back() < 0) {
                 throw BadInput(where + ": q_over_a must be at least 0: rolling starts from rest there");
             }
             require_order(so_far[0], "q_over_a", where);
         },
-        only ? names : std::vector<std::string>{});
+        imposes ? names : std::vector<std::string>{});
     options.require(!read[0].empty(), name, "have at least one row below its header");
-    HistoryTable table{std::move(read[0]), {}};
+    History history(read[0]);
     for (std::size_t k = 0; k < names.size(); ++k) {
-        if (!read[k + 1].empty()) table.columns[names[k]] = std::move(read[k + 1]);
+        if (!read[k + 1].empty()) history.set(names[k], read[k + 1]);
     }
-    options.require(!table.columns.empty(), name, "have a column of " + listed(names, "or"));
-    return table;
+    const bool has_any =
+        std::any_of(names.begin(), names.end(), [&](const auto& column) { return history.has(column); });
+    options.require(has_any, name, "have a column of " + listed(names, "or"));
+    return history;
 }
 
 /// What is imposed by --step, --ramp, --sine, --history and options that are called like a column, which give it a
 /// constant value that holds to a rule.
 History read_history(const Options& options, const HistoryColumns& columns, const Rule& rule) {
-    const std::vector<std::string> all = columns.all();
     History history;
+    if (options.given("history")) history = read_table(options, "history", columns);
     if (options.given("step")) history.set(columns.main(), options.number("step", not_zero));
     if (options.given("ramp")) history.set_ramp(columns.main(), options.number("ramp", not_zero));
     if (options.given("sine")) history.set(columns.main(), read_sine(options));
-    if (options.given("history")) {
-        const bool one = all.size() == 1;
-        HistoryTable table = read_table(options, "history", one ? all[0] : "", one ? "" : join(all, ";"));
-        history.set(table.places, std::move(table.columns));
-    }
-    for (const std::string& column : all) {
+    for (const std::string& column : columns.all()) {
         const std::string name = option_of(column);
         if (!options.has(name) || !options.given(name)) continue;
         if (history.has(column)) options.ignored(name, "with the column " + column + " of --history");
@@ -253,10 +230,9 @@ void read_load(const Options& options, Run& run) {
     if (by_history) {
         return require_load(options.said("history"), imposed.places(), imposed.values("load_ratio"), run, true);
     }
-    const std::vector<std::string> further(run.columns.load.begin() + 1, run.columns.load.end());
-    HistoryTable table = read_table(options, "load", run.columns.load[0], join(further, ","));
-    require_load(options.said("load"), table.places, table.columns["load_ratio"], run, false);
-    imposed.set(table.places, std::move(table.columns));
+    const History load = read_table(options, "load", run.columns);
+    require_load(options.said("load"), load.places(), load.values("load_ratio"), run, false);
+    imposed.add(load);
 }
 
 }  // namespace

@@ -62,16 +62,10 @@ struct Run {
     bool begins_with_shift() const;
 };
 
-/// The words of --help on a study's runs.
-struct RunWords {
-    std::string mode = "";       ///< the option that asks for runs; empty where the study has nothing else
-    std::string load = "";       ///< of --load
-    std::string breathing = "";  ///< of --breathing
-};
-
 /// Declares --step, --ramp, --sine, --history, --dq, --until and --integrator, with friction also --load-sine, --load,
-/// --breathing and --from.
-void add_run_options(Options& options, const HistoryColumns& columns, const RunWords& words = {});
+/// --breathing and --from, all for the option `mode` if that is not empty; the last two words are of --help.
+void add_run_options(Options& options, const HistoryColumns& columns, const std::string& mode = "",
+                     const std::string& load = "", const std::string& breathing = "");
 
 /// --sine AMP,OMEGA. Throws BadInput unless both are finite, AMP is not 0 and OMEGA is positive.
 Sine read_sine(const Options& options);
@@ -80,7 +74,7 @@ Sine read_sine(const Options& options);
 void add_force(Options& options, const HistoryColumns& columns);
 
 /// Declares --unchecked.
-void add_unchecked(Options& options);
+Options::Added add_unchecked(Options& options);
 
 /// The run that the options ask for: 1 to 1e7 steps, N/N_0 as the column load_ratio of its history, 1 + A sin(2 pi
 /// q/LENGTH) by --load-sine, or of the table --load. Options that are called like a column give it a constant value,
