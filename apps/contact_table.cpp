@@ -203,10 +203,10 @@ WheelsetRolling random_scene(const ContactTable& table, double radius, std::uint
 }
 
 /// Writes how far the table is from patches in `count` random scenes. Returns the exit code.
-int check(const Comparison& of) {
-    const Scene& scene = of.scene;
-    const ContactTable& table = of.table;
-    const std::size_t count = of.scenes;
+int check(const Comparison& comparison) {
+    const Scene& scene = comparison.scene;
+    const ContactTable& table = comparison.table;
+    const std::size_t count = comparison.scenes;
     std::vector<Compared> compared(count);
     std::vector<double> loads(count);
     in_parallel(scene.threads, count, "scenes", [&](std::size_t i) {
@@ -290,12 +290,13 @@ struct Summary {
     }
 };
 
-study::Table scan_table(const Comparison& of, Summary& summary) {
+study::Table scan_table(const Comparison& comparison, Summary& summary) {
     return scan_sheet().table(
-        of.positions, [](const Position&) { return 2; },
+        comparison.positions, [](const Position&) { return 2; },
         [&](const Position& at, study::RowRange range, const study::Results<Scanned>& emit) {
-            const Compared found = compare(
-                of.scene, of.table, {.position = {.lateral = at.shift, .yaw = at.yaw}, .loads = {at.load, at.load}});
+            const Compared found =
+                compare(comparison.scene, comparison.table,
+                        {.position = {.lateral = at.shift, .yaw = at.yaw}, .loads = {at.load, at.load}});
             for (std::size_t k = range.first; k < range.last; ++k) {
                 const Scanned row{at, found, k};
                 emit(row);

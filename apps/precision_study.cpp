@@ -157,21 +157,21 @@ void measure(std::vector<Task>& tasks, const std::vector<std::size_t>& wanted,
 /// The rows of a comparison. References, times, and errors for on_front are found before the first row is written.
 class Computation {
 public:
-    explicit Computation(Comparison& of) : of_(of) {}
+    explicit Computation(Comparison& comparison) : comparison_(comparison) {}
 
     study::Table table() {
         study::Table table;
-        table.columns = of_.columns;
-        for (const Task& task : of_.tasks) {
+        table.columns = comparison_.columns;
+        for (const Task& task : comparison_.tasks) {
             first_.push_back(first_.empty() ? 0 : first_.back() + table.rows_of_task.back());
             table.rows_of_task.push_back(task.quantities.size());
         }
         table.prepare = [&](const auto& wanted, const auto& done) { prepare(wanted, done); };
         table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-            const std::vector<Point> own = of_.partial ? points_of(task) : std::vector<Point>{};
+            const std::vector<Point> own = comparison_.partial ? points_of(task) : std::vector<Point>{};
             for (std::size_t k = range.first; k < range.last; ++k) {
-                emit(row(of_.partial ? own[k] : of_.points[first_[task] + k]));
-                if (of_.partial && of_.timed) of_.points.push_back(own[k]);  // by a single job
+                emit(row(comparison_.partial ? own[k] : comparison_.points[first_[task] + k]));
+                if (comparison_.partial && comparison_.timed) comparison_.points.push_back(own[k]);  // by a single job
             }
         };
         return table;
@@ -191,24 +191,24 @@ private:
 
     /// Measures the times of all rows, and computes their errors if on_front is wanted.
     void prepare(const std::vector<std::size_t>& wanted, const std::function<void(double part)>& done) {
-        const std::vector<Quantity>& quantities = of_.quantities;
-        const std::vector<Values> references = each<Values>(quantities, of_.reference);
+        const std::vector<Quantity>& quantities = comparison_.quantities;
+        const std::vector<Values> references = each<Values>(quantities, comparison_.reference);
         for (std::size_t k = 0; k < quantities.size(); ++k) {
             references_[quantities[k].name] = references[k];
-            if (of_.model_error) model_errors_[quantities[k].name] = of_.model_error(quantities[k]);
+            if (comparison_.model_error) model_errors_[quantities[k].name] = comparison_.model_error(quantities[k]);
         }
-        const std::size_t count = of_.tasks.size();
-        if (of_.timed) measure(of_.tasks, wanted, [&](double part) { done(part / 2); });
-        if (of_.partial) return;
+        const std::size_t count = comparison_.tasks.size();
+        if (comparison_.timed) measure(comparison_.tasks, wanted, [&](double part) { done(part / 2); });
+        if (comparison_.partial) return;
         for (std::size_t i = 0; i < count; ++i) {
-            for (Point& point : points_of(i)) of_.points.push_back(std::move(point));
+            for (Point& point : points_of(i)) comparison_.points.push_back(std::move(point));
             done((1 + static_cast<double>(i + 1) / static_cast<double>(count)) / 2);
         }
-        mark_front(of_.points);
+        mark_front(comparison_.points);
     }
 
     std::vector<Point> points_of(std::size_t index) const {
-        const Task& task = of_.tasks[index];
+        const Task& task = comparison_.tasks[index];
         const std::vector<Found> found = each<Found>(task.quantities, task.compute);
         std::vector<Point> points(found.size(), task.point);
         const std::optional<bool> stable = task.stable();
@@ -232,7 +232,7 @@ private:
         return points;
     }
 
-    Comparison& of_;
+    Comparison& comparison_;
     std::vector<std::size_t> first_;  // of each task in the points
     std::map<std::string, Values> references_;
     std::map<std::string, std::optional<double>> model_errors_;
