@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <functional>
 #include <numbers>
 #include <optional>
 #include <random>
@@ -19,7 +18,6 @@
 
 #include <rollbem/compiled/creep_force_table.hpp>
 #include <rollbem/compiled/patch.hpp>
-#include <rollbem/detail/parallel_for.hpp>
 #include <rollbem/vehicle/make_creep_force_table.hpp>
 
 #include "support/csv.hpp"
@@ -34,15 +32,19 @@ namespace {
 
 using rollbem::CreepForceGrid, rollbem::CreepForceTable, rollbem::CreepForceSource, rollbem::Creepage;
 
-/// The grid and from how many elements forces on it come.
+/// What is asked for: the grid, from how many elements forces on it come, and in how many scenes they are checked.
 struct Job {
     std::ptrdiff_t n;
     CreepForceGrid grid;
+    study::Threads threads;
+    std::string binary;  ///< the file of the table; empty where rows alone are wanted
+    std::size_t scenes;
 
     CreepForceSource source(Eigen::Index shape) const { return {grid.a_over_b(shape), grid.poisson_ratio(), n}; }
+    Eigen::Index nodes() const { return grid.nodes() * grid.shapes(); }
 };
 
-Job make_job(const study::Options& options) {
+Job read_job(const study::Options& options) {
     const std::vector<double> ends = options.numbers("a-over-b", study::between(1e-3, 1e3));
     options.require(ends.size() == 2 && ends[0] < ends[1], "a-over-b",
                     "be the smallest and the largest, in this order");
@@ -59,9 +61,20 @@ Job make_job(const study::Options& options) {
             " give a table of (levels + 3)^2 (2 levels + 3) (shapes + 2) = " + std::to_string(numbers) +
             " coefficients, which must be at most " + std::to_string(CreepForceGrid::most_coefficients));
     }
-    const study::Progress progress(options.program(), 1, study::shows_progress(options), "grids");
-    return {range.n, study::blame(options.said("a-over-b") + " and " + options.said("n"),
-                                  [&] { return rollbem::make_creep_force_grid(range, study::job_count(options)); })};
+    std::error_code unknown;
+    const std::string output = options.text("output");
+    const bool to_file = options.given("output") && output != "-" && !std::filesystem::is_other(output, unknown);
+    const bool whole = !options.given("shard");
+    if (!whole) options.ignored("check", "with --shard: a part is no table");
+    if (!to_file) options.ignored("check", "without --output FILE");
+    options.require(to_file || !options.given("rows"), "rows", "go with --output FILE");
+    const study::Threads threads = study::read_threads(options);
+    const study::Progress progress(threads.program, 1, threads.shows, "grids");
+    return {range.n,
+            study::blame(options.said("a-over-b") + " and " + options.said("n"),
+                         [&] { return rollbem::make_creep_force_grid(range, threads.jobs); }),
+            threads, whole && to_file ? output + ".bin" : "",
+            options.given("check") ? static_cast<std::size_t>(options.integer("check", 1, 10'000'000)) : 0};
 }
 
 // --- rows ----------------------------------------------------------------------------------------------------------
@@ -105,28 +118,25 @@ void emit_slab(const Job& job, const CreepForceGrid::Slab& slab, study::RowRange
     }
 }
 
-/// Computes and writes the rows, calls finish(forces) with the forces of all nodes, NaN where this run has none, and
-/// gives `files` their names.
-void write_rows(const study::Options& options, const Job& job, study::OutputFiles& files,
-                const std::function<void(const Eigen::Array3Xd&)>& finish) {
-    const CreepForceGrid& grid = job.grid;
-    const std::vector<CreepForceGrid::Slab> slabs = grid.slabs();
-    Eigen::Array3Xd forces = Eigen::Array3Xd::Constant(3, grid.nodes() * grid.shapes(), std::nan(""));
+/// A row for each node. The table refers to the job, and fills `forces`.
+study::Table table_of(const Job& job, Eigen::Array3Xd& forces) {
     study::Table table;
     table.columns = columns;
+    const std::vector<CreepForceGrid::Slab> slabs = job.grid.slabs();
     for (const auto& slab : slabs) table.rows_of_task.push_back(static_cast<std::size_t>(slab.last - slab.first));
-    table.label = [&](std::size_t task) { return "a/b = " + study::Cell(grid.a_over_b(slabs[task].shape)).text(3); };
-    table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
+    table.label = [&job, slabs](std::size_t task) {
+        return "a/b = " + study::Cell(job.grid.a_over_b(slabs[task].shape)).text(3);
+    };
+    table.compute = [&job, &forces, slabs](std::size_t task, study::RowRange range, const study::Emit& emit) {
         emit_slab(job, slabs[task], range, emit, forces);
     };
-    table.finish = [&] { finish(forces); };
-    study::write_table(options, table, files);
+    return table;
 }
 
 /// The forces of rows, which must cover the whole grid.
 Eigen::Array3Xd read_forces(const Job& job, const study::JoinedRows& rows) {
     const CreepForceGrid& grid = job.grid;
-    Eigen::Array3Xd forces(3, grid.nodes() * grid.shapes());
+    Eigen::Array3Xd forces(3, job.nodes());
     std::optional<CreepForceSource> source;
     for (Eigen::Index column = 0; column < forces.cols(); ++column) {
         const auto i = static_cast<std::size_t>(column);
@@ -187,18 +197,14 @@ Difference compare(const Job& job, const CreepForceTable& table, std::size_t see
     return largest;
 }
 
-/// Prints mean and largest difference between the table and the patches it was made from, in `count` random scenes.
-void check(const study::Options& options, const Job& job, const CreepForceTable& table, std::size_t count) {
+/// Prints mean and largest difference between the table and the patches it was made from, in random scenes.
+void check(const Job& job, const CreepForceTable& table) {
     constexpr std::size_t together = 10;  // scenes of one ellipse
+    const std::size_t count = job.scenes;
     std::vector<Difference> differences((count + together - 1) / together);
-    std::size_t done = 0;
-    study::Progress progress(options.program() + " --check", differences.size(), study::shows_progress(options),
-                             "ellipses");
-    rollbem::detail::parallel_for(
-        differences.size(), study::job_count(options),
-        [&](std::size_t k) { differences[k] = compare(job, table, k, std::min(together, count - k * together)); },
-        [&] { progress.update(++done); });
-    progress.clear();
+    in_parallel(job.threads, differences.size(), "ellipses", [&](std::size_t k) {
+        differences[k] = compare(job, table, k, std::min(together, count - k * together));
+    });
     Difference largest;
     for (const Difference& one : differences) {
         const double sum = largest.sum + one.sum;
@@ -213,6 +219,16 @@ void check(const study::Options& options, const Job& job, const CreepForceTable&
                  text(largest.direction[0]) + ", " + text(largest.direction[1]) + ", " + text(largest.direction[2]) +
                  ")\n");
     output.commit();
+}
+
+/// Throws if a node has no forces.
+CreepForceTable make_table(const Job& job, const Eigen::Array3Xd& forces) {
+    for (Eigen::Index i = 0; i < forces.cols(); ++i) {
+        if (forces.col(i).allFinite()) continue;
+        throw std::runtime_error("row " + std::to_string(i + 1) +
+                                 " has no forces, so there is no table; its status is in the rows of --shard 1/1");
+    }
+    return {job.grid, forces};
 }
 
 constexpr const char* help =
@@ -277,47 +293,33 @@ int main(int argc, char** argv) {
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The grid.
-        const bool whole = !given.given("shard");
-        const auto scenes = given.given("check") ? static_cast<std::size_t>(given.integer("check", 1, 10'000'000)) : 0;
-        if (!whole && scenes > 0) given.ignored("check", "with --shard: a part is no table");
-        std::error_code unknown;
-        const std::string output = given.text("output");
-        const bool to_file = given.given("output") && output != "-" && !std::filesystem::is_other(output, unknown);
-        if (scenes > 0 && !to_file) given.ignored("check", "without --output FILE");
+        const Job job = read_job(given);
         study::OutputFiles files;
-        study::OutputFile* binary = nullptr;
-        if (whole && to_file) binary = &files.open(output + ".bin", "--output");
-        const Job job = make_job(given);
+        study::OutputFile* const binary = job.binary.empty() ? nullptr : &files.open(job.binary, "--output");
 
-        // 3. Its rows: read, or computed.
+        // 3. Its rows, read or computed, and the table.
         std::optional<CreepForceTable> made;
         const auto finish = [&](const Eigen::Array3Xd& forces) {
-            for (Eigen::Index i = 0; i < forces.cols(); ++i) {
-                if (forces.col(i).allFinite()) continue;
-                throw std::runtime_error(
-                    "row " + std::to_string(i + 1) +
-                    " has no forces, so there is no table; its status is in the rows of --shard 1/1");
-            }
-            made.emplace(job.grid, forces);
+            if (binary == nullptr) return;
+            made = make_table(job, forces);
             std::ostringstream bytes;
             made->write(bytes);
             binary->write(bytes.str());
         };
         if (given.given("rows")) {
-            if (!to_file) throw study::BadInput("--rows = " + given.text("rows") + " must go with --output FILE");
-            const study::JoinedRows rows(given, columns,
-                                         static_cast<std::size_t>(job.grid.nodes() * job.grid.shapes()));
+            const study::JoinedRows rows(given, columns, static_cast<std::size_t>(job.nodes()));
             finish(read_forces(job, rows));
             study::OutputFile& file =
                 files.open_table(given, "output", study::csv_line({columns.begin(), columns.end()}));
             for (const std::string& line : rows.lines()) file.write(line + "\n");
             files.commit();
         } else {
-            write_rows(given, job, files, [&](const Eigen::Array3Xd& forces) {
-                if (binary != nullptr) finish(forces);
-            });
+            Eigen::Array3Xd forces = Eigen::Array3Xd::Constant(3, job.nodes(), std::nan(""));
+            study::Table table = table_of(job, forces);
+            table.finish = [&] { finish(forces); };
+            study::write_table(given, table, files);
         }
-        if (made && scenes > 0) check(given, job, *made, scenes);
+        if (made && job.scenes > 0) check(job, *made);
         return study::exit_ok;
     });
 }

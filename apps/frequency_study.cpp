@@ -10,6 +10,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -50,8 +51,20 @@ Complex exact_c11(const rollbem::Contact<double>& contact, double omega) {
     return rollbem::reference::plane_c11(Complex(0, omega), contact.poisson_ratio(), contact.aspect());
 }
 
+/// Scenes at frequencies.
+struct Job {
+    std::vector<double> omegas;  ///< [V/a]
+    bool checked;                ///< a c11 that cannot be trusted is left out
+    std::vector<study::Scene> scenes{};
+    std::string basis{};                 ///< of --method polynomial; empty where there are other scenes
+    std::vector<Eigen::Index> orders{};  ///< of these; 0: of each frequency
+
+    bool by_polynomials() const { return !basis.empty(); }
+    bool has_orders() const { return by_polynomials() && orders.front() > 0; }
+};
+
 /// The frequencies, in units of V/a.
-std::vector<double> make_omegas(const study::Options& options) {
+std::vector<double> read_omegas(const study::Options& options) {
     if (options.given("omega")) return options.numbers("omega", study::not_negative());
     const study::Rule rule{
         study::positive().holds,
@@ -66,6 +79,39 @@ std::vector<double> make_omegas(const study::Options& options) {
     }
     omegas.push_back(high);
     return omegas;
+}
+
+/// One scene without elements for each order and contact.
+void read_polynomials(const study::Options& options, Job& job) {
+    options.require(!options.given("kernel") || options.choice("kernel", {"strip", "plane"}) == "plane", "kernel",
+                    "be plane with --method polynomial");
+    const std::vector<rollbem::Contact<double>> contacts = study::make_contacts(options, study::Problem::non_steady);
+    for (const rollbem::Contact<double>& contact : contacts) study::require_plane_model(contact);
+    job.basis = options.choice("basis", {"monomial", "chebyshev"});
+    std::vector<std::ptrdiff_t> orders{0};
+    if (options.given("order")) orders = options.integers("order", 1, 100000000);
+    for (const double omega : job.omegas) {
+        if (orders[0] > 0 || omega <= 1e8) continue;
+        throw study::BadInput("--omega = " + study::Cell(omega).text(6) + " must be at most 1e8 without --order");
+    }
+    for (const std::ptrdiff_t order : orders) {
+        for (const rollbem::Contact<double>& contact : contacts) {
+            job.scenes.push_back(study::make_scene({.method = "polynomial"}, 0, contact, rollbem::LineModel::plane));
+            job.orders.push_back(order);
+        }
+    }
+}
+
+Job read_job(const study::Options& options) {
+    const std::string method =
+        options.choice("method", {"collocation", "galerkin", "knothe-bc", "nodes", "chebyshev", "polynomial"});
+    Job job{read_omegas(options), !options.flag("unchecked")};
+    if (method == "polynomial") {
+        read_polynomials(options, job);
+    } else {
+        job.scenes = study::make_non_steady_scenes(options, methods);
+    }
+    return job;
 }
 
 const study::Sheet<Response> sheet{
@@ -182,91 +228,56 @@ Response solve(const rollbem::Contact<double>& contact, double omega, Eigen::Ind
     return response;
 }
 
-/// Scenes without elements, one for each order and contact, and their responses: what must be refused shows before
-/// anything is written.
-struct Polynomials {
-    std::vector<study::Scene> scenes;
-    std::vector<std::vector<Response>> responses;
-};
-
-/// Throws BadInput where monomials have broken down.
-Polynomials solve_polynomials(const study::Options& options, const std::vector<double>& omegas) {
-    options.require(!options.given("kernel") || options.choice("kernel", {"strip", "plane"}) == "plane", "kernel",
-                    "be plane with --method polynomial");
-    const std::vector<rollbem::Contact<double>> contacts = study::make_contacts(options, study::Problem::non_steady);
-    for (const rollbem::Contact<double>& contact : contacts) study::require_plane_model(contact);
-    const std::string basis = options.choice("basis", {"monomial", "chebyshev"});
-    const bool checked = !options.flag("unchecked");
-    std::vector<std::ptrdiff_t> orders{0};  // the default order of each frequency
-    if (options.given("order")) orders = options.integers("order", 1, 100000000);
-    Polynomials all;
-    for (const std::ptrdiff_t given : orders) {
-        for (const rollbem::Contact<double>& contact : contacts) {
-            const auto kernel = rollbem::AnyKernel<double>::longitudinal(rollbem::LineModel::plane, contact);
-            all.scenes.push_back({{.method = "polynomial"}, contact, kernel});
-            std::vector<Response>& responses = all.responses.emplace_back();
-            for (const double omega : omegas) {
-                if (given == 0 && omega > 1e8) {
-                    throw study::BadInput("--omega = " + study::Cell(omega).text(6) +
-                                          " must be at most 1e8 without --order");
-                }
-                const Eigen::Index order = given > 0 ? given : rollbem::default_polynomial_order(Complex(0, omega));
-                responses.push_back(solve(contact, omega, order, basis, checked));
-            }
-        }
+/// The response by a polynomial or by the closed form, of the task of a scene without elements.
+Response solve_without_elements(const Job& job, std::size_t task, double omega) {
+    const study::Scene& scene = job.scenes[task];
+    if (scene.method == "closed-form") {
+        const Complex exact = exact_c11(scene.contact, omega);
+        return {omega, exact, exact, study::ok};
     }
-    return all;
-}
-
-/// Emits responses by a polynomial of the scene's degree, or by the closed form.
-void emit_without_elements(const study::Scene& scene, const std::vector<double>& omegas, bool checked,
-                           study::RowRange range, const study::Results<Response>& emit) {
-    for (std::size_t i = range.first; i < range.last; ++i) {
-        const Complex exact = exact_c11(scene.contact, omegas[i]);
-        emit(scene.degree > 0 ? solve(scene.contact, omegas[i], scene.degree, "chebyshev", checked)
-                              : Response{omegas[i], exact, exact, study::ok});
-    }
+    if (!job.by_polynomials()) return solve(scene.contact, omega, scene.degree, "chebyshev", job.checked);
+    const Eigen::Index order =
+        job.has_orders() ? job.orders[task] : rollbem::default_polynomial_order(Complex(0, omega));
+    return solve(scene.contact, omega, order, job.basis, job.checked);
 }
 
 // --- differential equations and pictures
 
-/// Throws BadInput unless there is one scene, whose G is regular and whose tractions converge to full adhesion.
-void write_state_space(const study::Options& options, study::OutputFiles& files,
-                       const std::vector<study::Scene>& scenes) {
-    const auto make = [&] {
-        const study::Scene& scene = scenes.front();
-        options.require(scene.is_discrete() && !scene.coarse, "state-space", "go with elements or states on one mesh");
-        const auto space_of = [&](const auto& system) {
-            const std::string flaw = study::flaw_in_steady_rolling(scene, system);
-            options.require(flaw.empty(), "state-space",
-                            "go with another scheme: the scheme of n = " + std::to_string(scene.n()) + " " + flaw);
-            return rollbem::state_space(system);
-        };
-        return scene.chebyshev ? space_of(rolling_system(*scene.chebyshev, scene.kernel))
-                               : space_of(rolling_system(*scene.mesh, scene.scheme, scene.kernel));
+/// Throws BadInput, which begins with `said`, unless the scene's G is regular and tractions converge to full adhesion.
+rollbem::StateSpace<double> equations_of(const study::Scene& scene, const std::string& said) {
+    if (!scene.is_discrete() || scene.coarse) {
+        throw study::BadInput(said + " must go with elements or states on one mesh");
+    }
+    const auto space_of = [&](const auto& system) {
+        const std::string flaw = study::flaw_in_steady_rolling(scene, system);
+        if (flaw.empty()) return rollbem::state_space(system);
+        throw study::BadInput(said + " must go with another scheme: the scheme of n = " + std::to_string(scene.n()) +
+                              " " + flaw);
     };
-    study::write_state_space(
-        options, files, scenes.size(), make,
-        {.one = "scheme",
-         .lists = "--n, --alpha-L, --alpha-T and --lambda",
-         .conventions = "# equations = d x/d(q/a) = A x + B xi, -F/(a G) = C x + D xi; q = V t, F per unit width\n# "
-                        "response = c11(s) = C (s I - A)^-1 B + D, s in V/a\n",
-         .states =
-             "by elements: their tractions p/G, trailing to leading; chebyshev: coefficients of T_0, T_1, ... in u/a",
-         .bounded = "c11"});
+    return scene.chebyshev ? space_of(rolling_system(*scene.chebyshev, scene.kernel))
+                           : space_of(rolling_system(*scene.mesh, scene.scheme, scene.kernel));
 }
 
+const study::StateSpaceWords words_of_equations{
+    .one = "scheme",
+    .lists = "--n, --alpha-L, --alpha-T and --lambda",
+    .conventions =
+        "# equations = d x/d(q/a) = A x + B xi, -F/(a G) = C x + D xi; q = V t, F per unit width\n"
+        "# response = c11(s) = C (s I - A)^-1 B + D, s in V/a\n",
+    .states = "by elements: their tractions p/G, trailing to leading; chebyshev: coefficients of T_0, T_1, ... in u/a",
+    .bounded = "c11"};
+
 /// The Argand diagram, beside it both parts over the frequency, and the errors, as the curves coincide.
-study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given, const std::vector<double>& omegas) {
+study::Plot draw_response(const std::vector<study::Row>& rows, const Job& job) {
     std::vector<std::string> also;
-    if (order_given) also.emplace_back("order");  // otherwise it depends on the frequency
-    const auto [lowest, highest] = std::minmax_element(omegas.begin(), omegas.end());
+    if (job.has_orders()) also.emplace_back("order");  // otherwise it depends on the frequency
+    const auto [lowest, highest] = std::minmax_element(job.omegas.begin(), job.omegas.end());
     const bool log_x = *lowest > 0 && *highest > 20 * *lowest;
     study::Plot argand{.title = "Harmonic creepage", .x_label = "Re c_{11}", .y_label = "Im c_{11}"};
     study::Plot parts{.x_label = "ω a / V", .y_label = "Re c_{11}, Im c_{11}", .log_x = log_x};
     study::Plot errors{
         .x_label = parts.x_label, .y_label = "|c_{11} / c_{11,exact} - 1|", .log_x = log_x, .log_y = true};
-    const bool markers = omegas.size() <= 30;
+    const bool markers = job.omegas.size() <= 30;
     sheet.draw(argand, rows, {.by = also, .x = "c11_re", .y = "c11_im", .markers = markers});
     sheet.draw_exact(argand, rows, "omega", "exact_re", "exact_im");
     for (const std::string part : {"re", "im"}) {
@@ -281,6 +292,27 @@ study::Plot draw_response(const std::vector<study::Row>& rows, bool order_given,
     argand.below.push_back(std::move(parts));
     if (can_be_drawn(errors)) argand.below.push_back(std::move(errors));
     return argand;
+}
+
+/// A row for each scene and frequency. What must be refused of polynomials shows before anything is written.
+study::Table table_of(const Job& job) {
+    const auto known = std::make_shared<std::vector<std::vector<Response>>>(job.scenes.size());  // without elements
+    study::Table table = sheet.table(
+        job.scenes, [&](const study::Scene&) { return job.omegas.size(); },
+        [=, &job](const study::Scene& scene, study::RowRange range, const study::Results<Response>& emit) {
+            if (scene.is_discrete()) return emit_sweep(scene, job.omegas, job.checked, range, emit);
+            const std::vector<Response>& own = (*known)[std::size_t(&scene - job.scenes.data())];
+            for (std::size_t i = range.first; i < range.last; ++i) emit(own[i]);
+        });
+    table.prepare = [=, &job](const std::vector<std::size_t>& tasks, const auto&) {
+        for (const std::size_t task : tasks) {
+            if (job.scenes[task].is_discrete()) continue;
+            for (const double omega : job.omegas) (*known)[task].push_back(solve_without_elements(job, task, omega));
+        }
+    };
+    table.plot = [&](const std::vector<study::Row>& rows) { return draw_response(rows, job); };
+    if (job.by_polynomials()) table.label = {};
+    return table;
 }
 
 void add_options(study::Options& options) {
@@ -336,26 +368,12 @@ int main(int argc, char** argv) {
     add_options(options);
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        given.choice("method", {"collocation", "galerkin", "knothe-bc", "nodes", "chebyshev", "polynomial"});
-        const std::vector<double> omegas = make_omegas(given);
-        const bool by_polynomials = given.text("method") == "polynomial", checked = !given.flag("unchecked");
-        const Polynomials polynomials = by_polynomials ? solve_polynomials(given, omegas) : Polynomials{};
-        const std::vector<study::Scene> scenes =
-            by_polynomials ? polynomials.scenes : study::make_non_steady_scenes(given, methods);
-        study::Table table = sheet.table(
-            scenes, [&](const study::Scene&) { return omegas.size(); },
-            [&](const study::Scene& scene, study::RowRange range, const study::Results<Response>& emit) {
-                if (scene.is_discrete()) return emit_sweep(scene, omegas, checked, range, emit);
-                if (!by_polynomials) return emit_without_elements(scene, omegas, checked, range, emit);
-                const auto& known = polynomials.responses[std::size_t(&scene - scenes.data())];
-                for (std::size_t i = range.first; i < range.last; ++i) emit(known[i]);
-            });
-        if (by_polynomials) table.label = {};
+        const Job job = read_job(given);
+        const study::Table table = table_of(job);
         study::OutputFiles files;
-        if (given.given("state-space")) write_state_space(given, files, scenes);
-        table.plot = [&](const std::vector<study::Row>& drawn) {
-            return draw_response(drawn, given.given("order"), omegas);
-        };
+        study::write_state_space(
+            given, files, job.scenes.size(),
+            [&] { return equations_of(job.scenes.front(), given.said("state-space")); }, words_of_equations);
         study::write_table(given, table, files);
         return study::exit_ok;
     });

@@ -158,30 +158,29 @@ void emit_sweep(const Patch& patch, const std::vector<double>& omegas, study::Ro
 
 // --- differential equations ----------------------------------------------------------------------------------------
 
-void write_state_space(const study::Options& options, study::OutputFiles& files, const std::vector<Patch>& patches) {
-    const Patch& patch = patches.front();
-    const rollbem::Response<double> steady =
-        rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, patch.kernel());
-    const auto make = [&] {
-        rollbem::StateSpace<double> space =
-            rollbem::state_space(rollbem::rolling_system(patch.mesh, patch.scheme, patch.kernel()).joined());
-        // from forces over G a^2, moments over G a^3 and spin times a to Kalker's a b and c
-        const double force = patch.contact.a_over_b(), length = std::sqrt(force);
-        space.B.col(2) *= length;
-        space.C *= force;
-        space.C.row(2) *= length;
-        return space;
-    };
-    study::write_state_space(
-        options, files, patches.size(), make,
-        {.one = "patch",
-         .lists = "--n, --strips, --a-over-b and --poisson",
-         .conventions = "# equations = d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + D "
-                        "(xi, eta, phi c); q = V t, c = sqrt(a b); outlines: a, b and c are sqrt(area/pi)\n# response "
-                        "= (c11 c12 c13; c21 c22 c23; c31 c32 c33) = C (s I - A)^-1 B + D, s in V/a\n# status = " +
-                        std::string(name(steady.status)) + " of the steady coefficients, as in the table\n",
-         .states = "tractions p_x/G of the elements, strip by strip from trailing to leading, then p_y/G",
-         .bounded = "the matrix of coefficients"});
+rollbem::StateSpace<double> equations_of(const Patch& patch) {
+    rollbem::StateSpace<double> space =
+        rollbem::state_space(rollbem::rolling_system(patch.mesh, patch.scheme, patch.kernel()).joined());
+    // from forces over G a^2, moments over G a^3 and spin times a to Kalker's a b and c
+    const double force = patch.contact.a_over_b(), length = std::sqrt(force);
+    space.B.col(2) *= length;
+    space.C *= force;
+    space.C.row(2) *= length;
+    return space;
+}
+
+study::StateSpaceWords words_of_equations(const Patch& patch) {
+    const auto steady = rollbem::solve_steady(patch.contact, patch.mesh, patch.scheme, patch.kernel());
+    return {.one = "patch",
+            .lists = "--n, --strips, --a-over-b and --poisson",
+            .conventions =
+                "# equations = d x/d(q/a) = A x + B (xi, eta, phi c), (-F_x, -F_y, -M_z/c)/(G a b) = C x + "
+                "D (xi, eta, phi c); q = V t, c = sqrt(a b); outlines: a, b and c are sqrt(area/pi)\n"
+                "# response = (c11 c12 c13; c21 c22 c23; c31 c32 c33) = C (s I - A)^-1 B + D, s in V/a\n"
+                "# status = " +
+                std::string(name(steady.status)) + " of the steady coefficients, as in the table\n",
+            .states = "tractions p_x/G of the elements, strip by strip from trailing to leading, then p_y/G",
+            .bounded = "the matrix of coefficients"};
 }
 
 /// The text of --help; `columns` name the coefficients.
@@ -257,23 +256,33 @@ void add_options(study::Options& options) {
     options.footer(help(steady_sheet(true).help()));
 }
 
+/// Patches in full adhesion.
+struct Coefficients {
+    const std::vector<Patch>& patches;
+    std::vector<double> omegas;  ///< of responses; empty: steady
+    bool stability, timed;
+};
+
+Coefficients read_coefficients(const study::Options& options, const std::vector<Patch>& patches) {
+    Coefficients scene{patches, {}, options.flag("stability"), study::has_times(options)};
+    if (options.given("omega")) scene.omegas = options.numbers("omega", study::not_negative());
+    return scene;
+}
+
 /// A row for each patch, or for each patch and frequency.
-void study_coefficients(const study::Options& given, const std::vector<Patch>& patches) {
-    const bool harmonic = given.given("omega"), stability = given.flag("stability"), timed = study::has_times(given);
-    std::vector<double> omegas;
-    if (harmonic) omegas = given.numbers("omega", study::not_negative());
-    const Sheet sheet = harmonic ? response_sheet() : steady_sheet(stability);
+study::Table coefficient_table(const Coefficients& scene) {
+    static const Sheet responses = response_sheet(), counted = steady_sheet(true), plain = steady_sheet(false);
+    const bool harmonic = !scene.omegas.empty();
+    const Sheet& sheet = harmonic ? responses : scene.stability ? counted : plain;
     study::Table table = sheet.table(
-        patches, [&](const Patch&) { return harmonic ? omegas.size() : 1; },
-        [&](const Patch& patch, study::RowRange range, const study::Results<Found>& emit) {
-            harmonic ? emit_sweep(patch, omegas, range, emit) : emit(steady(patch, timed, stability));
+        scene.patches, [&](const Patch&) { return harmonic ? scene.omegas.size() : 1; },
+        [&scene, harmonic](const Patch& patch, study::RowRange range, const study::Results<Found>& emit) {
+            harmonic ? emit_sweep(patch, scene.omegas, range, emit) : emit(steady(patch, scene.timed, scene.stability));
         });
-    study::OutputFiles files;
-    if (given.given("state-space")) write_state_space(given, files, patches);
-    table.plot = [&](const std::vector<study::Row>& rows) {
-        return (harmonic ? patch::draw_responses : patch::draw_coefficients)(table.columns, rows);
+    table.plot = [harmonic, &sheet](const std::vector<study::Row>& rows) {
+        return (harmonic ? patch::draw_responses : patch::draw_coefficients)(sheet.names(), rows);
     };
-    study::write_table(given, table, files);
+    return table;
 }
 
 }  // namespace
@@ -286,7 +295,14 @@ int main(int argc, char** argv) {
         const std::vector<Patch> patches = patch::read_patches(given);
         const std::vector<std::string> ways = patch::ways_of_friction();
         if (std::none_of(ways.begin(), ways.end(), [&](const std::string& way) { return given.given(way); })) {
-            study_coefficients(given, patches);
+            const Coefficients scene = read_coefficients(given, patches);
+            study::OutputFiles files;
+            if (given.given("state-space")) {
+                const Patch& patch = patches.front();
+                study::write_state_space(
+                    given, files, patches.size(), [&] { return equations_of(patch); }, words_of_equations(patch));
+            }
+            study::write_table(given, coefficient_table(scene), files);
         } else if (given.flag("transient")) {
             const patch::TimeScene scene = patch::read_time_scene(given, patches);
             study::write_table(given, patch::transient_table(scene));

@@ -157,14 +157,10 @@ void measure(std::vector<Task>& tasks, const std::vector<std::size_t>& wanted,
 /// The rows of a comparison. References, times, and errors for on_front are found before the first row is written.
 class Computation {
 public:
-    /// `all` becomes all rows of this run; none without times.
-    Computation(const study::Options& options, Comparison comparison, std::vector<Point>& all)
-        : comparison_(std::move(comparison)),
-          with_times_(study::has_times(options)),
-          partial_(options.given("shard") || !with_times_),
-          points_(all) {}
+    explicit Computation(Comparison& comparison) : comparison_(comparison) {}
 
-    void fill(study::Table& table) {
+    study::Table table() {
+        study::Table table;
         table.columns = comparison_.columns;
         for (const Task& task : comparison_.tasks) {
             first_.push_back(first_.empty() ? 0 : first_.back() + table.rows_of_task.back());
@@ -172,12 +168,13 @@ public:
         }
         table.prepare = [&](const auto& wanted, const auto& done) { prepare(wanted, done); };
         table.compute = [&](std::size_t task, study::RowRange range, const study::Emit& emit) {
-            const std::vector<Point> own = partial_ ? points_of(task) : std::vector<Point>{};
+            const std::vector<Point> own = comparison_.partial ? points_of(task) : std::vector<Point>{};
             for (std::size_t k = range.first; k < range.last; ++k) {
-                emit(row(partial_ ? own[k] : points_[first_[task] + k]));
-                if (partial_ && with_times_) points_.push_back(own[k]);  // by a single job
+                emit(row(comparison_.partial ? own[k] : comparison_.points[first_[task] + k]));
+                if (comparison_.partial && comparison_.timed) comparison_.points.push_back(own[k]);  // by a single job
             }
         };
+        return table;
     }
 
 private:
@@ -201,13 +198,13 @@ private:
             if (comparison_.model_error) model_errors_[quantities[k].name] = comparison_.model_error(quantities[k]);
         }
         const std::size_t count = comparison_.tasks.size();
-        if (with_times_) measure(comparison_.tasks, wanted, [&](double part) { done(part / 2); });
-        if (partial_) return;
+        if (comparison_.timed) measure(comparison_.tasks, wanted, [&](double part) { done(part / 2); });
+        if (comparison_.partial) return;
         for (std::size_t i = 0; i < count; ++i) {
-            for (Point& point : points_of(i)) points_.push_back(std::move(point));
+            for (Point& point : points_of(i)) comparison_.points.push_back(std::move(point));
             done((1 + static_cast<double>(i + 1) / static_cast<double>(count)) / 2);
         }
-        mark_front(points_);
+        mark_front(comparison_.points);
     }
 
     std::vector<Point> points_of(std::size_t index) const {
@@ -235,22 +232,51 @@ private:
         return points;
     }
 
-    Comparison comparison_;
-    bool with_times_, partial_;
-    std::vector<Point>& points_;
-    std::vector<std::size_t> first_;  // of each task in points_
+    Comparison& comparison_;
+    std::vector<std::size_t> first_;  // of each task in the points
     std::map<std::string, Values> references_;
     std::map<std::string, std::optional<double>> model_errors_;
 };
 
+/// Rows of a file.
+study::Table table_of(const Comparison& read) {
+    study::Table table;
+    table.columns = read.columns;
+    table.rows_of_task.assign(read.points.size(), 1);
+    table.compute = [&](std::size_t i, study::RowRange, const study::Emit& emit) { emit(row(read.points[i])); };
+    return table;
+}
+
+Comparison read_comparison(const study::Options& options) {
+    const bool patches = options.text("quantity").find("patch_") != std::string::npos;
+    for (const char* name : {"a-over-b", "strips"}) {
+        if (!patches) options.ignored(name, "without quantities of patches");
+    }
+    const bool timed = study::has_times(options), partial = options.given("shard") || !timed;
+    if (partial) options.ignored("cheapest", "with --shard or --jobs or --no-timing, where times lack; use --front");
+    Comparison comparison{columns(), {}};
+    if (patches) {
+        comparison = read_patch_comparison(options);
+    } else if (!options.given("front")) {
+        comparison = read_line_comparison(options);
+    } else {
+        comparison.quantities = read_quantities(options, line_quantities(options));
+        comparison.points = read_points(options, comparison.quantities);
+        mark_front(comparison.points);
+    }
+    comparison.timed = timed;
+    comparison.partial = partial;
+    return comparison;
+}
+
 }  // namespace
 
-std::vector<study::NamedScheme> chosen_schemes(const study::Options& options, bool of_patch) {
+std::vector<study::NamedScheme> read_schemes(const study::Options& options, bool of_patch) {
     const char* usual = of_patch ? patch_schemes : line_schemes;
     return study::named_schemes(options.given("scheme") ? options.texts("scheme") : study::cells_of(usual), of_patch);
 }
 
-std::vector<Quantity> chosen(const study::Options& options, const std::vector<Quantity>& all) {
+std::vector<Quantity> read_quantities(const study::Options& options, const std::vector<Quantity>& all) {
     const std::vector<std::string> asked = options.choices("quantity", names_of(all));
     std::vector<Quantity> result;
     for (const Quantity& quantity : all) {
@@ -268,39 +294,18 @@ int main(int argc, char** argv) {
     precision::add_options(options);
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         if (given.given("recommend")) {
-            precision::print_recommendations(given);
+            precision::print_recommendations(precision::read_recommendation(given));
             return study::exit_ok;
         }
-        const bool patches = given.text("quantity").find("patch_") != std::string::npos;
-        const std::vector<precision::Quantity> quantities =
-            chosen(given, patches ? precision::patch_quantities() : precision::line_quantities(given));
-        for (const char* name : {"a-over-b", "strips"}) {
-            if (!patches) given.ignored(name, "without quantities of patches");
-        }
-        if (given.given("shard") || !study::has_times(given)) {
-            given.ignored("cheapest", "with --shard or --jobs or --no-timing, where times lack; use --front");
-        }
-        study::Table table;
-        std::vector<precision::Point> points;
-        std::optional<precision::Computation> computed;
-        if (given.given("front") && !patches) {
-            // 2. Rows from a file.
-            points = precision::read_points(given, quantities);
-            precision::mark_front(points);
-            table.columns = precision::columns();
-            table.rows_of_task.assign(points.size(), 1);
-            table.compute = [&](std::size_t i, study::RowRange, const study::Emit& emit) {
-                emit(precision::row(points[i]));
-            };
-        } else {
-            // 3. Or schemes to compute.
-            computed.emplace(given, patches ? precision::compare_on_patch(given) : precision::compare_on_line(given),
-                             points);
-            computed->fill(table);
-        }
+        // 2. The rows, computed or of a file.
+        precision::Comparison comparison = precision::read_comparison(given);
+        const std::vector<precision::Quantity>& quantities = comparison.quantities;
+        const std::vector<precision::Point>& points = comparison.points;
+        precision::Computation computation(comparison);
+        study::Table table = comparison.tasks.empty() ? precision::table_of(comparison) : computation.table();
         table.plot = [&](const std::vector<study::Row>&) { return precision::pictures(quantities, points); };
 
-        // 4. The rows, and the cheapest scheme for each tolerance.
+        // 3. The cheapest scheme for each tolerance.
         study::OutputFiles files;
         if (given.given("cheapest")) {
             study::OutputFile* const cheapest = &files.open(given.text("cheapest"), "--cheapest");

@@ -62,7 +62,7 @@ Contacts find_contacts(const Settings& settings, const Case& at) {
     }
     contacts.time_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
     for (const Side side : settings.sides) {
-        if (!settings.stress) break;
+        if (settings.stress.empty()) break;
         for (const PatchForce& friction : contacts.of.patches[std::size_t(side)]) {
             contacts.stresses[std::size_t(side)].push_back(
                 stresses_below(friction, settings.wheelset.wheel(side).dimensions().poisson_ratio));
@@ -161,18 +161,13 @@ Columns patch_columns() {
              }},
             {"x", "reference point of the patch, on the rail, in track axes, x from the wheelset [m]",
              of_patch(&RailPatch::x)},
-            {"y", "reference point of the patch, on the rail, in track axes, x from the wheelset [m]",
-             of_patch(&RailPatch::y, true)},
-            {"z", "reference point of the patch, on the rail, in track axes, x from the wheelset [m]",
-             of_patch(&RailPatch::z)},
+            {"y", "", of_patch(&RailPatch::y, true)},
+            {"z", "", of_patch(&RailPatch::z)},
             {"rail_y",
              "y of the reference point in the profiles of the right wheel and the canted right rail, of a left wheel "
              "in their mirror images [m]",
              of_patch(&RailPatch::rail_y)},
-            {"wheel_y",
-             "y of the reference point in the profiles of the right wheel and the canted right rail, of a left wheel "
-             "in their mirror images [m]",
-             of_patch(&RailPatch::wheel_y)},
+            {"wheel_y", "", of_patch(&RailPatch::wheel_y)},
             {"angle", "angle of the patch's plane [rad]: s lies along y turned by it, n points into the rail",
              of_patch(&RailPatch::angle, true)},
             {"rolling_radius", "radius of the wheel at the reference point [m]", of_patch(&RailPatch::rolling_radius)},
@@ -202,18 +197,13 @@ Columns friction_columns() {
              "with --friction: creepages of the rail on the wheel, CONTACT's CKSI and CETA, over the mean of V and "
              "-pitch_rate rolling_radius: along x positive for a wheel driven forward",
              of(&Found::force, false, [](const PatchForce& p) { return -p.creepage.longitudinal; })},
-            {"lateral_creepage",
-             "with --friction: creepages of the rail on the wheel, CONTACT's CKSI and CETA, over the mean of V and "
-             "-pitch_rate rolling_radius: along x positive for a wheel driven forward",
-             of(&Found::force, true, [](const PatchForce& p) { return -p.creepage.lateral; })},
+            {"lateral_creepage", "", of(&Found::force, true, [](const PatchForce& p) { return -p.creepage.lateral; })},
             {"spin", "spin of the rail on the wheel, CONTACT's CPHI, likewise [1/m]",
              of(&Found::force, true, [](const PatchForce& p) { return -p.creepage.spin; })},
             {"longitudinal_force",
              "forces of friction on the wheel along x and s [N]; CONTACT's FX and FS, on the rail, are minus these",
              of(&Found::solved, false, [](const PatchForce& p) { return p.force.longitudinal; })},
-            {"lateral_force",
-             "forces of friction on the wheel along x and s [N]; CONTACT's FX and FS, on the rail, are minus these",
-             of(&Found::solved, true, [](const PatchForce& p) { return p.force.lateral; })},
+            {"lateral_force", "", of(&Found::solved, true, [](const PatchForce& p) { return p.force.lateral; })},
             {"spin_moment",
              "moment of friction on the wheel about n at the reference point [N m]; CONTACT's MN is minus this",
              of(&Found::solved, true, [](const PatchForce& p) { return p.force.moment; })},
@@ -341,8 +331,7 @@ void for_patches(const Settings& settings, const Positions& positions, const Vis
 
 /// Files P_SIDE_K.outline.csv and P_SIDE_K.pressure.csv of position P, wheel SIDE and patch K, counted from 1, in
 /// metres.
-void write_outlines(study::OutputFiles& files, const std::string& folder, const Settings& settings,
-                    const Positions& positions) {
+void write_outlines(study::OutputFiles& files, const Settings& settings, const Positions& positions) {
     for_patches(settings, positions, [&](std::size_t at, bool left, std::size_t number, const RailPatch& patch) {
         // a left wheel is a mirror image: s is reversed
         const double sign = left ? -1 : 1;
@@ -358,8 +347,8 @@ void write_outlines(study::OutputFiles& files, const std::string& folder, const 
                 pressures += study::csv_line({grid.x(i), sign * grid.y(j), patch.pressure(i, j)});
             }
         }
-        const std::string name =
-            folder + "/" + std::to_string(at + 1) + (left ? "_left_" : "_right_") + std::to_string(number + 1);
+        const std::string name = settings.outline + "/" + std::to_string(at + 1) + (left ? "_left_" : "_right_") +
+                                 std::to_string(number + 1);
         files.add(name + ".outline.csv", "--outline", edges);
         files.add(name + ".pressure.csv", "--outline", pressures);
     });
@@ -409,22 +398,31 @@ void write_wear(study::OutputFile& file, const Settings& settings, const Positio
 
 // --- the program -----------------------------------------------------------------------------------------------------
 
-/// The rows of a scene, what is kept of it for files and the picture, and the names of the files.
+/// The columns, files that are opened before anything is computed, and what is kept for them and the picture.
 struct Run {
+    Run(const Settings& given, study::OutputFiles& files)
+        : settings(given),
+          sheet(sheet_of(given.columns, given.friction.has_value(), given.friction && given.friction->heating,
+                         !given.stress.empty())),
+          positions(given.cases.size()) {
+        if (!given.wear.empty()) wear = &files.open(given.wear, "--wear");
+        if (!given.stress.empty()) stress = &files.open(given.stress, "--stress");
+        if (!given.outline.empty()) files.make_folder(given.outline, "--outline");
+    }
+    bool keeps() const {
+        return settings.cases.size() == 1 || !settings.outline.empty() || wear != nullptr || stress != nullptr;
+    }
+
     const Settings& settings;
-    const std::vector<Case>& cases;
     study::Sheet<Found, Case> sheet;
-    std::string folder;
-    study::OutputFile *wear, *stress;
-    Positions positions{};  ///< for files, and the picture of a single one
+    study::OutputFile *wear = nullptr, *stress = nullptr;
+    Positions positions;
 };
 
 /// A row for each patch; for each wheel that has none, one that says why.
 void emit_rows(Run& run, const Case& at, study::RowRange range, const study::Results<Found>& emit) {
     const Contacts contacts = find_contacts(run.settings, at);
-    if (run.cases.size() == 1 || !run.folder.empty() || run.wear != nullptr || run.settings.stress) {
-        run.positions[std::size_t(&at - run.cases.data())] = Position{contacts, range};
-    }
+    if (run.keeps()) run.positions[std::size_t(&at - run.settings.cases.data())] = Position{contacts, range};
     for (std::size_t k = range.first; k < range.last; ++k) {
         Found found{run.settings, at, contacts, run.settings.sides[k], std::nullopt, run.settings.timed};
         const std::size_t count = rollbem::has_numbers(found.wheel().status) ? found.wheel().patches.size() : 0;
@@ -438,7 +436,8 @@ void emit_rows(Run& run, const Case& at, study::RowRange range, const study::Res
 
 /// The patches of one position, or the contact points of several.
 study::Plot draw(const Run& run, const std::vector<study::Row>& rows) {
-    if (run.cases.size() > 1) return profile::draw_contact_points(run.settings.wheelset, run.sheet.names(), rows);
+    if (run.settings.cases.size() > 1)
+        return profile::draw_contact_points(run.settings.wheelset, run.sheet.names(), rows);
     std::vector<profile::Drawn> drawn;
     for_patches(run.settings, run.positions, [&](std::size_t, bool left, std::size_t, const RailPatch& patch) {
         drawn.push_back({left, patch});
@@ -446,34 +445,20 @@ study::Plot draw(const Run& run, const std::vector<study::Row>& rows) {
     return profile::draw_patches(drawn, rows.size() - drawn.size());
 }
 
-void study_patches(const study::Options& given) {
-    // 1. The scene, and the files that are opened before anything is computed.
-    const std::vector<Case> cases = profile::read_cases(given);
-    const Settings settings = profile::read_settings(given, cases.size() > 1);
-    const bool heats = settings.friction && settings.friction->heating;
-    study::OutputFiles files;
-    Run run{settings,
-            cases,
-            sheet_of(profile::case_columns(given), settings.friction.has_value(), heats, settings.stress),
-            given.text("outline"),
-            given.given("wear") ? &files.open(given.text("wear"), "--wear") : nullptr,
-            settings.stress ? &files.open(given.text("stress"), "--stress") : nullptr,
-            Positions(cases.size())};
-    if (!run.folder.empty()) files.make_folder(run.folder, "--outline");
-
-    // 2. Rows, files, picture.
+study::Table patch_table(Run& run, study::OutputFiles& files) {
+    const Settings& settings = run.settings;
     study::Table table = run.sheet.table(
-        cases, [&](const Case&) { return settings.sides.size(); },
+        settings.cases, [&](const Case&) { return settings.sides.size(); },
         [&](const Case& at, study::RowRange range, const study::Results<Found>& emit) {
             emit_rows(run, at, range, emit);
         });
     table.finish = [&] {
-        if (!run.folder.empty()) write_outlines(files, run.folder, settings, run.positions);
+        if (!settings.outline.empty()) write_outlines(files, settings, run.positions);
         if (run.wear != nullptr) write_wear(*run.wear, settings, run.positions);
         if (run.stress != nullptr) write_stresses(*run.stress, settings, run.positions);
     };
     table.plot = [&](const std::vector<study::Row>& rows) { return draw(run, rows); };
-    study::write_table(given, table, files);
+    return table;
 }
 
 }  // namespace
@@ -490,7 +475,10 @@ int main(int argc, char** argv) {
             const profile::MethodScene scene = profile::read_methods(given);
             study::write_table(given, profile::method_table(scene));
         } else {
-            study_patches(given);
+            const Settings settings = profile::read_settings(given);
+            study::OutputFiles files;
+            Run run(settings, files);
+            study::write_table(given, patch_table(run, files), files);
         }
         return study::exit_ok;
     });

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
-#include <functional>
 #include <iterator>
 #include <set>
 #include <string>
@@ -16,8 +15,6 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
-
-#include <rollbem/detail/parallel_for.hpp>
 
 #include "build_info.hpp"
 #include "paper/claims.hpp"
@@ -30,18 +27,8 @@ namespace {
 
 struct Settings {
     std::string directory;
-    std::size_t jobs = std::max(1u, std::thread::hardware_concurrency());
-    bool quiet = false;
+    study::Threads threads{"reproduce_paper", std::max(1u, std::thread::hardware_concurrency()), true};
 };
-
-/// compute(k) for all k < count on several threads, with a progress line.
-void in_parallel(const std::string& what, std::size_t count, const Settings& settings,
-                 const std::function<void(std::size_t)>& compute) {
-    study::Progress progress("reproduce_paper", count, !settings.quiet, what);
-    std::size_t done = 0;
-    progress.update(0);
-    rollbem::detail::parallel_for(count, settings.jobs, compute, [&] { progress.update(++done); });
-}
 
 paper::Results compute_figures(const Settings& settings) {
     paper::Results results{paper::panels()};
@@ -49,7 +36,7 @@ paper::Results compute_figures(const Settings& settings) {
     for (paper::Panel& panel : results.panels) {
         for (paper::Curve& curve : panel.curves) curves.emplace_back(&panel, &curve);
     }
-    in_parallel("curves", curves.size(), settings,
+    in_parallel(settings.threads, curves.size(), "curves",
                 [&](std::size_t k) { paper::compute(*curves[k].first, *curves[k].second); });
     return results;
 }
@@ -73,7 +60,7 @@ paper::Claims judge_claims(const Settings& settings, const paper::Results& resul
                                                   paper::split_points,
                                                   paper::claims_on_frequency};
     std::vector<Claims> judged(std::size(chapters));
-    in_parallel("claims", judged.size(), settings, [&](std::size_t k) {
+    in_parallel(settings.threads, judged.size(), "claims", [&](std::size_t k) {
         if (chapters[k] != timed) judged[k] = chapters[k](results);
     });
     Claims all;
@@ -141,6 +128,7 @@ int run(const Settings& settings) {
 
 int main(int argc, char** argv) {
     Settings settings;
+    bool quiet = false;
     CLI::App app(
         R"(Every figure and every claim of the paper: writes each panel as figNNx.csv and figNNx.svg, claims.csv
 (claim, figure, paper, measured, holds, expected, reason, kind) and index.html, which shows everything.
@@ -151,9 +139,9 @@ from additions, results that the paper does not have.)",
     app.set_version_flag("--version", "reproduce_paper " + std::string(build_info::version) + " (" +
                                           std::string(build_info::git_revision) + ")");
     app.add_option("DIR", settings.directory, "folder to write to; created if it does not exist")->required();
-    app.add_option("--jobs", settings.jobs, "threads, 1 to 1024; default: the number of processors")
+    app.add_option("--jobs", settings.threads.jobs, "threads, 1 to 1024; default: the number of processors")
         ->check(CLI::Range(1, 1024));
-    app.add_flag("--quiet", settings.quiet, "no progress line");
+    app.add_flag("--quiet", quiet, "no progress line");
     app.footer(R"(
 Example:
   reproduce_paper results
@@ -165,6 +153,7 @@ Exit codes: 0 every claim holds or fails as expected (without gnuplot the plots 
     return study::run_guarded("reproduce_paper", [&] {
         try {
             app.parse(argc, argv);
+            settings.threads.shows = !quiet;
         } catch (const CLI::Success& request) {  // --help, --version
             return app.exit(request);
         } catch (const CLI::ParseError& error) {

@@ -217,7 +217,7 @@ std::optional<Complex> nearest(const std::vector<Complex>& exact, Complex nu) {
 }
 
 /// The eigenvalues by ascending modulus, infinite ones last, each beside the nearest exact one.
-void emit_spectrum(const study::Scene& scene, study::RowRange range, const auto& emit) {
+void emit_spectrum(const study::Scene& scene, study::RowRange range, const study::Results<Eigenvalue>& emit) {
     const std::optional<rollbem::RollingSystem<double>> system = study::system_if_finite(scene);
     Result result;
     if (system) result = rollbem::solve_stability<double>(*system);
@@ -297,25 +297,40 @@ study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::ve
 
 // --- the modes of the program --------------------------------------------------------------------------------------
 
-study::Table make_table(const study::Options& options, const std::vector<study::Scene>& scenes) {
-    if (options.flag("critical")) {
+struct Job {
+    std::vector<study::Scene> scenes;
+    bool critical, spectrum, timed;
+};
+
+Job read_job(const study::Options& options) {
+    Job job{study::make_non_steady_scenes(options, methods), options.flag("critical"), options.flag("spectrum"),
+            study::has_times(options)};
+    for (const study::Scene& scene : job.scenes) {
+        if (!job.critical) break;
+        if (!scene.alpha_T) throw study::BadInput("--critical has no effect with schemes without an alpha_T");
+        if (scene.n() >= 2) continue;
+        throw study::BadInput("--critical needs at least 2 elements, alpha_T and alpha_L differ; given is n = " +
+                              std::to_string(scene.n()));
+    }
+    return job;
+}
+
+study::Table table_of(const Job& job) {
+    const std::vector<study::Scene>& scenes = job.scenes;
+    if (job.critical) {
         study::Table table = criticals.table(scenes, critical);
         table.plot = draw_criticals;
         return table;
     }
-    if (options.flag("spectrum")) {
+    if (job.spectrum) {
         const auto rows = [](const study::Scene& scene) {
             return scene.chebyshev ? scene.n() : rollbem::unknown_count(scene.scheme, *scene.mesh);
         };
-        study::Table table =
-            spectrum.table(scenes, rows, [](const study::Scene& scene, study::RowRange range, const auto& emit) {
-                emit_spectrum(scene, range, emit);
-            });
+        study::Table table = spectrum.table(scenes, rows, emit_spectrum);
         table.plot = [&](const std::vector<study::Row>& drawn) { return draw_spectrum(scenes, drawn); };
         return table;
     }
-    const bool timed = study::has_times(options);
-    study::Table table = counts.table(scenes, [=](const study::Scene& scene) { return count(scene, timed); });
+    study::Table table = counts.table(scenes, [&](const study::Scene& scene) { return count(scene, job.timed); });
     table.plot = [&](const std::vector<study::Row>& rows) { return draw_counts(scenes, rows); };
     return table;
 }
@@ -351,15 +366,8 @@ with --method nodes and knothe-bc.
 )");
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        const auto scenes = study::make_non_steady_scenes(given, methods);
-        for (const study::Scene& scene : scenes) {
-            if (!given.flag("critical")) break;
-            if (!scene.alpha_T) throw study::BadInput("--critical has no effect with schemes without an alpha_T");
-            if (scene.n() >= 2) continue;
-            throw study::BadInput("--critical needs at least 2 elements, alpha_T and alpha_L differ; given is n = " +
-                                  std::to_string(scene.n()));
-        }
-        study::write_table(given, make_table(given, scenes));
+        const Job job = read_job(given);
+        study::write_table(given, table_of(job));
         return study::exit_ok;
     });
 }

@@ -30,52 +30,55 @@ constexpr study::Methods methods{.states = true};
 
 const study::HistoryColumns columns{{"creepage"}};
 
-/// Creepage over q/a from rest, and the exact force -F_bar/(a G) if there is one.
+/// A run from rest, its exact force -F_bar/(a G) if there is one, and the reference for forces.
 struct Creepage {
+    study::Run run;
     std::string label;
-    study::History history;
-    std::function<double(const rollbem::reference::StepResponse& response, double q)> exact;
+    std::function<double(const rollbem::reference::StepResponse& response, double q)> exact{};
+    double largest = 0;  ///< |creepage|, knots within the run included
 
-    double at(double q, bool behind) const { return history.at(columns.main(), q, behind); }
+    double at(double q, bool behind) const { return run.imposed.at(columns.main(), q, behind); }
 };
 
-Creepage make_creepage(const study::Options& options) {
+double largest_creepage(const Creepage& creepage) {
+    const study::Run& run = creepage.run;
+    double largest = 0;
+    for (std::size_t k = 1; k <= run.steps.count; ++k) {
+        largest = std::max(largest, std::abs(creepage.at(static_cast<double>(k) * run.steps.dq, false)));
+    }
+    const study::Numbers &places = run.imposed.places(), &values = run.imposed.values(columns.main());
+    for (std::size_t j = 0; j < places.size() && places[j] <= run.until(); ++j) {
+        largest = std::max(largest, std::abs(values[j]));
+    }
+    return largest;
+}
+
+Creepage read_creepage(const study::Options& options) {
     using Response = rollbem::reference::StepResponse;
-    const study::History given = study::read_history(options, columns);
+    Creepage creepage{study::read_run(options, columns), "creepage of a table"};
+    const study::History& given = creepage.run.imposed;
     if (!given.has(columns.main())) throw study::BadInput("one of --step, --ramp, --sine and --history must be given");
     const double at_1 = given.at(columns.main(), 1, false);
     if (options.given("step")) {
-        return {"a step of creepage", given,
-                [=](const Response& response, double q) { return at_1 * response.step(q); }};
+        creepage.label = "a step of creepage";
+        creepage.exact = [=](const Response& response, double q) { return at_1 * response.step(q); };
+    } else if (options.given("ramp")) {
+        creepage.label = "a ramp of creepage";
+        creepage.exact = [=](const Response& response, double q) { return at_1 * response.ramp(q); };
+    } else if (options.given("sine")) {
+        const auto [amplitude, omega] = study::read_sine(options);
+        creepage.label = "a sine of creepage, ω a/V = " + study::Cell(omega).text(6);
+        creepage.exact = [amplitude = amplitude, omega = omega](const Response& response, double q) {
+            return amplitude * response.sine(omega, q);
+        };
+    } else {
+        creepage.exact = [table = given](const Response& response, double q) {
+            return response.history(table.places(), table.values(columns.main()), q);
+        };
     }
-    if (options.given("ramp")) {
-        return {"a ramp of creepage", given,
-                [=](const Response& response, double q) { return at_1 * response.ramp(q); }};
-    }
-    if (options.given("sine")) {
-        const study::Sine sine = study::read_sine(options);
-        return {"a sine of creepage, ω a/V = " + study::Cell(sine.omega).text(6), given,
-                [=](const Response& response, double q) { return sine.amplitude * response.sine(sine.omega, q); }};
-    }
-    return {"creepage of a table", given, [table = given](const Response& response, double q) {
-                return response.history(table.places(), table.values(columns.main()), q);
-            }};
-}
-
-/// The largest |creepage| of the run, the reference for the force, knots within the run included. Throws BadInput if it
-/// is 0.
-double largest_creepage(const Creepage& creepage, const study::Steps& steps) {
-    double largest = 0;
-    for (std::size_t k = 1; k <= steps.count; ++k) {
-        largest = std::max(largest, std::abs(creepage.at(static_cast<double>(k) * steps.dq, false)));
-    }
-    const double end = static_cast<double>(steps.count) * steps.dq;
-    const study::Numbers& places = creepage.history.places();
-    for (std::size_t j = 0; j < places.size(); ++j) {
-        if (places[j] <= end) largest = std::max(largest, std::abs(creepage.history.values(columns.main())[j]));
-    }
-    if (largest == 0) throw study::BadInput("the creepage must not be 0 all the way up to --until");
-    return largest;
+    creepage.largest = largest_creepage(creepage);
+    if (creepage.largest == 0) throw study::BadInput("the creepage must not be 0 all the way up to --until");
+    return creepage;
 }
 
 /// The creepage and force after a step.
@@ -115,27 +118,40 @@ struct Rolling {
     std::optional<rollbem::reference::StepResponse> exact{};
 };
 
+// 2. One model for each scene, if eigenvalues and steady rolling tell that stepping makes sense, and the exact response
+// of its contact.
+Rolling make_rolling(const study::Scene& scene, const study::Run& run) {
+    Rolling rolling{scene.order()};
+    for (const study::Scene& one : scene.meshes()) {
+        rollbem::RollingSystem<double> system = study::system_of(one);
+        if (run.checked) study::require_steppable(one, system);
+        rolling.models.emplace_back(one.contact, std::move(system), rollbem::unchecked, run.integrator);
+    }
+    if (study::plane_model_decays(scene.contact)) {
+        rolling.exact.emplace(scene.contact.poisson_ratio(), scene.contact.aspect());
+    }
+    return rolling;
+}
+
 /// One run: emits the rows of `range`, but steps from the start, because each state needs the one before.
-void run(const Rolling& rolling, const Creepage& creepage, const study::Steps& steps, bool checked,
-         study::RowRange range, const study::Results<Moment>& emit) {
-    const bool resolved = creepage.history.resolved(steps.dq);
-    const std::string status = !resolved ? study::unresolved : checked ? study::ok : study::unchecked;
+void roll(const Rolling& rolling, const Creepage& creepage, study::RowRange range, const study::Results<Moment>& emit) {
+    const study::Run& run = creepage.run;
+    const study::Steps& steps = run.steps;
+    const bool resolved = run.imposed.resolved(steps.dq);
+    const std::string status = !resolved ? study::unresolved : run.checked ? study::ok : study::unchecked;
 
-    // 3. The reference for the force.
-    const double reference = largest_creepage(creepage, steps);
-
-    // 4. Step by step, with creepage linear over each. A step with a knot inside is divided there.
+    // 3. Step by step, with creepage linear over each. A step with a knot inside is divided there.
     std::vector<rollbem::Run<Model>> contacts(rolling.models.begin(), rolling.models.end());
     for (std::size_t k = 1; k <= std::min(range.last, steps.count); ++k) {
         const double start = static_cast<double>(k - 1) * steps.dq, end = static_cast<double>(k) * steps.dq;
         double force = 0;
-        const auto failed = study::roll(start, end, creepage.history.places(), [&](double from, double to) {
+        const auto failed = study::roll(start, end, run.imposed.places(), [&](double from, double to) {
             const auto motion = rollbem::RigidMotion<double>::linear(creepage.at(from, true), creepage.at(to, false));
             std::vector<double> forces;
             for (auto& contact : contacts) {
                 const auto step = contact.advance({from == start && to == end ? steps.dq : to - from, motion});
                 if (step.status != rollbem::Status::ok) return step.status;
-                forces.push_back(-step.force_per_width / reference);  // a = G = 1
+                forces.push_back(-step.force_per_width / creepage.largest);  // a = G = 1
             }
             force = forces.size() == 1 ? forces[0] : rollbem::richardson(forces[1], forces[0], rolling.order);
             return rollbem::Status::ok;
@@ -146,10 +162,10 @@ void run(const Rolling& rolling, const Creepage& creepage, const study::Steps& s
         }
         if (k <= range.first) continue;
 
-        // 5. Compare with the exact response of the plane model.
+        // 4. Compare with the exact response of the plane model.
         emit({end, creepage.at(end, false), resolved ? force : std::nan(""),
-              rolling.exact ? std::optional(creepage.exact(*rolling.exact, end) / reference) : std::nullopt,
-              study::word(rolling.models.front().integrator()), status});
+              rolling.exact ? std::optional(creepage.exact(*rolling.exact, end) / creepage.largest) : std::nullopt,
+              study::word(run.integrator), status});
     }
 }
 
@@ -181,12 +197,8 @@ study::Plot draw_force(const Creepage& creepage, const std::vector<study::Row>& 
 
 void add_options(study::Options& options) {
     options.set_default("n", "40");
-    study::add_history_options(options, columns);
-    study::add_steps(options);
-    study::add_integrator(options, false);
-    options.add_flag(
-        "unchecked",
-        "no check of the schemes: those that are unstable, may be unstable or do not converge are stepped, too");
+    study::add_run_options(options, columns);
+    study::add_unchecked(options);
     study::offer_chebyshev(options);
     study::offer_schemes(options, methods);
     options.footer(
@@ -211,33 +223,15 @@ int main(int argc, char** argv) {
     add_options(options);
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        const study::Steps steps = study::read_steps(given);
-        const Creepage creepage = make_creepage(given);
-        const bool checked = !given.flag("unchecked");
-        const rollbem::Integrator integrator = study::read_integrator(given, false);
-
+        const Creepage creepage = read_creepage(given);
         const std::vector<study::Scene> scenes = study::make_non_steady_scenes(given, methods);
-        std::vector<Rolling> runs;
-        study::Table table = sheet.table(
-            scenes, [&](const study::Scene&) { return steps.count; },
-            [&](const study::Scene& scene, study::RowRange range, const study::Results<Moment>& emit) {
-                run(runs[std::size_t(&scene - scenes.data())], creepage, steps, checked, range, emit);
+        study::Table table = study::run_table(
+            sheet, scenes, creepage.run.steps.count,
+            [&](const study::Scene& scene) { return make_rolling(scene, creepage.run); },
+            [&](const Rolling& rolling, const study::Scene&, study::RowRange range, const auto& emit) {
+                roll(rolling, creepage, range, emit);
+                return "";
             });
-
-        // 2. One model for each scene, if eigenvalues and steady rolling tell that stepping makes sense, and the exact
-        // response of its contact.
-        study::prepare_runs(table, runs, scenes, [&](const study::Scene& scene) {
-            Rolling rolling{scene.order()};
-            for (const study::Scene& one : scene.meshes()) {
-                rollbem::RollingSystem<double> system = study::system_of(one);
-                if (checked) study::require_steppable(one, system);
-                rolling.models.emplace_back(one.contact, std::move(system), rollbem::unchecked, integrator);
-            }
-            if (study::plane_model_decays(scene.contact)) {
-                rolling.exact.emplace(scene.contact.poisson_ratio(), scene.contact.aspect());
-            }
-            return rolling;
-        });
         table.plot = [&](const std::vector<study::Row>& rows) { return draw_force(creepage, rows); };
         study::write_table(given, table);
         return study::exit_ok;

@@ -1,9 +1,8 @@
-#include "node_rows.hpp"
-
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
+#include "contact.hpp"
 #include "support/csv.hpp"
 #include "support/input.hpp"
 #include "support/joined_rows.hpp"
@@ -123,11 +122,12 @@ void read_row(const study::JoinedRows& rows, std::size_t row, const std::vector<
     }
 }
 
-}  // namespace
-
+/// The rows of one line of shifts.
 std::size_t rows_of_line(const ContactTable::Grid& grid, std::size_t sides) {
     return grid.shifts.size() * sides * zones;
 }
+
+}  // namespace
 
 study::Table node_table(rollbem::ContactTableMaker& maker, const ContactTable::Grid& grid) {
     const std::size_t sides = maker.side_count(), lines = grid.loads.size() * grid.yaws.size();

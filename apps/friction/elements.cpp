@@ -120,18 +120,15 @@ void solve_by_elements(const Curve& curve, const study::Scene& scene, study::Row
         };
         const auto solve = [&] {
             workspace = fresh;  // without factors
-            if (!curve.force) {
-                solution.step = at(point.longitudinal);
-            } else {
-                const FoundMotion found = find_for_force(*curve.force, solution.full, 0, at);
-                const bool is_found = found.step.status == rollbem::Status::ok;
-                solution.step = found.step;
-                solution.creepage_ratio = is_found ? found.motion : std::nan("");
-            }
+            solution.step =
+                curve.force ? find_for_force(*curve.force, solution.full, 0, at) : at(curve.points[i].longitudinal);
             return solution.step.slip_work;
         };
         solution.time_us = study::time_us_if(curve.timed, solve);
         solution.status = name(solution.step.status);
+        if (curve.force) {
+            solution.creepage_ratio = solution.step.status == rollbem::Status::ok ? point.longitudinal : std::nan("");
+        }
         solution.path_points = solution.step.path_points;
         fill(state, workspace.slip(), solution);
         see(i, solution);

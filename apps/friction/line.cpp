@@ -20,13 +20,12 @@ rollbem::Contact<double> contact_of(const study::Scene& scene, double half_lengt
 
 }  // namespace
 
-double largest_half_length(const study::History& imposed) { return std::sqrt(imposed.largest("load_ratio")); }
+double largest_half_length(const study::Run& run) { return std::sqrt(run.imposed.largest("load_ratio")); }
 
-rollbem::HertzLoad<double> hertz_load(const study::History& imposed, bool breathing,
-                                      const rollbem::Mesh<double>& mesh) {
+rollbem::HertzLoad<double> hertz_load(const study::Run& run, const rollbem::Mesh<double>& mesh) {
     const auto line = rollbem::HertzLine<double>::dimensionless();
-    return breathing ? rollbem::HertzLoad<double>::breathing(line, mesh)
-                     : rollbem::HertzLoad<double>::fixed(line, mesh, largest_half_length(imposed));
+    return run.breathing ? rollbem::HertzLoad<double>::breathing(line, mesh)
+                         : rollbem::HertzLoad<double>::fixed(line, mesh, largest_half_length(run));
 }
 
 System Line::system(const study::Scene& scene, Direction direction, bool in_time, double half_length) const {

@@ -44,11 +44,11 @@ struct SlipLaw {
     rollbem::FrictionMemory<> memory{};
 };
 
-/// Half-length of a mesh that covers the contact under load_ratio during the whole run [a_0].
-double largest_half_length(const study::History& imposed);
+/// Half-length of a mesh that covers the contact during the whole run [a_0].
+double largest_half_length(const study::Run& run);
 
-/// Hertz's contact with a_0 = 1 and p_0 = 1 under N_0, on the mesh that the history needs.
-rollbem::HertzLoad<double> hertz_load(const study::History& imposed, bool breathing, const rollbem::Mesh<double>& mesh);
+/// Hertz's contact with a_0 = 1 and p_0 = 1 under N_0, on the mesh that the run needs.
+rollbem::HertzLoad<double> hertz_load(const study::Run& run, const rollbem::Mesh<double>& mesh);
 
 /// Creepage ratios delta = xi G/(2 (1-nu) mu p0).
 struct CreepPoint {
@@ -95,12 +95,11 @@ std::vector<study::Column<Row>> law_columns() {
     const auto of = [](auto part, auto member) {
         return [=](const Row& r) { return r.line.law ? study::Cell((*r.line.law).*part.*member) : study::Cell(); };
     };
-    return {
-        {"layer", "compliance of the layer [a/G], of --layer", [](const Row& r) { return r.line.layer; }},
-        {"falling_ratio", "parameters of --falling", of(&SlipLaw::mu, &rollbem::ExponentialFall<>::mu_k)},
-        {"half_velocity", "parameters of --falling", of(&SlipLaw::mu, &rollbem::ExponentialFall<>::half_velocity)},
-        {"memory_distance", "parameters of --memory", of(&SlipLaw::memory, &rollbem::FrictionMemory<>::distance)},
-        {"least_velocity", "parameters of --memory", of(&SlipLaw::memory, &rollbem::FrictionMemory<>::least_velocity)}};
+    return {{"layer", "compliance of the layer [a/G], of --layer", [](const Row& r) { return r.line.layer; }},
+            {"falling_ratio", "parameters of --falling", of(&SlipLaw::mu, &rollbem::ExponentialFall<>::mu_k)},
+            {"half_velocity", "", of(&SlipLaw::mu, &rollbem::ExponentialFall<>::half_velocity)},
+            {"memory_distance", "parameters of --memory", of(&SlipLaw::memory, &rollbem::FrictionMemory<>::distance)},
+            {"least_velocity", "", of(&SlipLaw::memory, &rollbem::FrictionMemory<>::least_velocity)}};
 }
 
 /// value/exact - 1 where both are defined.

@@ -29,7 +29,7 @@ Creepage sum(const Creepage& one, const Creepage& other, double factor = 1) {
 std::string word(const Rolling& rolling, const Moment& moment) {
     if (!moment.computed) return study::after_failure;
     if (moment.step.status != Status::ok) return name(moment.step.status);
-    return !moment.valid ? study::unresolved : rolling.checked ? study::ok : study::unchecked;
+    return !moment.valid ? study::unresolved : rolling.run.checked ? study::ok : study::unchecked;
 }
 
 /// One run, step by step.
@@ -47,12 +47,12 @@ public:
             if (row++ < range.first) return;
             now_.elastic_energy = rolling_.contact.elastic_energy(run_.now());
             const bool resolved =
-                rolling_.imposed.resolved(rolling_.run.steps.dq) && (!rolling_.fits || rolling_.fits(now_.q));
+                rolling_.run.imposed.resolved(rolling_.run.steps.dq) && (!rolling_.fits || rolling_.fits(now_.q));
             now_.valid = now_.step.status == Status::ok && resolved;
             now_.status = word(rolling_, now_);
             emit(now_);
         };
-        if (rolling_.begins_with_shift()) {
+        if (rolling_.run.begins_with_shift()) {
             now_.shifted = true;
             const Status status = jump(0);
             if (status != Status::ok) end(0, failed_);
@@ -76,7 +76,7 @@ private:
         now_.shift = {0, 0, 0};
         if (!now_.computed) return;
         const auto failed_at =
-            study::roll(double(k) * dq, now_.q, rolling_.imposed.places(), [this](double from, double to) {
+            study::roll(double(k) * dq, now_.q, rolling_.run.imposed.places(), [this](double from, double to) {
                 const Status status = jump(from);
                 return status == Status::ok ? step(from, to) : status;
             });
@@ -89,7 +89,7 @@ private:
             creepage.longitudinal = longitudinal;
             return run_.try_steady({rollbem::Travel<>::at_speed(rolling_.speed(0, true)), creepage});
         };
-        now_.step = rolling_.by_force() ? found(0, true, 0, at) : at(creepage.longitudinal);
+        now_.step = rolling_.run.by_force() ? found(0, true, 0, at) : at(creepage.longitudinal);
         now_.creepage = creepage;
         jumped_at_ = 0;
         if (now_.step.status != Status::ok) return end(0, now_.step);
@@ -106,7 +106,7 @@ private:
             shift.longitudinal = longitudinal;
             return run_.try_advance({{0, rolling_.run.steps.dq}, Motion::shift(shift)});
         };
-        const Step next = rolling_.by_force() ? found(q, true, given->longitudinal, by) : by(shift.longitudinal);
+        const Step next = rolling_.run.by_force() ? found(q, true, given->longitudinal, by) : by(shift.longitudinal);
         if (next.status != Status::ok) return refuse(next);
         keep(next, (work(now_.step, shift) + work(next, shift)) / 2);
         now_.shift = sum(now_.shift, shift);
@@ -130,7 +130,7 @@ private:
             start.longitudinal = end.longitudinal = longitudinal;
             return advance();
         };
-        const Step next = rolling_.by_force() ? found(to, false, now_.creepage.longitudinal, at) : advance();
+        const Step next = rolling_.run.by_force() ? found(to, false, now_.creepage.longitudinal, at) : advance();
         if (next.status != Status::ok) return refuse(next);
         const double before = work(now_.step, start), after = work(next, end);  // implicit Euler knows no other
         keep(next, distance * (study::named(rolling_.run.integrator).order > 1 ? (before + after) / 2 : after));
@@ -141,7 +141,7 @@ private:
 
     /// The last trial of a motion for the force at q.
     Step found(double q, bool behind, double guess, const std::function<Step(double)>& trial) const {
-        return find_for_force(rolling_.imposed.at("force", q, behind), rolling_.full, guess, trial).step;
+        return find_for_force(rolling_.run.imposed.at("force", q, behind), rolling_.full, guess, trial);
     }
 
     /// The trial of the run becomes its present state.
@@ -176,23 +176,19 @@ private:
 
 }  // namespace
 
-bool begins_with_shift(const study::RunSettings& run, const study::History& imposed, const study::HistoryColumns& of) {
-    const auto jumps = [&](const std::string& column) {
-        return !column.empty() && imposed.at(column, 0, true) != imposed.at(column, 0, false);
-    };
-    return !run.from_steady && (jumps(of.shift[0]) || jumps(of.shift[1]) || jumps("force"));
-}
-
 Creepage Rolling::creepage(double q, bool behind) const {
-    const auto value = [&](std::size_t k) { return imposed.at(of.creepage[k], q, behind); };
+    const auto value = [&](std::size_t k) { return run.imposed.at(run.columns.creepage[k], q, behind); };
     return {creepage_unit * value(0), creepage_unit * value(1), spin_unit * value(2)};
 }
 
 Creepage Rolling::shift(double q, bool behind) const {
-    return {a_0 * imposed.at(of.shift[0], q, behind), a_0 * imposed.at(of.shift[1], q, behind), 0};
+    return {a_0 * run.imposed.at(run.columns.shift[0], q, behind),
+            a_0 * run.imposed.at(run.columns.shift[1], q, behind), 0};
 }
 
-double Rolling::speed(double q, bool behind) const { return imposed.has("speed") ? imposed.at("speed", q, behind) : 1; }
+double Rolling::speed(double q, bool behind) const {
+    return run.imposed.has("speed") ? run.imposed.at("speed", q, behind) : 1;
+}
 
 double Rolling::duration(double from, double to) const {
     const double distance = a_0 * (to - from), first = speed(from, true), last = speed(to, false);
@@ -203,17 +199,17 @@ double Rolling::duration(double from, double to) const {
 std::optional<Creepage> Rolling::jump(double q) const {
     const Creepage by = sum(shift(q, true), shift(q, false), -1);
     const bool moves = by.longitudinal != 0 || by.lateral != 0;
-    const bool pulls = imposed.at("force", q, true) != imposed.at("force", q, false);
+    const bool pulls = run.imposed.at("force", q, true) != run.imposed.at("force", q, false);
     return moves || pulls ? std::optional(by) : std::nullopt;
 }
 
-FoundMotion find_for_force(double force, double full, double guess, const std::function<Step(double)>& trial) {
+Step find_for_force(double force, double full, double guess, const std::function<Step(double)>& trial) {
     constexpr double precision = 1e-13;  // of the force
-    FoundMotion last{guess, {}};
+    Step last;
     const auto miss = [&](double motion) {
-        last = {motion, trial(motion)};
-        const bool solved = last.step.status == Status::ok;
-        return solved ? -last.step.force.longitudinal / full - force : std::numeric_limits<double>::quiet_NaN();
+        last = trial(motion);
+        return last.status == Status::ok ? -last.force.longitudinal / full - force
+                                         : std::numeric_limits<double>::quiet_NaN();
     };
     const auto is_done = [](double miss_) { return !(std::abs(miss_) > precision); };
     double a = guess, at_a = miss(a), stride = at_a < 0 ? 0.05 : -0.05;
@@ -227,7 +223,7 @@ FoundMotion find_for_force(double force, double full, double guess, const std::f
         if (is_done(at_b)) return last;
     }
     if (at_a * at_b > 0) {
-        last.step.status = Status::no_solution;
+        last.status = Status::no_solution;
         return last;
     }
     for (int k = 0; k < 200; ++k) {  // regula falsi, by Illinois
@@ -242,7 +238,7 @@ FoundMotion find_for_force(double force, double full, double guess, const std::f
         b = middle;
         at_b = at_middle;
     }
-    last.step.status = Status::no_solution;
+    last.status = Status::no_solution;
     return last;
 }
 

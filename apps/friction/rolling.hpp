@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,24 +15,17 @@
 
 namespace friction {
 
-/// Whether the first row shows a jump of a shift or force before rolling.
-bool begins_with_shift(const study::RunSettings& run, const study::History& imposed, const study::HistoryColumns& of);
-
 /// A contact and what happens to it over the distance rolled q [a_0], at the rolling velocity 1, or as the column speed
 /// has it. Motions are taken just before (or at) q, or `behind` it.
 struct Rolling {
     rollbem::FrictionContact contact;
-    const study::RunSettings& run;    ///< steps in a_0
-    const study::History& imposed;    ///< outlives this; a force -F_x/full takes the place of the creepage along x
-    const study::HistoryColumns& of;  ///< its columns
+    const study::Run& run;  ///< steps in a_0; a force -F_x/full takes the place of the creepage along x
     double creepage_unit = 1, spin_unit = 1;  ///< of the columns
     double full = 1;                          ///< force of full sliding
     double a_0 = 1;
     std::function<rollbem::NormalLoad<double>(double)> load_at{};  ///< at q; where it is not constant
     std::function<bool(double q)> fits{};                          ///< whether elements are small enough there
-    bool checked = true;                                           ///< whether the scheme is known to be stable
 
-    bool by_force() const { return imposed.has("force"); }
     /// Linear over a step.
     rollbem::Creepage<double> creepage(double q, bool behind) const;
     /// Rigid displacement besides: where it jumps, without rolling, in dq's time.
@@ -44,7 +36,6 @@ struct Rolling {
     /// The displacement of a jump at q; nothing where there is none. Where a force jumps, the displacement is still to
     /// be found.
     std::optional<rollbem::Creepage<double>> jump(double q) const;
-    bool begins_with_shift() const { return friction::begins_with_shift(run, imposed, of); }
 };
 
 /// The state of a run at a row, in the units of the contact.
@@ -62,14 +53,10 @@ struct Moment {
     std::string status{};
 };
 
-/// The longitudinal creepage, or shift, under which trial() has the force -F_x/full = `force`, near `guess`. Its step
-/// is the last trial; no_solution where there is none.
-struct FoundMotion {
-    double motion;
-    rollbem::FrictionStep<2> step;
-};
-FoundMotion find_for_force(double force, double full, double guess,
-                           const std::function<rollbem::FrictionStep<2>(double)>& trial);
+/// The last trial of a longitudinal creepage, or shift, the one with the force -F_x/full = `force`, searched from `guess`
+/// on; no_solution where there is none.
+rollbem::FrictionStep<2> find_for_force(double force, double full, double guess,
+                                        const std::function<rollbem::FrictionStep<2>(double)>& trial);
 
 /// Rolls from the start, as the state requires, and emits the rows of `range`. Returns why the run ended before these
 /// rows did; nothing if it did not.
@@ -85,25 +72,16 @@ auto if_computed(const Value& value) {
     return study::where([](const auto& r) { return r.moment.computed; }, value);
 }
 
-/// The table of a run of each case, of as many `steps` and a row for a shift before where there is one: make(case)
+/// The table of the run with each case, with a row for each step and for a shift before where there is one: make(case)
 /// makes its Rolling, row(case, moment) its rows for the sheet. Runs that end early have no more results.
 template <class Sheet, class Case, class Make, class Row>
-study::Table rolling_table(const Sheet& sheet, const std::vector<Case>& cases, std::size_t steps, bool shifts,
-                           const Make& make, const Row& row) {
-    struct Runs {
-        std::vector<Rolling> of;
-        std::vector<std::string> ended;
-    };
-    const auto runs = std::make_shared<Runs>();
-    runs->ended.resize(cases.size());
-    study::Table table = study::table_of(sheet.names(), cases, steps + (shifts ? 1 : 0));
-    study::prepare_runs(table, runs->of, cases, make);
-    table.compute = [&, runs, row](std::size_t task, study::RowRange range, const study::Emit& emit) {
-        runs->ended[task] = roll(runs->of[task], range,
-                                 [&](const Moment& moment) { emit(sheet.row(cases[task], row(cases[task], moment))); });
-    };
-    table.ended = [runs](std::size_t task) { return runs->ended[task]; };
-    return table;
+study::Table rolling_table(const Sheet& sheet, const std::vector<Case>& cases, const study::Run& run, const Make& make,
+                           const Row& row) {
+    const std::size_t rows = run.steps.count + (run.begins_with_shift() ? 1 : 0);
+    return study::run_table(sheet, cases, rows, make,
+                            [row](const Rolling& rolling, const Case& one, study::RowRange range, const auto& emit) {
+                                return roll(rolling, range, [&](const Moment& moment) { emit(row(one, moment)); });
+                            });
 }
 
 }  // namespace friction

@@ -35,10 +35,7 @@ void add_contact_options(study::Options& options) {
                 "creepage ratio delta = xi G/(2 (1-nu) mu p0) [dimensionless], any finite: Carter's contact slides as "
                 "a whole from 1 on; with --transient one constant value, which must be given",
                 "0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9,1,1.1");
-    options.add("force", "F",
-                "given force -F_x/(mu N), in time -F_x/(mu N_0) [dimensionless], any finite, in place of "
-                "--creepage-ratio, which is found; in time a shift from rest reaches it before the contact rolls");
-    options.not_with({"creepage-ratio"}, "force");
+    study::add_force(options, history_columns);
     options.add_input("pressure",
                       "CSV file of the normal pressure, with the columns x_over_a [dimensionless], pressure [any "
                       "unit]: linear between its rows, zero before the first and after the last; two rows at one "
@@ -81,22 +78,15 @@ void add_steady_options(study::Options& options) {
 
 void add_rolling_options(study::Options& options) {
     options.add_flag("transient", "rolling in time, one row per step, in place of steady rolling");
-    study::add_history_options(options, history_columns, "transient");
-    options.not_with({"step", "ramp", "sine"}, "force");
     options.add("shift", "W", "rigid shift [mu p0 a/G] before the contact rolls, any finite; none without it")
         .only_with({"transient"});
-    study::add_run_options(options, "",
+    study::add_run_options(options, history_columns, "transient", "",
                            "mesh that follows the half-length of the contact, with --kernel plane; without it the mesh "
                            "covers the largest contact");
     options.not_with({"from"}, "shift", ", which starts from rest");
     study::Options::Added{options, "lambda"}.only_with(
         {"transient"}, ": a steady problem builds no G, the only matrix lambda acts on");
-    for (const char* way : {"step", "ramp", "sine"}) options.not_with({"creepage-ratio"}, way);
-    options
-        .add_flag(
-            "unchecked",
-            "no check of the schemes: those that are unstable, may be unstable or do not converge are stepped, too")
-        .only_with({"transient"});
+    study::add_unchecked(options).only_with({"transient"});
 }
 
 // --- scenes --------------------------------------------------------------------------------------------------------
@@ -220,9 +210,12 @@ Curve read_curve(const study::Options& options) {
 }
 
 Scenario read_scenario(const study::Options& options) {
-    const study::RunSettings run(options);
-    study::History imposed = study::read_history(options, history_columns,
-                                                 {"creepage_ratio", "lateral_ratio", "spin_ratio", "shift", "force"});
+    Scenario scenario{.line = read_line(options),
+                      .scenes = study::make_non_steady_scenes(options, methods),
+                      .run = study::read_run(options, history_columns),
+                      .creepage_swept = options.given("sine") || options.given("ramp"),
+                      .creepage_constant = options.given("creepage-ratio") || options.given("step")};
+    const study::History& imposed = scenario.run.imposed;
     if (!imposed.has("creepage_ratio") && !imposed.has("force") && !imposed.has("shift")) {
         options.require(
             !options.given("history"), "history",
@@ -231,29 +224,20 @@ Scenario read_scenario(const study::Options& options) {
             "one of --creepage-ratio, --step, --ramp, --sine, --history, --force and --shift must be given with "
             "--transient");
     }
-    study::require_no_first_shift(run, imposed, history_columns);
-    study::read_load(options, run, imposed);
-    const bool swept = options.given("sine") || options.given("ramp") || imposed.values("creepage_ratio").size() > 1;
-    Scenario scenario{.line = read_line(options),
-                      .scenes = study::make_non_steady_scenes(options, methods),
-                      .run = run,
-                      .imposed = std::move(imposed),
-                      .checked = !options.flag("unchecked"),
-                      .creepage_swept = swept,
-                      .creepage_constant = options.given("creepage-ratio") || options.given("step")};
-    scenario.line.both = scenario.imposed.has("lateral_ratio");
-    if (scenario.imposed.has("spin_ratio") && !scenario.line.both) {
+    scenario.creepage_swept = scenario.creepage_swept || imposed.values("creepage_ratio").size() > 1;
+    scenario.line.both = imposed.has("lateral_ratio");
+    if (imposed.has("spin_ratio") && !scenario.line.both) {
         throw study::BadInput("the column spin_ratio must go with lateral_ratio");
     }
-    if (scenario.imposed.has("speed")) {
+    if (imposed.has("speed")) {
         if (!scenario.line.law)
             throw study::BadInput("the column speed must go with --falling: nothing else depends on it");
-        const study::Numbers& speeds = scenario.imposed.values("speed");
+        const study::Numbers& speeds = imposed.values("speed");
         const double least = *std::min_element(speeds.begin(), speeds.end());
-        options.require(least > 0 && scenario.imposed.places().front() == 0, "history",
+        options.require(least > 0 && imposed.places().front() == 0, "history",
                         "have positive speeds from q_over_a = 0 on");
     }
-    if (scenario.breathes() && options.text("kernel") != "plane") {
+    if (scenario.run.breathing && options.text("kernel") != "plane") {
         throw study::BadInput("--kernel = " + options.text("kernel") +
                               " must be plane with --breathing: only that kernel knows other half-lengths");
     }

@@ -64,8 +64,7 @@ const study::Sheet<CreepRow>& creep_sheet() {
              {"n", "number of elements"},
              {"alpha_L", "positions of the points of the scheme; empty with --fit-border",
               [](const R& r) { return r.of.alpha_L; }},
-             {"alpha_T", "positions of the points of the scheme; empty with --fit-border",
-              [](const R& r) { return r.of.alpha_T; }},
+             {"alpha_T", "", [](const R& r) { return r.of.alpha_T; }},
              {"creepage_ratio", "creepage ratio delta = xi G/(2 (1-nu) mu p0), given or found for --force",
               [](const R& r) { return r.point.longitudinal; }},
              {"force_ratio", "longitudinal force -F_x/(mu N)", &R::force_ratio},
@@ -134,9 +133,9 @@ const study::Sheet<CreepRow>& traction_sheet() {
                            : study::Cell();
           }},
          {"mesh", "scheme, as above", [](const R& r) { return r.of.mesh_name; }},
-         {"method, derivative", "scheme, as above"},
-         {"alpha_L", "scheme, as above", [](const R& r) { return r.of.alpha_L; }},
-         {"alpha_T", "scheme, as above", [](const R& r) { return r.of.alpha_T; }},
+         {"method, derivative", ""},
+         {"alpha_L", "", [](const R& r) { return r.of.alpha_L; }},
+         {"alpha_T", "", [](const R& r) { return r.of.alpha_T; }},
          {"status", "ok, or why traction, stick and slip are empty, as above", [](const R& r) { return r.of.status; }},
          {"lateral_ratio", "lateral creepage ratio, as above", [](const R& r) { return r.point.lateral; }},
          {"lateral_traction", "traction across the rolling direction [mu p0]",
@@ -256,24 +255,21 @@ std::string curve_help() {
 
 study::Table curve_table(const Curve& curve) {
     study::Table table = study::table_of(creep_sheet().names(), curve.scenes, curve.points.size());
-    const auto tractions = std::make_shared<study::SideTable>(
-        study::SideTable{"tractions", traction_sheet().names(), curve.keeps_tractions});
-    tractions->rows.resize(curve.scenes.size());
-    table.beside = tractions;
-    table.compute = [&, tractions](std::size_t task, study::RowRange range, const study::Emit& emit) {
+    study::SideTable& tractions = table.put_beside("tractions", traction_sheet().names(), curve.keeps_tractions);
+    table.compute = [&curve, &tractions](std::size_t task, study::RowRange range, const study::Emit& emit) {
         const study::Scene& scene = curve.scenes[task];
         const auto solve = curve.by_border ? solve_by_border : solve_by_elements;
         solve(curve, scene, range, [&](std::size_t k, const Solution& solution) {
             CreepRow row{curve, curve.line, scene, curve.points[k], solution};
             row.point.longitudinal = solution.creepage_ratio.value_or(row.point.longitudinal);
             emit(creep_sheet().row(scene, row));
-            for (; tractions->wanted && row.i < solution.x.size(); ++row.i) {
-                tractions->rows[task].push_back(traction_sheet().row(scene, row));
+            for (; tractions.wanted && row.i < solution.x.size(); ++row.i) {
+                tractions.rows[task].push_back(traction_sheet().row(scene, row));
             }
         });
     };
-    table.plot = [&, tractions, columns = table.columns](const std::vector<study::Row>& rows) {
-        return curve.line.both ? combined_creep(columns, rows, curve) : creep_picture(columns, rows, curve, *tractions);
+    table.plot = [&curve, &tractions, columns = table.columns](const std::vector<study::Row>& rows) {
+        return curve.line.both ? combined_creep(columns, rows, curve) : creep_picture(columns, rows, curve, tractions);
     };
     return table;
 }

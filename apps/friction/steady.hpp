@@ -30,15 +30,12 @@ struct Curve {
 struct Scenario {
     Line line;
     std::vector<study::Scene> scenes;
-    study::RunSettings run;
-    study::History imposed;
-    bool checked;                            ///< schemes must be stable and converge
+    study::Run run;
     bool creepage_swept, creepage_constant;  ///< along x
 
-    bool load_varies() const { return imposed.has("load_ratio"); }
-    bool breathes() const { return load_varies() && run.breathing; }
-    CreepPoint at(double q, bool behind) const {
-        const auto value = [&](const char* column) { return imposed.at(column, q, behind); };
+    /// Just before (or at) q.
+    CreepPoint at(double q) const {
+        const auto value = [&](const char* column) { return run.imposed.at(column, q, false); };
         const std::optional<double> lateral = line.both ? std::optional(value("lateral_ratio")) : std::nullopt;
         return {value("creepage_ratio"), lateral, value("spin_ratio")};
     }
@@ -73,7 +70,7 @@ void leave_out(const study::Scene& scene, study::RowRange range, const Line& lin
 
 /// The columns that may be imposed in the time domain.
 inline const study::HistoryColumns history_columns{
-    {"creepage_ratio", "lateral_ratio", "spin_ratio"}, {"shift"}, {"force", "load_ratio", "speed"}};
+    {"creepage_ratio", "lateral_ratio", "spin_ratio"}, {"shift"}, {"load_ratio"}, {"speed"}};
 
 // --- the options, read at the door. The readers throw BadInput.
 

@@ -20,9 +20,8 @@ namespace {
 
 // The ratio b/a falls as the load grows on a mesh that breathes. `system` has one direction or both.
 template <class System>
-void require_plane_model(const study::Scene& scene, const study::History& imposed, const System& system,
-                         const char* term) {
-    const double longest = largest_half_length(imposed);
+void require_plane_model(const study::Scene& scene, const study::Run& run, const System& system, const char* term) {
+    const double longest = largest_half_length(run);
     if (longest < system.half_length_limit()) return;
     const double least = scene.contact.aspect() * longest / system.half_length_limit();
     throw study::BadInput("--aspect = " + study::Cell(scene.contact.aspect()).text(6) + " must be larger than " +
@@ -33,55 +32,51 @@ void require_plane_model(const study::Scene& scene, const study::History& impose
 
 rollbem::FrictionContact make_contact(const Scenario& scenario, const study::Scene& scene) {
     const Line& line = scenario.line;
-    const study::History& imposed = scenario.imposed;
-    const bool breathes = scenario.breathes(), varies = scenario.load_varies();
-    const double half_length = varies && !breathes ? largest_half_length(imposed) : 1;
+    const study::Run& run = scenario.run;
+    const bool breathes = run.breathing, varies = run.load_varies();
+    const double half_length = varies && !breathes ? largest_half_length(run) : 1;
     System along = line.system(scene, Line::Direction::longitudinal, true, half_length);
     std::optional<System> across = line.lateral_system(scene, true, half_length);
-    if (scenario.checked) study::require_steppable(scene, along);
+    if (run.checked) study::require_steppable(scene, along);
     if (breathes && !along.log_strength()) {
         throw study::BadInput(
             "--breathing needs equations that hold at points and a kernel without a layer: --method collocation, nodes "
             "or knothe-bc, lambda = 1, no --layer");
     }
-    if (scenario.checked && across) study::require_steppable(scene, *across);
-    if (breathes && across) require_plane_model(scene, imposed, rollbem::ElementSystem(along, *across), "- nu");
-    if (breathes && !across) require_plane_model(scene, imposed, along, "+ nu/(1-nu)");
+    if (run.checked && across) study::require_steppable(scene, *across);
+    if (breathes && across) require_plane_model(scene, run, rollbem::ElementSystem(along, *across), "- nu");
+    if (breathes && !across) require_plane_model(scene, run, along, "+ nu/(1-nu)");
     // the law has the pressures of the largest load; the load that a run starts under is in its state
-    const Eigen::ArrayXd means =
-        varies ? hertz_load(imposed, breathes, *scene.mesh).at(half_length * half_length * mu_N).normal_pressure
-               : line.pressure(*scene.mesh);
-    return line.contact(scene, along, across, means, rollbem::unchecked, scenario.run.integrator, half_length);
+    const Eigen::ArrayXd means = varies
+                                     ? hertz_load(run, *scene.mesh).at(half_length * half_length * mu_N).normal_pressure
+                                     : line.pressure(*scene.mesh);
+    return line.contact(scene, along, across, means, rollbem::unchecked, run.integrator, half_length);
 }
 
 /// The smallest half-length [a_0] that a fixed mesh resolves: three elements long in the middle of it.
-double least_half_length(const study::History& imposed, const rollbem::Mesh<double>& mesh) {
+double least_half_length(const study::Run& run, const rollbem::Mesh<double>& mesh) {
     const Eigen::ArrayXd edges = mesh.edges();
     const Eigen::Index count = std::min<Eigen::Index>(3, edges.size() - 1), first = (edges.size() - 1 - count) / 2;
-    return largest_half_length(imposed) * (edges[first + count] - edges[first]) / 2 * (1 - 1e-12);
+    return largest_half_length(run) * (edges[first + count] - edges[first]) / 2 * (1 - 1e-12);
 }
 
 Rolling make_rolling(const Scenario& scenario, const study::Scene& scene) {
+    const study::Run& run = scenario.run;
     Rolling rolling{.contact = make_contact(scenario, scene),
-                    .run = scenario.run,
-                    .imposed = scenario.imposed,
-                    .of = history_columns,
+                    .run = run,
                     .creepage_unit = creepage_unit(scene),
                     .spin_unit = creepage_unit(scene),
-                    .full = mu_N * scene.contact.width(),
-                    .checked = scenario.checked};
-    if (!scenario.load_varies()) return rolling;
-    if (!scenario.breathes()) {
-        rolling.fits = [&imposed = scenario.imposed,
-                        least = least_half_length(scenario.imposed, *scene.mesh)](double q) {
-            const double ratio = imposed.at("load_ratio", q);
+                    .full = mu_N * scene.contact.width()};
+    if (!run.load_varies()) return rolling;
+    if (!run.breathing) {
+        rolling.fits = [&run, least = least_half_length(run, *scene.mesh)](double q) {
+            const double ratio = run.load_ratio(q);
             return ratio == 0 || std::sqrt(ratio) >= least;
         };
     }
-    const auto hertz = hertz_load(scenario.imposed, scenario.breathes(), *scene.mesh);
-    rolling.load_at = [hertz, &imposed = scenario.imposed](double q) {
+    rolling.load_at = [&run, hertz = hertz_load(run, *scene.mesh)](double q) {
         rollbem::NormalLoad<double> normal = hertz.at(hertz.breathes() ? mu_N : 0);
-        hertz.set(imposed.at("load_ratio", q) * mu_N, normal);  // a step refuses what is no load
+        hertz.set(run.load_ratio(q) * mu_N, normal);  // a step refuses what is no load
         return normal;
     };
     return rolling;
@@ -98,15 +93,15 @@ struct TimeRow {
 
     CreepPoint ratios() const {
         if (moment.shifted) return {0, line.both ? std::optional(0.0) : std::nullopt};
-        CreepPoint point = scenario.at(moment.q, false);
-        if (scenario.imposed.has("force")) point.longitudinal = moment.creepage.longitudinal / creepage_unit(scene);
+        CreepPoint point = scenario.at(moment.q);
+        if (scenario.run.by_force()) point.longitudinal = moment.creepage.longitudinal / creepage_unit(scene);
         return point;
     }
-    double load_ratio() const { return scenario.load_varies() ? scenario.imposed.at("load_ratio", moment.q) : 1; }
+    double load_ratio() const { return scenario.run.load_ratio(moment.q); }
     double force_ratio() const { return 0 - moment.step.force.longitudinal / full; }  // 0 without load, not -0
     std::optional<double> exact() const {
         const bool holds =
-            moment.shifted && line.carter() && !scenario.load_varies() && study::plane_model_decays(scene.contact);
+            moment.shifted && line.carter() && !scenario.run.load_varies() && study::plane_model_decays(scene.contact);
         if (!holds) return std::nullopt;
         return rollbem::cattaneo_force_ratio(moment.shift.longitudinal, scene.contact.poisson_ratio(),
                                              scene.contact.aspect());
@@ -176,7 +171,7 @@ const study::Sheet<TimeRow>& time_sheet() {
 
 /// The forces over the distance, with the load if it changes; in a second panel over the creepage if that changes.
 study::Plot force_in_time(const std::vector<study::Row>& rows, const Scenario& scenario) {
-    const bool lateral = scenario.line.both, load_changes = scenario.load_varies();
+    const bool lateral = scenario.line.both, load_changes = scenario.run.load_varies();
     const bool carter = scenario.line.carter() && !lateral && !load_changes;
     const double end = scenario.run.until();
     const auto add = [&](study::Plot& plot, const char* x, const char* y, const std::string& prefix,
@@ -187,8 +182,8 @@ study::Plot force_in_time(const std::vector<study::Row>& rows, const Scenario& s
                      .x_label = "distance rolled q/a",
                      .y_label = force_label(scenario.line.law.has_value(), "-F", load_changes ? "N_0" : "N"),
                      .x_range = study::PlotRange{0, end}};
-    if (rows.empty()) return plot;        // of a shard
-    if (scenario.imposed.has("force")) {  // what is found is the creepage
+    if (rows.empty()) return plot;  // of a shard
+    if (scenario.run.by_force()) {  // what is found is the creepage
         plot.y_label = "creepage ratio δ";
         add(plot, "q_over_a", "creepage_ratio", "computed");
         return plot;
@@ -208,7 +203,7 @@ study::Plot force_in_time(const std::vector<study::Row>& rows, const Scenario& s
         if (!load_changes) loop.y_range = force_range(loop);
         plot.below.push_back(std::move(loop));
     } else if (carter && scenario.creepage_constant) {
-        const double force = rollbem::carter_force_ratio(scenario.at(end, false).longitudinal);
+        const double force = rollbem::carter_force_ratio(scenario.at(end).longitudinal);
         plot.series.push_back(
             {.label = "Carter, steady", .points = {{0, force}, {end, force}}, .markers = false, .reference = true});
     }
@@ -233,8 +228,7 @@ study::Table transient_table(const Scenario& scenario) {
     const auto row = [&](const study::Scene& scene, const Moment& moment) {
         return TimeRow{scenario, scenario.line, scene, moment, mu_N * scene.contact.width()};
     };
-    study::Table table = rolling_table(time_sheet(), scenario.scenes, scenario.run.steps.count,
-                                       begins_with_shift(scenario.run, scenario.imposed, history_columns), make, row);
+    study::Table table = rolling_table(time_sheet(), scenario.scenes, scenario.run, make, row);
     table.plot = [&](const std::vector<study::Row>& rows) { return force_in_time(rows, scenario); };
     return table;
 }

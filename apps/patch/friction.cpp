@@ -77,12 +77,10 @@ const study::Sheet<FrictionRow, Patch>& traction_sheet() {
                         [](const R& r) { return r.state.normal_pressure[r.i] / peak; }},
                        {"traction_x", "tractions along x and y [mu p_0]",
                         if_ok([](const R& r) { return r.state.traction(r.i, 0) / peak; })},
-                       {"traction_y", "tractions along x and y [mu p_0]",
-                        if_ok([](const R& r) { return r.state.traction(r.i, 1) / peak; })},
+                       {"traction_y", "", if_ok([](const R& r) { return r.state.traction(r.i, 1) / peak; })},
                        {"slip_x", "slip along x and y [largest rigid slip of the patch]",
                         if_ok([](const R& r) { return r.slip(r.i, 0) / r.largest_slip; })},
-                       {"slip_y", "slip along x and y [largest rigid slip of the patch]",
-                        if_ok([](const R& r) { return r.slip(r.i, 1) / r.largest_slip; })},
+                       {"slip_y", "", if_ok([](const R& r) { return r.slip(r.i, 1) / r.largest_slip; })},
                        {"stick", "1 where the element sticks, else 0",
                         if_ok([](const R& r) { return int(r.state.zones[std::size_t(r.i)] == rollbem::Zone::stick); })},
                        {"status", "ok, or why tractions are empty", [](const R& r) { return name(r.step.status); }}}),
@@ -108,11 +106,8 @@ std::string friction_help() {
 
 study::Table friction_table(const Friction& scene) {
     study::Table table = study::table_of(friction_sheet().names(), scene.patches, scene.points.size());
-    const auto tractions = std::make_shared<study::SideTable>(
-        study::SideTable{"tractions", traction_sheet().names(), scene.keeps_tractions});
-    tractions->rows.resize(scene.patches.size());
-    table.beside = tractions;
-    table.compute = [&, tractions](std::size_t task, study::RowRange range, const study::Emit& emit) {
+    study::SideTable& tractions = table.put_beside("tractions", traction_sheet().names(), scene.keeps_tractions);
+    table.compute = [&scene, &tractions](std::size_t task, study::RowRange range, const study::Emit& emit) {
         const Patch& patch = scene.patches[task];
         const rollbem::Elements<double> elements = rollbem::patch_elements(patch.mesh, patch.scheme);
         const rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2> model(
@@ -128,7 +123,7 @@ study::Table friction_table(const Friction& scene) {
                 return model.steady(rest, {.motion = creepage(patch, point)}, state, workspace);
             };
             const auto time_us = study::time_us_if(scene.timed, [&] {
-                step = scene.force ? friction::find_for_force(*scene.force, mu_N(patch), 0, at).step
+                step = scene.force ? friction::find_for_force(*scene.force, mu_N(patch), 0, at)
                                    : at(scene.points[k].longitudinal);
                 return step.force.longitudinal;
             });
@@ -136,13 +131,13 @@ study::Table friction_table(const Friction& scene) {
             FrictionRow row{
                 patch, point, step, state, workspace.slip(), elements, largest_slip(patch, point, elements), time_us};
             emit(friction_sheet().row(patch, row));
-            for (; tractions->wanted && row.i < elements.size(); ++row.i) {
-                tractions->rows[task].push_back(traction_sheet().row(patch, row));
+            for (; tractions.wanted && row.i < elements.size(); ++row.i) {
+                tractions.rows[task].push_back(traction_sheet().row(patch, row));
             }
         }
     };
-    table.plot = [&, tractions, columns = table.columns](const std::vector<study::Row>& rows) {
-        return scene.from_above ? draw_from_above(scene.patches, scene.points.front(), *tractions)
+    table.plot = [&scene, &tractions, columns = table.columns](const std::vector<study::Row>& rows) {
+        return scene.from_above ? draw_from_above(scene.patches, scene.points.front(), tractions)
                                 : draw_friction(columns, rows, scene.force.has_value());
     };
     return table;

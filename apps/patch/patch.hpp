@@ -95,7 +95,7 @@ study::Table friction_table(const Friction& scene);
 // --- in the time domain
 
 inline const study::HistoryColumns history_columns{
-    {"longitudinal", "lateral", "spin"}, {"shift_x", "shift_y"}, {"force", "load_ratio", "a_ratio", "b_ratio"}};
+    {"longitudinal", "lateral", "spin"}, {"shift_x", "shift_y"}, {"load_ratio", "a_ratio", "b_ratio"}};
 
 /// Semi-axes over the semi-axes under N_0.
 struct AxisRatios {
@@ -106,32 +106,30 @@ struct AxisRatios {
 struct TimeScene {
     const std::vector<Patch>& patches;
     Pressure pressure;
-    study::History imposed;
-    study::RunSettings run;
+    study::Run run;
 
-    bool load_varies() const { return imposed.has("load_ratio"); }
-    double load_ratio(double q) const { return load_varies() ? imposed.at("load_ratio", q) : 1; }
-    bool breathes() const { return load_varies() && run.breathing; }
-    CreepPoint at(double q, bool behind) const {
-        return {imposed.at("longitudinal", q, behind), imposed.at("lateral", q, behind), imposed.at("spin", q, behind)};
+    /// Just before (or at) q.
+    CreepPoint at(double q) const {
+        const auto value = [&](const char* column) { return run.imposed.at(column, q, false); };
+        return {value("longitudinal"), value("lateral"), value("spin")};
     }
     /// Whether columns of a table give the ratios of the semi-axes. By Hertz they are the cube root of the load.
-    bool has_axes() const { return imposed.has("a_ratio"); }
+    bool has_axes() const { return run.imposed.has("a_ratio"); }
     AxisRatios axes(double q) const {
-        if (has_axes()) return {imposed.at("a_ratio", q), imposed.at("b_ratio", q)};
-        return {std::cbrt(load_ratio(q)), std::cbrt(load_ratio(q))};
+        if (has_axes()) return {run.imposed.at("a_ratio", q), run.imposed.at("b_ratio", q)};
+        return {std::cbrt(run.load_ratio(q)), std::cbrt(run.load_ratio(q))};
     }
     /// The ratios of a mesh that covers the contact during the whole run.
     AxisRatios largest_axes() const {
-        if (has_axes()) return {imposed.largest("a_ratio"), imposed.largest("b_ratio")};
-        const double ratio = std::cbrt(imposed.largest("load_ratio"));
+        if (has_axes()) return {run.imposed.largest("a_ratio"), run.imposed.largest("b_ratio")};
+        const double ratio = std::cbrt(run.imposed.largest("load_ratio"));
         return {ratio, ratio};
     }
     /// Least and largest a/b over a/b under N_0; 1 lies between them.
     std::pair<double, double> shapes() const {
         std::pair<double, double> range{1, 1};
         if (!has_axes()) return range;
-        for (const double q : imposed.places()) {  // between these a/b is monotonic
+        for (const double q : run.imposed.places()) {  // between these a/b is monotonic
             const double ratio = axes(q).a / axes(q).b;
             range = {std::min(range.first, ratio), std::max(range.second, ratio)};
         }

@@ -286,10 +286,7 @@ void add_friction_options(study::Options& options) {
                 "0");
     options.add("lateral", "LIST", "lateral creepage eta G a b/(mu N) [dimensionless], -1e6 to 1e6, for friction", "0");
     options.add("spin", "LIST", "spin phi G a b c/(mu N) [dimensionless], -1e6 to 1e6, for friction", "0");
-    options.add("force", "F",
-                "given force -F_x/(mu N), in time -F_x/(mu N_0) [dimensionless], any finite, in place of "
-                "--longitudinal, which is found; in time a shift from rest reaches it before the contact rolls");
-    options.not_with({"longitudinal"}, "force");
+    study::add_force(options, history_columns);
     options.add_input("pressure",
                       "CSV file of the normal pressure under friction, with the columns x,y,pressure [any unit], whose "
                       "rows make a grid in any order: bilinear between them, zero outside; x and y in a and b, of an "
@@ -307,11 +304,8 @@ void add_transient_options(study::Options& options) {
     options.add_flag("transient",
                      "friction in time, one row per step, under one value of each creepage or a history, in place of "
                      "steady friction; N, a and b are those at load_ratio 1");
-    study::add_history_options(options, history_columns, "transient");
-    options.not_with({"step", "ramp", "sine"}, "force");
-    for (const char* way : {"step", "ramp", "sine"}) options.not_with({"longitudinal"}, way);
     study::add_run_options(
-        options,
+        options, history_columns, "transient",
         " and, if known, a_ratio = a/a_0, b_ratio = b/b_0 [dimensionless], by default the cube root of load_ratio",
         "mesh that follows the ellipse, the default where a table has a_ratio,b_ratio and the load never vanishes; "
         "without it, and with --breathing=false, the mesh covers the largest ellipse");
@@ -337,16 +331,12 @@ TimeScene read_time_scene(const study::Options& options, const std::vector<Patch
         throw study::BadInput("--longitudinal, --lateral and --spin must have one value each with --transient");
     }
     TimeScene scene{patches, read_pressure(options),
-                    study::read_history(options, history_columns, {"longitudinal", "lateral", "spin", "force"},
-                                        study::between(-1e6, 1e6)),
-                    study::RunSettings(options)};
-    study::require_no_first_shift(scene.run, scene.imposed, history_columns);
-    study::read_load(options, scene.run, scene.imposed, "a_ratio,b_ratio");
-    const study::History& imposed = scene.imposed;
+                    study::read_run(options, history_columns, study::between(-1e6, 1e6))};
+    const study::History& imposed = scene.run.imposed;
     if (imposed.has("spin")) require_no_gain(options, patches);
     if (!imposed.has("a_ratio") && !imposed.has("b_ratio")) return scene;
     const std::string said = options.said(options.given("load") ? "load" : "history");
-    if (!scene.load_varies() || !imposed.has("a_ratio") || !imposed.has("b_ratio")) {
+    if (!scene.run.load_varies() || !imposed.has("a_ratio") || !imposed.has("b_ratio")) {
         throw study::BadInput(said + " must have load_ratio with a_ratio and b_ratio");
     }
     const study::Rule rule = study::between(1e-3, 1e3);

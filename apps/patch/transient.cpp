@@ -32,8 +32,8 @@ PatchContact stretched(const PatchContact& contact, const AxisRatios& axes) {
 /// The contact that the mesh of a whole run covers, and that mesh.
 struct Covered {
     Covered(const TimeScene& scene, const Patch& patch)
-        : contact(scene.load_varies() && !scene.breathes() ? stretched(patch.contact, scene.largest_axes())
-                                                           : patch.contact),
+        : contact(scene.run.load_varies() && !scene.run.breathing ? stretched(patch.contact, scene.largest_axes())
+                                                                  : patch.contact),
           mesh(rollbem::patch_mesh(contact, patch.mesh.along(), patch.across)) {}
 
     PatchContact contact;
@@ -54,36 +54,34 @@ rollbem::FrictionContact make_contact(const TimeScene& scene, const Patch& patch
     };
     return study::blame(patch.label() + " cannot be stepped", [&]() -> rollbem::FrictionContact {
         const auto [least, largest] = scene.shapes();
-        if (scene.breathes() && largest > least * (1 + 1e-9)) {
+        if (scene.run.breathing && largest > least * (1 + 1e-9)) {
             const double a_over_b = patch.contact.a_over_b(), margin = 1 + 1e-6;
             const rollbem::PatchShapes<double> shapes(
                 mesh.along(), patch.across, patch.scheme, patch.kernel(),
                 {.least = a_over_b * least / margin, .largest = a_over_b * largest * margin});
             return make(shapes.system(a_over_b), rollbem::judge_stability(shapes));
         }
-        return make(scene.breathes() ? rollbem::breathing_system(contact, mesh, patch.scheme, patch.kernel())
-                                     : rollbem::rolling_system(mesh, patch.scheme, patch.kernel()),
+        return make(scene.run.breathing ? rollbem::breathing_system(contact, mesh, patch.scheme, patch.kernel())
+                                        : rollbem::rolling_system(mesh, patch.scheme, patch.kernel()),
                     rollbem::judge_stability(rollbem::patch_subsystems(mesh, patch.scheme, patch.kernel())));
     });
 }
 
 Rolling make_rolling(const TimeScene& scene, const Patch& patch) {
     const Covered covered(scene, patch);
-    const Eigen::ArrayXd pressures = scene.load_varies()
+    const Eigen::ArrayXd pressures = scene.run.load_varies()
                                          ? rollbem::hertz_pressures(covered.contact, covered.mesh, mu_N(patch))
                                          : scene.pressure(patch);
     Rolling rolling{.contact = make_contact(scene, patch, covered, pressures),
                     .run = scene.run,
-                    .imposed = scene.imposed,
-                    .of = history_columns,
                     .spin_unit = 1 / patch.contact.c(),
                     .full = mu_N(patch),
                     .a_0 = patch.contact.half_length()};
-    if (!scene.load_varies()) return rolling;
-    if (scene.breathes()) {
+    if (!scene.run.load_varies()) return rolling;
+    if (scene.run.breathing) {
         rolling.load_at = [&patch, &scene, pressures](double q) {
             const AxisRatios axes = scene.axes(q);
-            return rollbem::NormalLoad<double>{scene.load_ratio(q) / (axes.a * axes.b) * pressures,
+            return rollbem::NormalLoad<double>{scene.run.load_ratio(q) / (axes.a * axes.b) * pressures,
                                                axes.a * patch.contact.half_length(),
                                                {},
                                                axes.b * patch.contact.half_width()};
@@ -92,7 +90,7 @@ Rolling make_rolling(const TimeScene& scene, const Patch& patch) {
     }
     const rollbem::SemiAxes<double> least = rollbem::least_resolved(covered.contact, covered.mesh);
     rolling.fits = [&scene, &patch, least](double q) {
-        if (scene.load_ratio(q) == 0) return true;
+        if (scene.run.load_ratio(q) == 0) return true;
         const PatchContact now = stretched(patch.contact, scene.axes(q));
         return now.half_length() >= least.half_length && now.half_width() >= least.half_width;
     };
@@ -100,7 +98,7 @@ Rolling make_rolling(const TimeScene& scene, const Patch& patch) {
                        elements = covered.mesh.rectangles(covered.contact.half_length())](double q) {
         rollbem::NormalLoad<double> normal{
             Eigen::ArrayXd::Zero(Eigen::Index(elements.size())), contact.half_length(), {}, contact.half_width()};
-        const double ratio = scene.load_ratio(q);
+        const double ratio = scene.run.load_ratio(q);
         if (ratio == 0) return normal;
         normal.normal_pressure =
             rollbem::hertz_pressures(stretched(patch.contact, scene.axes(q)), elements, ratio * mu_N(patch));
@@ -117,7 +115,7 @@ struct TimeRow {
     const Patch& patch;
     const friction::Moment& moment;
 
-    double load_ratio() const { return scene.load_ratio(moment.q); }
+    double load_ratio() const { return scene.run.load_ratio(moment.q); }
     AxisRatios axes() const { return scene.axes(moment.q); }
     double force(double value) const { return 0 - value / mu_N(patch); }
     double work(double value) const { return value * patch.contact.c() / (mu_N(patch) * mu_N(patch)); }
@@ -177,18 +175,16 @@ const study::Sheet<TimeRow, Patch>& time_sheet() {
 std::string transient_help() { return time_sheet().help(); }
 
 study::Table transient_table(const TimeScene& scene) {
-    const bool by_force = scene.imposed.has("force");
+    const bool by_force = scene.run.by_force();
     const auto row = [&scene, by_force](const Patch& patch, const friction::Moment& moment) {
-        CreepPoint point = moment.shifted ? CreepPoint{0, 0, 0} : scene.at(moment.q, false);
+        CreepPoint point = moment.shifted ? CreepPoint{0, 0, 0} : scene.at(moment.q);
         if (by_force && !moment.shifted) point.longitudinal = moment.creepage.longitudinal;
         return TimeRow{scene, point, patch, moment};
     };
     study::Table table = friction::rolling_table(
-        time_sheet(), scene.patches, scene.run.steps.count,
-        friction::begins_with_shift(scene.run, scene.imposed, history_columns),
-        [&](const Patch& patch) { return make_rolling(scene, patch); }, row);
+        time_sheet(), scene.patches, scene.run, [&](const Patch& patch) { return make_rolling(scene, patch); }, row);
     table.plot = [&, by_force](const std::vector<study::Row>& rows) {
-        return draw_in_time(time_sheet().names(), rows, scene.load_varies(), by_force);
+        return draw_in_time(time_sheet().names(), rows, scene.run.load_varies(), by_force);
     };
     return table;
 }

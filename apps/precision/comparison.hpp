@@ -83,13 +83,16 @@ struct Task {
     std::function<std::optional<bool>()> stable{};
 };
 
-/// The tasks of a comparison, and the reference of its quantities.
+/// The tasks of a comparison, or its points where they are read, and the reference of its quantities.
 struct Comparison {
     std::vector<std::string> columns;
     std::vector<Quantity> quantities;
-    std::vector<Task> tasks;
-    std::function<Values(const Quantity&)> reference;
-    std::function<std::optional<double>(const Quantity&)> model_error;
+    std::vector<Task> tasks{};
+    std::function<Values(const Quantity&)> reference{};
+    std::function<std::optional<double>(const Quantity&)> model_error{};
+    bool timed = false;
+    bool partial = false;         ///< a shard, or without times: there is no front
+    std::vector<Point> points{};  ///< all that are known
 };
 
 /// All quantities of a line, in the order of the rows; the response is at --omega.
@@ -108,15 +111,14 @@ inline constexpr const char* patch_schemes =
     "cosine:nodes-chebyshev:cosine-strips,richardson:cosine:nodes-chebyshev:cosine-strips,"
     "cosine:nodes-chebyshev:uniform-strips";
 
-/// The schemes of --scheme. Throws BadInput.
-std::vector<study::NamedScheme> chosen_schemes(const study::Options& options, bool of_patch);
+// --- the options, read at the door. The readers throw BadInput.
 
-/// The quantities of `all` that --quantity names.
-std::vector<Quantity> chosen(const study::Options& options, const std::vector<Quantity>& all);
+/// The schemes of --scheme, and the quantities of `all` that --quantity names.
+std::vector<study::NamedScheme> read_schemes(const study::Options& options, bool of_patch);
+std::vector<Quantity> read_quantities(const study::Options& options, const std::vector<Quantity>& all);
 
-/// The comparisons that the options ask for. Throw BadInput.
-Comparison compare_on_line(const study::Options& options);
-Comparison compare_on_patch(const study::Options& options);
+Comparison read_line_comparison(const study::Options& options);
+Comparison read_patch_comparison(const study::Options& options);
 
 inline constexpr std::ptrdiff_t largest_n = 100000;
 inline constexpr std::size_t first_setting = 9;  ///< of the columns: kernel, ...
@@ -130,8 +132,14 @@ std::vector<Point> read_points(const study::Options& options, const std::vector<
 /// The fastest scheme for every quantity and tolerance. Throws WriteError.
 void write_cheapest(study::OutputFile& file, const std::vector<Point>& points, const std::vector<Quantity>& quantities);
 
+/// A tolerance for which command lines are recommended, of patches with this a/b.
+struct Recommendation {
+    double tolerance, a_over_b;
+};
+Recommendation read_recommendation(const study::Options& options);
+
 /// The recommended command line for each purpose, for the plane kernel or a strip with b/a >= 10.
-void print_recommendations(const study::Options& options);
+void print_recommendations(const Recommendation& wanted);
 
 /// Panels for up to three quantities; where there are more, c11, response and friction alone have panels. Each panel
 /// shows the error of every scheme over its time, and the front of `points`.

@@ -318,7 +318,7 @@ std::optional<bool> stable(const Scene& scene) {
 
 /// The one contact of a study and its model: times and the front compare schemes on one problem. Throws BadInput if
 /// the options name several contacts.
-std::pair<Contact<double>, LineModel> make_contact(const study::Options& options,
+std::pair<Contact<double>, LineModel> read_contact(const study::Options& options,
                                                    const std::vector<NamedScheme>& schemes,
                                                    const std::vector<Quantity>& quantities) {
     for (const char* name : {"kernel", "aspect", "poisson"}) {
@@ -364,7 +364,7 @@ bool affordable(Problem problem, long n) {
 }
 
 /// Numbers of elements, states, or the order of the polynomial; 0 for the closed form, which has none.
-std::vector<std::ptrdiff_t> sizes_of(const study::Options& options, const NamedScheme& scheme) {
+std::vector<std::ptrdiff_t> read_sizes(const study::Options& options, const NamedScheme& scheme) {
     if (scheme.method == "closed-form") return {0};
     if (scheme.method == "chebyshev" && !options.given("n")) {
         return {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 14, 16, 20, 24, 32, 48};
@@ -401,17 +401,17 @@ std::vector<Quantity> line_quantities(const study::Options& options) {
             {"load_force", Problem::varying_load, largest_difference}};
 }
 
-Comparison compare_on_line(const study::Options& options) {
-    const std::vector<NamedScheme> schemes = chosen_schemes(options, false);
-    const std::vector<Quantity> quantities = chosen(options, line_quantities(options));
-    const auto given = make_contact(options, schemes, quantities);
+Comparison read_line_comparison(const study::Options& options) {
+    const std::vector<NamedScheme> schemes = read_schemes(options, false);
+    const std::vector<Quantity> quantities = read_quantities(options, line_quantities(options));
+    const auto given = read_contact(options, schemes, quantities);
     const Contact<double> contact = given.first;
     const LineModel model = given.second;
     const Settings settings{options.number("dq", study::positive()),
                             options.number("creepage-ratio", study::positive())};
-    Comparison result{columns(), quantities, {}, {}, {}};
+    Comparison result{columns(), quantities};
     for (const NamedScheme& scheme : schemes) {
-        for (const long n : sizes_of(options, scheme)) {
+        for (const long n : read_sizes(options, scheme)) {
             Task task{{.scheme = scheme.word(), .n = n > 0 ? std::optional(n) : std::nullopt}};
             for (const Quantity& quantity : quantities) {
                 const bool wanted = options.given("n") || affordable(quantity.problem, n);

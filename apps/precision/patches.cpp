@@ -153,20 +153,20 @@ std::vector<Quantity> patch_quantities() {
             {"patch_force", Problem::patch_friction, largest_difference}};
 }
 
-Comparison compare_on_patch(const study::Options& options) {
+Comparison read_patch_comparison(const study::Options& options) {
     const auto contact = PatchContact::dimensionless(options.number("a-over-b", study::between(1e-3, 1e3)),
                                                      options.number("poisson", study::between(0, 0.5)));
     for (const char* name : {"kernel", "aspect", "front", "omega", "dq", "creepage-ratio"}) {
         options.ignored(name, "with quantities of patches");
     }
-    Comparison result{columns(), chosen(options, patch_quantities()), {}, {}, {}};
+    Comparison result{columns(), read_quantities(options, patch_quantities())};
     result.columns.insert(result.columns.end(), {"a_over_b", "strips"});
     result.reference = [=](const Quantity& quantity) { return reference(contact, quantity.problem); };
     std::vector<std::ptrdiff_t> sizes{4, 6, 8, 12, 16}, all_strips;
     if (result.quantities.back().problem == Problem::patch) sizes.push_back(24);
     if (options.given("n")) sizes = options.integers("n", 1, most_elements);
     if (options.given("strips")) all_strips = options.integers("strips", 1, most_elements);
-    const std::vector<NamedScheme> schemes = chosen_schemes(options, true);
+    const std::vector<NamedScheme> schemes = read_schemes(options, true);
     const double a_over_b = contact.a_over_b();
     for (const std::ptrdiff_t n : sizes) {
         for (const NamedScheme& scheme : schemes) {

@@ -109,13 +109,17 @@ void write_cheapest(study::OutputFile& file, const std::vector<Point>& points,
     }
 }
 
-void print_recommendations(const study::Options& options) {
+Recommendation read_recommendation(const study::Options& options) {
     const study::Rule open{[](double value) { return value > 0 && value < 1; }, "be above 0 and below 1"};
     const double tolerance = options.number("recommend", open);
     for (const study::Given& given : options.given()) {
         if (given.name != "recommend" && given.name != "a-over-b") options.ignored(given.name, "with --recommend");
     }
-    const double a_over_b = options.number("a-over-b", study::between(0.1, 25));
+    return {tolerance, options.number("a-over-b", study::between(0.1, 25))};
+}
+
+void print_recommendations(const Recommendation& wanted) {
+    const double tolerance = wanted.tolerance, a_over_b = wanted.a_over_b;
     study::OutputFile output = study::OutputFile::standard_output();
     const auto print = [&](const char* purpose, const std::string& before, const auto& words,
                            const std::string& behind = "") {

@@ -60,7 +60,7 @@ const study::Sheet<Wave, double> wave_sheet{
       if_exists(&EquivalentConicity::tan_gamma_linear)},
      {"wavelength", "wave length [m]", if_exists(&EquivalentConicity::wavelength)},
      {"y_min", "ends of the lateral motion of the wheelset's middle [m]", if_exists(&EquivalentConicity::y_min)},
-     {"y_max", "ends of the lateral motion of the wheelset's middle [m]", if_exists(&EquivalentConicity::y_max)},
+     {"y_max", "", if_exists(&EquivalentConicity::y_max)},
      {"status",
       "ok; beyond_clearance where the wave leaves the positions that both wheels reach without climbing over a flange "
       "or an end of a profile; unstable where Delta r falls, so that no wave passes the equilibrium; or why the "
@@ -86,11 +86,10 @@ const study::Sheet<Radii, double> radii_sheet{
      {"delta_r", "right_radius less left_radius [m]; empty beyond the clearance, like the following",
       if_known([](const Radii& r) { return r.at.difference(); })},
      {"right_radius", "rolling radii [m]", if_known([](const Radii& r) { return r.at.wheels[1].rolling_radius; })},
-     {"left_radius", "rolling radii [m]", if_known([](const Radii& r) { return r.at.wheels[0].rolling_radius; })},
+     {"left_radius", "", if_known([](const Radii& r) { return r.at.wheels[0].rolling_radius; })},
      {"right_angle", "angles of contact in track axes [rad]",
       if_known([](const Radii& r) { return r.at.wheels[1].angle; })},
-     {"left_angle", "angles of contact in track axes [rad]",
-      if_known([](const Radii& r) { return -r.at.wheels[0].angle; })}},
+     {"left_angle", "", if_known([](const Radii& r) { return -r.at.wheels[0].angle; })}},
     ""};
 
 study::Table wave_table(const Conicity& conicity) {

@@ -28,31 +28,28 @@ inline study::Cell scene_cell(const Case& at, const std::string& name) {
     return name == "shift" ? at.shift : name == "yaw" ? at.yaw : name == "pitch" ? at.pitch : at.along;
 }
 
+/// Positions of a wheelset whose patches are found, and how.
 struct Settings {
+    std::vector<Case> cases;  ///< the shift outermost and the pitch rate innermost
+    std::string columns;      ///< of a case, which name the quantities that are swept
     rollbem::WheelsetOnTrack wheelset;
     std::vector<Side> sides;
     double load;  ///< on each wheel [N], unless its height is given
     rollbem::WheelOnRail::Options grid;
     std::optional<rollbem::RollingFriction> friction;
-    double speed;                 ///< V [m/s]
-    double shear_yield;           ///< [Pa]
-    std::optional<double> force;  ///< of friction along x, in place of the pitch rate [N]
-    bool friction_carries;        ///< a part of the loads
-    bool stress;                  ///< whether stresses below the patches are asked for
+    double speed;                       ///< V [m/s]
+    double shear_yield;                 ///< [Pa]
+    std::optional<double> force;        ///< of friction along x, in place of the pitch rate [N]
+    bool friction_carries;              ///< a part of the loads
+    std::string outline, wear, stress;  ///< a folder, and files; empty where they are not asked for
     bool timed;
 };
 
 /// Declares the options of profile_study; its footer is for the program.
 void add_options(study::Options& options);
 
-/// The settings of a run with one position or several. Throws BadInput, as read_cases does.
-Settings read_settings(const study::Options& options, bool several);
-
-/// All positions, the shift outermost and the pitch rate innermost.
-std::vector<Case> read_cases(const study::Options& options);
-
-/// The columns of a case name the quantities that are swept.
-std::string case_columns(const study::Options& options);
+/// Throws BadInput.
+Settings read_settings(const study::Options& options);
 
 // --- equivalent conicity
 

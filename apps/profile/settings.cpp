@@ -205,8 +205,6 @@ std::vector<Case> read_positions(const study::Options& options) {
     return cases;
 }
 
-}  // namespace
-
 std::vector<Case> read_cases(const study::Options& options) {
     std::vector<Case> cases;
     if (options.given("positions")) {
@@ -239,13 +237,6 @@ std::vector<Case> read_cases(const study::Options& options) {
     return cases;
 }
 
-std::string case_columns(const study::Options& options) {
-    return std::string("shift, yaw") + (options.given("x") ? ", track_x" : "") +
-           (options.given("pitch") ? ", pitch" : "");
-}
-
-namespace {
-
 /// Refuses what needs sections, and what needs that there are none.
 void check_surfaces(const study::Options& options, const rollbem::WheelsetOnTrack& wheelset, bool several) {
     bool round = true, straight = true;
@@ -263,7 +254,8 @@ void check_surfaces(const study::Options& options, const rollbem::WheelsetOnTrac
 
 }  // namespace
 
-Settings read_settings(const study::Options& options, bool several) {
+Settings read_settings(const study::Options& options) {
+    std::vector<Case> cases = read_cases(options);
     const auto positive = [&](const char* name) { return options.number(name, study::positive()); };
     const rollbem::TrackDimensions track = read_dimensions(options);
     const auto cells = options.pair("cells");
@@ -278,20 +270,25 @@ Settings read_settings(const study::Options& options, bool several) {
     const double load = positive("load"), speed = options.number("speed", study::finite());
     options.require(speed != 0, "speed", "differ from 0: creepage is slip over the velocity of rolling");
     rollbem::WheelsetOnTrack wheelset = read_wheelset(options, track);
-    check_surfaces(options, wheelset, several);
-    return {std::move(wheelset),
-            sides,
-            load,
-            {.cells_x = Eigen::Index(cells->first),
-             .cells_s = Eigen::Index(cells->second),
-             .interaction = options.choice("interaction", {"on", "off"}) == "on"},
-            friction,
-            speed,
-            positive("shear-yield"),
-            options.given("force") ? std::optional(options.number("force", study::finite())) : std::nullopt,
-            options.choice("load-of", {"normal", "all"}) == "all",
-            options.given("stress"),
-            study::has_times(options)};
+    check_surfaces(options, wheelset, cases.size() > 1);
+    return {
+        std::move(cases),
+        std::string("shift, yaw") + (options.given("x") ? ", track_x" : "") + (options.given("pitch") ? ", pitch" : ""),
+        std::move(wheelset),
+        sides,
+        load,
+        {.cells_x = Eigen::Index(cells->first),
+         .cells_s = Eigen::Index(cells->second),
+         .interaction = options.choice("interaction", {"on", "off"}) == "on"},
+        friction,
+        speed,
+        positive("shear-yield"),
+        options.given("force") ? std::optional(options.number("force", study::finite())) : std::nullopt,
+        options.choice("load-of", {"normal", "all"}) == "all",
+        options.text("outline"),
+        options.text("wear"),
+        options.text("stress"),
+        study::has_times(options)};
 }
 
 }  // namespace profile

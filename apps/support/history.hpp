@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "input.hpp"
@@ -19,12 +20,13 @@ struct Sine {
     double amplitude, omega;
 };
 
-/// --sine AMP,OMEGA. Throws BadInput unless both are finite, AMP is not 0 and OMEGA is positive.
-Sine read_sine(const Options& options);
-
 /// Quantities over q [a], 0 where nothing is imposed and before it is.
 class History {
 public:
+    History() = default;
+    /// The places of tables: ascending, of which two equal ones make a jump.
+    explicit History(Numbers places) : places_(std::move(places)) {}
+
     bool has(const std::string& column) const { return signals_.count(column) > 0; }
     /// The value just before (or at) q, or `behind` it: both differ at a jump only.
     double at(const std::string& column, double q, bool behind = true) const;
@@ -35,8 +37,10 @@ public:
     void set(const std::string& column, double value);
     void set(const std::string& column, const Sine& sine, double mean = 0);
     void set_ramp(const std::string& column, double rate);
-    /// A column is linear between ascending places, of which two equal ones make a jump.
-    void set(const Numbers& places, std::map<std::string, Numbers> columns);
+    /// A column is linear between the places of this history.
+    void set(const std::string& column, Numbers values);
+    /// Adds another history's columns and places.
+    void add(const History& other);
 
     /// The places at which steps have to end: the places of all tables.
     const Numbers& places() const { return places_; }
@@ -62,18 +66,12 @@ private:
 struct HistoryColumns {
     std::array<std::string, 3> creepage;  ///< along x, which --step, --ramp and --sine set, along y, and spin
     std::array<std::string, 2> shift{};
+    std::vector<std::string> load{};  ///< of friction, which takes a force, too: load_ratio, and further ones of --load
     std::vector<std::string> others{};
 
+    bool friction() const { return !load.empty(); }
     const std::string& main() const { return creepage[0]; }
     std::vector<std::string> all() const;
 };
-
-/// Declares --step, --ramp, --sine and --history, of which one may be given; with `mode`, only that option takes them.
-void add_history_options(Options& options, const HistoryColumns& columns, const std::string& mode = "");
-
-/// The history by the options of `columns`, and the constants of options that are called like their columns and hold to
-/// a rule. Throws BadInput.
-History read_history(const Options& options, const HistoryColumns& columns,
-                     const std::vector<std::string>& constants = {}, const Rule& rule = finite());
 
 }  // namespace study

@@ -207,6 +207,9 @@ public:
     const std::string& program() const { return program_; }
     const std::vector<std::string>& words() const { return words_; }  ///< the command line as typed
 
+    /// Whether the study has the option.
+    bool has(const std::string& name) const { return entries_.count(name) > 0; }
+
     /// Whether the option was given, on the command line or in the configuration file.
     bool given(const std::string& name) const;
 

@@ -14,6 +14,8 @@
 
 #include <unistd.h>
 
+#include <rollbem/detail/parallel_for.hpp>
+
 namespace study {
 
 class Progress {
@@ -84,5 +86,21 @@ private:
     std::condition_variable end_;
     std::thread clock_;
 };
+
+/// Threads that compute, and whether a line on the terminal shows how far they are.
+struct Threads {
+    std::string program;  ///< which the line names
+    std::size_t jobs = 1;
+    bool shows = false;
+};
+
+/// compute(i) for all i < count.
+template <class Compute>
+void in_parallel(const Threads& threads, std::size_t count, const std::string& unit, const Compute& compute) {
+    Progress progress(threads.program, count, threads.shows, unit);
+    std::size_t done = 0;
+    progress.update(0);
+    rollbem::detail::parallel_for(count, threads.jobs, compute, [&] { progress.update(++done); });
+}
 
 }  // namespace study

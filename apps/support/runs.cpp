@@ -4,34 +4,15 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
 
 #include "csv.hpp"
+#include "input.hpp"
 #include "scenes.hpp"
 
 namespace study {
-
-void add_steps(Options& options, const std::string& mode) {
-    const auto dq = options.add("dq", "D", "distance rolled in a step [a], above 0", "0.05");
-    const auto until =
-        options.add("until", "Q", "distance rolled in all [a], a multiple of --dq, up to 1e7 times", "10");
-    if (mode.empty()) return;
-    dq.only_with({mode});
-    until.only_with({mode});
-}
-
-Steps read_steps(const Options& options) {
-    const double dq = options.number("dq", positive()), until = options.number("until", positive());
-    const double count = std::round(until / dq);
-    options.require(until >= dq * (1 - 1e-12), "until", "be at least --dq");
-    options.require(count <= 1e7, "until", "be at most 1e7 times --dq");
-    options.require(std::abs(until / dq - count) <= 1e-9 * count, "until",  // 0.3/0.1 is rounded
-                    "be a multiple of --dq = " + options.text("dq"));
-    return {dq, static_cast<std::size_t>(count)};
-}
 
 namespace {
 
@@ -49,18 +30,14 @@ std::vector<NamedIntegrator> integrators_for(bool friction) {
     return found;
 }
 
-}  // namespace
-
-const NamedIntegrator& named(rollbem::Integrator integrator) {
-    return *std::find_if(integrators.begin(), integrators.end(),
-                         [=](const NamedIntegrator& each) { return each.integrator == integrator; });
-}
-
-Options::Added add_integrator(Options& options, bool friction) {
-    std::vector<std::string> words;
-    for (const NamedIntegrator& each : integrators_for(friction))
-        words.push_back(each.word + " (" + each.meaning + ")");
-    return options.add("integrator", "NAME", "integrator: " + listed(words, "or"), integrators.front().word);
+Steps read_steps(const Options& options) {
+    const double dq = options.number("dq", positive()), until = options.number("until", positive());
+    const double count = std::round(until / dq);
+    options.require(until >= dq * (1 - 1e-12), "until", "be at least --dq");
+    options.require(count <= 1e7, "until", "be at most 1e7 times --dq");
+    options.require(std::abs(until / dq - count) <= 1e-9 * count, "until",  // 0.3/0.1 is rounded
+                    "be a multiple of --dq = " + options.text("dq"));
+    return {dq, static_cast<std::size_t>(count)};
 }
 
 rollbem::Integrator read_integrator(const Options& options, bool friction) {
@@ -70,58 +47,146 @@ rollbem::Integrator read_integrator(const Options& options, bool friction) {
     return known[index_of(words, options.choice("integrator", words))].integrator;
 }
 
+}  // namespace
+
+const NamedIntegrator& named(rollbem::Integrator integrator) {
+    return *std::find_if(integrators.begin(), integrators.end(),
+                         [=](const NamedIntegrator& each) { return each.integrator == integrator; });
+}
+
 double next_stop(const Numbers& knots, double from, double to) {
     const auto next = std::upper_bound(knots.begin(), knots.end(), from);
     return next == knots.end() ? to : std::min(*next, to);
 }
 
-void add_run_options(Options& options, const std::string& load, const std::string& breathing) {
-    options
-        .add("load-sine", "A,LENGTH",
-             "sinusoidal load N = N_0 (1 + A sin(2 pi q/LENGTH)), A [dimensionless] from -1 to 1, LENGTH [a_0] above "
-             "0; constant load without it")
-        .only_with({"transient"});
-    options
-        .add_input("load",
-                   "CSV file of the load over the distance rolled, with the columns q_over_a [a_0], load_ratio = N/N_0 "
-                   "[dimensionless]" +
-                       load + "; linear between its rows, which must cover the run")
-        .only_with({"transient"})
-        .not_with("load-sine");
-    options.add_flag("breathing", breathing).only_with({"transient"});
-    options.add("from", "rest|steady", "state at the start of the run: rest, or steady rolling", "rest")
-        .only_with({"transient"});
-    add_steps(options, "transient");
-    add_integrator(options, true).only_with({"transient"});
+Sine read_sine(const Options& options) {
+    const auto sine = options.pair("sine");
+    options.require(sine && sine->first != 0 && sine->second > 0, "sine",
+                    "be AMP,OMEGA with AMP finite and not 0 and OMEGA > 0");
+    return {sine->first, sine->second};
 }
 
-RunSettings::RunSettings(const Options& options)
-    : steps(read_steps(options)),
-      from_steady(options.choice("from", {"rest", "steady"}) == "steady"),
-      integrator(read_integrator(options, true)),
-      breathing(options.flag("breathing")) {}
-
-void require_no_first_shift(const RunSettings& run, const History& imposed, const HistoryColumns& columns) {
-    for (const std::string& column : columns.shift) {
-        if (run.from_steady && !column.empty() && imposed.at(column, 0, true) != 0)
-            throw BadInput(column + " = " + Cell(imposed.at(column, 0, true)).text(6) +
-                           " at q_over_a = 0 must be 0 with --from steady: a shift before rolling starts from rest");
+void add_run_options(Options& options, const HistoryColumns& columns, const std::string& mode, const std::string& load,
+                     const std::string& breathing) {
+    const std::string &main = columns.main(), creepage = option_of(main);
+    const std::vector<std::string> all = columns.all();
+    std::vector<std::string> own{"step", "ramp", "sine", "history", "dq", "until", "integrator"};
+    options.add("step", "X", main + " X [dimensionless] from q = 0 on, not 0");
+    options.add("ramp", "RATE", main + " RATE q/a [dimensionless], RATE not 0");
+    options.add("sine", "AMP,OMEGA",
+                main +
+                    " AMP sin(OMEGA q/a) [dimensionless], AMP not 0, OMEGA in V/a above 0; steps of D take its chords, "
+                    "which are too low by a fraction (OMEGA D)^2/12");
+    options.add_input("history", "CSV file of the imposed quantities [dimensionless], with the column q_over_a and " +
+                                     (all.size() == 1 ? main : "any of " + listed(all, "and")) +
+                                     ": linear between its rows, zero before the first, constant after the last; two "
+                                     "rows at one q_over_a make a jump");
+    options.not_with({"ramp", "sine", "history"}, "step");
+    options.not_with({"sine", "history"}, "ramp");
+    options.not_with({"history"}, "sine");
+    if (columns.friction()) {
+        own = joined<std::string>(std::move(own), {"load-sine", "load", "breathing", "from"});
+        for (const char* way : {"step", "ramp", "sine"}) options.not_with({creepage}, way);
+        options.add("load-sine", "A,LENGTH",
+                    "sinusoidal load N = N_0 (1 + A sin(2 pi q/LENGTH)), A [dimensionless] from -1 to 1, LENGTH [a_0] "
+                    "above 0; constant load without it");
+        options.add_input(
+            "load",
+            "CSV file of the load over the distance rolled, with the columns q_over_a [a_0], load_ratio = "
+            "N/N_0 [dimensionless]" +
+                load + "; linear between its rows, which must cover the run");
+        options.not_with({"load"}, "load-sine");
+        options.add_flag("breathing", breathing);
+        options.add("from", "rest|steady", "state at the start of the run: rest, or steady rolling", "rest");
     }
+    options.add("dq", "D", "distance rolled in a step [a], above 0", "0.05");
+    options.add("until", "Q", "distance rolled in all [a], a multiple of --dq, up to 1e7 times", "10");
+    std::vector<std::string> names;
+    for (const NamedIntegrator& each : integrators_for(columns.friction())) {
+        names.push_back(each.word + " (" + each.meaning + ")");
+    }
+    options.add("integrator", "NAME", "integrator: " + listed(names, "or"), integrators.front().word);
+    for (const std::string& name : own) {
+        if (!mode.empty()) Options::Added{options, name}.only_with({mode});
+    }
+}
+
+void add_force(Options& options, const HistoryColumns& columns) {
+    const std::string creepage = option_of(columns.main());
+    options.add("force", "F",
+                "given force -F_x/(mu N), in time -F_x/(mu N_0) [dimensionless], any finite, in place of --" +
+                    creepage + ", which is found; in time a shift from rest reaches it before the contact rolls");
+    options.not_with({creepage, "step", "ramp", "sine"}, "force");
+}
+
+Options::Added add_unchecked(Options& options) {
+    return options.add_flag(
+        "unchecked",
+        "no check of the schemes: those that are unstable, may be unstable or do not converge are stepped, too");
+}
+
+bool Run::begins_with_shift() const {
+    const auto jumps = [&](const std::string& column) {
+        return !column.empty() && imposed.at(column, 0, true) != imposed.at(column, 0, false);
+    };
+    return !from_steady && (jumps(columns.shift[0]) || jumps(columns.shift[1]) || jumps("force"));
 }
 
 namespace {
 
-/// A table of --load, whose first column holds the places.
-std::vector<Numbers> read_load_table(const Options& options, const std::string& further) {
-    std::vector<Numbers> columns =
-        read_columns(options, "load", "q_over_a,load_ratio", further,
-                     [](const auto& read, const auto& where) { require_order(read[0], "q_over_a", where); });
-    options.require(!columns[0].empty(), "load", "have at least one row below its header");
-    return columns;
+const Rule not_zero{[](double value) { return std::isfinite(value) && value != 0; }, "be finite and not 0"};
+
+/// The columns of --history, any of them and no others, or of --load, the first and all further ones or none.
+History read_table(const Options& options, const std::string& name, const HistoryColumns& columns) {
+    const bool imposes = name == "history";
+    const std::vector<std::string> names = imposes ? columns.all() : columns.load;
+    const bool any = imposes && names.size() > 1;
+    const std::vector<std::string> further(names.begin() + (any ? 0 : 1), names.end());
+    const std::vector<Numbers> read = read_columns(
+        options, name, any ? "q_over_a" : "q_over_a," + names[0], join(further, imposes ? ";" : ","),
+        [&](const auto& so_far, const auto& where) {
+            if (imposes && so_far[0].back() < 0) {
+                throw BadInput(where + ": q_over_a must be at least 0: rolling starts from rest there");
+            }
+            require_order(so_far[0], "q_over_a", where);
+        },
+        imposes ? names : std::vector<std::string>{});
+    options.require(!read[0].empty(), name, "have at least one row below its header");
+    History history(read[0]);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        if (!read[k + 1].empty()) history.set(names[k], read[k + 1]);
+    }
+    const bool has_any =
+        std::any_of(names.begin(), names.end(), [&](const auto& column) { return history.has(column); });
+    options.require(has_any, name, "have a column of " + listed(names, "or"));
+    return history;
+}
+
+/// What is imposed by --step, --ramp, --sine, --history and options that are called like a column, which give it a
+/// constant value that holds to a rule.
+History read_history(const Options& options, const HistoryColumns& columns, const Rule& rule) {
+    History history;
+    if (options.given("history")) history = read_table(options, "history", columns);
+    if (options.given("step")) history.set(columns.main(), options.number("step", not_zero));
+    if (options.given("ramp")) history.set_ramp(columns.main(), options.number("ramp", not_zero));
+    if (options.given("sine")) history.set(columns.main(), read_sine(options));
+    for (const std::string& column : columns.all()) {
+        const std::string name = option_of(column);
+        if (!options.has(name) || !options.given(name)) continue;
+        if (history.has(column)) options.ignored(name, "with the column " + column + " of --history");
+        history.set(column, options.number(name, rule));
+    }
+    if (history.has("force") && history.has(columns.main())) {
+        throw BadInput("a force and a creepage along x must not be given together");
+    }
+    if (history.has("force") && history.has(columns.shift[0])) {
+        throw BadInput("a force and a shift along x must not be given together: the shift follows from the force");
+    }
+    return history;
 }
 
 /// Throws BadInput if ratios at these places are no load of the run. Ratios of a `history` may stand twice at a place.
-void require_load(const std::string& said, const Numbers& places, const Numbers& ratios, const RunSettings& run,
+void require_load(const std::string& said, const Numbers& places, const Numbers& ratios, const Run& run,
                   bool by_history) {
     const auto require = [&](bool holds, const std::string& what, double value, const std::string& rest) {
         if (!holds) throw BadInput(said + what + Cell(value).text(6) + rest);
@@ -143,10 +208,10 @@ void require_load(const std::string& said, const Numbers& places, const Numbers&
     require(largest > 0, ": the largest load_ratio must be positive, not ", largest, "");
 }
 
-}  // namespace
-
-void read_load(const Options& options, const RunSettings& run, History& imposed, const std::string& further) {
-    const bool by_sine = options.given("load-sine"), by_history = imposed.has("load_ratio");
+/// Adds the column load_ratio to the history of a run, and further ones of a table of --load.
+void read_load(const Options& options, Run& run) {
+    History& imposed = run.imposed;
+    const bool by_sine = options.given("load-sine"), by_history = run.load_varies();
     for (const char* option : {"load-sine", "load"}) {
         if (by_history) options.ignored(option, "with the column load_ratio of --history");
     }
@@ -165,14 +230,29 @@ void read_load(const Options& options, const RunSettings& run, History& imposed,
     if (by_history) {
         return require_load(options.said("history"), imposed.places(), imposed.values("load_ratio"), run, true);
     }
-    std::vector<Numbers> table = read_load_table(options, further);
-    require_load(options.said("load"), table[0], table[1], run, false);
-    std::map<std::string, Numbers> columns{{"load_ratio", std::move(table[1])}};
-    const std::vector<std::string> names = columns_of(further);
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        if (!table[k + 2].empty()) columns[names[k]] = std::move(table[k + 2]);
+    const History load = read_table(options, "load", run.columns);
+    require_load(options.said("load"), load.places(), load.values("load_ratio"), run, false);
+    imposed.add(load);
+}
+
+}  // namespace
+
+Run read_run(const Options& options, const HistoryColumns& columns, const Rule& rule) {
+    Run run{.columns = columns,
+            .imposed = read_history(options, columns, rule),
+            .steps = read_steps(options),
+            .integrator = read_integrator(options, columns.friction()),
+            .checked = !options.has("unchecked") || !options.flag("unchecked")};
+    if (!columns.friction()) return run;
+    run.from_steady = options.choice("from", {"rest", "steady"}) == "steady";
+    run.breathing = options.flag("breathing");
+    for (const std::string& column : columns.shift) {
+        if (!run.from_steady || column.empty() || run.imposed.at(column, 0, true) == 0) continue;
+        throw BadInput(column + " = " + Cell(run.imposed.at(column, 0, true)).text(6) +
+                       " at q_over_a = 0 must be 0 with --from steady: a shift before rolling starts from rest");
     }
-    imposed.set(table[0], std::move(columns));
+    read_load(options, run);
+    return run;
 }
 
 namespace {

@@ -4,8 +4,10 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <rollbem/rolling/integrator.hpp>
@@ -18,15 +20,6 @@
 
 namespace study {
 
-/// Declares --dq and --until, and reads them as 1 to 1e7 steps of dq, in units of a. With `mode`, only that option
-/// makes steps. Throws BadInput.
-struct Steps {
-    double dq;
-    std::size_t count;
-};
-void add_steps(Options& options, const std::string& mode = "");
-Steps read_steps(const Options& options);
-
 /// An integrator as options and columns name it; all of them are in runs.cpp.
 struct NamedIntegrator {
     rollbem::Integrator integrator;
@@ -37,10 +30,6 @@ struct NamedIntegrator {
 const NamedIntegrator& named(rollbem::Integrator integrator);
 inline std::string word(rollbem::Integrator integrator) { return named(integrator).word; }
 
-/// Declares --integrator, and reads it; with `friction`, one of those that models with friction take. Throws BadInput.
-Options::Added add_integrator(Options& options, bool friction);
-rollbem::Integrator read_integrator(const Options& options, bool friction);
-
 /// Further words of columns called status.
 inline constexpr const char* unresolved = "unresolved";        ///< a sine with fewer than six steps in a period
 inline constexpr const char* after_failure = "after_failure";  ///< a step before has failed
@@ -49,38 +38,74 @@ inline constexpr const char* unchecked = "unchecked";  ///< ok, except for the c
 /// The end of a step: the first knot between two places, otherwise the second place.
 double next_stop(const Numbers& knots, double from, double to);
 
-/// Declares the options of runs with friction: --load-sine, --load, --breathing, --from, --dq, --until and
-/// --integrator, all for --transient. `load` and `breathing` are what --help says of these besides.
-void add_run_options(Options& options, const std::string& load, const std::string& breathing);
-
-/// The values of --breathing, --from, --dq, --until and --integrator. Throws BadInput.
-struct RunSettings {
-    Steps steps;
-    bool from_steady;
-    rollbem::Integrator integrator;
-    bool breathing;  ///< the mesh follows a contact whose load varies; otherwise it covers the largest one
-
-    explicit RunSettings(const Options& options);
-    double until() const { return double(steps.count) * steps.dq; }
+/// Steps of dq [a].
+struct Steps {
+    double dq;
+    std::size_t count;
 };
 
-/// Adds N/N_0, the column load_ratio, of --load-sine or --load to the history `imposed` on a run:
-/// 1 + A sin(2 pi q/LENGTH), lengths in a_0, or a table, which may have the columns `further` besides. Throws BadInput,
-/// also if the values are no load, or jump.
-void read_load(const Options& options, const RunSettings& run, History& imposed, const std::string& further = "");
+/// A run: its steps, what is imposed on it, and where it begins.
+struct Run {
+    HistoryColumns columns;
+    History imposed;
+    Steps steps;
+    rollbem::Integrator integrator;
+    bool checked;              ///< whether schemes must be stable and converge
+    bool from_steady = false;  ///< begins in steady rolling, not at rest
+    bool breathing = false;    ///< the mesh follows a contact whose load varies; otherwise it covers the largest one
 
-/// Refuses a shift before rolling in a run from steady rolling. Throws BadInput.
-void require_no_first_shift(const RunSettings& run, const History& imposed, const HistoryColumns& columns);
+    double until() const { return double(steps.count) * steps.dq; }
+    bool by_force() const { return imposed.has("force"); }
+    bool load_varies() const { return imposed.has("load_ratio"); }
+    double load_ratio(double q) const { return load_varies() ? imposed.at("load_ratio", q) : 1; }
+    /// Whether the first row shows a jump of a shift or force before rolling.
+    bool begins_with_shift() const;
+};
 
-/// Fills `runs` with make(case) for each of the cases before any task is computed, as checks may take long.
-template <class Run, class Case, class Make>
-void prepare_runs(Table& table, std::vector<Run>& runs, const std::vector<Case>& cases, const Make& make) {
-    table.prepare = [&, make](const auto&, const auto& done) {
+/// Declares --step, --ramp, --sine, --history, --dq, --until and --integrator, with friction also --load-sine, --load,
+/// --breathing and --from, all for the option `mode` if that is not empty; the last two words are of --help.
+void add_run_options(Options& options, const HistoryColumns& columns, const std::string& mode = "",
+                     const std::string& load = "", const std::string& breathing = "");
+
+/// --sine AMP,OMEGA. Throws BadInput unless both are finite, AMP is not 0 and OMEGA is positive.
+Sine read_sine(const Options& options);
+
+/// Declares --force, which friction may take in place of the creepage along x.
+void add_force(Options& options, const HistoryColumns& columns);
+
+/// Declares --unchecked.
+Options::Added add_unchecked(Options& options);
+
+/// The run that the options ask for: 1 to 1e7 steps, N/N_0 as the column load_ratio of its history, 1 + A sin(2 pi
+/// q/LENGTH) by --load-sine, or of the table --load. Options that are called like a column give it a constant value,
+/// which holds to a rule. Throws BadInput, also if the load is negative or jumps, or a shift comes before a run from
+/// steady rolling.
+Run read_run(const Options& options, const HistoryColumns& columns, const Rule& rule = finite());
+
+/// The table of a run of `rows` rows with each case. make(case), as checks may take long, is called for all before any
+/// row; then roll(run, case, range, emit) emits the results of these rows and returns why the run ended early.
+template <class Sheet, class Case, class Make, class Roll>
+Table run_table(const Sheet& sheet, const std::vector<Case>& cases, std::size_t rows, const Make& make,
+                const Roll& roll) {
+    struct Runs {
+        std::vector<std::decay_t<std::invoke_result_t<Make, const Case&>>> of;
+        std::vector<std::string> ended;
+    };
+    const auto runs = std::make_shared<Runs>();
+    runs->ended.resize(cases.size());
+    Table table = table_of(sheet.names(), cases, rows);
+    table.prepare = [&cases, runs, make](const auto&, const auto& done) {
         for (const Case& one : cases) {
-            runs.push_back(make(one));
-            done(double(runs.size()) / double(cases.size()));
+            runs->of.push_back(make(one));
+            done(double(runs->of.size()) / double(cases.size()));
         }
     };
+    table.compute = [&sheet, &cases, runs, roll](std::size_t task, RowRange range, const Emit& emit) {
+        const Case& one = cases[task];
+        runs->ended[task] = roll(runs->of[task], one, range, [&](const auto& result) { emit(sheet.row(one, result)); });
+    };
+    table.ended = [runs](std::size_t task) { return runs->ended[task]; };
+    return table;
 }
 
 /// The number of times that a step without a solution is divided in halves before the run ends.

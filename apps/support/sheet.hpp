@@ -20,7 +20,7 @@ namespace study {
 
 template <class Result>
 struct Column {
-    std::string name, meaning;
+    std::string name, meaning;                   ///< an empty meaning is that of the column before
     std::function<Cell(const Result&)> value{};  ///< without, it is the case's column of that name
 };
 
@@ -55,7 +55,8 @@ public:
         : before_(columns_of(before)), behind_(columns_of(behind)) {
         for (const Column<Result>& column : own) {
             for (const std::string& name : columns_of(column.name)) {
-                own_.push_back({name, column.meaning, column.value});
+                const bool shared = column.meaning.empty() && !own_.empty();
+                own_.push_back({name, shared ? own_.back().meaning : column.meaning, column.value});
             }
         }
     }

@@ -59,6 +59,7 @@ void add_state_space_options(Options& options, const std::string& what) {
 
 void write_state_space(const Options& options, OutputFiles& files, std::size_t count,
                        const std::function<Space()>& make, const StateSpaceWords& words) {
+    if (!options.given("state-space")) return;
     const std::string said = options.said("state-space"), folder = options.text("state-space");
     if (count != 1) {
         throw BadInput(said + " must go with one " + words.one + "; the values of " + words.lists + " make " +

@@ -14,6 +14,7 @@
 #include "options.hpp"
 #include "output.hpp"
 #include "plot.hpp"
+#include "progress.hpp"
 
 namespace study {
 
@@ -54,6 +55,13 @@ struct Table {
     std::function<std::string(std::size_t task)> ended{};
     /// The words of the progress line, if set, on a task, e.g. "n = 20".
     std::function<std::string(std::size_t task)> label{};
+
+    /// Puts a second table beside this one, which must have its tasks.
+    SideTable& put_beside(const std::string& option, std::vector<std::string> its_columns, bool wanted) {
+        beside = std::make_shared<SideTable>(SideTable{option, std::move(its_columns), wanted});
+        beside->rows.resize(rows_of_task.size());
+        return *beside;
+    }
 };
 
 /// A table with a task of `rows` rows for each of `cases`, which may have a label() and must outlive it.
@@ -76,6 +84,11 @@ bool has_times(const Options& options);
 
 /// Whether a progress line is wanted: not with --quiet.
 inline bool shows_progress(const Options& options) { return !options.flag("quiet"); }
+
+/// The threads of --jobs.
+inline Threads read_threads(const Options& options) {
+    return {options.program(), job_count(options), shows_progress(options)};
+}
 
 /// Writes the table to --output, with its companion file, gives these and `files` their names, and draws it. Throws
 /// BadInput before it computes anything, WriteError, and when the rows are written PlotError, or std::runtime_error if

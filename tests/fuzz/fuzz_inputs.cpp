@@ -56,7 +56,7 @@ void require(bool holds, const char* what) {
 void take(const std::vector<std::string>& words) {
     study::Options options("fuzz", "purpose");
     const study::HistoryColumns columns{{"creepage"}};
-    study::add_history_options(options, columns);
+    study::add_run_options(options, columns);
     options.add("omega", "LIST", "numbers");
     options.refuse("plot", "there is nothing to draw");
     std::vector<const char*> argv{"fuzz"};
@@ -64,7 +64,7 @@ void take(const std::vector<std::string>& words) {
     if (options.parse(static_cast<int>(argv.size()), argv.data())) return;
     if (options.given("omega")) options.numbers("omega", study::positive());
     if (options.given("history")) {
-        const auto history = study::read_history(options, columns);
+        const study::History history = study::read_run(options, columns).imposed;
         const study::Numbers& places = history.places();
         require(!places.empty() && places.size() == history.values("creepage").size(), "as many places as values");
         require(std::is_sorted(places.begin(), places.end()), "places ascend");
@@ -82,12 +82,8 @@ void take_friction(const std::vector<std::string>& words) {
     options.add_input("pressure", "a file");
     options.add("lateral-ratio", "LIST", "numbers");
     options.add("layer", "L", "a number", "0");
-    options.add("load-sine", "A,LENGTH", "two numbers");
-    options.add_input("load", "a file");
-    options.add_flag("breathing", "a flag");
-    options.add("from", "NAME", "a state", "rest");
-    study::add_steps(options);
-    study::add_integrator(options, true);
+    options.add("creepage-ratio", "LIST", "numbers");
+    study::add_run_options(options, friction::history_columns);
     std::vector<const char*> argv{"fuzz"};
     for (const std::string& word : words) argv.push_back(word.c_str());
     if (options.parse(static_cast<int>(argv.size()), argv.data())) return;
@@ -96,21 +92,19 @@ void take_friction(const std::vector<std::string>& words) {
     const rollbem::Mesh<double> mesh = rollbem::cosine_mesh(5);
     const friction::Pressure pressure = friction::read_pressure(options);
     require((pressure(mesh) >= 0).all() && pressure(mesh).allFinite(), "pressures press");
-    const study::RunSettings run(options);
-    study::History imposed;
-    study::read_load(options, run, imposed);
-    if (!imposed.has("load_ratio")) return;
-    const rollbem::HertzLoad<double> hertz = friction::hertz_load(imposed, run.breathing, mesh);
+    const study::Run run = study::read_run(options, friction::history_columns);
+    if (!run.load_varies()) return;
+    const rollbem::HertzLoad<double> hertz = friction::hertz_load(run, mesh);
     rollbem::NormalLoad<double> load = hertz.at(friction::mu_N);
     double q = 0;
     for (int k = 0; k <= 50 && q < run.until(); ++k) {
-        const double ratio = imposed.at("load_ratio", q);
+        const double ratio = run.load_ratio(q);
         require(std::isfinite(ratio) && ratio >= 0, "a load presses");
         const bool possible = hertz.set(ratio * friction::mu_N, load) == rollbem::Status::ok;
         // an underflowing load has no contact length
         require(possible || (run.breathing && ratio < 1e-290), "the mesh covers every load");
         const double end = std::min(run.until(), q + std::max(run.steps.dq, run.until() / 50)),
-                     next = study::next_stop(imposed.places(), q, end);
+                     next = study::next_stop(run.imposed.places(), q, end);
         require(next > q && next <= end, "steps go on");
         q = next;
     }
