@@ -269,9 +269,9 @@ private:
     Eigen::Index direction_;
 };
 
-template <class Law, int directions>
-FrictionContact::FrictionContact(FrictionModel<Law, directions> model, Eigen::Index direction)
-    : model_(std::make_shared<Erased<FrictionModel<Law, directions>>>(std::move(model), direction)) {
+template <class Law, int count>
+FrictionContact::FrictionContact(FrictionModel<Law, count> model, Eigen::Index direction)
+    : model_(std::make_shared<Erased<FrictionModel<Law, count>>>(std::move(model), direction)) {
     detail::require(direction == 0 || direction == 1, "FrictionContact", "direction", direction, "be 0 or 1");
 }
 
