@@ -2,7 +2,8 @@
 # rollbem/compiled/*.hpp instead of the headers themselves need not compile them. Optional: the headers suffice.
 # Each of these headers lists templates as `extern template ...;`; its source, made here, is the same list without
 # `extern`. It spares a unit the members that are defined outside their class: those inside are inline, and compilers
-# instantiate them in every unit that calls them.
+# instantiate them in every unit that calls them. Whatever a plain inline function calls is instantiated even where
+# nobody calls the function: that is why functions of double alone are templates of `std::same_as<double>`.
 # compile_header(name) makes compiled/name.cpp of it and sets name_source.
 function(compile_header name)
     set(header "${PROJECT_SOURCE_DIR}/include/rollbem/compiled/${name}.hpp")
