@@ -412,8 +412,8 @@ std::vector<EndLabel> end_labels(const Plot& plot) {
         labels.push_back({end->second, series.label});
     }
     if (labels.size() < 2 || labels.size() > most) return {};
-    std::sort(labels.begin(), labels.end(), [&](const EndLabel& one, const EndLabel& other) {
-        return y.share(one.height, high) < y.share(other.height, high);
+    std::sort(labels.begin(), labels.end(), [&, &along = y](const EndLabel& one, const EndLabel& other) {
+        return along.share(one.height, high) < along.share(other.height, high);
     });
     double lowest = -1;
     for (EndLabel& label : labels) {
