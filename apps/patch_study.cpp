@@ -270,8 +270,8 @@ void study_coefficients(const study::Options& given, const std::vector<Patch>& p
         });
     study::OutputFiles files;
     if (given.given("state-space")) write_state_space(given, files, patches);
-    table.plot = [&](const std::vector<study::Row>& rows) {
-        return (harmonic ? patch::draw_responses : patch::draw_coefficients)(table.columns, rows);
+    table.plot = [&](const study::Records& rows) {
+        return (harmonic ? patch::draw_responses : patch::draw_coefficients)(rows);
     };
     study::write_table(given, table, files);
 }

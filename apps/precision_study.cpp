@@ -298,7 +298,7 @@ int main(int argc, char** argv) {
                              points);
             computed->fill(table);
         }
-        table.plot = [&](const std::vector<study::Row>&) { return precision::pictures(quantities, points); };
+        table.plot = [&](const study::Records&) { return precision::pictures(quantities, points); };
 
         // 4. The rows, and the cheapest scheme for each tolerance.
         study::OutputFiles files;

@@ -187,8 +187,8 @@ study::Table transient_table(const TimeScene& scene) {
         time_sheet(), scene.patches, scene.run.steps.count,
         friction::begins_with_shift(scene.run, scene.imposed, history_columns),
         [&](const Patch& patch) { return make_rolling(scene, patch); }, row);
-    table.plot = [&, by_force](const std::vector<study::Row>& rows) {
-        return draw_in_time(time_sheet().names(), rows, scene.load_varies(), by_force);
+    table.plot = [&, by_force](const study::Records& rows) {
+        return draw_in_time(rows, scene.load_varies(), by_force);
     };
     return table;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <numbers>
 #include <stdexcept>
@@ -42,11 +41,13 @@ const std::array<NamedIntegrator, 3> integrators{{
     {rollbem::Integrator::matrix_exponential, "exponential", "exact for creepage linear over a step", 2, false},
 }};
 
-std::vector<NamedIntegrator> integrators_for(bool friction) {
-    std::vector<NamedIntegrator> found;
-    std::copy_if(integrators.begin(), integrators.end(), std::back_inserter(found),
-                 [=](const NamedIntegrator& each) { return each.friction || !friction; });
-    return found;
+/// The words of those for the model; models with friction take the first ones.
+std::vector<std::string> integrator_words(bool friction, bool with_meaning = false) {
+    std::vector<std::string> words;
+    for (const NamedIntegrator& each : integrators) {
+        if (each.friction || !friction) words.push_back(each.word + (with_meaning ? " (" + each.meaning + ")" : ""));
+    }
+    return words;
 }
 
 }  // namespace
@@ -57,22 +58,13 @@ const NamedIntegrator& named(rollbem::Integrator integrator) {
 }
 
 Options::Added add_integrator(Options& options, bool friction) {
-    std::vector<std::string> words;
-    for (const NamedIntegrator& each : integrators_for(friction))
-        words.push_back(each.word + " (" + each.meaning + ")");
-    return options.add("integrator", "NAME", "integrator: " + listed(words, "or"), integrators.front().word);
+    return options.add("integrator", "NAME", "integrator: " + listed(integrator_words(friction, true), "or"),
+                       integrators.front().word);
 }
 
 rollbem::Integrator read_integrator(const Options& options, bool friction) {
-    const std::vector<NamedIntegrator> known = integrators_for(friction);
-    std::vector<std::string> words;
-    for (const NamedIntegrator& each : known) words.push_back(each.word);
-    return known[index_of(words, options.choice("integrator", words))].integrator;
-}
-
-double next_stop(const Numbers& knots, double from, double to) {
-    const auto next = std::upper_bound(knots.begin(), knots.end(), from);
-    return next == knots.end() ? to : std::min(*next, to);
+    const std::vector<std::string> words = integrator_words(friction);
+    return integrators.at(index_of(words, options.choice("integrator", words))).integrator;
 }
 
 void add_run_options(Options& options, const std::string& load, const std::string& breathing) {
@@ -177,6 +169,8 @@ void read_load(const Options& options, const RunSettings& run, History& imposed,
 
 namespace {
 
+constexpr int most_halvings = 6;
+
 /// Rolls by one step, or without a solution by halves. Returns where a step failed for good.
 std::optional<double> in_halves(double from, double to, const std::function<rollbem::Status(double, double)>& step,
                                 int halvings) {
@@ -193,7 +187,8 @@ std::optional<double> in_halves(double from, double to, const std::function<roll
 std::optional<double> roll(double from, double to, const Numbers& knots,
                            const std::function<rollbem::Status(double, double)>& step) {
     while (from < to) {
-        const double stop = next_stop(knots, from, to);
+        const auto knot = std::upper_bound(knots.begin(), knots.end(), from);
+        const double stop = knot == knots.end() ? to : std::min(*knot, to);
         if (const auto failed = in_halves(from, stop, step, most_halvings)) return failed;
         from = stop;
     }

@@ -46,9 +46,6 @@ inline constexpr const char* unresolved = "unresolved";        ///< a sine with 
 inline constexpr const char* after_failure = "after_failure";  ///< a step before has failed
 inline constexpr const char* unchecked = "unchecked";  ///< ok, except for the checks that --unchecked leaves out
 
-/// The end of a step: the first knot between two places, otherwise the second place.
-double next_stop(const Numbers& knots, double from, double to);
-
 /// Declares the options of runs with friction: --load-sine, --load, --breathing, --from, --dq, --until and
 /// --integrator, all for --transient. `load` and `breathing` are what --help says of these besides.
 void add_run_options(Options& options, const std::string& load, const std::string& breathing);
@@ -83,11 +80,8 @@ void prepare_runs(Table& table, std::vector<Run>& runs, const std::vector<Case>&
     };
 }
 
-/// The number of times that a step without a solution is divided in halves before the run ends.
-inline constexpr int most_halvings = 6;
-
 /// Rolls between two places by step(from, to), which moves on if its status is ok: divided at the knots in between, and
-/// in halves where a step has no solution. Returns where a step failed for good; nothing if none did.
+/// up to six times in halves where a step has no solution. Returns where a step failed for good; nothing if none did.
 std::optional<double> roll(double from, double to, const Numbers& knots,
                            const std::function<rollbem::Status(double, double)>& step);
 
