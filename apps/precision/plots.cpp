@@ -10,25 +10,16 @@ namespace precision {
 
 namespace {
 
-/// The schemes of all points.
-std::vector<std::string> all_schemes(const std::vector<Point>& points) {
+/// The schemes of all points, those on the front of a quantity first: a panel draws as many as can be told apart.
+std::vector<std::string> ranked_schemes(const std::vector<Point>& points) {
     std::vector<std::string> names;
-    for (const Point& point : points) {
-        if (!study::contains(names, point.scheme)) names.push_back(point.scheme);
+    for (const bool on_front : {true, false}) {
+        for (const Point& point : points) {
+            const bool ranks = point.on_front.value_or(false) || !on_front;
+            if (ranks && !study::contains(names, point.scheme)) names.push_back(point.scheme);
+        }
     }
     return names;
-}
-
-/// The schemes that a panel can show apart; schemes on the front of a quantity come first.
-std::vector<std::string> drawn_schemes(const std::vector<Point>& points) {
-    std::vector<std::string> drawn = all_schemes(points);
-    std::stable_partition(drawn.begin(), drawn.end(), [&](const std::string& scheme) {
-        return std::any_of(points.begin(), points.end(), [&](const Point& point) {
-            return point.scheme == scheme && point.on_front.value_or(false);
-        });
-    });
-    drawn.resize(std::min(drawn.size(), study::most_curves));
-    return drawn;
 }
 
 std::string title_of(const Quantity& quantity) {
@@ -44,7 +35,7 @@ study::Plot panel(const Quantity& shown, const std::string& note, const std::vec
     study::Plot plot{"", {"time [microseconds]", true}, {"|relative error|", true}};
     if (shown.name == "patch_force") plot.y.label = "largest error of F_x, F_y over μ N";
     plot.y.least = 1e-14;  // smaller errors are round-off
-    const std::vector<std::string> drawn = drawn_schemes(points);
+    const std::vector<std::string> ranked = ranked_schemes(points);
     const std::vector<double> sustained = sustained_errors(points);
     study::Records rows{columns()};
     study::Series front{"Pareto front", study::Look::exact};
@@ -53,7 +44,8 @@ study::Plot panel(const Quantity& shown, const std::string& note, const std::vec
         const bool is_reference = point.scheme == "closed-form" && point.relative_error == 0.0;
         if (point.quantity != shown.name || !point.time_us) continue;
         if (point.on_front.value_or(false)) front.points.emplace_back(*point.time_us, sustained[i]);
-        if (!is_reference && study::contains(drawn, point.scheme)) rows.rows.push_back(row(point));
+        if (!is_reference && study::index_of(ranked, point.scheme) < study::most_curves)
+            rows.rows.push_back(row(point));
     }
     add_series(plot, rows, {.by = {"scheme"}, .x = "time_us", .y = "relative_error", .absolute = true});
     plot.title = title_of(shown) + note;
@@ -87,7 +79,7 @@ study::Picture pictures(const std::vector<Quantity>& quantities, const std::vect
         if (part < all) notes += " (" + std::to_string(part) + " of " + std::to_string(all) + of;
     };
     note(shown.size(), quantities.size(), " quantities drawn)");
-    note(study::most_curves, all_schemes(points).size(), " schemes drawn)");
+    note(study::most_curves, ranked_schemes(points).size(), " schemes drawn)");
     study::Picture panels;
     for (const Quantity& quantity : shown) panels.push_back(panel(quantity, panels.empty() ? notes : "", points));
     return panels;

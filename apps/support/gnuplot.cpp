@@ -69,8 +69,8 @@ const Style& style_of(Look look) {
         {Look::outline, {"lines lw 2 dt 1 lc rgb '#000000'", 0, false}},
         {Look::stick, {"points pt 7 lc rgb '#332288'"}},
         {Look::slip, {"points pt 5 lc rgb '#E69F00'"}},
-        {Look::stick_cells, {filled + "'#0072B2'", 0, false, corners, 2}},
-        {Look::slip_cells, {filled + "'#E69F00'", 0, false, corners, 2}},
+        {Look::stick_cells, {filled + "'#0072B2' dt 1", 0, false, corners, 2}},
+        {Look::slip_cells, {filled + "'#E69F00' dt 1", 0, false, corners, 2}},
         {Look::cells, {"boxxyerror lc palette fs solid 1 noborder", 0, false, corners + ":5", 2}},
         {Look::arrows, {arrows, 0, false, "1:2:($3-$1):($4-$2)", 2}}};
     return styles.at(look);
