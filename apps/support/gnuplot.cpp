@@ -155,7 +155,7 @@ bool are_few(const std::set<double>& values) {
 /// The scale of a logarithmic axis, with marks at the values if these are few, none on top of another; otherwise
 /// gnuplot's, or over less than two powers of ten more of them.
 std::string logarithmic(const std::string& name, const PlotRange& range, const std::set<double>& values) {
-    const double ratio = range.high / range.low;
+    const double ratio = *values.rbegin() / *values.begin();
     std::string script = "set logscale " + name + " 10\n";
     if (are_few(values)) {
         double last = 0;
