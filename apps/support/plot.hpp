@@ -13,8 +13,8 @@
 
 namespace study {
 
-/// The looks of series; their styles are a table in gnuplot.cpp. Black ones serve for comparison: a panel takes any
-/// number of them, and the title does not count their missing values.
+/// The looks of series; their styles are a table in gnuplot.cpp. Curves, markers, and stick and slip as markers are
+/// results: a panel takes twelve of them, and its title counts their missing values.
 enum class Look {
     curve,          ///< a line in a colour of its label, with markers if its points in view are few
     markers,        ///< open markers in a colour of its label, which show what lies below them
@@ -51,7 +51,7 @@ struct PlotAxis {
     std::string label{};
     bool logarithmic = false;          ///< unless values are too near to one another
     double linear_within = 0;          ///< if > 0: with a range, logarithmic beyond +- this
-    double least = 1e-16;              ///< of a logarithmic y axis: zeros and what is smaller are drawn there
+    double least = 1e-16;              ///< of a logarithmic y axis: smaller values from 0 on are drawn there
     std::optional<PlotRange> range{};  ///< by default all points; arrows at the frame point to markers beyond it
 };
 
