@@ -286,7 +286,7 @@ void require_few_curves(const Plot& plot) {
 // --- panels --------------------------------------------------------------------------------------------------------
 
 // A picture is one column of a page wide, 85 mm: its text is then printed in 7 points.
-constexpr double width = 600, line_height = 27;
+constexpr double picture_width = 600, line_height = 27;
 constexpr double character = 0.6 * 18;  // of the font, as gnuplot reckons
 constexpr double left = 122;            // of the frame: marks and label of the y axis
 
@@ -415,17 +415,18 @@ Panel panel_of(Plot plot, Above& above) {
         panel.script += "set label " + quoted(text) + " at graph 1.02, graph " + Cell(height).text(4) + " left\n";
     }
     const double beside = !plot.colours.empty() ? 110 : ends.empty() ? 25 : longest(texts) + 20;
-    const double frame_width = width - left - beside, entry = longest(panel.legend) + 7 * character;
+    const double frame_width = picture_width - left - beside, entry = longest(panel.legend) + 7 * character;
     const double rows = std::ceil(double(panel.legend.size()) / std::max(std::floor(frame_width / entry), 1.0));
     panel.height = frame_height(plot, frame_width) + (title.empty() ? 97 : 124) +
                    line_height * (double(lines.size()) + rows + (rows > 0 ? 0.5 : 0));
     for (std::string& line : lines) line = quoted(line);
-    panel.script +=
-        "set title " + (title.empty() ? "''" : join(lines, ".\"\\n\".")) + "\nset xlabel " + quoted(plot.x.label) +
-        " offset 0,0.6\nset cblabel " + quoted(plot.colours) + " offset 0.5,0\nset label " + quoted(plot.y.label) +
-        " center rotate at screen 0.035, graph 0.5\nset lmargin at screen " + Cell(left / width).text(6) +
-        "\nset rmargin at screen " + Cell(1 - beside / width).text(6) + "\n" + (plot.to_scale ? to_scale(plot) : "") +
-        (rows > 0 ? "set key on below left horizontal Left reverse samplen 3 height 0.5\n" : "");
+    panel.script += "set title " + (title.empty() ? "''" : join(lines, ".\"\\n\".")) + "\nset xlabel " +
+                    quoted(plot.x.label) + " offset 0,0.6\nset cblabel " + quoted(plot.colours) +
+                    " offset 0.5,0\nset label " + quoted(plot.y.label) +
+                    " center rotate at screen 0.035, graph 0.5\nset lmargin at screen " +
+                    Cell(left / picture_width).text(6) + "\nset rmargin at screen " +
+                    Cell(1 - beside / picture_width).text(6) + "\n" + (plot.to_scale ? to_scale(plot) : "") +
+                    (rows > 0 ? "set key on below left horizontal Left reverse samplen 3 height 0.5\n" : "");
     return panel;
 }
 
@@ -442,7 +443,7 @@ std::string gnuplot_script(const Picture& picture, bool png) {
     if (panels.empty()) throw PlotError("the plot has no point to draw");
     const double pixels = png ? 5.0 / 3 : 1;
     std::string script = std::string("set encoding utf8\nset terminal ") + (png ? "pngcairo" : "svg") + " size " +
-                         std::to_string(std::lround(pixels * width)) + "," +
+                         std::to_string(std::lround(pixels * picture_width)) + "," +
                          std::to_string(std::lround(pixels * height)) + " enhanced background '#ffffff' font " +
                          (png ? "'sans,22.5' linewidth 1.7 dashlength 1.3 pointscale 2.2" : "'sans-serif,18'") + "\n" +
                          std::string(line_types);
