@@ -268,30 +268,29 @@ const study::StateSpaceWords words_of_equations{
     .bounded = "c11"};
 
 /// The Argand diagram, beside it both parts over the frequency, and the errors, as the curves coincide.
-study::Plot draw_response(const std::vector<study::Row>& rows, const Job& job) {
+study::Picture draw_response(const study::Records& rows, const Job& job) {
     std::vector<std::string> also;
     if (job.has_orders()) also.emplace_back("order");  // otherwise it depends on the frequency
     const auto [lowest, highest] = std::minmax_element(job.omegas.begin(), job.omegas.end());
-    const bool log_x = *lowest > 0 && *highest > 20 * *lowest;
-    study::Plot argand{.title = "Harmonic creepage", .x_label = "Re c_{11}", .y_label = "Im c_{11}"};
-    study::Plot parts{.x_label = "ω a / V", .y_label = "Re c_{11}, Im c_{11}", .log_x = log_x};
-    study::Plot errors{
-        .x_label = parts.x_label, .y_label = "|c_{11} / c_{11,exact} - 1|", .log_x = log_x, .log_y = true};
-    const bool markers = job.omegas.size() <= 30;
-    sheet.draw(argand, rows, {.by = also, .x = "c11_re", .y = "c11_im", .markers = markers});
-    sheet.draw_exact(argand, rows, "omega", "exact_re", "exact_im");
-    for (const std::string part : {"re", "im"}) {
-        const std::string prefix = part == "re" ? "Re" : "Im";
-        sheet.draw(parts, rows, {.by = also, .x = "omega", .y = "c11_" + part, .prefix = prefix, .markers = markers});
-        sheet.draw_exact(parts, rows, "omega", "omega", "exact_" + part, prefix + ", ");
-    }
-    sheet.draw(errors, rows, {.by = also, .x = "omega", .y = "relative_error", .absolute = true, .markers = markers});
-    parts.title.clear();
-    errors.title.clear();
-    study::raise_to_drawn(errors);
-    argand.below.push_back(std::move(parts));
-    if (can_be_drawn(errors)) argand.below.push_back(std::move(errors));
-    return argand;
+    const study::PlotAxis omega{"ω a / V", *lowest > 0 && *highest > 20 * *lowest};
+    const std::string title = "Harmonic creepage";
+    study::Plot argand{.title = title, .x = {"Re c_{11}"}, .y = {"Im c_{11}"}};
+    study::Plot parts{.title = title, .x = omega, .y = {"Re c_{11}, Im c_{11}"}};
+    study::Plot errors{.title = title, .x = omega, .y = {"|c_{11} / c_{11,exact} - 1|", true}};
+    const auto add = [&](study::Plot& plot, const std::string& x, const std::string& part, const std::string& prefix) {
+        sheet.draw(plot, rows, {.by = also, .x = x, .y = "c11_" + part, .prefix = prefix});
+        add_series(plot, rows,
+                   {.by = {"aspect", "poisson"},
+                    .x = x == "omega" ? x : "exact_re",
+                    .y = "exact_" + part,
+                    .prefix = prefix.empty() ? "exact" : prefix + ", exact",
+                    .look = study::Look::exact});
+    };
+    add(argand, "c11_re", "im", "");
+    add(parts, "omega", "re", "Re");
+    add(parts, "omega", "im", "Im");
+    sheet.draw(errors, rows, {.by = also, .x = "omega", .y = "relative_error", .absolute = true});
+    return {argand, parts, errors};
 }
 
 /// A row for each scene and frequency. What must be refused of polynomials shows before anything is written.
@@ -310,7 +309,7 @@ study::Table table_of(const Job& job) {
             for (const double omega : job.omegas) (*known)[task].push_back(solve_without_elements(job, task, omega));
         }
     };
-    table.plot = [&](const std::vector<study::Row>& rows) { return draw_response(rows, job); };
+    table.plot = [&](const study::Records& rows) { return draw_response(rows, job); };
     if (job.by_polynomials()) table.label = {};
     return table;
 }

@@ -279,8 +279,8 @@ study::Table coefficient_table(const Coefficients& scene) {
         [&scene, harmonic](const Patch& patch, study::RowRange range, const study::Results<Found>& emit) {
             harmonic ? emit_sweep(patch, scene.omegas, range, emit) : emit(steady(patch, scene.timed, scene.stability));
         });
-    table.plot = [harmonic, &sheet](const std::vector<study::Row>& rows) {
-        return (harmonic ? patch::draw_responses : patch::draw_coefficients)(sheet.names(), rows);
+    table.plot = [harmonic](const study::Records& rows) {
+        return (harmonic ? patch::draw_responses : patch::draw_coefficients)(rows);
     };
     return table;
 }

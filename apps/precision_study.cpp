@@ -303,7 +303,7 @@ int main(int argc, char** argv) {
         const std::vector<precision::Point>& points = comparison.points;
         precision::Computation computation(comparison);
         study::Table table = comparison.tasks.empty() ? precision::table_of(comparison) : computation.table();
-        table.plot = [&](const std::vector<study::Row>&) { return precision::pictures(quantities, points); };
+        table.plot = [&](const study::Records&) { return precision::pictures(quantities, points); };
 
         // 3. The cheapest scheme for each tolerance.
         study::OutputFiles files;

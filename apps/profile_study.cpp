@@ -435,14 +435,13 @@ void emit_rows(Run& run, const Case& at, study::RowRange range, const study::Res
 }
 
 /// The patches of one position, or the contact points of several.
-study::Plot draw(const Run& run, const std::vector<study::Row>& rows) {
-    if (run.settings.cases.size() > 1)
-        return profile::draw_contact_points(run.settings.wheelset, run.sheet.names(), rows);
+study::Picture draw(const Run& run, const study::Records& rows) {
+    if (run.settings.cases.size() > 1) return profile::draw_contact_points(run.settings.wheelset, rows);
     std::vector<profile::Drawn> drawn;
     for_patches(run.settings, run.positions, [&](std::size_t, bool left, std::size_t, const RailPatch& patch) {
         drawn.push_back({left, patch});
     });
-    return profile::draw_patches(drawn, rows.size() - drawn.size());
+    return profile::draw_patches(drawn, rows.rows.size() - drawn.size());
 }
 
 study::Table patch_table(Run& run, study::OutputFiles& files) {
@@ -457,7 +456,7 @@ study::Table patch_table(Run& run, study::OutputFiles& files) {
         if (run.wear != nullptr) write_wear(*run.wear, settings, run.positions);
         if (run.stress != nullptr) write_stresses(*run.stress, settings, run.positions);
     };
-    table.plot = [&](const std::vector<study::Row>& rows) { return draw(run, rows); };
+    table.plot = [&](const study::Records& rows) { return draw(run, rows); };
     return table;
 }
 

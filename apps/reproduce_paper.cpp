@@ -91,7 +91,7 @@ int run(const Settings& settings) {
         files.add(path_of(name + ".csv"), "DIR", paper::csv_of(panel));
         if (!note.empty()) continue;
         try {
-            const std::string drawing = study::picture(paper::plot(panel), false, path_of(name + ".svg"));
+            const std::string drawing = study::drawing_of(paper::picture(panel), path_of(name + ".svg"));
             files.add(path_of(name + ".svg"), "DIR", drawing);
             drawn.insert(panel.figure);
         } catch (const study::PlotError&) {

@@ -95,44 +95,39 @@ Count count(const study::Scene& scene, bool timed) {
 }
 
 /// The two quantities of a map: with at least five values each, where nothing else varies.
-std::vector<std::string> map_axes(const std::vector<study::Row>& rows) {
-    const std::vector<std::string> columns = counts.names();
+std::vector<std::string> map_axes(const study::Records& rows) {
     std::vector<std::string> varied;
     for (const std::string& name :
          {std::string("n"), std::string("alpha_L"), std::string("alpha_T"), std::string("lambda"),
           std::string("aspect"), std::string("poisson"), std::string("size_ratio"), std::string("epsilon")}) {
-        std::set<std::string> values;
-        for (const study::Row& row : rows) values.insert(row[study::index_of(columns, name)].text());
+        const std::set<std::string> values = rows.texts(name);
         if (values.size() > 1 && values.size() < 5) return {};
         if (values.size() > 1) varied.push_back(name);
     }
     const bool differ =
-        varied.size() == 2 && std::any_of(rows.begin(), rows.end(), [&](const study::Row& row) {
-            const auto text = [&](std::size_t k) { return row[study::index_of(columns, varied[k])].text(); };
-            return text(0) != text(1);
+        varied.size() == 2 && std::any_of(rows.rows.begin(), rows.rows.end(), [&](const study::Row& row) {
+            return rows.cell(row, varied[0]).text() != rows.cell(row, varied[1]).text();
         });
     return differ ? varied : std::vector<std::string>{};
 }
 
 /// The share of growing modes over the swept quantity, or as a map over two.
-study::Plot draw_counts(const std::vector<study::Scene>& scenes, const std::vector<study::Row>& rows) {
+study::Picture draw_counts(const std::vector<study::Scene>& scenes, const study::Records& rows) {
     if (const std::vector<std::string> axes = map_axes(rows); !axes.empty()) {
         study::Plot plot{.title = "Stability, n = " + std::to_string(scenes.front().n()),
-                         .x_label = study::shown_name(axes[1]),
-                         .y_label = study::shown_name(axes[0]),
-                         .z_label = "share of unstable eigenvalues"};
+                         .x = {study::shown_name(axes[1])},
+                         .y = {study::shown_name(axes[0])},
+                         .colours = "share of unstable eigenvalues"};
         if (axes[0] == "n") plot.title = "Stability";
-        plot.series.push_back(study::map_of(counts.names(), rows, axes[1], axes[0], "unstable_fraction"));
-        return plot;
+        plot.series.push_back(study::map_of(rows, axes[1], axes[0], "unstable_fraction"));
+        return {plot};
     }
     const study::Axis x = study::most_varied(scenes);
     study::Plot plot{.title = "Stability",
-                     .x_label = x.label,
-                     .y_label = "share of unstable eigenvalues",
-                     .log_x = x.is_n(),
-                     .y_range = study::PlotRange{0, 1}};
+                     .x = {x.label, x.is_n()},
+                     .y = {.label = "share of unstable eigenvalues", .range = study::PlotRange{0, 1}}};
     counts.draw(plot, rows, {.x = x.column, .y = "unstable_fraction"}, x.same);
-    return plot;
+    return {plot};
 }
 
 // --- the smallest unstable alpha_T ---------------------------------------------------------------------------------
@@ -163,11 +158,10 @@ Critical critical(const study::Scene& scene) {
     return {alpha_T, alpha_T ? study::ok : "all_stable"};
 }
 
-study::Plot draw_criticals(const std::vector<study::Row>& rows) {
-    study::Plot plot{
-        .title = "Smallest unstable α_T", .x_label = "number of elements n", .y_label = "critical α_T", .log_x = true};
+study::Picture draw_criticals(const study::Records& rows) {
+    study::Plot plot{.title = "Smallest unstable α_T", .x = {"number of elements n", true}, .y = {"critical α_T"}};
     criticals.draw(plot, rows, {.x = "n", .y = "critical_alpha_T"});
-    return plot;
+    return {plot};
 }
 
 // --- the eigenvalues -----------------------------------------------------------------------------------------------
@@ -254,23 +248,24 @@ void set_view(study::Plot& plot, double wavenumber) {
         }
     }
     const double left = -std::clamp(fastest, 1.0, std::max({3.0, wavenumber / 4, right}));
-    plot.x_range = {left, right};
-    plot.y_range = {-height, height};
-    if (std::max(right, height) > 20 * wavenumber) plot.linear_within = wavenumber / 4;
+    constexpr double margin = 1.04;  // for markers
+    const double linear_within = std::max(right, height) > 20 * wavenumber ? wavenumber / 4 : 0;
+    plot.x = {
+        .label = "Re(ν a)", .linear_within = linear_within, .range = study::PlotRange{margin * left, margin * right}};
+    plot.y = {.label = "Im(ν a)",
+              .linear_within = linear_within,
+              .range = study::PlotRange{-margin * height, margin * height}};
 }
 
-study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::vector<study::Row>& rows) {
+study::Picture draw_spectrum(const std::vector<study::Scene>& scenes, const study::Records& rows) {
     Eigen::Index n = 0;
     for (const study::Scene& scene : scenes) n = std::max(n, scene.n());
     const double wavenumber = std::numbers::pi / 2 * static_cast<double>(n);
-    study::Plot plot{.x_label = "Re(ν a)", .y_label = "Im(ν a)"};
-    spectrum.draw(plot, rows, {.x = "re", .y = "im"});
-    study::Series unstable{.label = "unstable, Re(ν a) > 0", .line = false, .alarm = true};
-    std::size_t infinite = 0, palette = 0;
+    study::Plot plot;
+    spectrum.draw(plot, rows, {.x = "re", .y = "im", .look = study::Look::markers});
+    study::Series unstable{"unstable, Re(ν a) > 0", study::Look::crosses};
+    std::size_t infinite = 0;
     for (study::Series& series : plot.series) {
-        series.line = false;
-        series.style = palette += palette == 1 ? 1 : 0;  // not the colour of the unstable ones
-        ++palette;
         const std::size_t before = unstable.points.size();
         std::copy_if(series.points.begin(), series.points.end(), std::back_inserter(unstable.points),
                      [](const auto& nu) { return nu.first > 0; });
@@ -279,10 +274,9 @@ study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::ve
         infinite += std::erase_if(series.points, [](const auto& nu) { return std::isnan(nu.first); });
     }
     const std::string count = unstable.points.empty() ? "none" : std::to_string(unstable.points.size());
-    plot.title = "Eigenvalues, " + count + " of " + std::to_string(rows.size()) + " unstable" +
-                 (infinite > 0 ? ", " + std::to_string(infinite) + " infinite or not found" : "") +
-                 (plot.title.empty() ? "" : ", " + plot.title);
-    study::Series exact{.label = "exact", .line = false, .open = true, .style = 2, .reference = true};
+    plot.title = "Eigenvalues, " + count + " of " + std::to_string(rows.rows.size()) + " unstable" +
+                 (infinite > 0 ? ", " + std::to_string(infinite) + " infinite or not found" : "") + plot.title;
+    study::Series exact{"exact", study::Look::exact_markers};
     for (const study::Scene& scene : scenes) {
         for (const Complex& nu : exact_eigenvalues(scene.contact, wavenumber)) {
             exact.points.emplace_back(nu.real(), nu.imag());
@@ -292,7 +286,7 @@ study::Plot draw_spectrum(const std::vector<study::Scene>& scenes, const std::ve
     plot.series.push_back(std::move(exact));
     plot.series.insert(plot.series.begin(), std::move(unstable));
     set_view(plot, wavenumber);
-    return plot;
+    return {plot};
 }
 
 // --- the modes of the program --------------------------------------------------------------------------------------
@@ -327,11 +321,11 @@ study::Table table_of(const Job& job) {
             return scene.chebyshev ? scene.n() : rollbem::unknown_count(scene.scheme, *scene.mesh);
         };
         study::Table table = spectrum.table(scenes, rows, emit_spectrum);
-        table.plot = [&](const std::vector<study::Row>& drawn) { return draw_spectrum(scenes, drawn); };
+        table.plot = [&](const study::Records& drawn) { return draw_spectrum(scenes, drawn); };
         return table;
     }
     study::Table table = counts.table(scenes, [&](const study::Scene& scene) { return count(scene, job.timed); });
-    table.plot = [&](const std::vector<study::Row>& rows) { return draw_counts(scenes, rows); };
+    table.plot = [&](const study::Records& rows) { return draw_counts(scenes, rows); };
     return table;
 }
 

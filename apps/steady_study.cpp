@@ -126,16 +126,11 @@ Steady solve(const study::Scene& scene, bool timed) {
 }
 
 /// The error over n, one line for each scheme; over alpha if there are more alphas than n.
-study::Plot draw_errors(const std::vector<study::Scene>& scenes, const std::vector<study::Row>& rows) {
+study::Picture draw_errors(const std::vector<study::Scene>& scenes, const study::Records& rows) {
     const study::Axis x = study::most_varied(scenes);
-    study::Plot plot{.title = "Steady rolling",
-                     .x_label = x.label,
-                     .y_label = "|c_{11} / c_{11,exact} - 1|",
-                     .log_x = x.is_n(),
-                     .log_y = true};
+    study::Plot plot{.title = "Steady rolling", .x = {x.label, x.is_n()}, .y = {"|c_{11} / c_{11,exact} - 1|", true}};
     sheet.draw(plot, rows, {.x = x.column, .y = "relative_error", .absolute = true}, x.same);
-    study::raise_to_drawn(plot);
-    return plot;
+    return {plot};
 }
 
 }  // namespace
@@ -158,7 +153,7 @@ One row per scheme and n. Columns before c11 and after status identify the case;
         const auto scenes = study::make_scenes(given, study::Problem::steady, methods);
         const bool timed = study::has_times(given);
         study::Table table = sheet.table(scenes, [&](const study::Scene& scene) { return solve(scene, timed); });
-        table.plot = [&](const std::vector<study::Row>& rows) { return draw_errors(scenes, rows); };
+        table.plot = [&](const study::Records& rows) { return draw_errors(scenes, rows); };
         study::write_table(given, table);
         return study::exit_ok;
     });

@@ -102,8 +102,7 @@ void by_states(const study::Scene& scene, study::RowRange points, const study::R
 
 /// Carter's traction as far as its absolute value is at most `largest`.
 study::Series carter_line(double nu, bool several, double largest) {
-    study::Series line{
-        .label = several ? "Carter, ν = " + study::Cell(nu).text(6) : "Carter", .markers = false, .reference = true};
+    study::Series line{several ? "Carter, ν = " + study::Cell(nu).text(6) : "Carter", study::Look::exact};
     constexpr int points = 400;
     for (int i = 1; i <= points; ++i) {  // dense near the trailing edge
         const double x = 2 * std::pow(double(i) / points, 3) - 1;
@@ -114,16 +113,13 @@ study::Series carter_line(double nu, bool several, double largest) {
 }
 
 /// Traction along the contact with Carter's line.
-study::Plot draw_tractions(const std::vector<study::Scene>& scenes, const std::vector<study::Row>& rows) {
+study::Picture draw_tractions(const std::vector<study::Scene>& scenes, const study::Records& rows) {
     study::Plot plot{.title = "Traction in steady rolling",
-                     .x_label = "x / a (leading edge at 1)",
-                     .y_label = "p / (G ξ)",
-                     .x_range = study::PlotRange{-1, 1}};
-    sheet.draw(plot, rows, {.x = "x_over_a", .y = "traction"});
+                     .x = {.label = "x / a (leading edge at 1)", .range = study::PlotRange{-1, 1}},
+                     .y = {"p / (G ξ)"}};
+    sheet.draw(plot, rows, {.x = "x_over_a", .y = "traction", .look = study::Look::markers});
     double largest = 0;
-    for (study::Series& series : plot.series) {
-        series.line = false;
-        series.open = true;
+    for (const study::Series& series : plot.series) {
         for (const auto& point : series.points) largest = std::max(largest, std::abs(point.second));
     }
     std::set<double> poisson_ratios;
@@ -132,12 +128,12 @@ study::Plot draw_tractions(const std::vector<study::Scene>& scenes, const std::v
     const double shown = 2 * std::abs(rollbem::carter_traction(-0.98, *poisson_ratios.rbegin()));
     if (largest > shown) {
         plot.title += "; down to -" + study::Cell(largest).text(3) + " at the trailing edge";
-        plot.y_range = study::PlotRange{-shown, 0};
+        plot.y.range = study::PlotRange{-shown, 0};
     }
     for (const double nu : poisson_ratios) {
         plot.series.push_back(carter_line(nu, poisson_ratios.size() > 1, 1.2 * largest));
     }
-    return plot;
+    return {plot};
 }
 
 }  // namespace
@@ -166,7 +162,7 @@ One row per element, or per state; with richardson: per element of n/2:
             [](const study::Scene& scene, study::RowRange rows, const study::Results<Traction>& emit) {
                 scene.chebyshev ? by_states(scene, rows, emit) : by_elements(scene, rows, emit);
             });
-        table.plot = [&](const std::vector<study::Row>& rows) { return draw_tractions(scenes, rows); };
+        table.plot = [&](const study::Records& rows) { return draw_tractions(scenes, rows); };
         study::write_table(given, table);
         return study::exit_ok;
     });

@@ -171,28 +171,19 @@ void roll(const Rolling& rolling, const Creepage& creepage, study::RowRange rang
 
 /// The force over the distance with the exact one if there is one, and beside it their difference, as the curves
 /// coincide.
-study::Plot draw_force(const Creepage& creepage, const std::vector<study::Row>& rows) {
-    study::Plot plot{.title = "Rolling from rest, " + creepage.label,
-                     .x_label = "distance rolled q/a",
-                     .y_label = "-F / (a G ξ_{ref})"};
-    sheet.draw(plot, rows, {.x = "q_over_a", .y = "force", .markers = false});
-    if (rows.empty()) return plot;  // of a shard
-    sheet.draw_exact(plot, rows, "q_over_a", "q_over_a", "exact");
-    plot.x_range = study::PlotRange{0, rows.back()[0].number().value_or(0)};
-    study::Plot below{
-        .x_label = plot.x_label, .y_label = "|F - F_{exact}| / (a G ξ_{ref})", .log_y = true, .x_range = plot.x_range};
-    const std::vector<std::string> names = sheet.names();
-    std::vector<study::Row> errors = rows;
-    for (study::Row& row : errors) {
-        study::Cell& cell = row[study::index_of(names, "force")];
-        const std::optional<double> force = cell.number(), known = row[study::index_of(names, "exact")].number();
-        cell = force && known ? study::Cell(*force - *known) : study::Cell();
-    }
-    sheet.draw(below, errors, {.x = "q_over_a", .y = "force", .absolute = true, .markers = false});
-    below.title.clear();
-    study::raise_to_drawn(below);
-    if (can_be_drawn(below)) plot.below.push_back(std::move(below));
-    return plot;
+study::Picture draw_force(const Creepage& creepage, const study::Records& rows) {
+    study::Plot force{
+        .title = "Rolling from rest, " + creepage.label, .x = {"distance rolled q/a"}, .y = {"-F / (a G ξ_{ref})"}};
+    study::Plot difference{force.title, force.x, {"|F - F_{exact}| / (a G ξ_{ref})", true}};
+    sheet.draw(force, rows, {.x = "q_over_a", .y = "force"});
+    add_series(
+        force, rows,
+        {.by = {"aspect", "poisson"}, .x = "q_over_a", .y = "exact", .prefix = "exact", .look = study::Look::exact});
+    study::Records errors = rows;
+    const std::size_t column = study::index_of(rows.columns, "force");
+    for (study::Row& row : errors.rows) row[column] = rows.number(row, "force") - rows.number(row, "exact");
+    sheet.draw(difference, errors, {.x = "q_over_a", .y = "force", .absolute = true});
+    return {force, difference};
 }
 
 void add_options(study::Options& options) {
@@ -232,7 +223,7 @@ int main(int argc, char** argv) {
                 roll(rolling, creepage, range, emit);
                 return "";
             });
-        table.plot = [&](const std::vector<study::Row>& rows) { return draw_force(creepage, rows); };
+        table.plot = [&](const study::Records& rows) { return draw_force(creepage, rows); };
         study::write_table(given, table);
         return study::exit_ok;
     });

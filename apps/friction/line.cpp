@@ -63,7 +63,7 @@ study::Cell relative_error(double value, std::optional<double> exact) {
 // --- what pictures share
 
 study::Series carter_curve(double from, double to) {
-    study::Series line{.label = "Carter", .markers = false, .reference = true};
+    study::Series line{"Carter", study::Look::exact};
     from = std::min(from, 0.0);
     to = std::max(to, 0.0);
     for (int i = 0; i <= line_points; ++i) {

@@ -108,7 +108,8 @@ study::Cell relative_error(double value, std::optional<double> exact);
 // --- what pictures share
 
 inline constexpr int line_points = 400;  ///< of an exact curve
-inline const std::vector<std::string> scheme_columns{"method", "derivative", "mesh", "n", "alpha_L", "alpha_T"};
+inline const std::vector<std::string> case_columns =
+    study::joined({"method", "derivative", "mesh", "n", "alpha_L", "alpha_T"}, study::columns_of(study::distinctions));
 
 /// Carter's creep curve between two ratios, 0 included.
 study::Series carter_curve(double from, double to);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <set>
+#include <utility>
 
 #include <rollbem/closed_form/friction.hpp>
 
@@ -151,100 +154,76 @@ const study::Sheet<CreepRow>& traction_sheet() {
 
 // --- pictures ------------------------------------------------------------------------------------------------------
 
-/// The tractions of the last scene with a result at the creepage nearest to half of full sliding; no panel if there are
-/// none.
-std::vector<study::Plot> draw_tractions(const study::SideTable& tractions, const Line& line) {
-    std::optional<double> shown;
-    const std::vector<study::Row>* of_task = nullptr;
+/// The tractions of the last scene with a result at the creepage nearest to half of full sliding; an empty panel if
+/// there are none.
+study::Plot draw_tractions(const study::SideTable& tractions, const Line& line) {
+    double shown = std::nan("");
+    study::Records of_scene{tractions.columns};
     for (const std::vector<study::Row>& rows : tractions.rows) {
+        bool is_first = true;
         for (const study::Row& row : rows) {
-            if (!tractions.number(row, "traction")) continue;
-            const double ratio = *tractions.number(row, "creepage_ratio");
+            if (std::isnan(of_scene.number(row, "traction"))) continue;
+            const double ratio = of_scene.number(row, "creepage_ratio");
             const auto distance = [](double one) { return std::abs(std::abs(one) - 0.5); };
-            if (of_task != &rows || distance(ratio) < distance(*shown)) shown = ratio;
-            of_task = &rows;
+            if (is_first || distance(ratio) < distance(shown)) shown = ratio;
+            if (std::exchange(is_first, false)) of_scene.rows = rows;
         }
     }
-    if (!shown) return {};
     const bool falling = line.law.has_value();
-    const double sign = *shown < 0 ? -1 : 1;
-    study::Series exact{.label = "Carter", .markers = false, .reference = true};
-    study::Series bound{.label = "bound " + coefficient(falling) + " p_n", .markers = false, .reference = true};
-    // slip and stick have other colours than the first creep curves
-    study::Series slip{.label = "slip", .line = false, .style = 7};
-    study::Series stick{.label = "stick", .line = false, .style = 6};
+    const double sign = shown < 0 ? -1 : 1;
+    study::Series exact{"Carter", study::Look::exact},
+        bound{"bound " + coefficient(falling) + " p_n", study::Look::exact};
+    study::Series slip{"slip", study::Look::slip}, stick{"stick", study::Look::stick};
     double highest = 0;
-    for (const study::Row& row : *of_task) {
-        if (tractions.number(row, "creepage_ratio") != shown) continue;
-        const double x = *tractions.number(row, "x_over_a"), most = *tractions.number(row, "bound");
+    for (const study::Row& row : of_scene.rows) {
+        if (of_scene.number(row, "creepage_ratio") != shown) continue;
+        const double x = of_scene.number(row, "x_over_a"), most = of_scene.number(row, "bound");
         highest = std::max(highest, 1.05 * most);
         bound.points.emplace_back(x, sign * most);
-        auto& zone = *tractions.number(row, "stick") > 0 ? stick : slip;
-        zone.points.emplace_back(x, -*tractions.number(row, "traction"));
+        auto& zone = of_scene.number(row, "stick") > 0 ? stick : slip;
+        zone.points.emplace_back(x, -of_scene.number(row, "traction"));
     }
-    for (int i = 0; i <= line_points && line.carter(); ++i) {
+    for (int i = 0; i <= line_points && line.carter() && !of_scene.rows.empty(); ++i) {
         const double x = -std::cos(std::numbers::pi * i / line_points);
-        exact.points.emplace_back(x, -rollbem::carter_friction_traction(x, *shown));
+        exact.points.emplace_back(x, -rollbem::carter_friction_traction(x, shown));
     }
-    study::Plot panel{
-        .title = "Traction, δ = " + study::Cell(*shown).text(6) + ", n = " + std::to_string(bound.points.size()),
-        .x_label = "x / a (leading edge at 1)",
-        .y_label = force_label(falling, "-p", "p_0"),
-        .x_range = study::PlotRange{-1, 1},
-        .y_range = study::PlotRange{std::min(0.0, sign * highest), std::max(0.0, sign * highest)}};
-    panel.series = {std::move(exact), std::move(bound), std::move(slip), std::move(stick)};
-    return {std::move(panel)};
+    return {.title = "Traction, δ = " + study::Cell(shown).text(6) + ", n = " + std::to_string(bound.points.size()),
+            .x = {.label = "x / a (leading edge at 1)", .range = study::PlotRange{-1, 1}},
+            .y = {.label = force_label(falling, "-p", "p_0"),
+                  .range = study::PlotRange{std::min(0.0, sign * highest), std::max(0.0, sign * highest)}},
+            .series = {std::move(exact), std::move(bound), std::move(slip), std::move(stick)}};
 }
 
 /// The creep curve, with the tractions beside it at the creepage nearest to half of full sliding, for the last mesh.
-study::Plot creep_picture(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
-                          const Curve& curve, const study::SideTable& tractions) {
+study::Picture creep_picture(const study::Records& rows, const Curve& curve, const study::SideTable& tractions) {
     const bool falling = curve.line.law.has_value();
     study::Plot plot{.title = "Creep curve" + curve.line.title,
-                     .x_label = creepage_label(falling, "δ = ξ"),
-                     .y_label = force_label(falling),
-                     .below = draw_tractions(tractions, curve.line)};
-    study::add_series(plot, columns, rows,
-                      {.by = scheme_columns,
-                       .x = "creepage_ratio",
-                       .y = "force_ratio",
-                       .apart = study::columns_of(study::distinctions)});
-    for (study::Series& series : plot.series) {
-        series.line = false;
-        series.open = true;
-        if (plot.series.size() == 1) series.label = curve.sweep.empty() ? "computed" : "sweep " + curve.sweep;
+                     .x = {creepage_label(falling, "δ = ξ")},
+                     .y = {force_label(falling)}};
+    study::add_series(plot, rows,
+                      {.by = case_columns, .x = "creepage_ratio", .y = "force_ratio", .look = study::Look::markers});
+    if (plot.series.size() == 1 && !curve.sweep.empty()) plot.series[0].label = "sweep " + curve.sweep;
+    plot.y.range = force_range(plot);
+    const std::set<double> ratios = rows.numbers("creepage_ratio");
+    if (curve.line.carter() && !ratios.empty()) {
+        plot.series.push_back(carter_curve(*ratios.begin(), *ratios.rbegin()));
     }
-    plot.y_range = force_range(plot);
-    double least = 0, most = 0;
-    for (const study::Series& series : plot.series) {
-        for (const auto& [ratio, force] : series.points) {
-            if (std::isnan(ratio)) continue;
-            least = std::min(least, ratio);
-            most = std::max(most, ratio);
-        }
-    }
-    if (curve.line.carter()) plot.series.push_back(carter_curve(least, most));
-    return plot;
+    return {plot, draw_tractions(tractions, curve.line)};
 }
 
 /// The two forces over the creepage ratio, a panel each, one line for each lateral ratio.
-study::Plot combined_creep(const std::vector<std::string>& columns, const std::vector<study::Row>& rows,
-                           const Curve& curve) {
+study::Picture combined_creep(const study::Records& rows, const Curve& curve) {
     const bool falling = curve.line.law.has_value();
     const auto panel = [&](const std::string& title, const char* force, const char* y) {
-        study::Plot plot{
-            .title = title, .x_label = creepage_label(falling, "δ_x = ξ_x"), .y_label = force_label(falling, force)};
-        study::add_series(plot, columns, rows,
-                          {.by = study::joined(scheme_columns, {"lateral_ratio", "spin_ratio"}),
-                           .x = "creepage_ratio",
-                           .y = y,
-                           .apart = study::columns_of(study::distinctions)});
-        plot.y_range = force_range(plot);
+        study::Plot plot{title, {creepage_label(falling, "δ_x = ξ_x")}, {force_label(falling, force)}};
+        study::add_series(
+            plot, rows,
+            {.by = study::joined(case_columns, {"lateral_ratio", "spin_ratio"}), .x = "creepage_ratio", .y = y});
+        plot.y.range = force_range(plot);
         return plot;
     };
-    study::Plot plot = panel("Longitudinal force" + curve.line.title, "-F_x", "force_ratio");
-    plot.below.push_back(panel("Lateral force", "-F_y", "lateral_force_ratio"));
-    return plot;
+    return {panel("Longitudinal force" + curve.line.title, "-F_x", "force_ratio"),
+            panel("Lateral force", "-F_y", "lateral_force_ratio")};
 }
 
 }  // namespace
@@ -268,8 +247,8 @@ study::Table curve_table(const Curve& curve) {
             }
         });
     };
-    table.plot = [&curve, &tractions, columns = table.columns](const std::vector<study::Row>& rows) {
-        return curve.line.both ? combined_creep(columns, rows, curve) : creep_picture(columns, rows, curve, tractions);
+    table.plot = [&curve, &tractions](const study::Records& rows) {
+        return curve.line.both ? combined_creep(rows, curve) : creep_picture(rows, curve, tractions);
     };
     return table;
 }

@@ -170,44 +170,42 @@ const study::Sheet<TimeRow>& time_sheet() {
 // --- pictures ------------------------------------------------------------------------------------------------------
 
 /// The forces over the distance, with the load if it changes; in a second panel over the creepage if that changes.
-study::Plot force_in_time(const std::vector<study::Row>& rows, const Scenario& scenario) {
+study::Picture force_in_time(const study::Records& rows, const Scenario& scenario) {
     const bool lateral = scenario.line.both, load_changes = scenario.run.load_varies();
     const bool carter = scenario.line.carter() && !lateral && !load_changes;
     const double end = scenario.run.until();
-    const auto add = [&](study::Plot& plot, const char* x, const char* y, const std::string& prefix,
-                         bool reference = false) {
-        time_sheet().draw(plot, rows, {.x = x, .y = y, .prefix = prefix, .markers = false, .reference = reference});
+    const auto add = [&](study::Plot& plot, const char* x, const char* y, const std::string& prefix) {
+        time_sheet().draw(plot, rows, {.x = x, .y = y, .prefix = prefix});
     };
     study::Plot plot{.title = "Rolling with friction" + scenario.line.title,
-                     .x_label = "distance rolled q/a",
-                     .y_label = force_label(scenario.line.law.has_value(), "-F", load_changes ? "N_0" : "N"),
-                     .x_range = study::PlotRange{0, end}};
-    if (rows.empty()) return plot;  // of a shard
+                     .x = {.label = "distance rolled q/a", .range = study::PlotRange{0, end}},
+                     .y = {force_label(scenario.line.law.has_value(), "-F", load_changes ? "N_0" : "N")}};
     if (scenario.run.by_force()) {  // what is found is the creepage
-        plot.y_label = "creepage ratio δ";
-        add(plot, "q_over_a", "creepage_ratio", "computed");
-        return plot;
+        plot.y.label = "creepage ratio δ";
+        add(plot, "q_over_a", "creepage_ratio", "");
+        return {plot};
     }
-    add(plot, "q_over_a", "force_ratio", lateral ? "longitudinal" : "computed");
+    add(plot, "q_over_a", "force_ratio", lateral ? "longitudinal" : "");
     if (lateral) add(plot, "q_over_a", "lateral_force_ratio", "lateral");
-    if (load_changes) add(plot, "q_over_a", "load_ratio", "load N/N_0", true);
+    if (load_changes) {
+        add_series(plot, rows,
+                   {.x = "q_over_a", .y = "load_ratio", .prefix = "load N/N_0", .look = study::Look::exact});
+    }
     if (scenario.creepage_swept) {
-        study::Plot loop{.x_label = "creepage ratio δ", .y_label = plot.y_label};
-        add(loop, "creepage_ratio", "force_ratio", "computed");
+        study::Plot loop{.x = {"creepage ratio δ"}, .y = {plot.y.label}};
+        add(loop, "creepage_ratio", "force_ratio", "");
         loop.title = "Hysteresis";
         double most = 0;
-        for (const study::Series& series : loop.series) {
-            for (const auto& point : series.points) most = std::max(most, std::abs(point.first));
-        }
+        for (const double ratio : rows.numbers("creepage_ratio")) most = std::max(most, std::abs(ratio));
         if (carter) loop.series.push_back(carter_curve(-most, most));
-        if (!load_changes) loop.y_range = force_range(loop);
-        plot.below.push_back(std::move(loop));
-    } else if (carter && scenario.creepage_constant) {
-        const double force = rollbem::carter_force_ratio(scenario.at(end).longitudinal);
-        plot.series.push_back(
-            {.label = "Carter, steady", .points = {{0, force}, {end, force}}, .markers = false, .reference = true});
+        if (!load_changes) loop.y.range = force_range(loop);
+        return {plot, loop};
     }
-    return plot;
+    if (carter && scenario.creepage_constant) {
+        const double force = rollbem::carter_force_ratio(scenario.at(end).longitudinal);
+        plot.series.push_back({"Carter, steady", study::Look::exact, {{0, force}, {end, force}}});
+    }
+    return {plot};
 }
 
 }  // namespace
@@ -229,7 +227,7 @@ study::Table transient_table(const Scenario& scenario) {
         return TimeRow{scenario, scenario.line, scene, moment, mu_N * scene.contact.width()};
     };
     study::Table table = rolling_table(time_sheet(), scenario.scenes, scenario.run, make, row);
-    table.plot = [&](const std::vector<study::Row>& rows) { return force_in_time(rows, scenario); };
+    table.plot = [&](const study::Records& rows) { return force_in_time(rows, scenario); };
     return table;
 }
 

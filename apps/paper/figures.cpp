@@ -26,9 +26,8 @@ std::vector<Curve> densities(const std::vector<Eigen::Index>& numbers, const std
 
 // The families of panels.
 
-Family with(Family family, const std::string& choice, bool markers = true) {
+Family with(Family family, const std::string& choice) {
     family.choice = choice;
-    family.markers = markers;
     return family;
 }
 
@@ -37,12 +36,11 @@ const Family over_alpha{Quantity::c11_ratio, fractions(0, 200, 200),  // contain
 const Family over_n{Quantity::c11_ratio,
                     {10, 15, 20, 25, 30, 35, 40, 50, 60, 70, 80, 100, 120, 140, 160},
                     "number of elements n",
-                    "n from 10 to 160",
-                    true};
+                    "n from 10 to 160"};
 const Family over_epsilon{Quantity::c11_ratio, fractions(1, 10, 10), "epsilon",
-                          "n: the paper's 40, 60, 80 of the other figures", true};
+                          "n: the paper's 40, 60, 80 of the other figures"};
 const Family over_size_ratio{
-    Quantity::c11_ratio, {0.125, 0.25, 0.5, 1, 2, 4, 8}, "dx_T / dx_L", over_epsilon.choice, true, 2};
+    Quantity::c11_ratio, {0.125, 0.25, 0.5, 1, 2, 4, 8}, "dx_T / dx_L", over_epsilon.choice, true};
 const Family over_x{Quantity::traction, {}, "x / a (leading edge at 1)", ""};
 const Family unstable_over_alpha{Quantity::unstable_fraction, fractions(1, 200, 200), "alpha",
                                  "alpha from 0.005 by 0.005"};
@@ -91,7 +89,7 @@ std::vector<Panel> collocation() {
          {{"finite differences, alpha_T = 0.63", {}, n},
           {"analytic, alpha_T = 0.47", {fd + "0/0.47:analytic"}, n},
           {"analytic, alpha_T = 0.6", {fd + "0/0.6:analytic"}, n}}},
-        {with(over_x, "divided by G xi: the paper's xi = 0.0001 is a factor; Carter's line added", false), "09a",
+        {with(over_x, "divided by G xi: the paper's xi = 0.0001 is a factor; Carter's line added"), "09a",
          "Traction in the whole contact, n = 40", of_fig_9},
         {with(over_x, "the view: the leading half, where the oscillation shows best"), "09b",
          "Traction in the leading half, n = 40", of_fig_9, Range{0, 1}},
@@ -153,8 +151,8 @@ std::vector<Panel> meshes() {
         {with(over_epsilon, over_epsilon.choice + "; the caption's 0.63/0 is read as alpha_L = 0"), "16a",
          "Modified Knothe mesh, fd, alpha_L = 0, alpha_T = 0.63", gradings("modified-knothe" + best)},
         {over_epsilon, "16b", "Modified Knothe mesh, fd, alpha_L = alpha_T = 0.5", gradings("modified-knothe" + half)},
-        {close, "17a", "Traction at the trailing edge on three meshes", of_fig_17, Range{-1, -0.8}},
-        {close, "17b", "Traction at the leading edge on three meshes", of_fig_17, Range{0.8, 1}},
+        {close, "17a", "Traction at the trailing edge on three meshes", of_fig_17, Range{-1.01, -0.8}},
+        {close, "17b", "Traction at the leading edge on three meshes", of_fig_17, Range{0.8, 1.01}},
     };
 }
 
@@ -205,7 +203,7 @@ std::vector<Panel> panels() {
                    "Creep coefficient under harmonic creepage, Argand diagram",
                    densities(coarse, recommended, nothing),
                    Range{-0.1, 2.3}});
-    all.push_back({{Quantity::response, frequencies, "omega a / V", "as Fig. 22A", false, 10},
+    all.push_back({{Quantity::response, frequencies, "omega a / V", "as Fig. 22A", true},
                    "22b",
                    "Creep coefficient over frequency, n = 60",
                    densities({60}, recommended, nothing)});

@@ -38,8 +38,7 @@ struct Family {
     Quantity quantity;
     std::vector<double> grid;     ///< x values; empty where the elements are the x values
     std::string x_label, choice;  ///< choice: what was chosen where the paper is silent
-    bool markers = false;
-    int log_base = 0;  ///< of a logarithmic x axis; 0 for a linear one
+    bool logarithmic = false;     ///< of x
 };
 
 struct Panel : Family {
@@ -103,7 +102,7 @@ struct Results {
 void compute(const Panel& panel, Curve& curve);
 
 std::string csv_of(const Panel& panel);
-study::Plot plot(const Panel& panel);
+study::Picture picture(const Panel& panel);
 
 /// Labels are ASCII in the CSV files; where they are shown they get Greek letters.
 std::string with_greek(std::string text);

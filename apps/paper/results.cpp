@@ -203,6 +203,8 @@ const Kind& kind_of(Quantity quantity) {
     return kinds.at(quantity);
 }
 
+bool over_frequency(Quantity quantity) { return quantity == Quantity::argand || quantity == Quantity::response; }
+
 /// A curve without points, or two for real and imaginary part over frequency.
 std::vector<study::Series> empty_series(Quantity quantity, study::Series form) {
     if (quantity != Quantity::response) return {form};
@@ -222,7 +224,7 @@ study::Series carter_line(const Panel& panel) {
     for (const Curve& curve : panel.curves) {
         for (const auto& point : curve.series[0].points) largest = std::max(largest, std::abs(point.second));
     }
-    study::Series line{.label = "Carter", .markers = false, .reference = true};
+    study::Series line{"Carter", study::Look::exact};
     constexpr int count = 2000;
     for (int k = 1; k < count; ++k) {  // dense at both edges
         const double angle = std::numbers::pi * k / count;
@@ -246,11 +248,9 @@ std::string csv_of(const Panel& panel) {
 
 void compute(const Panel& panel, Curve& curve) {
     const Kind& kind = kind_of(panel.quantity);
-    study::Series form{.label = with_greek(curve.label), .markers = panel.markers};
-    if (panel.quantity == Quantity::argand || panel.quantity == Quantity::response) {
-        form = {.label = curve.label, .line = false, .open = true};  // since the points of all n nearly coincide
-    }
-    curve.series = empty_series(panel.quantity, form);
+    // over frequency the points of all n nearly coincide
+    const study::Look look = over_frequency(panel.quantity) ? study::Look::markers : study::Look::curve;
+    curve.series = empty_series(panel.quantity, {with_greek(curve.label), look});
     for (const Sample& sample : kind.compute(panel, curve)) {
         const Case& c = sample.at;
         const std::string method = c.method + (c.quadrature.empty() ? "" : "-" + c.quadrature);
@@ -261,31 +261,23 @@ void compute(const Panel& panel, Curve& curve) {
     }
 }
 
-study::Plot plot(const Panel& panel) {
+study::Picture picture(const Panel& panel) {
     study::Plot plot{.title = "Fig. " + printed(panel.figure) + "  " + with_greek(panel.title),
-                     .x_label = with_greek(panel.x_label),
-                     .y_label = kind_of(panel.quantity).y_label,
-                     .log_x = panel.log_base > 0,
-                     .x_range = panel.x,
-                     .y_range = panel.y,
-                     .x_is_part = true};
-    if (plot.log_x) plot.log_base = panel.log_base;
+                     .x = {.label = with_greek(panel.x_label), .logarithmic = panel.logarithmic, .range = panel.x},
+                     .y = {.label = kind_of(panel.quantity).y_label, .range = panel.y}};
     for (const Curve& curve : panel.curves) {
         plot.series.insert(plot.series.end(), curve.series.begin(), curve.series.end());
     }
     if (panel.quantity == Quantity::traction) plot.series.push_back(carter_line(panel));
-    if (panel.quantity == Quantity::argand || panel.quantity == Quantity::response) {
+    if (over_frequency(panel.quantity)) {
         std::vector<study::Series> polynomial =
-            empty_series(panel.quantity, {.label = "polynomial, order " + std::to_string(polynomial_order),
-                                          .markers = false,
-                                          .open = true,
-                                          .reference = true});
+            empty_series(panel.quantity, {"polynomial, order " + std::to_string(polynomial_order), study::Look::exact});
         for (const double z : logarithmic(panel.grid.front(), panel.grid.back(), 301)) {
             add(polynomial, places(panel.quantity, z, polynomial_c11(z)));
         }
         plot.series.insert(plot.series.end(), polynomial.begin(), polynomial.end());
     }
-    return plot;
+    return {plot};
 }
 
 }  // namespace paper

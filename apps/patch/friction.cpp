@@ -136,9 +136,9 @@ study::Table friction_table(const Friction& scene) {
             }
         }
     };
-    table.plot = [&scene, &tractions, columns = table.columns](const std::vector<study::Row>& rows) {
+    table.plot = [&scene, &tractions](const study::Records& rows) {
         return scene.from_above ? draw_from_above(scene.patches, scene.points.front(), tractions)
-                                : draw_friction(columns, rows, scene.force.has_value());
+                                : draw_friction(rows, scene.force.has_value());
     };
     return table;
 }

@@ -161,20 +161,19 @@ TimeScene read_time_scene(const study::Options& options, const std::vector<Patch
 // --- pictures
 
 /// Creep coefficients over a/b with Kalker's table as points; over n if there is one a/b.
-study::Plot draw_coefficients(const std::vector<std::string>& columns, const std::vector<study::Row>& rows);
+study::Picture draw_coefficients(const study::Records& rows);
 
 /// Real and imaginary parts over the frequency.
-study::Plot draw_responses(const std::vector<std::string>& columns, const std::vector<study::Row>& rows);
+study::Picture draw_responses(const study::Records& rows);
 
 /// Forces, or along x the creepage found `by_force`, and moment over the creepage, or else a/b or n, that varies most.
-study::Plot draw_friction(const std::vector<std::string>& columns, const std::vector<study::Row>& rows, bool by_force);
+study::Picture draw_friction(const study::Records& rows, bool by_force);
 
 /// Each patch at one creepage, side by side: outline, stick and slip, tractions as arrows, pole of spin.
-study::Plot draw_from_above(const std::vector<Patch>& patches, const CreepPoint& point,
-                            const study::SideTable& tractions);
+study::Picture draw_from_above(const std::vector<Patch>& patches, const CreepPoint& point,
+                               const study::SideTable& tractions);
 
 /// Forces, or along x the creepage found `by_force`, and moment over the distance rolled, with the load if that varies.
-study::Plot draw_in_time(const std::vector<std::string>& columns, const std::vector<study::Row>& rows, bool load_varies,
-                         bool by_force);
+study::Picture draw_in_time(const study::Records& rows, bool load_varies, bool by_force);
 
 }  // namespace patch

@@ -183,8 +183,8 @@ study::Table transient_table(const TimeScene& scene) {
     };
     study::Table table = friction::rolling_table(
         time_sheet(), scene.patches, scene.run, [&](const Patch& patch) { return make_rolling(scene, patch); }, row);
-    table.plot = [&, by_force](const std::vector<study::Row>& rows) {
-        return draw_in_time(time_sheet().names(), rows, scene.run.load_varies(), by_force);
+    table.plot = [&, by_force](const study::Records& rows) {
+        return draw_in_time(rows, scene.run.load_varies(), by_force);
     };
     return table;
 }

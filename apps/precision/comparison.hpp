@@ -143,6 +143,6 @@ void print_recommendations(const Recommendation& wanted);
 
 /// Panels for up to three quantities; where there are more, c11, response and friction alone have panels. Each panel
 /// shows the error of every scheme over its time, and the front of `points`.
-study::Plot pictures(const std::vector<Quantity>& quantities, const std::vector<Point>& points);
+study::Picture pictures(const std::vector<Quantity>& quantities, const std::vector<Point>& points);
 
 }  // namespace precision

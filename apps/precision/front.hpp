@@ -76,22 +76,23 @@ inline void mark_front(std::vector<Point>& points) {
     }
 }
 
-/// The schemes that may be chosen for a tolerance; `stable` schemes are discretisations without a growing mode.
-enum class Among { elements, stable_elements, stable, all };
+/// Groups of schemes among which one may be chosen for a tolerance; stable ones are discretisations without a growing
+/// mode.
+inline const std::map<std::string, bool (*)(const Point&)> groups{
+    {"elements", [](const Point& point) { return is_element_scheme(point.scheme); }},
+    {"stable-elements",
+     [](const Point& point) { return is_element_scheme(point.scheme) && point.stable.value_or(false); }},
+    {"stable", [](const Point& point) { return is_discretisation(point.scheme) && point.stable.value_or(false); }},
+    {"all", [](const Point&) { return true; }}};
 
-/// The fastest point of a quantity whose sustained error is at most `tolerance`, if there is one.
+/// The fastest point of a quantity in a group whose sustained error is at most `tolerance`, if there is one.
 inline std::optional<std::size_t> cheapest(const std::vector<Point>& points, const std::vector<double>& sustained,
-                                           const std::string& quantity, double tolerance, Among among) {
+                                           const std::string& quantity, double tolerance, const std::string& group) {
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Point& point = points[i];
         if (point.quantity != quantity || !point.time_us || !(sustained[i] <= tolerance)) continue;
-        const bool elements = among == Among::elements || among == Among::stable_elements;
-        if (elements && !is_element_scheme(point.scheme)) continue;
-        if (among != Among::all && !is_discretisation(point.scheme)) continue;
-        const bool stable = among == Among::stable || among == Among::stable_elements;
-        if (stable && !point.stable.value_or(false)) continue;
-        if (!best || *point.time_us < *points[*best].time_us) best = i;
+        if (groups.at(group)(point) && (!best || *point.time_us < *points[*best].time_us)) best = i;
     }
     return best;
 }

@@ -20,23 +20,8 @@ using rollbem::RadiusDifference;
 using rollbem::RollingRadii;
 using rollbem::Status;
 
-study::Plot difference_plot(const RadiusDifference& radii) {
-    study::Plot plot{.title = "Difference of the rolling radii", .x_label = "y [mm]", .y_label = "Δr [mm]"};
-    study::Series& series = plot.series.emplace_back(study::Series{.label = "right less left", .markers = false});
-    for (Eigen::Index i = 0; i < radii.lateral().size(); ++i) {
-        series.points.emplace_back(1e3 * radii.lateral()[i], 1e3 * radii.difference()[i]);
-    }
-    return plot;
-}
-
-study::Series curve(const std::vector<study::Row>& rows, const char* label, std::size_t column, double unit) {
-    study::Series series{.label = label, .markers = rows.size() <= 30};
-    for (const study::Row& row : rows) {
-        series.points.emplace_back(1e3 * row[0].number().value_or(std::nan("")),
-                                   unit * row[column].number().value_or(std::nan("")));
-    }
-    return series;
-}
+const study::Plot difference_frame{"Difference of the rolling radii", {"y [mm]"}, {"Δr [mm]"}};
+constexpr double mm = 1e-3;
 
 /// A wave of the free wheelset.
 struct Wave {
@@ -98,13 +83,17 @@ study::Table wave_table(const Conicity& conicity) {
         if (conicity.radii) wave.found = equivalent_conicity(*conicity.radii, amplitude);
         return wave;
     });
-    table.plot = [&](const std::vector<study::Row>& rows) {
-        study::Plot plot{.title = "Equivalent conicity", .x_label = "amplitude [mm]", .y_label = "tan γ_e"};
-        plot.series = {curve(rows, "kinematic wave", 1, 1), curve(rows, "harmonic", 2, 1)};
-        if (!conicity.radii) return plot;
-        study::Plot left = difference_plot(*conicity.radii);
-        left.below.push_back(std::move(plot));
-        return left;
+    table.plot = [&](const study::Records& rows) {
+        study::Plot difference = difference_frame, waves{"Equivalent conicity", {"amplitude [mm]"}, {"tan γ_e"}};
+        study::Series& radii = difference.series.emplace_back(study::Series{"right less left"});
+        for (Eigen::Index i = 0; conicity.radii && i < conicity.radii->lateral().size(); ++i) {
+            radii.points.emplace_back(conicity.radii->lateral()[i] / mm, conicity.radii->difference()[i] / mm);
+        }
+        for (const auto& [column, label] :
+             {std::pair{"tan_gamma", "kinematic wave"}, {"tan_gamma_linear", "harmonic"}}) {
+            add_series(waves, rows, {.x = "amplitude", .y = column, .prefix = label, .x_unit = mm});
+        }
+        return study::Picture{difference, waves};
     };
     return table;
 }
@@ -113,13 +102,13 @@ study::Table radii_table(const Conicity& conicity) {
     study::Table table = radii_sheet.table(conicity.places, [&](double y) {
         return Radii{y, rolling_radii(conicity.wheelset, y)};
     });
-    table.plot = [](const std::vector<study::Row>& rows) {
-        study::Plot plot{.title = "Difference of the rolling radii", .x_label = "y [mm]", .y_label = "Δr [mm]"};
-        plot.series = {curve(rows, "right less left", 1, 1e3)};
-        study::Plot angles{.title = "Angles of contact", .x_label = "y [mm]", .y_label = "δ [rad]"};
-        angles.series = {curve(rows, "right", 4, 1), curve(rows, "left", 5, 1)};
-        plot.below.push_back(std::move(angles));
-        return plot;
+    table.plot = [](const study::Records& rows) {
+        study::Plot difference = difference_frame, angles{"Angles of contact", {"y [mm]"}, {"δ [rad]"}};
+        add_series(difference, rows, {.x = "y", .y = "delta_r", .x_unit = mm, .y_unit = mm});
+        for (const std::string side : {"right", "left"}) {
+            add_series(angles, rows, {.x = "y", .y = side + "_angle", .prefix = side, .x_unit = mm});
+        }
+        return study::Picture{difference, angles};
     };
     return table;
 }

@@ -139,39 +139,31 @@ std::vector<Compared> rows_at(const MethodScene& scene, double shift) {
     return rows;
 }
 
-study::Plot draw(const std::vector<study::Row>& rows) {
-    const auto number = [](const study::Row& row, std::size_t column) {
-        return row[column].number().value_or(nan(""));
-    };
-    study::Plot cost{.title = "Each point is a lateral shift",
-                     .x_label = "time [microseconds]",
-                     .y_label = "|relative error of the load|",
-                     .log_x = true,
-                     .log_y = true};
-    study::Plot errors{.title = "Virtual penetration", .x_label = "shift [mm]", .y_label = "relative error"};
-    for (std::size_t k = 0; k + 1 < methods().size(); ++k) {
-        cost.series.push_back({.label = methods()[k].name, .line = false});
+study::Picture draw(const study::Records& rows) {
+    study::Plot errors{"Virtual penetration", {"shift [mm]"}, {"relative error"}};
+    study::Plot cost{
+        "Each point is a lateral shift", {"time [microseconds]", true}, {"|relative error of the load|", true}};
+    study::Records compared{rows.columns};
+    for (const study::Row& row : rows.rows) {
+        if (rows.cell(row, "method").text() != methods().back().name) compared.rows.push_back(row);
     }
-    for (const char* label : {"load", "area", "largest pressure"}) errors.series.push_back({.label = label});
+    add_series(cost, compared,
+               {.by = {"method"}, .x = "time_us", .y = "load_error", .absolute = true, .look = study::Look::markers});
+    const study::Records own = rows.with("method", methods()[0].name);
+    for (const auto& [column, label] :
+         {std::pair{"load_error", "load"}, {"area_error", "area"}, {"peak_error", "largest pressure"}}) {
+        add_series(errors, own, {.x = "shift", .y = column, .prefix = label, .x_unit = 1e-3});
+    }
     double largest = 0, where = 0;
-    for (const study::Row& row : rows) {
-        for (study::Series& series : cost.series) {
-            if (series.label != row[1].text()) continue;
-            series.points.emplace_back(number(row, 9), std::abs(number(row, 6)));
-        }
-        if (row[1].text() != methods()[0].name) continue;
-        for (std::size_t k = 0; k < 3; ++k) {
-            errors.series[k].points.emplace_back(1e3 * number(row, 0), number(row, 6 + k));
-        }
-        if (!(std::abs(number(row, 6)) > std::abs(largest))) continue;
-        largest = number(row, 6);
-        where = number(row, 0);
+    for (const study::Row& row : own.rows) {
+        const double error = rows.number(row, "load_error");
+        if (!(std::abs(error) > std::abs(largest))) continue;
+        largest = error;
+        where = rows.number(row, "shift");
     }
     errors.title +=
         ": load off by " + study::Cell(100 * largest).text(3) + " % at " + study::Cell(1e3 * where).text(4) + " mm";
-    std::vector<study::Plot> panels{std::move(errors)};
-    if (study::can_be_drawn(cost)) panels.push_back(std::move(cost));
-    return study::in_one_column(std::move(panels));
+    return {errors, cost};
 }
 
 }  // namespace

@@ -102,12 +102,11 @@ struct Drawn {
     rollbem::RailPatch patch;  ///< as on the right wheel
 };
 
-/// Patches from above: pressures in steps of a fifth of the largest one, and outlines; the last title counts rows
+/// Patches from above: pressures as shares of the largest one, and outlines; the last title counts rows
 /// `without` a patch.
-study::Plot draw_patches(const std::vector<Drawn>& patches, std::size_t without);
+study::Picture draw_patches(const std::vector<Drawn>& patches, std::size_t without);
 
 /// Wheel above rail, round and straight ones, and lines that join where they touch, one for each row.
-study::Plot draw_contact_points(const rollbem::WheelsetOnTrack& wheelset, const std::vector<std::string>& columns,
-                                const std::vector<study::Row>& rows);
+study::Picture draw_contact_points(const rollbem::WheelsetOnTrack& wheelset, const study::Records& rows);
 
 }  // namespace profile

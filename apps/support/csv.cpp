@@ -34,4 +34,26 @@ std::string csv_line(const Row& row) {
     return line += '\n';
 }
 
+std::set<double> Records::numbers(std::string_view name) const {
+    std::set<double> found;
+    for (const Row& row : rows) {
+        if (const auto number = cell(row, name).number()) found.insert(*number);
+    }
+    return found;
+}
+
+std::set<std::string> Records::texts(std::string_view name) const {
+    std::set<std::string> found;
+    for (const Row& row : rows) found.insert(cell(row, name).text());
+    return found;
+}
+
+Records Records::with(std::string_view name, const std::string& text) const {
+    Records found{columns};
+    for (const Row& row : rows) {
+        if (cell(row, name).text() == text) found.rows.push_back(row);
+    }
+    return found;
+}
+
 }  // namespace study

@@ -6,6 +6,7 @@
 #include <concepts>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -57,5 +58,25 @@ inline std::size_t index_of(const std::vector<std::string>& columns, std::string
 
 /// A row as a line of CSV.
 std::string csv_line(const Row& row);
+
+/// Rows and the names of their columns.
+struct Records {
+    std::vector<std::string> columns;
+    std::vector<Row> rows{};
+
+    const Cell& cell(const Row& row, std::string_view name) const { return row.at(index_of(columns, name)); }
+
+    /// The number of a cell; not a number if it has none.
+    double number(const Row& row, std::string_view name) const {
+        return cell(row, name).number().value_or(std::nan(""));
+    }
+
+    /// The numbers of a column, and the texts of its cells, each once.
+    std::set<double> numbers(std::string_view name) const;
+    std::set<std::string> texts(std::string_view name) const;
+
+    /// The rows with that text in a column.
+    Records with(std::string_view name, const std::string& text) const;
+};
 
 }  // namespace study

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iterator>
 #include <map>
 #include <set>
@@ -18,133 +17,75 @@ std::string shown_name(const std::string& column) {
     return found == names.end() ? column : found->second;
 }
 
-void raise_to_drawn(Plot& plot, double least) {
-    PlotRange x{HUGE_VAL, -HUGE_VAL}, y{least / 3, least};
-    bool any = false;
-    for (Series& series : plot.series) {
-        for (auto& [at, value] : series.points) {
-            any = any || value < least;
-            value = std::max(value, least);  // the maximum of nan is nan
-            if (!std::isfinite(at) || !std::isfinite(value)) continue;
-            x = {std::min(x.low, at), std::max(x.high, at)};
-            y.high = std::max(y.high, 3 * value);
-        }
-    }
-    if (!any) return;
-    plot.y_range = y;
-    plot.series.push_back({.label = Cell(least).text() + " or less",
-                           .points = {{x.low, least}, {x.high, least}},
-                           .markers = false,
-                           .reference = true});
+namespace {
+
+/// ", name = value", or what speaks for itself.
+std::string property(const std::string& name, const std::string& value) {
+    if (value.empty()) return "";
+    const bool speaks = value.find_first_not_of("0123456789.+-e") != std::string::npos && name != "aspect";
+    return ", " + (name == "kernel"       ? value + " kernel"
+                   : name == "quadrature" ? "quadrature " + value
+                   : speaks               ? value
+                                          : shown_name(name) + " = " + value);
 }
 
-void fit_to_scale(Plot& plot) {
-    PlotRange x{1e9, -1e9}, y{1e9, -1e9};
-    for (const Series& series : plot.series) {
-        for (const auto& [at, value] : series.points) {
-            if (!std::isfinite(at) || !std::isfinite(value)) continue;
-            x = {std::min(x.low, at), std::max(x.high, at)};
-            y = {std::min(y.low, value), std::max(y.high, value)};
-        }
-    }
-    const double wide = 0.05 * (x.high - x.low), high = 0.05 * (y.high - y.low);
-    plot.x_range = {x.low - wide, x.high + wide};
-    plot.y_range = {y.high + high, y.low - high};
-    plot.true_scale = true;
-}
+}  // namespace
 
-void add_series(Plot& plot, const std::vector<std::string>& columns, const std::vector<Row>& rows,
-                const Selection& selection) {
-    const auto column = [&](const std::string& name) { return index_of(columns, name); };
-    std::vector<std::string> names = selection.by;
-    names.insert(names.end(), selection.apart.begin(), selection.apart.end());
+void add_series(Plot& plot, const Records& records, const Selection& selection) {
+    const std::vector<std::string>& names = selection.by;
     std::map<std::vector<std::string>, std::size_t> found;
     std::vector<std::vector<std::string>> keys;
     std::vector<Series> series;
-    for (const Row& row : rows) {
+    std::set<std::pair<std::size_t, std::pair<double, double>>> known;
+    for (const Row& row : records.rows) {
         std::vector<std::string> key;
-        for (const std::string& name : names) key.push_back(row[column(name)].text(6));
+        for (const std::string& name : names) key.push_back(records.cell(row, name).text(6));
         const auto [position, is_new] = found.try_emplace(key, series.size());
         if (is_new) {
             keys.push_back(key);
-            series.emplace_back();
+            series.push_back({.look = selection.look});
         }
-        const std::optional<double> x = row[column(selection.x)].number(), y = row[column(selection.y)].number();
-        const double value = y.value_or(std::nan(""));
-        const std::pair undefined{std::nan(""), std::nan("")};
-        series[position->second].points.push_back(x ? std::pair{*x, selection.absolute ? std::abs(value) : value}
-                                                    : undefined);
+        const double x = records.number(row, selection.x) / selection.x_unit,
+                     y = records.number(row, selection.y) / selection.y_unit;
+        const std::pair point{x, std::isnan(x) ? x : selection.absolute ? std::abs(y) : y};
+        const bool again = selection.look == Look::exact && !std::isnan(point.second) &&
+                           !known.insert({position->second, point}).second;
+        if (!again) series[position->second].points.push_back(point);
     }
-    const auto append = [](std::string& text, const std::string& name, const std::string& value) {
-        if (value.empty()) return;
-        const bool speaks = value.find_first_not_of("0123456789.+-e") != std::string::npos && name != "aspect";
-        text += (text.empty() ? "" : ", ") + (name == "kernel"       ? value + " kernel"
-                                              : name == "quadrature" ? "quadrature " + value
-                                              : speaks               ? value
-                                                                     : shown_name(name) + " = " + value);
-    };
-    for (std::size_t i = 0; i < names.size(); ++i) {
+    std::vector<std::string> labels(series.size());
+    for (std::size_t i = 0; i < names.size() && !keys.empty(); ++i) {
         const bool shared =
             std::all_of(keys.begin(), keys.end(), [&](const auto& key) { return key[i] == keys[0][i]; });
-        if (shared && !keys.empty() && plot.series.empty()) append(plot.title, names[i], keys[0][i]);
-        for (std::size_t k = 0; k < keys.size() && !shared; ++k) append(series[k].label, names[i], keys[k][i]);
+        if (shared && plot.series.empty()) plot.title += property(names[i], keys[0][i]);
+        for (std::size_t k = 0; k < keys.size() && !shared; ++k) labels[k] += property(names[i], keys[k][i]);
     }
-    if (series.size() == 1) series[0].label = selection.prefix.empty() ? plot.y_label : "";
-    if (selection.reference) series.resize(std::min<std::size_t>(series.size(), 1), Series{});
-    for (Series& each : series) {
-        const std::string& prefix = selection.prefix;
-        if (!prefix.empty()) {
-            each.label = prefix + (each.label.empty() || selection.reference ? "" : ", " + each.label);
-        }
-        each.markers = selection.markers && !selection.reference;
-        each.reference = selection.reference;
+    for (std::size_t k = 0; k < series.size(); ++k) {
+        std::string label = selection.prefix + labels[k];
+        if (selection.prefix.empty()) label = labels[k].empty() ? "computed" : labels[k].substr(2);
+        series[k].label = label;
     }
     plot.series.insert(plot.series.end(), series.begin(), series.end());
 }
 
-Series map_of(const std::vector<std::string>& columns, const std::vector<Row>& rows, const std::string& x,
-              const std::string& y, const std::string& z) {
-    const auto number = [&](const Row& row, const std::string& name) { return row[index_of(columns, name)].number(); };
-    /// The borders between the values of a column, the outer ones as far from it as the inner ones.
-    const auto borders_of = [&](const std::string& name) {
-        std::set<double> values;
-        for (const Row& row : rows) {
-            if (const auto value = number(row, name)) values.insert(*value);
-        }
-        std::map<double, std::pair<double, double>> cells;
-        for (auto at = values.begin(); at != values.end(); ++at) {
-            const bool first = at == values.begin(), last = std::next(at) == values.end();
-            const double to_last = last && !first ? *at - *std::prev(at) : last ? 1 : *std::next(at) - *at;
-            const double to_first = first ? to_last : *at - *std::prev(at);
-            cells[*at] = {*at - to_first / 2, *at + to_last / 2};
-        }
-        return cells;
+Series map_of(const Records& records, const std::string& x, const std::string& y, const std::string& z) {
+    const std::set<double> wide = records.numbers(x), high = records.numbers(y);
+    /// The cell around one of several values, at the ends as wide as the gap to the only neighbour.
+    const auto cell = [](const std::set<double>& values, double value) {
+        const auto at = values.find(value), next = std::next(at);
+        const double behind = next == values.end() ? value - *std::prev(at) : *next - value;
+        const double before = at == values.begin() ? behind : value - *std::prev(at);
+        return PlotRange{value - before / 2, value + behind / 2};
     };
-    const auto wide = borders_of(x), high = borders_of(y);
-    Series series{.label = "map", .markers = false, .shape = Shape::rectangles};
-    for (const Row& row : rows) {
-        const auto at_x = number(row, x), at_y = number(row, y), value = number(row, z);
-        if (!at_x || !at_y || !value) continue;
-        const auto &across = wide.at(*at_x), &along = high.at(*at_y);
-        series.points.emplace_back(across.first, along.first);
-        series.points.emplace_back(across.second, along.second);
-        series.values.push_back(*value);
+    Series series{.label = "map", .look = Look::cells};
+    for (const Row& row : records.rows) {
+        const double value = records.number(row, z);
+        if (std::isnan(value)) continue;
+        const PlotRange across = cell(wide, records.number(row, x)), along = cell(high, records.number(row, y));
+        series.points.emplace_back(across.low, along.low);
+        series.points.emplace_back(across.high, along.high);
+        series.values.push_back(value);
     }
     return series;
-}
-
-Plot in_one_column(std::vector<Plot> panels) {
-    if (panels.empty()) return {};
-    Plot first = std::move(panels.front());
-    first.below.assign(std::make_move_iterator(panels.begin() + 1), std::make_move_iterator(panels.end()));
-    return first;
-}
-
-bool plot_is_png(const Options& options) {
-    const std::string path = options.text("plot");
-    const std::string ending = std::filesystem::path(path).extension().string();
-    options.require(ending == ".svg" || ending == ".png", "plot", "end in .svg or .png");
-    return ending == ".png";
 }
 
 }  // namespace study

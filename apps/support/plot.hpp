@@ -1,4 +1,4 @@
-// Plots by gnuplot: lines and points with axis labels and a legend, as SVG or PNG.
+// Pictures by gnuplot: panels, one below the other, of curves, fields and arrows, as SVG or PNG.
 // The first colours are Okabe and Ito's, which colour-blind readers tell apart; dashes and markers do so in grey.
 #pragma once
 
@@ -13,86 +13,91 @@
 
 namespace study {
 
-/// The shape of a series: its points are drawn one by one, or two by two as opposite corners of filled rectangles, or
-/// as tail and head of arrows.
-enum class Shape { curve, rectangles, arrows };
+/// The looks of series; their styles are a table in gnuplot.cpp. Curves, markers, and stick and slip as markers are
+/// results: a panel takes twelve of them, and its title counts their missing values.
+enum class Look {
+    curve,          ///< a line in a colour of its label, with markers if its points in view are few
+    markers,        ///< open markers in a colour of its label, which show what lies below them
+    crosses,        ///< such as modes that grow: on other markers
+    exact,          ///< a black line, dashed
+    exact_markers,  ///< black and open
+    outline,        ///< a black line without dashes
+    stick,          ///< markers
+    slip,
+    stick_cells,  ///< filled rectangles
+    slip_cells,
+    cells,  ///< rectangles, coloured by their values
+    arrows
+};
 
 /// A line of the plot, interrupted at points that are not finite or have no place on a logarithmic axis. The title
 /// counts those, except where x alone is not a number, which only ends a line. A point without a neighbour gets a
-/// marker. Labels use gnuplot's enhanced text: x_1 is a subscript.
+/// marker. Labels use gnuplot's enhanced text: x_1 is a subscript. Series of one label have one style in all panels.
 struct Series {
     std::string label{};
-    std::vector<std::pair<double, double>> points{};
-    bool markers = true;  ///< in addition to the line
-    bool line = true;
-    bool open = false;                   ///< markers, which then show what lies below them
-    std::optional<std::size_t> style{};  ///< index of colour, dashes and markers; by default each series has its own
-    bool reference = false;              ///< such as exact values: black, and drawn however many curves there are
-    bool alarm = false;                  ///< such as modes that grow: crosses on other markers, drawn in any case
-    Shape shape = Shape::curve;
-    std::vector<double> values{};  ///< of rectangles: 0 to 1, their colour
+    Look look = Look::curve;
+    std::vector<std::pair<double, double>> points{};  ///< two by two opposite corners of cells, tails and heads
+    std::vector<double> values{};                     ///< of cells: 0 to 1
 };
 
 /// The largest number of curves with a label in a panel: more cannot be told apart.
 inline constexpr std::size_t most_curves = 12;
 
-/// The name of a column in pictures: "α_T" for alpha_T.
-std::string shown_name(const std::string& column);
-
 struct PlotRange {
     double low, high;  ///< the other way round if the axis points left or down
 };
 
-struct Plot {
-    std::string title{}, x_label{}, y_label{};
-    std::string z_label{};  ///< what the colours of rectangles with values mean
-    bool log_x = false, log_y = false;
-    int log_base = 10;                              ///< of the marks on a logarithmic x axis
-    double linear_within = 0;                       ///< if > 0: both axes, with ranges, are logarithmic beyond, +-
-    std::optional<PlotRange> x_range{}, y_range{};  ///< of the axes; by default all points; what lies beyond is marked
-    bool x_is_part = false;                         ///< x_range is a part, as the title says: beyond, nothing is marked
-    bool true_scale = false;                        ///< a length is as long along either axis; takes ranges
-    std::vector<Series> series{};
-    std::vector<Plot> below{};  ///< further panels
+struct PlotAxis {
+    std::string label{};
+    bool logarithmic = false;          ///< unless values are too near to one another
+    double linear_within = 0;          ///< if > 0: with a range, logarithmic beyond +- this
+    double least = 1e-16;              ///< of a logarithmic y axis: smaller values from 0 on are drawn there
+    std::optional<PlotRange> range{};  ///< by default all points; arrows at the frame point to markers beyond it
 };
 
-/// Raises smaller values of y to `least`, and marks that as a line: a logarithmic axis has no zero, and results can be
-/// exact.
-void raise_to_drawn(Plot& plot, double least = 1e-16);
+/// A panel; without a point to draw it is left out. A title that the one above begins with is not repeated.
+struct Plot {
+    std::string title{};
+    PlotAxis x{}, y{};
+    std::string colours{};  ///< what values of cells mean
+    bool to_scale = false;  ///< lengths along both axes, in ranges with a margin around all points; y points down
+    std::vector<Series> series{};
+};
 
-/// Draws lengths to scale, in ranges with a margin around all points; y points down.
-void fit_to_scale(Plot& plot);
+using Picture = std::vector<Plot>;
 
-/// Whether any point has a place on the axes: 0 has none on a logarithmic one. Other plots are not drawn.
-bool can_be_drawn(const Plot& plot);
+/// The name of a column in pictures: "α_T" for alpha_T.
+std::string shown_name(const std::string& column);
 
 /// Rows as series: one for each combination of the columns `by`, which `y` over `x`. What differs between the series is
-/// their label, what they share is appended to the title. Where y is undefined the line is interrupted.
+/// their label, what they share is appended to the title of an empty panel. Where y is undefined the line is
+/// interrupted. A single series without a prefix is called computed. Exact lines have each point once.
 struct Selection {
     std::vector<std::string> by{};
     std::string x{}, y{};
-    bool absolute = false;             ///< |y|
-    std::vector<std::string> apart{};  ///< columns as `by`, whose values follow in titles and labels
-    std::string prefix{};              ///< of labels
-    bool markers = true;
-    bool reference = false;  ///< the first series alone, as a black line that the prefix names
+    bool absolute = false;  ///< |y|
+    std::string prefix{};   ///< of labels
+    Look look = Look::curve;
+    double x_unit = 1, y_unit = 1;  ///< of the axes, in units of the columns
 };
 
-void add_series(Plot& plot, const std::vector<std::string>& columns, const std::vector<Row>& rows,
-                const Selection& selection);
+void add_series(Plot& plot, const Records& records, const Selection& selection);
 
 /// A map: the cells around the places (x, y) of rows, halfway to their neighbours, in colours of the column z.
-Series map_of(const std::vector<std::string>& columns, const std::vector<Row>& rows, const std::string& x,
-              const std::string& y, const std::string& z);
+Series map_of(const Records& records, const std::string& x, const std::string& y, const std::string& z);
 
-/// The first panel with the others below it; an empty plot if there is none.
-Plot in_one_column(std::vector<Plot> panels);
+/// The edge of an outline, rollbem::Outline, as a closed line.
+template <class Outline>
+std::vector<std::pair<double, double>> edge_of(const Outline& outline) {
+    std::vector<std::pair<double, double>> points;
+    for (const double y : outline.y()) points.emplace_back(outline.trailing(y), y);
+    for (auto i = outline.y().size(); i-- > 0;) points.emplace_back(outline.leading(outline.y()[i]), outline.y()[i]);
+    points.push_back(points.front());
+    return points;
+}
 
-/// Whether the file's name asks for a PNG; false is SVG. Throws BadInput for any other ending.
-bool plot_is_png(const Options& options);
-
-/// The picture as PNG or SVG. Throws PlotError, which names `path`, when gnuplot is missing, fails or draws only a
-/// part.
-std::string picture(const Plot& plot, bool png, const std::string& path);
+/// The picture as PNG if the path ends in .png, otherwise as SVG. Throws PlotError, which names `path`, when there is
+/// nothing to draw or too much, and when gnuplot is missing, fails or draws only a part.
+std::string drawing_of(const Picture& picture, const std::string& path);
 
 }  // namespace study

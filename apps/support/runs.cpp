@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -23,11 +22,13 @@ const std::array<NamedIntegrator, 3> integrators{{
     {rollbem::Integrator::matrix_exponential, "exponential", "exact for creepage linear over a step", 2, false},
 }};
 
-std::vector<NamedIntegrator> integrators_for(bool friction) {
-    std::vector<NamedIntegrator> found;
-    std::copy_if(integrators.begin(), integrators.end(), std::back_inserter(found),
-                 [=](const NamedIntegrator& each) { return each.friction || !friction; });
-    return found;
+/// The words of those for the model; models with friction take the first ones.
+std::vector<std::string> integrator_words(bool friction, bool with_meaning = false) {
+    std::vector<std::string> words;
+    for (const NamedIntegrator& each : integrators) {
+        if (each.friction || !friction) words.push_back(each.word + (with_meaning ? " (" + each.meaning + ")" : ""));
+    }
+    return words;
 }
 
 Steps read_steps(const Options& options) {
@@ -41,10 +42,8 @@ Steps read_steps(const Options& options) {
 }
 
 rollbem::Integrator read_integrator(const Options& options, bool friction) {
-    const std::vector<NamedIntegrator> known = integrators_for(friction);
-    std::vector<std::string> words;
-    for (const NamedIntegrator& each : known) words.push_back(each.word);
-    return known[index_of(words, options.choice("integrator", words))].integrator;
+    const std::vector<std::string> words = integrator_words(friction);
+    return integrators.at(index_of(words, options.choice("integrator", words))).integrator;
 }
 
 }  // namespace
@@ -52,11 +51,6 @@ rollbem::Integrator read_integrator(const Options& options, bool friction) {
 const NamedIntegrator& named(rollbem::Integrator integrator) {
     return *std::find_if(integrators.begin(), integrators.end(),
                          [=](const NamedIntegrator& each) { return each.integrator == integrator; });
-}
-
-double next_stop(const Numbers& knots, double from, double to) {
-    const auto next = std::upper_bound(knots.begin(), knots.end(), from);
-    return next == knots.end() ? to : std::min(*next, to);
 }
 
 Sine read_sine(const Options& options) {
@@ -101,11 +95,8 @@ void add_run_options(Options& options, const HistoryColumns& columns, const std:
     }
     options.add("dq", "D", "distance rolled in a step [a], above 0", "0.05");
     options.add("until", "Q", "distance rolled in all [a], a multiple of --dq, up to 1e7 times", "10");
-    std::vector<std::string> names;
-    for (const NamedIntegrator& each : integrators_for(columns.friction())) {
-        names.push_back(each.word + " (" + each.meaning + ")");
-    }
-    options.add("integrator", "NAME", "integrator: " + listed(names, "or"), integrators.front().word);
+    options.add("integrator", "NAME", "integrator: " + listed(integrator_words(columns.friction(), true), "or"),
+                integrators.front().word);
     for (const std::string& name : own) {
         if (!mode.empty()) Options::Added{options, name}.only_with({mode});
     }
@@ -257,6 +248,8 @@ Run read_run(const Options& options, const HistoryColumns& columns, const Rule& 
 
 namespace {
 
+constexpr int most_halvings = 6;
+
 /// Rolls by one step, or without a solution by halves. Returns where a step failed for good.
 std::optional<double> in_halves(double from, double to, const std::function<rollbem::Status(double, double)>& step,
                                 int halvings) {
@@ -273,7 +266,8 @@ std::optional<double> in_halves(double from, double to, const std::function<roll
 std::optional<double> roll(double from, double to, const Numbers& knots,
                            const std::function<rollbem::Status(double, double)>& step) {
     while (from < to) {
-        const double stop = next_stop(knots, from, to);
+        const auto knot = std::upper_bound(knots.begin(), knots.end(), from);
+        const double stop = knot == knots.end() ? to : std::min(*knot, to);
         if (const auto failed = in_halves(from, stop, step, most_halvings)) return failed;
         from = stop;
     }

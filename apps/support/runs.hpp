@@ -35,9 +35,6 @@ inline constexpr const char* unresolved = "unresolved";        ///< a sine with 
 inline constexpr const char* after_failure = "after_failure";  ///< a step before has failed
 inline constexpr const char* unchecked = "unchecked";  ///< ok, except for the checks that --unchecked leaves out
 
-/// The end of a step: the first knot between two places, otherwise the second place.
-double next_stop(const Numbers& knots, double from, double to);
-
 /// Steps of dq [a].
 struct Steps {
     double dq;
@@ -108,11 +105,8 @@ Table run_table(const Sheet& sheet, const std::vector<Case>& cases, std::size_t 
     return table;
 }
 
-/// The number of times that a step without a solution is divided in halves before the run ends.
-inline constexpr int most_halvings = 6;
-
 /// Rolls between two places by step(from, to), which moves on if its status is ok: divided at the knots in between, and
-/// in halves where a step has no solution. Returns where a step failed for good; nothing if none did.
+/// up to six times in halves where a step has no solution. Returns where a step failed for good; nothing if none did.
 std::optional<double> roll(double from, double to, const Numbers& knots,
                            const std::function<rollbem::Status(double, double)>& step);
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -115,48 +114,19 @@ public:
     }
 
     /// Adds the column y over the column x, a curve for each combination of the columns of the case, and of `by`, but
-    /// not of x and `without`. A single curve is called computed.
-    void draw(Plot& plot, const std::vector<Row>& rows, Selection selection,
+    /// not of x and `without`.
+    void draw(Plot& plot, const Records& records, Selection selection,
               const std::vector<std::string>& without = {}) const {
-        const std::vector<std::string> also = std::move(selection.by);
-        selection.by.clear();
-        const auto add = [&](const std::string& name) {
-            if (name != selection.x && name != "scheme" && !contains(without, name)) selection.by.push_back(name);
-        };
-        for (const std::string& name : before_) add(name);
+        std::vector<std::string> by = before_;
         for (const Column<Result>& column : own_) {
-            if (!column.value) add(column.name);
+            if (!column.value) by.push_back(column.name);
         }
-        selection.by = joined(std::move(selection.by), also);
-        selection.apart = behind_;
-        std::erase(selection.apart, "scheme");  // which says what the other columns say
-        const std::size_t curves = plot.series.size();
-        add_series(plot, names(), rows, selection);
-        if (plot.series.size() == curves + 1 && selection.prefix.empty()) plot.series.back().label = "computed";
-    }
-
-    /// Adds the exact values `y` over `x`, which the cases share, as a black line for each contact. `place` is the
-    /// column that the points of a line differ in.
-    void draw_exact(Plot& plot, const std::vector<Row>& rows, const std::string& place, const std::string& x,
-                    const std::string& y, const std::string& prefix = "") const {
-        const std::vector<std::string> columns = names();
-        std::set<std::vector<std::string>> seen;
-        std::vector<Row> once;
-        for (const Row& row : rows) {
-            std::vector<std::string> key;
-            for (const std::string& name : {std::string("aspect"), std::string("poisson"), place}) {
-                key.push_back(row[index_of(columns, name)].text());
-            }
-            if (seen.insert(key).second) once.push_back(row);
-        }
-        Plot exact;
-        add_series(exact, columns, once, {.x = x, .y = y, .apart = {"aspect", "poisson"}});
-        for (Series& series : exact.series) {
-            series.label = prefix + (exact.series.size() > 1 ? "exact, " + series.label : "exact");
-            series.markers = false;
-            series.reference = true;
-            plot.series.push_back(std::move(series));
-        }
+        selection.by = joined(joined(std::move(by), selection.by), behind_);
+        // the columns of a scheme say what its name says
+        std::erase_if(selection.by, [&](const auto& name) {
+            return name == selection.x || name == "scheme" || contains(without, name);
+        });
+        add_series(plot, records, selection);
     }
 
 private:

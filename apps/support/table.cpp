@@ -93,11 +93,11 @@ std::string ends_of(const Table& table) {
 }
 
 /// Draws the rows, and throws if runs ended early, with why the picture failed if it did.
-void conclude(const Table& table, OutputFile* drawing, const std::vector<Row>& rows, bool png) {
+void conclude(const Table& table, OutputFile* drawing, const Records& rows) {
     std::string early = ends_of(table);
     try {
         if (drawing != nullptr) {
-            drawing->write(picture(table.plot(rows), png, drawing->path()));
+            drawing->write(drawing_of(table.plot(rows), drawing->path()));
             drawing->commit();
         }
     } catch (const PlotError& error) {
@@ -113,7 +113,8 @@ void write_table(const Options& options, const Table& table, OutputFiles& files)
     const std::size_t jobs = job_count(options);
     const auto [index, count] = shard_of(options);
     const bool plots = options.given("plot");
-    const bool png = plots && plot_is_png(options);
+    const std::string path = plots ? options.text("plot") : ".svg";
+    options.require(path.ends_with(".svg") || path.ends_with(".png"), "plot", "end in .svg or .png");
 
     // 1. Every file is opened first, so that an output that cannot be written costs no computing time.
     const auto header = [first = index == 1](const std::vector<std::string>& names) {
@@ -125,7 +126,7 @@ void write_table(const Options& options, const Table& table, OutputFiles& files)
         side = &files.open_table(options, table.beside->option, header(table.beside->columns));
     }
     std::optional<OutputFile> drawing;
-    if (plots) drawing.emplace(options.text("plot"), "--plot");
+    if (plots) drawing.emplace(path, "--plot");
 
     // 2. The rows.
     std::size_t total = 0;
@@ -142,7 +143,7 @@ void write_table(const Options& options, const Table& table, OutputFiles& files)
     file.write(header(table.columns));
     Progress progress(options.program(), wanted.last - wanted.first, shows);
     std::size_t written = 0;
-    std::vector<Row> kept;
+    Records kept{table.columns};
     const auto compute = [&](const Task& task, const Emit& emit) {
         if (table.label) progress.doing(table.label(task.index));
         table.compute(task.index, task.range, emit);
@@ -154,7 +155,7 @@ void write_table(const Options& options, const Table& table, OutputFiles& files)
         };
         file.is_terminal() ? progress.beside(write) : write();
         progress.update(++written);
-        if (plots) kept.push_back(std::move(row));
+        if (plots) kept.rows.push_back(std::move(row));
     };
     compute_in_order(tasks, jobs, compute, emit);
     progress.clear();
@@ -165,7 +166,7 @@ void write_table(const Options& options, const Table& table, OutputFiles& files)
         for (const Row& row : table.beside->rows[i]) side->write(csv_line(row));
     }
     files.commit();
-    conclude(table, drawing ? &*drawing : nullptr, kept, png);
+    conclude(table, drawing ? &*drawing : nullptr, kept);
 }
 
 }  // namespace study

@@ -32,10 +32,7 @@ struct SideTable {
     bool wanted;                           ///< in a file or for a picture
     std::vector<std::vector<Row>> rows{};  ///< of each task, which one thread computes
 
-    /// A cell as a number.
-    std::optional<double> number(const Row& row, const char* column) const {
-        return row[index_of(columns, column)].number();
-    }
+    Records of(std::size_t task) const { return {columns, rows[task]}; }
 };
 
 /// The rows of a study in tasks, each computed in one go. Tasks may run at the same time in several threads.
@@ -49,8 +46,8 @@ struct Table {
     /// A function called, if set, when all rows are computed, to write the other files of the run. If it throws, no
     /// file takes its name.
     std::function<void()> finish{};
-    std::function<Plot(const std::vector<Row>& rows)> plot;  ///< for --plot
-    std::shared_ptr<SideTable> beside{};                     ///< if set
+    std::function<Picture(const Records& rows)> plot;  ///< for --plot
+    std::shared_ptr<SideTable> beside{};               ///< if set
     /// The reason, if set, why a computed task, a run in time, ended early; empty if it did not.
     std::function<std::string(std::size_t task)> ended{};
     /// The words of the progress line, if set, on a task, e.g. "n = 20".

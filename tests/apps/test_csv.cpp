@@ -1,7 +1,9 @@
 // apps/support/csv.hpp
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -79,6 +81,22 @@ TEST_CASE("A shell recovers the command line from a sidecar, and --config its op
     for (const char* const name : {"it's \"both\"", "line\nend", "a\\z"}) {
         CHECK_THROWS_AS(study::sidecar_text(parsed({"study", "--edges", name})), study::BadInput);
     }
+}
+
+TEST_CASE("Records find cells by the names of columns", "[csv]") {
+    const study::Records records{{"n", "status", "error"}, {{20, "ok", 1e-3}, {10, "coarse", {}}, {20, "ok", 2e-3}}};
+    CHECK(records.number(records.rows[2], "error") == 2e-3);
+    CHECK(std::isnan(records.number(records.rows[1], "error")));
+    CHECK(std::isnan(records.number(records.rows[1], "status")));
+    CHECK(records.cell(records.rows[1], "status").text() == "coarse");
+    CHECK(records.numbers("n") == std::set<double>{10, 20});
+    CHECK(records.numbers("error").size() == 2);
+    CHECK(records.texts("status") == std::set<std::string>{"coarse", "ok"});
+    const study::Records coarse = records.with("n", "10"), ok = records.with("status", "ok");
+    CHECK(coarse.rows.size() + ok.rows.size() == records.rows.size());
+    CHECK(ok.columns == records.columns);
+    CHECK(ok.number(ok.rows[1], "error") == 2e-3);
+    CHECK_THROWS_AS(records.cell(records.rows[0], "nothing"), std::out_of_range);
 }
 
 }  // namespace

@@ -106,10 +106,10 @@ TEMPLATE_TEST_CASE("Nodes are the centres or Chebyshev's points, and the last ro
                 const SchemeRows<Scalar> slope = NodeDifference{nodes}.rows(Quantity::slope, mesh);
                 const SchemeRows<Scalar> displacement = NodeDifference{nodes}.rows(Quantity::displacement, mesh);
                 check_scheme(NodeDifference{nodes}, mesh);
-                const auto node = [&](Eigen::Index i) -> Scalar {
+                const auto node = [&, &centres = mesh.centres()](Eigen::Index i) -> Scalar {
                     if (i == n) return 1;
                     const Scalar angle = std::numbers::pi_v<Scalar> * (Scalar(i) + Scalar(0.5)) / Scalar(n);
-                    return nodes == Nodes::centres ? mesh.centres()[i] : -std::cos(angle);
+                    return nodes == Nodes::centres ? centres[i] : -std::cos(angle);
                 };
                 CAPTURE(n, name, nodes == Nodes::centres);
                 for (Eigen::Index i = 0; i < n; ++i) {

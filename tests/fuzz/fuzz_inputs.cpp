@@ -96,17 +96,18 @@ void take_friction(const std::vector<std::string>& words) {
     if (!run.load_varies()) return;
     const rollbem::HertzLoad<double> hertz = friction::hertz_load(run, mesh);
     rollbem::NormalLoad<double> load = hertz.at(friction::mu_N);
-    double q = 0;
-    for (int k = 0; k <= 50 && q < run.until(); ++k) {
-        const double ratio = run.load_ratio(q);
-        require(std::isfinite(ratio) && ratio >= 0, "a load presses");
-        const bool possible = hertz.set(ratio * friction::mu_N, load) == rollbem::Status::ok;
-        // an underflowing load has no contact length
-        require(possible || (run.breathing && ratio < 1e-290), "the mesh covers every load");
-        const double end = std::min(run.until(), q + std::max(run.steps.dq, run.until() / 50)),
-                     next = study::next_stop(run.imposed.places(), q, end);
-        require(next > q && next <= end, "steps go on");
-        q = next;
+    const double stride = std::max(run.steps.dq, run.until() / 50);
+    for (double q = 0; q < run.until(); q += stride) {
+        const double end = std::min(run.until(), q + stride);
+        study::roll(q, end, run.imposed.places(), [&](double from, double to) {
+            require(from < to && to <= end, "steps go on");
+            const double ratio = run.load_ratio(from);
+            require(std::isfinite(ratio) && ratio >= 0, "a load presses");
+            const rollbem::Status status = hertz.set(ratio * friction::mu_N, load);
+            // an underflowing load has no contact length
+            require(status == rollbem::Status::ok || (run.breathing && ratio < 1e-290), "the mesh covers every load");
+            return rollbem::Status::ok;
+        });
     }
 }
 
