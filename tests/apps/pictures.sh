@@ -42,10 +42,6 @@ curves 1
 # can print
 draws traction_study --n 10 --poisson 0,0.25
 shows 'ν = 0.25' 'Carter, ν = 0.25'
-draws steady_study --n 10,20 --mesh geometric --size-ratio 1,2 --aspect 10,100
-shows 'b/a = 10, dxT/dxL = 2'
-draws stability_study --n 10,20 --critical
-shows 'critical αT'
 draws transient_study --step 1 --n 10 --until 1
 shows '-F / (a G ξref)' '|F - Fexact| / (a G ξref)' exact
 grep -q '<text>' p.svg && fail 'texts without xml:space'
@@ -107,8 +103,6 @@ draws friction_study --n 10 --falling 0.6,1.2 --layer 0.5 --creepage-ratio 0.5,1
 title 'Creep curve, μ falls to μ0 times 0.6, by half at a slip of 1.2, layer 0.5, collocation'
 draws friction_study --n 20 --mesh uniform --alpha 1.5 --creepage-ratio 0.5
 hides bound # of tractions that are wrong
-draws friction_study --transient --n 10 --creepage-ratio 0.5 --until 1
-shows 'Carter, steady'
 draws friction_study --transient --n 10 --creepage-ratio 0.5 --lateral-ratio 0.2 --load-sine 0.5,8 --until 1
 title 'Rolling with friction, δx = 0.5, δy = 0.2, N/N0 = 1 + 0.5 sin(2π q/8), collocation'
 grep -q lateral words && grep -q load words && ! grep -q Carter words || fail "load and lateral force: $(cat words)"

@@ -208,24 +208,6 @@ def test_derivatives_of_a_step():
             assert status_of(lambda: instance.derivative("longitudinal_force", "given_half_length")) == discard
 
 
-def test_inputs_for_parameters():
-    """A factor of mu acts as another mu; semi-axes by Hertz's formula, given, as those that follow the load."""
-    for fmu, kind, variant in each():
-        if not kind.others:
-            continue
-        ways = [dict(friction_coefficient=0.2), dict(friction_coefficient=0.4, friction_factor=0.5)]
-        if variant is table:
-            ways.append({**ways[0], **{f"given_{name}": fmu.start(table).get(f"contact_{name}")
-                                       for name in ("half_length", "half_width")}})
-        found = []
-        for way in ways:
-            instance = fmu.start(variant, **way)
-            for k in range(20):
-                instance.go(k * duration, duration, **kind.slips)
-            found.append(np.array(kind.outcome(instance)))
-        assert all(np.abs(other - found[0]).max() < 1e-11 * np.abs(found[0]).max() for other in found[1:]), found
-
-
 def test_saved_in_one_instance_and_restored_in_another():
     for fmu, kind, variant in each():
         instance, other = fmu.start(variant), Instance(fmu)  # never started

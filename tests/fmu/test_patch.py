@@ -59,6 +59,14 @@ def test_table_is_near_the_patch():
         assert np.mean(errors) < most_in_mean and max(errors) < most
 
 
+def test_given_semi_axes_act_as_those_by_hertz():
+    by_load = fmu.start(table)
+    given = fmu.start(table, dict(zip(("given_half_length", "given_half_width"), axes(by_load))))
+    for instance in (by_load, given):
+        instance.go(0.0, 1e-3, **values)
+    assert np.abs(force(given) - force(by_load)).max() < 1e-11 * mu * N
+
+
 def test_work_by_table_is_the_mean_power_of_both_ends():
     other = dict(zip(inputs, (-0.01, 0.02, 0.5, 1.1 * V, 1.2 * N)))
     duration, instance = 1e-3, fmu.start(table, values)
