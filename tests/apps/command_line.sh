@@ -43,7 +43,7 @@ cat held.svg >out
 wait $first
 [ $? -eq 3 ] && grep -q gnuplot err || fail "the first run on a file: $(cat err)"
 [ "$(cut -d, -f4 both.csv | tr '\n' ' ')" = "n 10 20 30 " ] && grep -q 'n = "10,20,30"' both.csv.toml &&
-    [ "$(tr -d '\000' <both.csv | wc -c)" -eq "$(wc -c <both.csv)" ] || fail "the file of the first run: $(cat both.csv)"
+    [ "$(tr -d '\000' <both.csv | wc -c)" -eq "$(wc -c <both.csv)" ] || fail "the first run: $(cat both.csv)"
 [ "$(ls -d both* | tr '\n' ' ')" = 'both.csv both.csv.toml ' ] || fail "two runs leave $(ls -d both*)"
 
 # an interrupt leaves nothing, not even a folder

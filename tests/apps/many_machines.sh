@@ -17,7 +17,7 @@ for table in whole parts; do rows 'NR > 1 { $time_us = $on_front = "" } { print 
 cmp -s whole.aside parts.aside || fail "parts differ from the whole: $(cat parts)"
 if command -v gnuplot >/dev/null; then
     eval "$search" 2>err || fail "$search: $(cat err)"
-    rows 'NR > 1 && $on_front == "" { bad = 1 } END { exit bad || NR != 19 }' front.csv || fail "front: $(cat front.csv)"
+    rows 'NR > 1 && $on_front == "" { bad = 1 } END { exit bad || NR != 19 }' front.csv || fail "$(cat front.csv)"
     [ -s cheapest.csv ] && [ -s front.svg ] || fail 'the cheapest schemes and the picture'
 fi
 finish

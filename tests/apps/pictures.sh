@@ -38,15 +38,16 @@ draws stability_study --n 6 --alpha-L 0,0.2,0.4,0.6,0.8 --alpha-T 0.3,0.5,0.7,0.
 shows 'share of unstable eigenvalues' αL αT
 curves 1
 
-# Greek letters, with spaces after subscripts, in a font that every browser has, of a width and in letters that one column
-# can print
+# Greek letters, with spaces after subscripts, in a font that every browser has, of a width and in letters that one
+# column can print
 draws traction_study --n 10 --poisson 0,0.25
 shows 'ν = 0.25' 'Carter, ν = 0.25'
 draws transient_study --step 1 --n 10 --until 1
 shows '-F / (a G ξref)' '|F - Fexact| / (a G ξref)' exact
 grep -q '<text>' p.svg && fail 'texts without xml:space'
 grep -q 'font-family="sans-serif"' p.svg && ! grep -q Symbol p.svg || fail 'fonts'
-grep -q 'viewBox="0 0 600 ' p.svg && ! grep -o 'font-size="[0-9.]*"' p.svg | grep -vqx 'font-size="\(18.00\?\|14.40\?\)"' ||
+grep -q 'viewBox="0 0 600 ' p.svg &&
+    ! grep -o 'font-size="[0-9.]*"' p.svg | grep -vqx 'font-size="\(18.00\?\|14.40\?\)"' ||
     fail "letters: $(grep -o 'font-size="[0-9.]*"' p.svg | sort -u)"
 # no legend for a single curve, a long title in two lines; labels at the ends of curves, a legend where they coincide
 draws steady_study --n 10,20
@@ -63,7 +64,7 @@ legend || fail 'no legend of curves that coincide'
 draws frequency_study --n 10,20 --omega 0.1,1,5
 curves 11
 shows '|c11 / c11,exact - 1|'
-for colour in '  0, 114, 178' '213,  94,   0'; do grep -q "path stroke='rgb($colour)'" p.svg || fail "not in $colour"; done
+for colour in '  0, 114, 178' '213,  94,   0'; do grep -q "path stroke='rgb($colour)'" p.svg || fail "$colour"; done
 draws frequency_study --n 10 --omega 0.1,1,5 --aspect 0.1
 hides c11,exact
 draws steady_study --method chebyshev --n 4,8,16 --kernel plane --poisson 0
@@ -113,7 +114,8 @@ grep -q Hysteresis words || fail "no loop: $(cat words)"
 precision_study --n 4,8 --scheme cosine:nodes --quantity c11,traction,c11_z1 --plot p.png >out 2>err &&
     [ "$(tail -c 8 p.png | head -c 4)" = IEND ] || fail "as PNG: $(cat err)"
 # a scheme has the same colour in every panel, although friction lacks two of them; small errors have a floor
-draws precision_study --n 40 --scheme polynomial,closed-form,cosine:collocation:0.5/0.5,chebyshev --quantity c11,response,friction
+draws precision_study --n 40 --scheme polynomial,closed-form,cosine:collocation:0.5/0.5,chebyshev \
+    --quantity c11,response,friction
 # the first curve of the last panel belongs to the cosine mesh
 awk '/id="gnuplot_plot_/ { split($0, part, /<title>|<.title>/); curve = /gnuplot_plot_1c"/ ? "last" : part[2] }
     match($0, /rgb\([^)]*\)/) && curve { colours[curve] = substr($0, RSTART, RLENGTH); curve = "" }

@@ -24,19 +24,21 @@ for tolerance in 2e-2 1e-5; do
     done <lines
     [ "$(wc -l <lines)" -ge 6 ] || fail "--recommend $tolerance: $(cat lines)"
 done
-"$precision" --recommend 0.02 --a-over-b 0.2 | grep -q '^patch_study --a-over-b 0.2 --n 12 --strips 17 --strip-grading uniform ' ||
-    fail '--recommend, patch'
+"$precision" --recommend 0.02 --a-over-b 0.2 |
+    grep -q '^patch_study --a-over-b 0.2 --n 12 --strips 17 --strip-grading uniform ' || fail '--recommend, patch'
 
 # --- the error of a force is the distance as a vector of friction_study's from CONTACT's, extrapolated
 "$programs/friction_study" --kernel plane --n 40 --creepage-ratio 0.35355339059327373 \
     --lateral-ratio 0.35355339059327373 >out
-distance=$(rows 'END { print sqrt((($force_ratio - 0.54356) ^ 2 + ($lateral_force_ratio - 0.40941) ^ 2) / (0.54356 ^ 2 + 0.40941 ^ 2)) }' out)
+distance=$(rows 'END { x = 0.54356; y = 0.40941
+    print sqrt((($force_ratio - x) ^ 2 + ($lateral_force_ratio - y) ^ 2) / (x ^ 2 + y ^ 2)) }' out)
 "$precision" --quantity combined_force --n 40 --scheme cosine:collocation:0.5/0.5 --jobs 2 >out
 check 'the error of the force as a vector' "(\$relative_error - $distance) ^ 2 < 2e-5 ^ 2 && $distance > 5e-4"
 
 # --- shards add up to the whole, but for times and the front; --front leaves the whole as it is, and fills the columns
 # of shards; the cheapest schemes
-set -- "$precision" --n 4,20 --scheme cosine:collocation:0.5/0.5,uniform:collocation:0/0.63,chebyshev,polynomial --quantity c11,c11_z1
+set -- "$precision" --n 4,20 --quantity c11,c11_z1 \
+    --scheme cosine:collocation:0.5/0.5,uniform:collocation:0/0.63,chebyshev,polynomial
 "$@" --cheapest cheapest.csv >whole || fail "$*"
 for k in 1 2 3; do "$@" --shard $k/3; done >parts
 aside='BEGIN { OFS = FS } NR > 1 { $time_us = $on_front = "" } { print }'

@@ -8,10 +8,11 @@ same() { "$@" >other && cmp -s one other || fail "other rows: $*"; }
 
 # --- half of the benchmark: tables as CSV in mm; positions, pressures and forces beside CONTACT, whose own errors on
 # its grid of 0.2 mm are 2e-2 in areas, more on flanges, 3e-3 in peak pressures, and 9e-3 at most in forces. Its loads
-# are N cos delta of planes, which on flanges differs by 3e-3 from what pressures carry along the normals of the surface.
+# are N cos delta of planes, which on flanges differs by 3e-3 from what pressures carry along the surface's normals.
 awk 'NR < 3 || NR % 2 == 1' "$benchmark/positions.csv" >positions.csv
-at="--length-unit mm --cant 0 --positions positions.csv --side both --load 1e4 --load-of all --friction 0.3 --speed 2 --slip linear"
-$profile $at --wheel "$benchmark/wheel.csv" --rail "$benchmark/rail.csv" --output table.csv || fail "the benchmark"
+at="--length-unit mm --cant 0 --positions positions.csv --side both --load 1e4 --load-of all"
+$profile $at --friction 0.3 --speed 2 --slip linear --wheel "$benchmark/wheel.csv" --rail "$benchmark/rail.csv" \
+    --output table.csv || fail "the benchmark"
 [ "$(wc -l <table.csv)" -eq 24 ] ||
     fail "$(wc -l <table.csv) lines instead of 24: one position has two patches on a wheel"
 awk -F, -f "$benchmark/compare.awk" "$benchmark/contact.csv" table.csv >differences
@@ -85,7 +86,8 @@ rows 'NR % 2 == 0 { low = $height } NR == 3 || NR == 5 { if (low - $height < 3e-
     END { exit bad || !(NR == 5 && $track_x == 0.5 && $shift == 0.01) }' one || fail '--x: a rail that rises'
 printf '0 1\n2\n0\n1\n-0.1 "sphere.txt"\n0.1 "larger.txt"\n' >oval.slcw
 $shape --wheel oval.slcw --radius 0.1 --rail plane.txt --pitch 0.3,-0.3 >out
-check '--pitch: a wheel of two radii' 'NR == 2 && (first = $height) + $approach > $height || (first - $height - 1e-3) ^ 2 < 1e-12'
+check '--pitch: a wheel of two radii' 'NR == 2 && (first = $height) + $approach > $height ||
+    (first - $height - 1e-3) ^ 2 < 1e-12'
 # a left wheel whose radius is smaller by a millimetre lies lower by that, 1.5 m away
 $profile --length-unit mm --any-shape --load 1e4 --wheel sphere.txt --radius 0.1 --left-radius 0.099 \
     --rail plane.txt --rail-origin 0.75,0 --side both --friction 0.3 >out
@@ -98,8 +100,8 @@ $shape --wheel twice.txt --radius 0.1 --rail plane.txt --rail-mirror z --output 
 grep -q '^# note = --wheel: repeated points' noted.csv.toml && grep -q '^# note = --rail: z mirrored' noted.csv.toml ||
     fail 'notes in the sidecar'
 
-# --- wear: what all elements of a patch lose lies on both profiles, in the mean of both positions; both wheels carry the load, N cos
-# delta but for a percent; patches as files that patch_study reads
+# --- wear: what all elements of a patch lose lies on both profiles, in the mean of both positions; both wheels carry
+# the load, N cos delta but for a percent; patches as files that patch_study reads
 profile="$programs/profile_study --quiet --no-timing --shift 0.003,0.004 --side both --friction 0.3 --n 6 --strips 7"
 $profile --wear wear.csv --outline patches >one || fail '--wear, --outline'
 same $profile --jobs 2

@@ -5,12 +5,12 @@
 f="$programs/frequency_study --kernel plane --aspect 100 --poisson 0.25 --omega 0,0.7,5"
 
 # bad input leaves no file
-bad '--state-space = /dev/null/d must be a folder that can be written' $f --n 8 --method chebyshev --state-space /dev/null/d
+bad '--state-space = /dev/null/d must be a folder that can be written' $f --n 8 --alpha 0.5 --state-space /dev/null/d
 mkdir -p blocked/C.csv
 bad '--state-space = blocked/C.csv must be a file' sh -c "cd .. && $f --n 8 --state-space blocked"
 [ "$(ls blocked)" = C.csv ] || fail "files are left: $(ls blocked)"
 
-# distances FOLDER: of the c11 of the rows in out from C (i z - A)^-1 B + D of two states, by the inverse in closed form.
+# distances FOLDER: of the c11 of the rows in out from C (i z - A)^-1 B + D of two states, in closed form.
 distances() {
     rows 'FILENAME ~ "A.csv" { a[FNR, 1] = $1; a[FNR, 2] = $2 }
         FILENAME ~ "B.csv" { b[FNR] = $1 }

@@ -1,9 +1,9 @@
-// library_run KIND VARIANT START: results of the library's steps, as a C++ program calls it, bit for bit, for steps read
-// as lines of duration [s] and inputs in SI units. KIND is patch, rollbem_patch at its start values with slip velocities,
-// spin, rolling speed, load and factor of friction as inputs, and VARIANT follows or fixed, the mesh, or the file of a table
-// of creep forces; or wheelset, with the folder of its tables as VARIANT and the inputs of its FMU. Where START is steady,
-// the first line is that state. Prints forces and moments, slip work and the number of elements that stick. Exits with 1
-// at a step that is not ok.
+// library_run KIND VARIANT START: results of the library's steps, as a C++ program calls it, bit for bit, for steps
+// read as lines of duration [s] and inputs in SI units. KIND is patch, rollbem_patch at its start values, with slip
+// velocities, spin, rolling speed, load and factor of friction as inputs, and VARIANT follows or fixed, the mesh, or
+// the file of a table of creep forces; or wheelset, with the folder of its tables as VARIANT and the inputs of its FMU.
+// Where START is steady, the first line is that state. Prints forces and moments, slip work and the number of elements
+// that stick. Exits with 1 at a step that is not ok.
 #include <array>
 #include <cstdio>
 #include <string>

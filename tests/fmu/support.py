@@ -81,8 +81,9 @@ class Instance:
 
     def rate(self, name, value):
         """Sets the time derivative of an input."""
-        self.calls.fmi2SetRealInputDerivatives(self.calls.component, (fmi2.fmi2ValueReference * 1)(*self.references(name)),
-                                               1, (fmi2.fmi2Integer * 1)(1), (c_double * 1)(value))
+        reference = (fmi2.fmi2ValueReference * 1)(*self.references(name))
+        self.calls.fmi2SetRealInputDerivatives(self.calls.component, reference, 1, (fmi2.fmi2Integer * 1)(1),
+                                               (c_double * 1)(value))
 
     def stopped(self):
         """The last successful time, and whether the instance wants to stop."""

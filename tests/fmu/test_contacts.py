@@ -253,7 +253,8 @@ def test_what_a_step_refuses():
             before = kind.outcome(instance)
             instance.set(**values)
             assert instance.step(5 * duration, duration) == discard
-            assert all(words in instance.messages[-1] for words in (status, "refused", *(f"{name} = " for name in values)))
+            said = instance.messages[-1]
+            assert all(words in said for words in (status, "refused", *(f"{name} = " for name in values))), said
             assert statuses[instance.get("status")] == statuses[instance.get("status_code")] == status
             assert instance.stopped() == (5 * duration, True) and kind.outcome(instance) == before
             # the next step is as if nothing had been asked

@@ -79,8 +79,9 @@ def test_work_by_table_is_the_mean_power_of_both_ends():
 
 
 def test_table_without_load():
-    # The first load slides: mu times the direction of the slip, no moment, at standstill, too. Spin alone, where the share
-    # of the contact that slides is the same under any load, gives the lateral force over any load. Nothing by other inputs.
+    # The first load slides: mu times the direction of the slip, no moment, at standstill, too. Spin alone, where the
+    # share of the contact that slides is the same under any load, gives the lateral force over any load. Nothing by
+    # other inputs.
     by_spin = force(fmu.start(table, spin_rate=2.0))[1] / (mu * N)
     assert abs(by_spin) > 0.1
     for slip, expected in (((0.3, -0.4, 2.0, V), (-0.6, 0.8, 0)), ((3e-9, 4e-9, 0.0, 0.0), (-0.6, -0.8, 0)),
@@ -161,7 +162,8 @@ def test_table_of_another_file():
         with open(damaged, "r+b") as bytes_of:
             bytes_of.seek(1000)
             bytes_of.write(b"x")
-        for name, message in ((damaged, "checksum"), (fmu.file, "must begin with"), (elsewhere + "/none", "can be read")):
+        missing = elsewhere + "/none"
+        for name, message in ((damaged, "checksum"), (fmu.file, "must begin with"), (missing, "can be read")):
             instance = Instance(fmu)
             instance.refuses(lambda: instance.start(**table, table_file=name), f"table_file = {name}")
             assert message in instance.messages[-1]

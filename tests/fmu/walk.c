@@ -1,7 +1,7 @@
-/* walk LIBRARY DESCRIPTION: an FMU as a C program loads it, with variables by the names in its modelDescription.xml, called
-   in every way that allocates memory, so that the address sanitizer can check that all of it is freed: two instances, saved
-   and serialised states, rejected calls, errors, a reset. Prints forces, which are the same on all platforms, and on
-   stderr the time of a step. */
+/* walk LIBRARY DESCRIPTION: an FMU as a C program loads it, with variables by the names in its modelDescription.xml,
+   called in every way that allocates memory, so that the address sanitizer can check that all of it is freed: two
+   instances, saved and serialised states, rejected calls, errors, a reset. Prints forces, which are the same on all
+   platforms, and on stderr the time of a step. */
 #include <fmi2FunctionTypes.h>
 #include <math.h>
 #include <stdio.h>
