@@ -24,15 +24,14 @@ static void* dlsym(void* library, const char* name) {
 #endif
 
 /* The functions called, by their names in FMI and here. */
-#define FMU_FUNCTIONS(X)                                                                                          \
-    X(Instantiate, instantiate)                                                                                   \
-    X(FreeInstance, free_instance) X(SetupExperiment, setup_experiment)                                           \
-        X(EnterInitializationMode, enter_initialization_mode) X(ExitInitializationMode, exit_initialization_mode) \
-            X(Terminate, terminate) X(Reset, reset) X(SetReal, set_real) X(GetReal, get_real)                     \
-                X(SetInteger, set_integer) X(DoStep, do_step) X(GetFMUstate, get_state) X(SetFMUstate, set_state) \
-                    X(FreeFMUstate, free_state) X(SerializedFMUstateSize, serialized_size)                        \
-                        X(SerializeFMUstate, serialize) X(DeSerializeFMUstate, deserialize)                       \
-                            X(GetDirectionalDerivative, directional_derivative)
+#define FMU_FUNCTIONS(X) \
+    X(Instantiate, instantiate) X(FreeInstance, free_instance) X(SetupExperiment, setup_experiment) \
+    X(EnterInitializationMode, enter_initialization_mode) \
+    X(ExitInitializationMode, exit_initialization_mode) X(Terminate, terminate) X(Reset, reset) \
+    X(SetReal, set_real) X(GetReal, get_real) X(SetInteger, set_integer) X(DoStep, do_step) \
+    X(GetFMUstate, get_state) X(SetFMUstate, set_state) X(FreeFMUstate, free_state) \
+    X(SerializedFMUstateSize, serialized_size) X(SerializeFMUstate, serialize) \
+    X(DeSerializeFMUstate, deserialize) X(GetDirectionalDerivative, directional_derivative)
 #define MEMBER(type, name) fmi2##type##TYPE* name;
 static struct { FMU_FUNCTIONS(MEMBER) } fmu;
 
