@@ -35,7 +35,7 @@ TEST_CASE("A word has the parameters that it says, and the options' parameters w
     CHECK(galerkin.graded_by("epsilon"));
     CHECK(*galerkin.grading == 0.4);
     const auto own = galerkin.equations();
-    const auto* equations = own.get_if<rollbem::Galerkin>();
+    const auto* const equations = own.get_if<rollbem::Galerkin>();
     REQUIRE(equations != nullptr);
     CHECK(equations->alpha_L == 0.1);
     CHECK(equations->alpha_T == 0.7);
@@ -68,24 +68,15 @@ TEST_CASE("The part of a word that is to blame is named with what it may be", "[
         {"knothe:nodes", ": knothe must be a mesh"},
         {"knothe-0:nodes", ": knothe-0 must have a number from 1e-12"},
         {"cosine-2:nodes", ": cosine-2 must be a mesh"},
-        {"chebyshev:8", ": chebyshev must be a mesh"},
         {"richardson", ": '' must be a mesh"},
-        {"richardson:chebyshev", ": chebyshev must be a mesh"},
         {"richardson:richardson:cosine:nodes", ": richardson must be a mesh"},
         {"uniform:spectral", ": spectral must be a method"},
         {"uniform:nodes-chebyshev", ": nodes-chebyshev must be on the mesh cosine"},
         {"uniform:collocation", ": '' must be ALPHA_L/ALPHA_T"},
-        {"uniform:collocation:0", ": 0 must be ALPHA_L/ALPHA_T"},
         {"uniform:collocation:0/3", ": 0/3 must be ALPHA_L/ALPHA_T, both in [-2, 2]"},
-        {"uniform:collocation:0/nan", ": 0/nan must be ALPHA_L/ALPHA_T"},
-        {"uniform:collocation:0/1/2", ": 0/1/2 must be ALPHA_L/ALPHA_T"},
         {"uniform:collocation:0/1:q7", ": q7 must be one of fd, fd4, analytic, lambda-L"},
         {"uniform:collocation:0/1:lambda-2", ": lambda-2 must be one of"},
-        {"uniform:collocation:0/1:fd:analytic", ": analytic must be one of"},
         {"uniform:galerkin:0/1:q0", ": q0 must be one of exact, qN with N from 1 to 1000, fd, analytic"},
-        {"uniform:galerkin:0/1:q7:exact", ": exact must be one of"},
-        {"uniform:galerkin:0/1:7", ": 7 must be one of"},
-        {"uniform:galerkin:0/1:fd4", ": fd4 must be one of"},
         {"uniform:galerkin:0/1:", ": '' must be one of"},
         {"uniform:nodes:fd", ": fd must not follow nodes"},
         {"cosine:nodes:uniform-strips", ": uniform-strips must not follow nodes"},
