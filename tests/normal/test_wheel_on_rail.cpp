@@ -506,7 +506,7 @@ TEST_CASE("wheelset_forces: in steady rolling normal forces do no work", "[profi
     WheelsetOnTrack::Workspace workspace;
     int seen = 0;
     for (const double lateral : {0.0, 2.4e-3, 4.8e-3, 6.8e-3, 8e-3}) {
-        for (const double yaw : {-10e-3, -2e-3, 3e-3, 8e-3}) {
+        for (const double yaw : {-10e-3, 3e-3}) {
             const WheelsetRolling rolling{.position = {.lateral = lateral, .yaw = yaw}, .speeds = {.forward = 20}};
             const auto forces = rolling_forces(wheelset, rolling, {.elements = 6, .strips = 7}, workspace);
             CAPTURE(lateral, yaw, name(forces.contacts.status));
@@ -517,7 +517,7 @@ TEST_CASE("wheelset_forces: in steady rolling normal forces do no work", "[profi
             ++seen;
         }
     }
-    CHECK(seen >= 18);
+    CHECK(seen >= 9);
 }
 
 TEST_CASE("wheelset_forces: in a curve normal forces work on the turn of the rails alone, which are straight",
