@@ -342,6 +342,7 @@ int main(int argc, char** argv) {
             const Comparison comparison = contact::read_comparison(given);
             Summary summary;
             study::write_table(given, scan_table(comparison, summary));
+            if (summary.count == 0) return int(study::exit_ok);  // of a shard
             const Eigen::Array3d mean = summary.sum / summary.count, &largest = summary.largest;
             std::fprintf(stderr,
                          "%s: over mu Q, mean and largest: F_x %.4f %.4f, F_y %.4f %.4f, M_z/0.75 m %.4f %.4f\n",

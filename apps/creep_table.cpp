@@ -37,14 +37,15 @@ struct Job {
     std::ptrdiff_t n;
     CreepForceGrid grid;
     study::Threads threads;
-    std::string binary;  ///< the file of the table; empty where rows alone are wanted
+    study::OutputFile* binary;  ///< the file of the table; none where rows alone are wanted
     std::size_t scenes;
 
     CreepForceSource source(Eigen::Index shape) const { return {grid.a_over_b(shape), grid.poisson_ratio(), n}; }
     Eigen::Index nodes() const { return grid.nodes() * grid.shapes(); }
 };
 
-Job read_job(const study::Options& options) {
+/// The file of the table is opened before the grid is made, which takes seconds.
+Job read_job(const study::Options& options, study::OutputFiles& files) {
     const std::vector<double> ends = options.numbers("a-over-b", study::between(1e-3, 1e3));
     options.require(ends.size() == 2 && ends[0] < ends[1], "a-over-b",
                     "be the smallest and the largest, in this order");
@@ -68,13 +69,14 @@ Job read_job(const study::Options& options) {
     if (!whole) options.ignored("check", "with --shard: a part is no table");
     if (!to_file) options.ignored("check", "without --output FILE");
     options.require(to_file || !options.given("rows"), "rows", "go with --output FILE");
+    const auto scenes = options.given("check") ? static_cast<std::size_t>(options.integer("check", 1, 10'000'000)) : 0;
+    study::OutputFile* const binary = whole && to_file ? &files.open(output + ".bin", "--output") : nullptr;
     const study::Threads threads = study::read_threads(options);
     const study::Progress progress(threads.program, 1, threads.shows, "grids");
     return {range.n,
             study::blame(options.said("a-over-b") + " and " + options.said("n"),
                          [&] { return rollbem::make_creep_force_grid(range, threads.jobs); }),
-            threads, whole && to_file ? output + ".bin" : "",
-            options.given("check") ? static_cast<std::size_t>(options.integer("check", 1, 10'000'000)) : 0};
+            threads, binary, scenes};
 }
 
 // --- rows ----------------------------------------------------------------------------------------------------------
@@ -293,18 +295,17 @@ int main(int argc, char** argv) {
 
     return study::run_program(options, argc, argv, [](const study::Options& given) {
         // 2. The grid.
-        const Job job = read_job(given);
         study::OutputFiles files;
-        study::OutputFile* const binary = job.binary.empty() ? nullptr : &files.open(job.binary, "--output");
+        const Job job = read_job(given, files);
 
         // 3. Its rows, read or computed, and the table.
         std::optional<CreepForceTable> made;
         const auto finish = [&](const Eigen::Array3Xd& forces) {
-            if (binary == nullptr) return;
+            if (job.binary == nullptr) return;
             made = make_table(job, forces);
             std::ostringstream bytes;
             made->write(bytes);
-            binary->write(bytes.str());
+            job.binary->write(bytes.str());
         };
         if (given.given("rows")) {
             const study::JoinedRows rows(given, columns, static_cast<std::size_t>(job.nodes()));

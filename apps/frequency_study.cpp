@@ -267,7 +267,7 @@ const study::StateSpaceWords words_of_equations{
     .states = "by elements: their tractions p/G, trailing to leading; chebyshev: coefficients of T_0, T_1, ... in u/a",
     .bounded = "c11"};
 
-/// The Argand diagram, beside it both parts over the frequency, and the errors, as the curves coincide.
+/// The Argand diagram, below it both parts over the frequency, and the errors, as the curves coincide.
 study::Picture draw_response(const study::Records& rows, const Job& job) {
     std::vector<std::string> also;
     if (job.has_orders()) also.emplace_back("order");  // otherwise it depends on the frequency

@@ -5,6 +5,7 @@
 //     ./profile_study --shift 0.005 --yaw 0.012 --side both --friction 0.3 --plot patches.svg
 //     ./profile_study --wheel worn.whl --tape-offset 0 --rail head.prr --cant 0 --load 8e4
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <optional>

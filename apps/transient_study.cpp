@@ -118,8 +118,8 @@ struct Rolling {
     std::optional<rollbem::reference::StepResponse> exact{};
 };
 
-// 2. One model for each scene, if eigenvalues and steady rolling tell that stepping makes sense, and the exact response
-// of its contact.
+/// One model for each mesh of a scene, if eigenvalues and steady rolling tell that stepping makes sense, and the exact
+/// response of its contact.
 Rolling make_rolling(const study::Scene& scene, const study::Run& run) {
     Rolling rolling{scene.order()};
     for (const study::Scene& one : scene.meshes()) {
@@ -169,7 +169,7 @@ void roll(const Rolling& rolling, const Creepage& creepage, study::RowRange rang
     }
 }
 
-/// The force over the distance with the exact one if there is one, and beside it their difference, as the curves
+/// The force over the distance with the exact one if there is one, and below it their difference, as the curves
 /// coincide.
 study::Picture draw_force(const Creepage& creepage, const study::Records& rows) {
     study::Plot force{

@@ -173,8 +173,13 @@ int compare(int count, char** radii) {
     std::puts(
         "# R m, growth 1/s, y and yaw of axles and frame mm, mrad: by tables, then by patches with 10, 20, 40 um");
     for (int k = 0; k < count; ++k) {
+        const double radius_of_curve = std::atof(radii[k]);
+        if (!(radius_of_curve >= 300)) {
+            std::fprintf(stderr, "bogie_curve: radius of the curve = %s m must be at least 300\n", radii[k]);
+            return 2;
+        }
         Bogie bogie;
-        bogie.curvature = 1 / std::atof(radii[k]);
+        bogie.curvature = 1 / radius_of_curve;
         std::optional<Vector> x = bogie.balance(0);
         for (const double step : {0.0, 1e-5, 2e-5, 4e-5}) {
             bogie.patch_step = step;

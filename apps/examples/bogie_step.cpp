@@ -83,6 +83,10 @@ struct Bogie {
 int main(int argc, char** argv) {
     const double R = argc > 1 ? std::atof(argv[1]) : 600, h = 1e-3, before = 10, transition = 40,
                  end = 150;  // [m], [s]
+    if (!(R >= 300)) {
+        std::fprintf(stderr, "bogie_step: radius of the curve = %g m must be at least 300\n", R);
+        return 2;
+    }
     Bogie bogie;
     std::puts("# place m, y mm and yaw mrad of the leading and the trailing axle, heat of friction J/m");
     const int steps = int(end / speed / h);

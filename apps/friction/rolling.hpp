@@ -53,7 +53,7 @@ struct Moment {
     std::string status{};
 };
 
-/// The last trial of a longitudinal creepage, or shift, the one with the force -F_x/full = `force`, searched from `guess`
+/// The last trial of a longitudinal creepage, or shift, with the force -F_x/full = `force`, searched from `guess`
 /// on; no_solution where there is none.
 rollbem::FrictionStep<2> find_for_force(double force, double full, double guess,
                                         const std::function<rollbem::FrictionStep<2>(double)>& trial);

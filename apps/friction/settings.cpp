@@ -234,7 +234,7 @@ Scenario read_scenario(const study::Options& options) {
             throw study::BadInput("the column speed must go with --falling: nothing else depends on it");
         const study::Numbers& speeds = imposed.values("speed");
         const double least = *std::min_element(speeds.begin(), speeds.end());
-        options.require(least > 0 && imposed.places().front() == 0, "history",
+        options.require(least > 0 && imposed.at("speed", 0, true) > 0, "history",
                         "have positive speeds from q_over_a = 0 on");
     }
     if (scenario.run.breathing && options.text("kernel") != "plane") {

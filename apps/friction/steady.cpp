@@ -194,7 +194,7 @@ study::Plot draw_tractions(const study::SideTable& tractions, const Line& line) 
             .series = {std::move(exact), std::move(bound), std::move(slip), std::move(stick)}};
 }
 
-/// The creep curve, with the tractions beside it at the creepage nearest to half of full sliding, for the last mesh.
+/// The creep curve, with the tractions below it at the creepage nearest to half of full sliding, for the last mesh.
 study::Picture creep_picture(const study::Records& rows, const Curve& curve, const study::SideTable& tractions) {
     const bool falling = curve.line.law.has_value();
     study::Plot plot{.title = "Creep curve" + curve.line.title,

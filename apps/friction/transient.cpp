@@ -180,7 +180,8 @@ study::Picture force_in_time(const study::Records& rows, const Scenario& scenari
     study::Plot plot{.title = "Rolling with friction" + scenario.line.title,
                      .x = {.label = "distance rolled q/a", .range = study::PlotRange{0, end}},
                      .y = {force_label(scenario.line.law.has_value(), "-F", load_changes ? "N_0" : "N")}};
-    if (scenario.run.by_force()) {  // what is found is the creepage
+    if (rows.rows.empty()) return {plot};  // of a shard
+    if (scenario.run.by_force()) {         // what is found is the creepage
         plot.y.label = "creepage ratio δ";
         add(plot, "q_over_a", "creepage_ratio", "");
         return {plot};

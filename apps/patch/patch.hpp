@@ -169,7 +169,7 @@ study::Picture draw_responses(const study::Records& rows);
 /// Forces, or along x the creepage found `by_force`, and moment over the creepage, or else a/b or n, that varies most.
 study::Picture draw_friction(const study::Records& rows, bool by_force);
 
-/// Each patch at one creepage, side by side: outline, stick and slip, tractions as arrows, pole of spin.
+/// Each patch at one creepage, one below the other: outline, stick and slip, tractions as arrows, pole of spin.
 study::Picture draw_from_above(const std::vector<Patch>& patches, const CreepPoint& point,
                                const study::SideTable& tractions);
 

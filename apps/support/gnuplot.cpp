@@ -63,7 +63,7 @@ const Style& style_of(Look look) {
     static const std::map<Look, Style> styles{
         {Look::curve, {"linespoints lt @ lw 2", 1}},
         {Look::markers, {"points lt @", 13}},
-        {Look::crosses, {"points pt 2 ps 1.8 lw 3 lc rgb '#D55E00'", 0, false}},
+        {Look::crosses, {"points pt 2 ps 1.8 lw 3 lc rgb '#882255'", 0, false}},
         {Look::exact, {"lines lt @ lw 2", 25, false}},
         {Look::exact_markers, {"points lt @", 25, false}},
         {Look::outline, {"lines lw 2 dt 1 lc rgb '#000000'", 0, false}},
@@ -184,8 +184,8 @@ std::string both_logarithms(const std::string& x, const PlotAxis& axis) {
                                 x + "tics add (sign*10.0**k)\n");
 }
 
-/// Settles what an axis leaves open, along y by points within a given range of x, and writes its commands. A logarithmic
-/// axis is linear over less than a factor of 3 unless the values have marks.
+/// Settles what an axis leaves open, along y by points within a given range of x, and writes its commands. A
+/// logarithmic axis is linear over less than a factor of 3 unless the values have marks.
 std::string settle(const std::string& name, PlotAxis& axis, const Plot& plot, double Point::*coordinate) {
     std::set<double> values;
     for (const Series& series : plot.series) {

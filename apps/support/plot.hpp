@@ -31,8 +31,8 @@ enum class Look {
 };
 
 /// A line of the plot, interrupted at points that are not finite or have no place on a logarithmic axis. The title
-/// counts those, except where x alone is not a number, which only ends a line. A point without a neighbour gets a
-/// marker. Labels use gnuplot's enhanced text: x_1 is a subscript. Series of one label have one style in all panels.
+/// counts those, except where x alone is not a number, which only ends a line. A point of a result without a
+/// neighbour gets a marker. Labels use gnuplot's enhanced text: x_1 is a subscript. Series of one label have one style in all panels.
 struct Series {
     std::string label{};
     Look look = Look::curve;

@@ -206,6 +206,10 @@ void read_load(const Options& options, Run& run) {
     for (const char* option : {"load-sine", "load"}) {
         if (by_history) options.ignored(option, "with the column load_ratio of --history");
     }
+    for (const std::string& column : run.columns.load) {
+        if (by_history || !imposed.has(column)) continue;
+        throw BadInput(options.said("history") + " must have load_ratio with " + column);
+    }
     if (!by_sine && !by_history && !options.given("load")) {
         return options.ignored("breathing", "without --load-sine, --load or the column load_ratio of --history");
     }

@@ -25,9 +25,9 @@ struct StateSpaceWords {
 };
 
 /// Adds A.csv, B.csv, C.csv, D.csv and state_space.toml of the one of `count` cases, whose equations `make` returns, to
-/// the files of the run if --state-space is given. Throws BadInput if there are several cases, no equations (`make` throws
-/// std::invalid_argument), a file that cannot be opened, or if a system to be reduced does not decay; WriteError where
-/// the disk is full.
+/// the files of the run if --state-space is given. Throws BadInput if there are several cases, no equations (`make`
+/// throws std::invalid_argument), a file that cannot be opened, or if a system to be reduced does not decay; WriteError
+/// where the disk is full.
 void write_state_space(const Options& options, OutputFiles& files, std::size_t count,
                        const std::function<rollbem::StateSpace<double>()>& make, const StateSpaceWords& words);
 

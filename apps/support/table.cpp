@@ -113,8 +113,8 @@ void write_table(const Options& options, const Table& table, OutputFiles& files)
     const std::size_t jobs = job_count(options);
     const auto [index, count] = shard_of(options);
     const bool plots = options.given("plot");
-    const std::string path = plots ? options.text("plot") : ".svg";
-    options.require(path.ends_with(".svg") || path.ends_with(".png"), "plot", "end in .svg or .png");
+    const std::string path = plots ? options.text("plot") : "";
+    options.require(!plots || path.ends_with(".svg") || path.ends_with(".png"), "plot", "end in .svg or .png");
 
     // 1. Every file is opened first, so that an output that cannot be written costs no computing time.
     const auto header = [first = index == 1](const std::vector<std::string>& names) {

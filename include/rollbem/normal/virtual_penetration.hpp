@@ -33,8 +33,8 @@ struct VirtualPenetration {
     double peak_pressure = 0;                ///< p_0 [Pa]
     double area = 0;                         ///< [m^2]
     double half_length = 0, half_width = 0;  ///< x_l(s_0), half the extent along s [m]
-    /// ok; without numbers: end_of_profile where the surfaces are not known beside it, or why the wheel at this position
-    /// has no contacts to be found: no_contact beside the rail, undefined_section, too_deep, not_finite.
+    /// ok; without numbers: end_of_profile where the surfaces are not known beside it, or why the wheel at this
+    /// position has no contacts to be found: no_contact beside the rail, undefined_section, too_deep, not_finite.
     Status status = Status::not_finite;
 };
 
