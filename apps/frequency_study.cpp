@@ -303,8 +303,10 @@ study::Table table_of(const Job& job) {
             const std::vector<Response>& own = (*known)[std::size_t(&scene - job.scenes.data())];
             for (std::size_t i = range.first; i < range.last; ++i) emit(own[i]);
         });
-    table.prepare = [=, &job](const std::vector<std::size_t>& tasks, const auto&) {
+    table.prepare = [=, &job](const std::vector<std::size_t>& tasks, const auto& done) {
+        std::size_t prepared = 0;
         for (const std::size_t task : tasks) {
+            done(double(++prepared) / double(tasks.size()));
             if (job.scenes[task].is_discrete()) continue;
             for (const double omega : job.omegas) (*known)[task].push_back(solve_without_elements(job, task, omega));
         }
