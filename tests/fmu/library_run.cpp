@@ -91,15 +91,12 @@ bool roll_by_table(const std::string& file) {
     double work = 0;
     bool first = true;
     for (std::array<double, 7> line{}; read(line); first = false) {
-        const auto& [length, longitudinal, lateral, spin, speed, load, factor] = line;
-        const double duration = first ? 1 : length, distance = duration * speed;
-        const rollbem::Creepage<double> shift{duration * longitudinal, duration * lateral, duration * spin};
-        const auto found =
-            table.look_up(ellipse.under(load).contact(), friction_coefficient * factor, load,
-                          {shift.longitudinal / distance, shift.lateral / distance, shift.spin / distance});
+        const auto& [duration, longitudinal, lateral, spin, speed, load, factor] = line;
+        const auto found = table.look_up(ellipse.under(load).contact(), friction_coefficient * factor, load,
+                                         {longitudinal / speed, lateral / speed, spin / speed});
         if (found.status != Status::ok) return false;
         const auto& [along, across, moment] = found.force;
-        if (!first) work += -(shift.longitudinal * along + shift.lateral * across + shift.spin * moment);
+        if (!first) work += -duration * (longitudinal * along + lateral * across + spin * moment);
         print(found.force, work, 0);
     }
     return true;
