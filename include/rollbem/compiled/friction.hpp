@@ -1,5 +1,5 @@
-// Friction compiled for double, with a constant coefficient and with any that depends on slip, and the makers of its
-// systems and pressures; link rollbem::compiled.
+// Friction compiled for double, with a constant coefficient and with any that depends on slip, FrictionContact of the
+// former, and the makers of systems and pressures; link rollbem::compiled.
 #pragma once
 
 #include <array>
