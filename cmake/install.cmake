@@ -1,5 +1,5 @@
 # Installs the headers, the CMake package with its components `reference` and `compiled`, and a pkg-config file. All are
-# relocatable, and independent of the architecture except for the library of `compiled`, which is a package of its own
+# relocatable where their folders are not absolute, and independent of the architecture except for the library of `compiled`, which is a package of its own
 # in the folder for libraries; the main package finds it there. Neither it nor any program need have been built: what
 # has not is left out.
 include(CMakePackageConfigHelpers)
@@ -18,6 +18,7 @@ install(TARGETS rollbem EXPORT rollbem_targets INCLUDES DESTINATION "${CMAKE_INS
 install(EXPORT rollbem_targets FILE rollbemTargets.cmake NAMESPACE rollbem:: DESTINATION "${package_dir}")
 configure_package_config_file(cmake/rollbemConfig.cmake.in "${PROJECT_BINARY_DIR}/rollbemConfig.cmake"
     INSTALL_DESTINATION "${package_dir}"
+    PATH_VARS CMAKE_INSTALL_DATADIR CMAKE_INSTALL_LIBDIR
     NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/rollbemConfigVersion.cmake"
     COMPATIBILITY SameMinorVersion

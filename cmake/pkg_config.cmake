@@ -1,8 +1,18 @@
 # install_pkg_config(name folder): configures cmake/name.pc.in, and installs it into the folder, from where it finds the
-# others.
+# others. Absolute folders are taken as they are.
 function(install_pkg_config name folder)
-    file(RELATIVE_PATH pc_to_prefix "/${folder}" "/")
-    string(REGEX REPLACE "/$" "" pc_to_prefix "${pc_to_prefix}")
+    if(IS_ABSOLUTE "${folder}")
+        set(pc_prefix "${CMAKE_INSTALL_PREFIX}")
+    else()
+        file(RELATIVE_PATH pc_prefix "/${folder}" "/")
+        string(REGEX REPLACE "/$" "" pc_prefix "\${pcfiledir}/${pc_prefix}")
+    endif()
+    foreach(kind IN ITEMS INCLUDE LIB DATA)
+        set(pc_${kind} "${CMAKE_INSTALL_${kind}DIR}")
+        if(NOT IS_ABSOLUTE "${pc_${kind}}")
+            set(pc_${kind} "\${prefix}/${pc_${kind}}")
+        endif()
+    endforeach()
     configure_file("${PROJECT_SOURCE_DIR}/cmake/${name}.pc.in" "${PROJECT_BINARY_DIR}/${name}.pc" @ONLY)
     install(FILES "${PROJECT_BINARY_DIR}/${name}.pc" DESTINATION "${folder}")
 endfunction()

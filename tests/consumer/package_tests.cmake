@@ -42,20 +42,32 @@ add_consumer_test(subdirectory smallest -DROLLBEM_FROM=subdirectory ${no_gsl})
 add_consumer_test(fetch_content smallest -DROLLBEM_FROM=fetch ${no_gsl})
 add_consumer_test(pkg_config smallest "-DCMAKE_PREFIX_PATH=${prefix}" -DROLLBEM_FROM=pkg-config)
 
-# From a build folder in which nothing has been built come the headers; the library is missed as one not installed.
+# From a build folder in which nothing has been built come the headers, here to absolute folders; the library is
+# missed as one not installed.
 set(fresh "${CMAKE_CURRENT_BINARY_DIR}/consumer/fresh")
 add_test(NAME package.fresh_configure
     COMMAND ${CMAKE_COMMAND} -G "${CMAKE_GENERATOR}" -S "${PROJECT_SOURCE_DIR}" -B "${fresh}"
         "-DCMAKE_MAKE_PROGRAM=${CMAKE_MAKE_PROGRAM}" "-DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}"
-        "-DEigen3_DIR=${Eigen3_DIR}")
-add_test(NAME package.fresh_install COMMAND ${CMAKE_COMMAND} --install "${fresh}" --prefix "${fresh}/prefix")
+        "-DEigen3_DIR=${Eigen3_DIR}"
+        "-DCMAKE_INSTALL_PREFIX=${fresh}/prefix"
+        "-DCMAKE_INSTALL_INCLUDEDIR=${fresh}/prefix/headers"
+        "-DCMAKE_INSTALL_DATADIR=${fresh}/beside/share")
+add_test(NAME package.fresh_install COMMAND ${CMAKE_COMMAND} --install "${fresh}")
 set_tests_properties(package.fresh_configure PROPERTIES LABELS package FIXTURES_REQUIRED rollbem_clean
     FIXTURES_SETUP rollbem_fresh)
 set_tests_properties(package.fresh_install PROPERTIES LABELS package DEPENDS package.fresh_configure
     FIXTURES_REQUIRED rollbem_clean FIXTURES_SETUP rollbem_fresh)
-add_consumer_test(fresh_find_package smallest "-DCMAKE_PREFIX_PATH=${fresh}/prefix" ${no_gsl})
-add_consumer_test(fresh_compiled compiled "-DCMAKE_PREFIX_PATH=${fresh}/prefix" -DCOMPONENT=compiled ${no_gsl})
+add_consumer_test(fresh_find_package smallest "-DCMAKE_PREFIX_PATH=${fresh}/beside" ${no_gsl})
+add_consumer_test(fresh_compiled compiled "-DCMAKE_PREFIX_PATH=${fresh}/beside" -DCOMPONENT=compiled ${no_gsl})
 set_tests_properties(package.fresh_find_package package.fresh_compiled PROPERTIES FIXTURES_REQUIRED rollbem_fresh)
+find_program(ROLLBEM_PKG_CONFIG pkg-config)
+if(ROLLBEM_PKG_CONFIG AND UNIX)
+    add_test(NAME package.fresh_pkg_config
+        COMMAND sh -c "pkg-config --variable=prefix rollbem && pkg-config --cflags $1" sh "${fresh}/rollbem_c.pc")
+    set_tests_properties(package.fresh_pkg_config PROPERTIES LABELS package FIXTURES_REQUIRED rollbem_fresh
+        ENVIRONMENT "PKG_CONFIG_PATH=${fresh}/beside/share/pkgconfig"
+        PASS_REGULAR_EXPRESSION "^${fresh}/prefix\n-I${fresh}/prefix/headers")
+endif()
 set_tests_properties(package.fresh_compiled PROPERTIES
     PASS_REGULAR_EXPRESSION "component compiled is not installed")
 
