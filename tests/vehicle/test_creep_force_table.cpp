@@ -101,6 +101,22 @@ TEST_CASE("creep_force_table: full sliding against the sum over a fine mesh, and
     }
 }
 
+TEST_CASE("full_sliding: extreme ellipses and creepages have numbers") {
+    // of spin, the mean distance from the middle of a pressure along a line: 3/8 of its half-length
+    for (const double a_over_b : {1e-310, 1e-300, 1e-100, 1e100, 1e300}) {
+        const double longer = std::max(1 / std::sqrt(a_over_b), std::sqrt(a_over_b));
+        CAPTURE(a_over_b);
+        CHECK_THAT(full_sliding(a_over_b, 0.0, 0.0, 1.0).moment / longer, WithinRel(0.375, 1e-4));
+        const auto exact = full_sliding<long double>(a_over_b, 1, 1, 1);
+        for (const double size : {1e-300, 1.0, 1e300}) {
+            const auto full = full_sliding(a_over_b, size, size, size);
+            CHECK_THAT(full.longitudinal, WithinAbs(double(exact.longitudinal), 1e-15));
+            CHECK_THAT(full.lateral, WithinAbs(double(exact.lateral), 1e-15));
+            CHECK_THAT(full.moment, WithinRel(double(exact.moment), 1e-12));
+        }
+    }
+}
+
 TEST_CASE("creep_force_table: no creepage, no force; small creepages by the linear law") {
     const CreepForceTable& table = small_table();
     for (const double a_over_b : {0.5, std::sqrt(0.5), 1.0, 2.0}) {  // ellipses of the table

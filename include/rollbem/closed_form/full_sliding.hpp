@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "../scene/force.hpp"
@@ -20,20 +21,27 @@ template <class Scalar>
 TangentialForce<Scalar> full_sliding(Scalar a_over_b, Scalar longitudinal, Scalar lateral, Scalar spin) {
     using std::abs, std::cos, std::sin, std::sqrt;
     const Scalar pi = std::numbers::pi_v<Scalar>;
+    const Scalar largest = (std::max)({abs(longitudinal), abs(lateral), abs(spin)});
+    if (largest == 0) return {0, 0, 0};
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    for (Scalar* one : {&longitudinal, &lateral, &spin}) *one = std::ldexp(*one, -exponent);  // exact, and none overflows
     const Scalar a = sqrt(a_over_b), b = 1 / a;  // c = 1
     const Scalar sign = spin < 0 ? -1 : 1, rate = abs(spin);
     // the pole times the spin, where the ellipse is the unit circle
     const Scalar pole_x = -sign * lateral / a, pole_y = sign * longitudinal / b, pole = std::hypot(pole_x, pole_y);
     TangentialForce<Scalar> sum{0, 0, 0};
-    if (pole == 0 && rate == 0) return sum;
     const int count =
         48 + static_cast<int>(6 * std::clamp((std::max)(a_over_b, 1 / a_over_b), Scalar(1), Scalar(1000)));
+    const bool overflows = a_over_b < (std::numeric_limits<Scalar>::min)();  // b^2 does, and a is nothing beside b
     // a chord in the direction e at the distance `offset` from the middle; `lever`: its middle seen from the pole
     const auto add = [&](Scalar e_x, Scalar e_y, Scalar offset, Scalar force, Scalar moment) {
         const Scalar length = std::hypot(a * e_x, b * e_y);
         sum.longitudinal -= sign * force * b * e_y / length;
         sum.lateral += sign * force * a * e_x / length;
-        sum.moment += sign * (force * offset * e_x * e_y * (b * b - a * a) / length + moment * length / 4);
+        const Scalar skew = overflows ? force * offset * (b * e_x) * (b * e_y / length)
+                                      : force * offset * e_x * e_y * (b * b - a * a) / length;
+        sum.moment += sign * (skew + moment * length / 4);
     };
     if (pole < rate) {  // the pole lies inside
         const Scalar x = pole_x / rate, y = pole_y / rate;

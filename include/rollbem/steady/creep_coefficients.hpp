@@ -30,8 +30,8 @@ CreepCoefficients<Value> creep_coefficients(const PatchContact<Scalar>& contact,
     const MatrixX<Value>& coefficients = response.coefficients;
     detail::require(coefficients.cols() == 3, "creep_coefficients", "number of creepages", coefficients.cols(), "be 3");
     const Scalar force = contact.a_over_b(), spin = std::sqrt(force);  // a^2/(a b), a/c
-    return {force * coefficients(0, 0), force * coefficients(1, 1), force * spin * coefficients(1, 2),
-            force * spin * coefficients(2, 1), force * force * coefficients(2, 2)};
+    return {force * coefficients(0, 0), force * coefficients(1, 1), force * (spin * coefficients(1, 2)),
+            force * (spin * coefficients(2, 1)), force * (force * coefficients(2, 2))};  // force^2 may overflow
 }
 
 /// Largest change of a coefficient from one mesh to another that confirms it (errors on both sides: docs/measured.md).

@@ -53,8 +53,8 @@ struct StickBorderSolution {
     /// law between the sampled points. NaN unless exact.
     Scalar force_error = none;
     Scalar tangent_per_width = none;  ///< d F_bar / d creepage [N/m]
-    /// Work that slip turns into heat per unit width and distance rolled [J/m^2]: -F_bar xi, as the elastic energy is
-    /// constant in steady rolling.
+    /// Work that slip turns into heat per unit width and distance rolled [J/m^2]: -F_bar xi if exact, as the elastic
+    /// energy is constant in steady rolling; with elements as FrictionStep::slip_work.
     Scalar slip_work_per_width = none;
     /// Largest violation at the sampled points of |p| <= mu p_n (over the largest mu p_n) and of the direction of slip
     /// (over |xi|).
@@ -127,6 +127,7 @@ void solve_on_elements(const Contact<Scalar>& contact, const Kernel& kernel, Sca
         typename studies::StickBorderSolution<Scalar>::OnElements{mesh, state.traction, workspace.slip()});
     result.force_per_width = step.force / contact.width();
     result.tangent_per_width = step.tangent / contact.width();
+    result.slip_work_per_width = step.slip_work / contact.width();
     result.complementarity_residual = step.complementarity_residual;
     result.status = step.status;
 }
@@ -191,12 +192,12 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
         result.zone = exact->zone;
         result.bound = bound;
         result.smooth_slope = [kernel](Scalar x) { return kernel.smooth_slope(x); };
+        result.slip_work_per_width = -result.force_per_width * creepage;
         result.status = Status::ok;
     } else {
         detail::solve_on_elements<Scalar>(contact, kernel, friction_coefficient, pressure, creepage, fallback_elements,
                                           result);
     }
-    result.slip_work_per_width = -result.force_per_width * creepage;
     return result;
 }
 
