@@ -1,6 +1,6 @@
 #!/bin/sh
-# Links between pages lead somewhere, docs/index.md names every page, and names of the library that pages and comments
-# use are in the code. Usage: links.sh ROOT
+# Links between pages lead somewhere, docs/index.md names every page, and paths and names of the code that pages and
+# comments use are there. Usage: links.sh ROOT
 set -eu
 export LC_ALL=C
 cd "$1"
@@ -57,3 +57,16 @@ unknown=$({
     find docs -name '*.md' -not -name fmu.md -exec grep -hoE '`[^`]*`' README.md CONTRIBUTING.md {} + # FMUs: by parts
 } | grep -oE '\b[a-z]{3,}(_[a-z]{2,})+\b' | sort -u | comm -23 - "$names")
 [ -z "$unknown" ] || { echo "names that no code has: $unknown"; exit 1; }
+
+# Paths of code, from the root or from where includes and pages begin; `name` stands for any.
+missing=$({
+    grep -hoE '`[^`]*`' README.md CONTRIBUTING.md docs/*.md
+    find include apps tests cmake -type f -not -path '*/corpus/*' -exec grep -ahoE '(//|#|\*) .*' {} +
+} | grep -aoE '(^|[ `("])([a-z_]+/)+[a-z_0-9]+\.([ch]pp|h|c|f90|py|sh|txt|cmake)\b' | sed 's/^[^a-z_]//' | grep -v 'name\.' | sort -u |
+    while read -r path; do
+        for folder in . include include/rollbem apps tests include/rollbem/detail; do
+            [ ! -e "$folder/$path" ] || continue 2
+        done
+        echo "$path"
+    done)
+[ -z "$missing" ] || { echo "files that there are not: $missing"; exit 1; }
