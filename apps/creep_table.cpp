@@ -148,7 +148,7 @@ Eigen::Array3Xd read_forces(const Job& job, const study::JoinedRows& rows) {
         const std::vector<std::string> cells = rows.cells(i, expected);
         const std::string& status = cells[14 - expected.size()];
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto force = study::number_of(cells[k], ',');
+            const auto force = study::number_of(cells[k]);
             rows.require(force && std::isfinite(*force), i,
                          columns[expected.size() + k] + " must be a number; status = " + status);
             forces(static_cast<Eigen::Index>(k), column) = *force;

@@ -72,7 +72,7 @@ ContactZones read_zones(const study::JoinedRows& rows, const ContactTable::Grid&
     for (std::size_t zone = 0; zone < zones; ++zone) {
         const std::size_t row = side * zones + zone;
         const auto cells = rows.cells(row, Place(grid, sides, row).key(grid, sides));
-        const auto y = study::number_of(cells[0], ','), half_width = study::number_of(cells[1], ',');
+        const auto y = study::number_of(cells[0]), half_width = study::number_of(cells[1]);
         if (!y || !half_width) break;
         cuts.push_back({*y, *half_width});
     }
@@ -89,7 +89,7 @@ void read_row(const study::JoinedRows& rows, std::size_t row, const std::vector<
               const ContactSide& side, ContactNode& node) {
     const auto& cuts = side.zones.cuts();
     const auto number = [&](std::size_t k) -> double {
-        const auto found = study::number_of(cells[k], ',');
+        const auto found = study::number_of(cells[k]);
         if (found && std::isfinite(*found)) return *found;
         rows.require(false, row,
                      columns()[key_columns + k] + " = " + cells[k] + " must be a number; status = " + cells[4]);

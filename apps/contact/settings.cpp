@@ -168,7 +168,7 @@ std::optional<rollbem::ContactZones> read_zones(const study::Options& options, c
     if (!options.given(name)) return std::nullopt;
     std::vector<double> numbers;
     for (const std::string& cell : study::cells_of(options.text(name))) {
-        const auto number = study::number_of(cell, ',');
+        const auto number = study::number_of(cell);
         options.require(number.has_value() && std::isfinite(*number), name, "be pairs of y and half-width");
         numbers.push_back(*number);
     }

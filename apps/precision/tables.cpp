@@ -39,7 +39,7 @@ std::vector<Point> read_points(const study::Options& options, const std::vector<
     std::vector<Point> points;
     std::set<std::vector<std::string>> seen;
     while (lines.next()) {
-        const std::vector<std::string> cells = study::cells_of(lines.text(), ',');
+        const std::vector<std::string> cells = study::cells_of(lines.text());
         if (lines.is_first()) {
             require(cells == columns(), "be " + study::join(columns(), ","));
             continue;
@@ -57,8 +57,8 @@ std::vector<Point> read_points(const study::Options& options, const std::vector<
                 "not repeat a row: " + cells[0] + ", n = " + cells[1] + ", " + cells[2]);
         const auto cell = [&](std::size_t column) -> std::optional<double> {
             const std::string& text = cells[column];
-            const std::optional<double> value = study::detail::parse_number<double>(text);
-            require(text.empty() || (value && std::isfinite(*value)), "be a number or empty: " + text);
+            const std::optional<double> value = study::number_of(text);
+            require(text.empty() || value, "be a number or empty: " + text);
             return value;
         };
         const std::optional<double> n = cell(1), stable = cell(5);

@@ -39,55 +39,26 @@ std::string printable(std::string_view text) {
     return result;
 }
 
-char separator_of(std::string_view line) {
-    bool quoted = false;
-    char found = ',';
-    for (const char c : line) {
-        if (c == '"') quoted = !quoted;
-        if (quoted) continue;
-        if (c == ',') return c;
-        if ((c == ';' || c == '\t') && found == ',') found = c;
-    }
-    return found;
-}
-
-std::vector<std::string> cells_of(std::string_view line, char separator) {
-    std::vector<std::string> cells(1);
-    bool quoted = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        if (line[i] == '"' && quoted && line.substr(i + 1, 1) == "\"") {
-            cells.back() += line[i++];  // two stand for one
-        } else if (line[i] == '"') {
-            quoted = !quoted;
-        } else if (line[i] == separator && !quoted) {
-            cells.emplace_back();
-        } else {
-            cells.back() += line[i];
-        }
-    }
-    for (std::string& cell : cells) cell = std::string(detail::trim(cell));
-    return cells;
-}
-
-std::optional<double> number_of(std::string cell, char separator) {
-    if (separator != ',') std::replace(cell.begin(), cell.end(), ',', '.');
-    const std::optional<double> value = detail::parse_number<double>(cell);
-    return value && std::abs(*value) < detail::least_number ? 0 : value;
-}
-
 bool Lines::next() {
     do {
-        if (next_ >= contents_.size()) return false;
-        const std::size_t end = std::min(contents_.find('\n', next_), contents_.size());
-        text_ = detail::trim(std::string_view(contents_).substr(next_, end - next_));
-        next_ = end + 1;
-        ++number_;
-    } while (text_.empty() || text_[0] == '#');
+        if (next_ >= file_.size()) return false;
+        text_ = file_.content(next_++, "");
+    } while (text_.empty() || text_[0] == '#' || (read_ == 0 && separator_.is_named_by(text_)));
     ++read_;
     const std::string shown = printable(text_);
     if (shown != text_) throw BadInput(where() + " = " + shown.substr(0, 80) + " must be text");
     return true;
 }
+
+namespace {
+
+/// Whether the cells from that place on are empty, as separators at the end of a line make them.
+bool all_empty(const std::vector<std::string>& cells, std::size_t from) {
+    return std::all_of(cells.begin() + std::ptrdiff_t(std::min(from, cells.size())), cells.end(),
+                       [](const std::string& cell) { return cell.empty(); });
+}
+
+}  // namespace
 
 Numbers read_edges(const Options& options, const std::string& name, double low, double high, const std::string& lowest,
                    const std::string& highest) {
@@ -95,8 +66,9 @@ Numbers read_edges(const Options& options, const std::string& name, double low, 
     Numbers edges;
     while (lines.next()) {
         const std::string where = lines.where() + " = " + lines.text();
-        const std::optional<double> place = detail::parse_number<double>(lines.text());
-        if (!place || !std::isfinite(*place)) throw BadInput(where + " must be a finite number");
+        const std::vector<std::string> cells = lines.cells();
+        const std::optional<double> place = lines.number(cells[0]);
+        if (!place || !all_empty(cells, 1)) throw BadInput(where + " must be a finite number");
         double edge = (*place - (low + high) / 2) / ((high - low) / 2);
         const double end = edges.empty() ? -1 : 1;
         if (std::abs(edge - end) < 1e-12) edge = end;
@@ -114,7 +86,7 @@ namespace {
 
 // A misspelt column that may be missing would pass for one that is not there.
 void require_meant(const std::string& cell, const std::vector<std::string>& names, const std::string& where) {
-    if (contains(names, cell)) return;
+    if (cell.empty() || contains(names, cell)) return;
     for (const std::string& name : names) {
         if (detail::edit_distance(cell, name) > (name.size() > 4 ? 2U : 1U)) continue;
         throw BadInput(where + " must not have a column " + cell + ", which is next to " + name + ": another name");
@@ -132,14 +104,12 @@ std::vector<Numbers> read_columns(
     if (!further.empty()) groups = cells_of(further, ';');
     for (const std::string& group : groups) all = joined(std::move(all), cells_of(group));
     std::vector<Numbers> columns(all.size());
-    std::size_t present = 0;                                  // columns of the file
+    std::size_t present = 0, named = 0;                       // cells of the header, and of them up to the last name
     std::vector<std::pair<std::size_t, std::size_t>> places;  // a column that is read, and its place in a line
-    char separator = ',';
     Lines lines(options, name);
     while (lines.next()) {
         const std::string where = lines.where() + " = " + lines.text();
-        if (lines.is_first()) separator = separator_of(lines.text());
-        const std::vector<std::string> cells = cells_of(lines.text(), separator);
+        const std::vector<std::string> cells = lines.cells();
         if (lines.is_first()) {
             const auto count = [&](const std::string& one) { return std::count(cells.begin(), cells.end(), one); };
             for (const std::string& group : groups) {
@@ -157,14 +127,15 @@ std::vector<Numbers> read_columns(
                 throw BadInput(where + ": the column " + cell + " does not apply here; those that do are " +
                                listed(only, "and"));
             }
-            present = cells.size();
+            named = present = cells.size();
+            while (cells[named - 1].empty()) --named;
             continue;
         }
+        const bool whole = cells.size() >= named && all_empty(cells, present);
         for (const auto& [column, place] : places) {
-            const auto value = cells.size() == present ? number_of(cells[place], separator) : std::nullopt;
-            if (!value || !std::isfinite(*value)) {
-                const std::string between = separator == ',' ? "a comma" : separator == ';' ? "a semicolon" : "a tab";
-                throw BadInput(where + " must have " + std::to_string(present) + " cells with " + between +
+            const auto value = whole ? lines.number(cells[place]) : std::nullopt;
+            if (!value) {
+                throw BadInput(where + " must have " + std::to_string(present) + " cells with " + lines.separator() +
                                " between them, finite numbers under " + expected);
             }
             columns[column].push_back(*value);

@@ -7,50 +7,55 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
+
+#include <rollbem/detail/text_table.hpp>
 
 #include "options.hpp"
 
 namespace study {
 
-/// All of the file that --name gives, without the byte order mark that some programs put before UTF-8. Throws BadInput.
+/// All of the file that --name gives, without the byte-order mark of UTF-8. Throws BadInput.
 std::string contents(const Options& options, const std::string& name);
 
 /// The text for a message: control characters become \xNN.
 std::string printable(std::string_view text);
 
-/// The separator of the cells of a line: a comma, or a semicolon or tab if there is no comma outside quotes.
-char separator_of(std::string_view line);
-
-/// The cells of a line of CSV, without quotes and the blanks around them.
-std::vector<std::string> cells_of(std::string_view line, char separator = ',');
-
-/// A cell as a number, or nothing; what is below detail::least_number in size is 0. Unless the comma separates cells,
-/// it may be the decimal point.
-std::optional<double> number_of(std::string cell, char separator);
+using rollbem::detail::cells_of;
+using rollbem::detail::number_of;
 
 /// The lines of the file that --name gives, without blanks at their ends; empty lines and those that begin with # are
 /// passed over. Throws BadInput if the file cannot be read or a line is not text.
 class Lines {
 public:
-    Lines(const Options& options, const std::string& name)
-        : said_(options.said(name)), contents_(contents(options, name)) {}
+    Lines(const Options& options, const std::string& name) : Lines(options.said(name), contents(options, name)) {}
+    /// The lines of a text that has been read, of a file that messages call by `said`.
+    Lines(const std::string& said, std::string text)
+        : ends_whole_(text.empty() || text.back() == '\n'), file_(said, std::move(text)) {}
 
     /// Goes to the next line, at first to the first one; false at the end.
     bool next();
 
     const std::string& text() const { return text_; }
-    bool is_first() const { return read_ == 1; }  ///< the header of a table
-    bool ends_whole() const { return contents_.empty() || contents_.back() == '\n'; }
+    bool is_first() const { return read_ == 1; }     ///< the header of a table
+    bool ends_whole() const { return ends_whole_; }  ///< with a line feed, or nowhere
+
+    std::vector<std::string> cells() { return separator_.split(file_.line(next_ - 1)); }  ///< of the table's line
+    std::optional<double> number(const std::string& cell) const { return separator_.number(cell); }
+    std::string separator() const { return separator_.name(); }  ///< "a comma"
 
     /// "--name = file: line 3", counted from the top of the file, for messages.
-    std::string where() const { return said_ + ": line " + std::to_string(number_); }
+    std::string where() const { return file_.path().string() + ": line " + std::to_string(next_); }
 
 private:
-    std::string said_, contents_, text_;
-    std::size_t next_ = 0, number_ = 0, read_ = 0;
+    bool ends_whole_;
+    rollbem::detail::TextFile file_;
+    rollbem::detail::Separator separator_;
+    std::string text_;
+    std::size_t next_ = 0, read_ = 0;
 };
 
 using Numbers = std::vector<double>;
@@ -67,7 +72,7 @@ Numbers read_edges(const Options& options, const std::string& name, double low =
 
 /// The columns `names` of the file that --name gives, separated by commas in `names`: finite numbers. They are found by
 /// their names in the first line; further columns are ignored unless a letter or two make them one of these, and a
-/// semicolon or tab may take the place of the comma. Those of `further`, groups with a semicolon between them, follow;
+/// semicolon, a tab or blanks may take the place of the comma. Those of `further`, groups with a semicolon between them, follow;
 /// the columns of a group are empty if the file has none of them. A named column other than these is refused if `only`
 /// lists those that apply. `check` is called after each line with all columns and the line for messages. Throws
 /// BadInput.

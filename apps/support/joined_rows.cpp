@@ -28,10 +28,10 @@ std::vector<std::string> JoinedRows::cells(std::size_t row, const Row& expected)
         throw BadInput(places_.back() + ": the end, after " + std::to_string(lines_.size()) + " of " +
                        std::to_string(count_) + " rows, must be the end of the last part of --shard");
     }
-    std::vector<std::string> cells = cells_of(detail::trim(lines_[row]), ',');
+    std::vector<std::string> cells = cells_of(lines_[row]);
     if (cells.size() != columns_.size()) cells.assign(columns_.size(), "");
     for (std::size_t k = 0; k < expected.size(); ++k) {
-        const std::optional<double> number = expected[k].number(), found = number_of(cells[k], ',');
+        const std::optional<double> number = expected[k].number(), found = number_of(cells[k]);
         const bool same =
             number ? found && std::abs(*found - *number) <= 1e-9 * std::abs(*number) : cells[k] == expected[k].text();
         require(same, row,

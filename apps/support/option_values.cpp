@@ -13,7 +13,7 @@ namespace study {
 namespace {
 
 void require_digits(const std::string& name, const std::string& text, double value, bool may_be_0 = true) {
-    if (value == 0 || !(std::abs(value) < detail::least_number)) return;
+    if (value == 0 || !(std::abs(value) < rollbem::detail::least_number)) return;
     throw BadInput("--" + name + " = " + text + " must be " + (may_be_0 ? "0 or " : "") +
                    "at least 1e-100 in size: products of smaller numbers lose digits");
 }
@@ -81,12 +81,6 @@ Rule not_negative() {
 
 Rule positive_or_infinite() {
     return {[](double value) { return value > 0; }, "be positive (inf is allowed)"};
-}
-
-std::string_view detail::trim(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
 std::string wrap(const std::string& text, std::size_t width) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <new>
-#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <gsl/gsl_errno.h>
@@ -11,6 +10,7 @@
 #include <rollbem/discretisation/mesh.hpp>
 
 #include "build_info.hpp"
+#include "config_file.hpp"
 #include "csv.hpp"
 #include "input.hpp"
 #include "named_scheme.hpp"
@@ -309,29 +309,27 @@ void Options::read_config() {
     if (text.find("[given]") != std::string::npos) {
         throw malformed("must be of version 0.5 or later; give the command_line in it instead");
     }
-    if (text.find('\0') != std::string::npos) throw malformed("must be text");
-    const std::size_t list = text.rfind("[");  // the format takes what is open at the end for a list
-    if (list != std::string::npos && text.find_first_of("]\"'", list) == std::string::npos) {
-        throw malformed("each [ must have its ]");
-    }
-    std::istringstream lines(text);
-    CLI::ConfigBase format;
-    format.comment('\0');  // a # within a value is no comment
-    for (const CLI::ConfigItem& item : format.from_config(lines)) {
-        const std::string where = item.name + " = " + join(item.inputs, ",");
-        if (!item.parents.empty()) throw malformed("[" + item.parents.front() + "] must not be there: no sections");
-        const auto found = entries_.find(item.name);
-        if (found == entries_.end() || item.name == "config") {
-            throw malformed(where + " must name an option of " + program_ + suggestion(item.name) + "; see --help");
+    for (const Setting& setting : read_settings(Lines(said("config"), text))) {
+        const auto found = entries_.find(setting.name);
+        const std::string where = setting.where + ": " + setting.name;
+        if (found == entries_.end() || setting.name == "config") {
+            throw BadInput(where + " must be an option of " + program_ + suggestion(setting.name) + "; see --help");
         }
-        if (item.inputs.empty()) throw malformed(where + " must have a value");
         const bool is_flag = found->second.kind == Kind::flag;
-        if (is_flag && item.inputs != std::vector<std::string>{"true"} &&
-            item.inputs != std::vector<std::string>{"false"}) {
-            throw malformed(where + " must be true or false");
+        const std::string value = setting.values.empty() && is_flag ? "true" : join(setting.values, ",");
+        if (value.empty()) throw BadInput(where + " must have a value");
+        if (is_flag && value != "true" && value != "false") {
+            throw BadInput(where + " = " + value + " must be true or false");
         }
         std::vector<std::string>& values = found->second.configured;
-        for (const std::string& value : item.inputs) values.emplace_back(detail::trim(value));
+        if (is_flag) values = {value};
+        if (!is_flag) values.insert(values.end(), setting.values.begin(), setting.values.end());
+    }
+}
+
+void Options::say_doubts() const {
+    for (const std::string& doubt : doubts_) {
+        std::fprintf(stderr, "%s: note: %s\n", program_.c_str(), printable(doubt).c_str());
     }
 }
 
@@ -361,6 +359,8 @@ int run_guarded(const std::string& program, const std::function<int()>& body) {
         return report(error, exit_bad_input);
     } catch (const std::bad_alloc&) {
         return report(BadInput("not enough memory; --n must be smaller"), exit_bad_input);
+    } catch (const Unread&) {
+        return exit_ok;
     } catch (const PlotError& error) {
         return report(error, exit_no_plot);
     } catch (const WriteError& error) {

@@ -43,6 +43,12 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+/// Nobody reads what is left to compute; no error.
+class Unread : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
 /// The rows are written, the plot is not.
 class PlotError : public std::runtime_error {
 public:
@@ -76,11 +82,6 @@ Rule not_negative();
 Rule positive_or_infinite();
 
 namespace detail {
-
-std::string_view trim(std::string_view text);
-
-/// Numbers below it in size are none: products of three of them lose digits.
-inline constexpr double least_number = 1e-100;
 
 /// The whole text as a number, which may have a plus sign, or nothing.
 template <class Number>
@@ -259,7 +260,15 @@ public:
     void note(const std::string& line) const {
         if (!contains(notes_, line)) notes_.push_back(line);
     }
+    /// A note on input that may not be meant as it is read; say_doubts() says it where there is no sidecar.
+    void doubt(const std::string& line) const {
+        note(line);
+        if (!contains(doubts_, line)) doubts_.push_back(line);
+    }
     const std::vector<std::string>& notes() const { return notes_; }
+
+    /// Says all doubts on standard error.
+    void say_doubts() const;
 
 private:
     enum class Kind { value, flag, input, argument, output, table, folder };
@@ -311,7 +320,7 @@ private:
     std::vector<Limit> limits_;
     std::vector<std::string> words_;
     bool replays_ = false;  ///< --config is the file beside a CSV file
-    mutable std::vector<std::string> notes_;
+    mutable std::vector<std::string> notes_, doubts_;
 };
 
 /// body(), which returns the exit code of a program; exceptions become exit codes and one line on standard error.

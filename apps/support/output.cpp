@@ -112,8 +112,9 @@ OutputFile::~OutputFile() {
 
 bool OutputFile::is_terminal() const { return ::isatty(::fileno(file_)) == 1; }
 
-void OutputFile::require(bool done) const {
-    if (!done) throw WriteError(path_ + " cannot be written: " + std::strerror(errno));
+void OutputFile::require(bool done) {
+    if (!done && errno == EPIPE) has_no_reader_ = true;
+    if (!done && errno != EPIPE) throw WriteError(path_ + " cannot be written: " + std::strerror(errno));
 }
 
 void OutputFile::write(std::string_view text) {
@@ -172,7 +173,11 @@ void OutputFiles::add(const std::string& path, const std::string& name, std::str
 OutputFile& OutputFiles::open_table(const Options& options, const std::string& name, std::string_view header) {
     OutputFile& rows = open(options.given(name) ? options.text(name) : "-", "--" + name);
     rows.write(header);
-    if (rows.is_regular()) add(rows.path() + ".toml", "--" + name, sidecar_text(options));
+    if (rows.is_regular()) {
+        add(rows.path() + ".toml", "--" + name, sidecar_text(options));
+    } else if (name == "output") {
+        options.say_doubts();
+    }
     return rows;
 }
 

@@ -12,7 +12,7 @@
 namespace study {
 
 /// From now on SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGXCPU, unless they are ignored, remove what is unfinished before
-/// they end the program; a closed pipe and a file larger than allowed make write() throw instead of ending it.
+/// they end the program; a closed pipe ends nothing, and a file larger than allowed makes write() throw.
 void handle_signals();
 
 /// A path without links and detours, to tell whether two are one file. A file that does not exist has one, too.
@@ -21,7 +21,8 @@ std::string place_of(const std::string& path);
 struct Unfinished;
 
 /// A file to write from start to end. A regular file is written to FILE.NUMBER.part and takes its name in commit();
-/// without commit() nothing is left. Pipes and devices are written to directly.
+/// without commit() nothing is left. Pipes and devices are written to directly; what the reader of a pipe leaves unread is
+/// lost without an error.
 class OutputFile {
 public:
     static OutputFile standard_output() { return {"-", "standard output"}; }
@@ -35,6 +36,7 @@ public:
 
     bool is_regular() const { return part_ != nullptr; }  ///< written to FILE.NUMBER.part first
     bool is_terminal() const;
+    bool has_no_reader() const { return has_no_reader_; }  ///< a pipe that is read no longer
     const std::string& path() const { return path_; }
     const std::string& target() const { return target_; }  ///< of a regular file: the place that it takes
 
@@ -45,11 +47,12 @@ public:
     void commit();  ///< close(), and the file has its name
 
 private:
-    void require(bool done) const;
+    void require(bool done);
 
     std::string path_, target_;
     Unfinished* part_ = nullptr;
     std::FILE* file_ = nullptr;
+    bool has_no_reader_ = false;
 };
 
 /// All files of a run but its picture.

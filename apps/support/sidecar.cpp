@@ -29,7 +29,8 @@ std::string cpu_name() {
     std::ifstream file("/proc/cpuinfo");
     std::string line;
     while (std::getline(file, line)) {
-        if (line.rfind("model name", 0) == 0) return std::string(detail::trim(line.substr(line.find(':') + 1)));
+        if (line.rfind("model name", 0) == 0)
+            return std::string(rollbem::detail::trimmed(line.substr(line.find(':') + 1)));
     }
     return "unknown";
 }

@@ -79,6 +79,14 @@ bool has_times(const Options& options) { return job_count(options) == 1 && !opti
 
 namespace {
 
+/// Whether the run writes no file but --output.
+bool writes_nothing_else(const Options& options) {
+    const std::vector<Given> given = options.given();
+    return std::none_of(given.begin(), given.end(), [](const Given& option) {
+        return !option.repeats && option.name != "jobs" && option.name != "output";
+    });
+}
+
 /// The first of the tasks that ended early, and how many more; empty where none did.
 std::string ends_of(const Table& table) {
     std::string first;
@@ -148,12 +156,14 @@ void write_table(const Options& options, const Table& table, OutputFiles& files)
         if (table.label) progress.doing(table.label(task.index));
         table.compute(task.index, task.range, emit);
     };
+    const bool only_output = writes_nothing_else(options);
     const auto emit = [&](Row row) {
         const auto write = [&] {
             file.write(csv_line(row));
             file.flush();
         };
         file.is_terminal() ? progress.beside(write) : write();
+        if (only_output && file.has_no_reader()) throw Unread(file.path() + " is read no longer");
         progress.update(++written);
         if (plots) kept.rows.push_back(std::move(row));
     };
