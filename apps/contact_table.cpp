@@ -337,7 +337,11 @@ int main(int argc, char** argv) {
     contact::add_options(options);
     options.footer(help());
     return study::run_program(options, argc, argv, [](const study::Options& given) {
-        if (given.given("check")) return check(contact::read_comparison(given));
+        if (given.given("check")) {
+            const Comparison comparison = contact::read_comparison(given);
+            given.say_doubts();
+            return check(comparison);
+        }
         if (given.given("scan")) {
             const Comparison comparison = contact::read_comparison(given);
             Summary summary;
@@ -357,6 +361,7 @@ int main(int argc, char** argv) {
         } else {
             study::OutputFiles files;
             study::OutputFile& file = files.open(given.text("output"), "--output");
+            given.say_doubts();
             const ContactTable table = make(job);
             std::ostringstream bytes;
             table.write(bytes);

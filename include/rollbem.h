@@ -198,7 +198,8 @@ ROLLBEM_API int rollbem_wheel_defaults(rollbem_wheel_options *options, size_t si
 ROLLBEM_API rollbem_wheel *rollbem_wheel_open(const char *wheel_path, const char *rail_path,
                                               const rollbem_wheel_options *options);
 
-/* Notes of cleaning, turning and mirroring in the files, a line each; the text lives as long as the wheel. */
+/* Notes of cleaning, turning and mirroring in the files, and of signs that they are not meant as they are read, a line
+   each; the text lives as long as the wheel. */
 ROLLBEM_API const char *rollbem_wheel_notes(const rollbem_wheel *wheel);
 
 /* The patches that carry a vertical load [N] at a lateral position [m], roll and yaw [rad] of the wheelset.

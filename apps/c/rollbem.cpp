@@ -486,7 +486,7 @@ rollbem_wheel_options default_options() {
     options.size = sizeof options;
     options.interaction = 1;
     options.per_metre = 1;
-    options.cant = RailPlacing{}.cant;
+    options.cant = detail::usual_cant;
     for (const auto& [option, of] : dimensions_of_tracks) options.*option = TrackDimensions{}.*of;
     return options;
 }
@@ -562,13 +562,18 @@ rollbem_wheel* rollbem_wheel_open(const char* wheel_path, const char* rail_path,
         if (by_origin) track.rail_origin = TrackDimensions::Origin{o.rail_origin[0], o.rail_origin[1]};
         const auto wheel_name = path_of(wheel_path != nullptr ? wheel_path : "s1002"),
                    rail_name = path_of(rail_path != nullptr ? rail_path : "60e1");
+        const auto cant = o.cant != detail::usual_cant ? std::optional(o.cant) : std::nullopt;
         const WheelFile wheel =
             open_wheel(wheel_name, file_options(o, wheel_name, Profile::Use::wheel, o.wheel_mirror), any_shape);
         const RailFile rail = open_rail(rail_name, file_options(o, rail_name, Profile::Use::rail, o.rail_mirror),
-                                        {o.cant, o.roller_radius, by_origin}, any_shape);
+                                        {cant, o.roller_radius, by_origin}, any_shape);
         std::string notes;
-        for (const std::string& note : wheel.notes) notes += "wheel: " + note + "\n";
-        for (const std::string& note : rail.notes) notes += "rail: " + note + "\n";
+        for (const auto* of_wheel : {&wheel.notes, &wheel.doubts}) {
+            for (const std::string& note : *of_wheel) notes += "wheel: " + note + "\n";
+        }
+        for (const auto* of_rail : {&rail.notes, &rail.doubts}) {
+            for (const std::string& note : *of_rail) notes += "rail: " + note + "\n";
+        }
         return std::make_unique<rollbem_wheel>(rollbem_wheel{
             WheelOnRail(wheel.surface, rail.surface, track), {.interaction = o.interaction != 0}, std::move(notes)});
     });

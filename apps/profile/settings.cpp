@@ -64,7 +64,9 @@ void add_friction_options(study::Options& options) {
     options.add("layer", "L", "compliance of a layer between wheel and rail [m/Pa], 0 or more", "0")
         .only_with(with_friction);
     options
-        .add("load-of", "NAME", "forces that carry --load: normal, or all, with the vertical share of friction",
+        .add("load-of", "NAME",
+             "forces that carry --load: normal, as in CONTACT, or all, with the vertical share of friction, as in the "
+             "library",
              "normal")
         .only_with(with_friction);
     options.not_with({"load-of"}, "height");

@@ -49,6 +49,7 @@ auto opened(const study::Options& options, const std::string& source, Use use, c
     if (standard) how.smooth = 0;  // the option smooths the other profile, which is from a file
     auto file = study::blame("--" + source, [&] { return open(options.text(source), how); });
     for (const std::string& note : file.notes) options.note("--" + source + ": " + note);
+    for (const std::string& doubt : file.doubts) options.doubt("--" + source + ": " + doubt);
     return std::move(file.surface);
 }
 
@@ -87,8 +88,8 @@ rollbem::WheelOnRail read_side(const study::Options& options, const std::string&
     const SideOptions side{options, left};
     const bool any_shape = options.flag("any-shape");
     if (options.given(side.own("radius"))) dimensions.radius = options.number(side.own("radius"), study::positive());
-    rollbem::RailPlacing placing{.cant = options.number("cant", study::between(-0.5, 0.5)),
-                                 .by_origin = dimensions.rail_origin.has_value()};
+    rollbem::RailPlacing placing{.by_origin = dimensions.rail_origin.has_value()};
+    if (options.given("cant")) placing.cant = options.number("cant", study::between(-0.5, 0.5));
     if (options.given("roller-radius")) placing.roller_radius = options.number("roller-radius", study::positive());
     try {
         const auto wheel = opened(options, side.source("wheel"), Use::wheel, [&](const auto& name, const auto& how) {

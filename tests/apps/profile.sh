@@ -100,6 +100,17 @@ $shape --wheel twice.txt --radius 0.1 --rail plane.txt --rail-mirror z --output 
 grep -q '^# note = --wheel: repeated points' noted.csv.toml && grep -q '^# note = --rail: z mirrored' noted.csv.toml ||
     fail 'notes in the sidecar'
 
+# --- what is doubted stands in the sidecar, or on standard error without one
+awk -F, '/^[-0-9]/ { printf "%.17g,%.17g\n", $1 - 5, $2 }' "$benchmark/wheel.csv" >beside.txt
+doubted="$programs/profile_study --length-unit mm --conicity --amplitude 0.003 --wheel beside.txt --rail rail.txt"
+doubted="$doubted --rail-mirror yz"
+$doubted >out 2>err
+[ "$(grep -c '^profile_study: note: ' err)" -eq 2 ] && grep -q "note: --wheel: y of the flange's back = -0.0746 m" err &&
+    grep -q 'note: --rail: turned inwards by 1:40: --cant 0' err || fail "doubts on standard error: $(cat err)"
+good 2 $doubted --tape-offset 0.075 --cant 0
+good 0 $doubted --output doubted.csv
+[ "$(grep -c "^# note = .*\(flange's back\|turned inwards\)" doubted.csv.toml)" -eq 2 ] || fail "doubts in the sidecar"
+
 # --- wear: what all elements of a patch lose lies on both profiles, in the mean of both positions; both wheels carry
 # the load, N cos delta but for a percent; patches as files that patch_study reads
 profile="$programs/profile_study --quiet --no-timing --shift 0.003,0.004 --side both --friction 0.3 --n 6 --strips 7"

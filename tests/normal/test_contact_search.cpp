@@ -18,8 +18,10 @@
 
 #include "extremes/deformed_gap.hpp"
 #include "support/catch.hpp"
+#include "support/refusal.hpp"
 
 using namespace rollbem;
+using Catch::Matchers::ContainsSubstring;
 using extremes::least_gap, extremes::RailPoints;
 
 namespace {
@@ -276,6 +278,23 @@ TEST_CASE("contact_search: the gauge is measured where the rail is narrowest, th
     const WheelOnRail wheel(cylinder(), polygon(points), {.gauge = 1.435});
     CHECK(wheel.geometry().rail_origin().y == Approx(1.435 / 2 + 0.036).margin(1e-5));
     CHECK(wheel.geometry().rail_origin().z == Approx(-3e-3).margin(5e-5));
+}
+
+TEST_CASE("contact_search: a rail without an inner side is refused, with a remedy where its outer side is one",
+          "[profiles]") {
+    const Profile whole = rail_60e1();
+    const auto refused = [&](double from, double to, double sign) {
+        std::vector<std::array<double, 2>> points;
+        for (Eigen::Index i = 0; i < whole.size(); ++i) {
+            if (whole.y()[i] < from || whole.y()[i] > to) continue;
+            points.push_back({sign * 1e3 * whole.y()[i], 1e3 * whole.z()[i]});
+        }
+        return refusal([&] { WheelOnRail(cylinder(), polygon(points)); });
+    };
+    CHECK(refused(-1, 0.02, 1) == "");
+    CHECK_THAT(refused(-1, 0.02, -1), ContainsSubstring("depth of the rail's inner side = ") &&
+                                          ContainsSubstring("--rail-mirror y for a left rail, or give rail_origin"));
+    CHECK_THAT(refused(-0.02, 0.02, 1), ContainsSubstring("without an inner side give rail_origin"));
 }
 
 TEST_CASE("contact_search: a rail of sections is not known beyond its end", "[profiles]") {

@@ -1,4 +1,4 @@
-// rollbem/normal/profile_file.hpp, normal/profile_check.hpp
+// rollbem/normal/profile_file.hpp, normal/surface_file.hpp, normal/profile_check.hpp
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -14,6 +14,7 @@
 
 #include <rollbem/normal/profile_file.hpp>
 #include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/surface_file.hpp>
 
 #include "extremes/drawn.hpp"
 #include "support/catch.hpp"
@@ -99,6 +100,17 @@ TEST_CASE("profile_file: two columns", "[profiles]") {
         {"comments and blank lines", "\n% of\n# all\n!kinds\n0 0 % a\n\n3 1#b\n6 1 ! c\n9 0\n\n"},
         {"byte-order mark and CR LF", "\xef\xbb\xbfy,z\r\n0,0\r\n3,1\r\n6,1\r\n9,0\r\n"},
         {"CR alone", "0 0\r3 1\r6 1\r9 0"},
+        {"decimal commas", "y;z\n0;0\n3,0;1,0\n6,0;1\n9;0,0\n"},
+        {"decimal commas without a header", "0,0;0\n3,0;1,0\n6,0;1\n9;0,0\n"},
+        {"decimal commas between tabs", "0,0\t0,0\n3,0\t\t1,0\n6,0\t1\n9\t0,0\n"},
+        {"decimal commas between tabs below a header", "n\ty\tz\na\t0,0\t0\n\t3,0\t1\n\t6\t1,0\nb\t9\t0\n"},
+        {"commas beside tabs", "0,\t0\n3.0,\t1\n6,\t1\n9,\t0\n"},
+        {"quoted names and numbers", "\"y\",\"z\"\n\"0\",\"0\"\n\"3.0\",\"1\"\n6,1\n\"9\", 0\n"},
+        {"quoted decimal commas", "\"y\";\"z\"\n\"0\";0\n\"3,0\";\"1,0\"\n6;1\n9;0\n"},
+        {"a spreadsheet's separator", "sep=;\r\ny;z\r\n0;0\r\n3,0;1\r\n6;1,0\r\n9;0\r\n"},
+        {"a quoted separator, a tab", "\xef\xbb\xbf\"sep=\t\"\ny\tz\n0\t0\n3,0\t1\n6\t1\n9\t0\n"},
+        {"separators at the ends of lines", "y;z;;\n0;0;;\n3,0;1;\n6;1\n9;0;;;\n"},
+        {"blanks below a header with commas", "y, z\n0 0\n3 1\n6 1\n9 0\n"},
         {"from the other end", "9 0\n6 1\n3 1\n0 0\n"},
         {"exponents and signs", "+0 0.\n3E0 1e+0\n.6e1 +1\n90e-1 -0\n"},
     }));
@@ -121,10 +133,13 @@ TEST_CASE("profile_file: lines that cannot be meant are named", "[profiles]") {
         const char *name, *text, *message;
     };
     const auto scene = GENERATE(values<Scene>({
-        {"a.csv", "1,5;0,2\n2,5;0,3\n",
-         "a.csv, line 1 (1,5;0,2): y and z are expected, two numbers with decimal points"},
-        {"a.csv", "1,5 0,2\n2,5 0,3\n", "line 1 (1,5 0,2): y and z are expected"},
-        {"a.csv", "y;z\n0;0\n1,5;0\n", "line 3 (1,5;0)"},
+        {"a.csv", "1,5 0,2\n2,5 0,3\n",
+         "a.csv, line 1 (1,5 0,2): y and z are expected, two numbers separated by a semicolon or a tab, or with "
+         "decimal points by a comma or blanks"},
+        {"a.csv", "y;z\n0;0\n1,5\n", "line 3 (1,5)"},
+        {"a.csv", "y;z\n0;0\n1.234,5;0\n", "line 3 (1.234,5;0)"},
+        {"a.csv", "n\ty\tz\nb\t3\t1\n\t6\n", "line 3 (6)"},
+        {"a.csv", "0,0\nsep=;\n", "line 2 (sep=;)"},
         {"a.csv", "0 0\n1\n", "line 2 (1): y and z are expected"},
         {"a.csv", "0,0\n1,,2\n", "line 2 (1,,2)"},
         {"a.csv", "0 0\n1 nan\n", "line 2 (1 nan)"},
@@ -133,8 +148,8 @@ TEST_CASE("profile_file: lines that cannot be meant are named", "[profiles]") {
         {"a.csv", "0 0\n1.5mm 1\n", "line 2 (1.5mm 1)"},
         {"a.csv", "0 0\n+-1 1\n", "line 2 (+-1 1)"},
         {"a.csv", "x,z\n0,0\n",
-         "line 1 (x,z): y and z are expected, two numbers with decimal points, separated by a "
-         "comma, a semicolon, a tab or blanks, or a header that names columns y and z"},
+         "line 1 (x,z): y and z are expected, two numbers separated by a semicolon or a tab, or with decimal points "
+         "by a comma or blanks, or a header that names columns y and z"},
         {"a.csv", "y,y,z\n0,0,1\n", "one column y and one column z"},
         {"a.csv", "", "a.csv: at least 4 points are expected, found: 0"},
         {"a.csv", "y,z\n", "found: 0"},
@@ -412,8 +427,11 @@ TEST_CASE("profile_check: what cannot be a wheel is refused with the remedy", "[
         {"from the flange's back, z up", 1, -1, 70, 0, 1, 0.07, "--tape-offset 0 --wheel-mirror z"},
         {"from the tape circle, offset 0", 1, 1, 0, 0, 1, 0, "y seems to begin at the tape circle: --tape-offset 0.07"},
         {"z from elsewhere", 1, 1, 0, 2.1, 1, 0.07,
-         "z on the tape circle = 0.0021 m must lie within 0.002 m of 0: move or cut its points, or --any-shape"},
+         "z on the tape circle = 0.0021 m must lie above -0.006 m and below 0.002 m: move or cut its points, or "
+         "--any-shape"},
         {"z a little beside", 1, 1, 0, 1.9, 1, 0.07, ""},
+        {"as hollow as treads wear", 1, 1, 0, -5.9, 1, 0.07, ""},
+        {"more hollow", 1, 1, 0, -6.1, 1, 0.07, "z on the tape circle = -0.0061 m must lie above -0.006 m"},
         {"y from elsewhere", 1, 1, -11, 0, 1, 0.07, "must lie in -0.065 to -0.025 m: move or cut its points"},
         {"inches", 1, 1, 0, 0, 1 / 25.4, 0.07, "these look like inches"},
         {"too wide", 1, 1, 0, 0, 1.5, 0.07, "width of the wheel = 0.194925 m must lie in 0.09 to 0.18 m"},
@@ -503,6 +521,52 @@ TEST_CASE("profile_file: wheels and rails are checked, pieces are not", "[profil
     CHECK(refused("a.csv", up, Use::piece) == "");
     CHECK(profile_of("a.csv", up).is_piece());
     CHECK_FALSE(profile_of("a.csv", lines(s1002()), Use::wheel).is_piece());
+}
+
+TEST_CASE("profile_file: a flange's back beside its place is doubted, where the file reaches it", "[profiles]") {
+    struct Scene {
+        const char* what;
+        double shift, from, tape_offset;  // of S1002; its points from this y on; mm
+        const char* doubt;
+    };
+    const auto scene = GENERATE(values<Scene>({
+        {"S1002", 0, -100, 70, ""},
+        {"a little beside", -1.9, -100, 70, ""},
+        {"5 mm beside", -5, -100, 70,
+         "y of the flange's back = -0.075 m, which --tape-offset 0.07 puts at -0.07 m: --tape-offset 0.075 where"},
+        {"outwards", 3, -100, 70, "--tape-offset 0.067 where"},
+        {"from the flange's back", 70, -100, 0, ""},
+        {"5 mm from it", 75, -100, 0, "= 0.005 m, which --tape-offset 0 puts at 0 m: --tape-offset -0.005 where"},
+        {"a part of the flange", -5, -72, 70, ""},
+    }));
+    INFO(scene.what);
+    const Profile wheel = s1002();
+    std::vector<double> y, z;
+    for (Eigen::Index i = 0; i < wheel.size(); ++i) {
+        if (wheel.y()[i] + 1e-3 * scene.shift < 1e-3 * scene.from) continue;
+        y.push_back(wheel.y()[i] + 1e-3 * scene.shift);
+        z.push_back(wheel.z()[i]);
+    }
+    const auto array = [](const std::vector<double>& of) {
+        return Eigen::ArrayXd(Eigen::ArrayXd::Map(of.data(), Eigen::Index(of.size())));
+    };
+    const std::string text = lines({array(y), array(z)});
+    const ProfileFileOptions how{.per_metre = 1000, .tape_offset = 1e-3 * scene.tape_offset};
+    const ProfileFile file = read("a.csv", text, Use::wheel, how);
+    CHECK(file.notes.empty());
+    REQUIRE(file.doubts.size() == (*scene.doubt != '\0'));
+    if (!file.doubts.empty()) CHECK_THAT(file.doubts[0], ContainsSubstring(scene.doubt));
+    CHECK(read("a.csv", text, Use::piece, how).doubts.empty());
+}
+
+TEST_CASE("surface_file: a rail that is canted unasked is doubted", "[profiles]") {
+    const auto path = folder().write("rail.csv", lines(rail_60e1(0), 1, 1, ",", 1));
+    const RailFile usual = open_rail(path), asked = open_rail(path, {}, {.cant = 0.025});
+    REQUIRE(usual.doubts.size() == 1);
+    CHECK(usual.doubts[0] == "turned inwards by 1:40: --cant 0 if the profile is canted already");
+    CHECK(asked.doubts.empty());
+    CHECK(open_rail("60e1").doubts.empty());
+    CHECK(usual.surface.profile().moved(std::atan(1 / 40.0), 0, 0).z().minCoeff() == Approx(0).margin(1e-9));
 }
 
 TEST_CASE("profile_file: sections and their features", "[profiles]") {

@@ -48,8 +48,12 @@ inline TrackDimensions::Origin origin_by_gauge(const Profile& rail, const TrackD
     // from the top inwards, as far as the depth
     Eigen::Index below = top;
     while (below > 0 && rail.z()[below] - z_top < d.gauge_depth) --below;
+    const bool other = rail.z().tail(rail.size() - top).maxCoeff() - z_top >= d.gauge_depth;
     require(rail.z()[below] - z_top >= d.gauge_depth, "WheelOnRail", "depth of the rail's inner side",
-            rail.z()[below] - z_top, "be at least the gauge_depth; without an inner side give rail_origin");
+            rail.z()[below] - z_top,
+            other ? "be at least the gauge_depth, as its side at positive y is: --rail-mirror y for a left rail, or "
+                    "give rail_origin"
+                  : "be at least the gauge_depth; without an inner side give rail_origin");
     const double deepest =
         root(rail.s()[below], rail.s()[below + 1], [&](double s) { return rail.at(s).z - z_top >= d.gauge_depth; });
     double narrowest = rail.at(deepest).y;

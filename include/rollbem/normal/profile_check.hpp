@@ -41,7 +41,9 @@ inline std::string fault_of_wheel(const Eigen::ArrayXd& y, const Eigen::ArrayXd&
         if (!height || std::abs(here) < std::abs(*height)) height = here;
     }
     if (!height) return text("y of the tape circle", tape, "lie on the wheel");
-    if (std::abs(*height) >= 2e-3) return text("z on the tape circle", *height, "lie within 0.002 m of 0");
+    if (!(*height > -6e-3 && *height < 2e-3)) {  // worn treads are hollow
+        return text("z on the tape circle", *height, "lie above -0.006 m and below 0.002 m");
+    }
     return "";
 }
 
@@ -94,7 +96,7 @@ inline std::string wheel_remedy(bool mirror_y, bool mirror_z, std::optional<doub
 ///
 /// - Width: 90 to 180 mm.
 /// - Flange: its crown (largest z) lies 25 to 65 mm inside the tape circle, at z >= 10 mm.
-/// - Tape circle: |z| < 2 mm there; it lies 70 mm from the flange's back, and the profile's origin `tape_offset` [m].
+/// - Tape circle: -6 mm < z < 2 mm there (the radius is that of z = 0); it lies 70 mm from the flange's back, and the profile's origin `tape_offset` [m].
 inline void require_wheel(const Profile& wheel, double tape_offset) {
     if (wheel.is_piece()) return;
     const Eigen::ArrayXd &y = wheel.y(), &z = wheel.z();

@@ -19,6 +19,7 @@
 #include "detail/polyline.hpp"
 #include "detail/profile_cleaning.hpp"
 #include "detail/profile_direction.hpp"
+#include "detail/profile_doubts.hpp"
 #include "detail/profile_text.hpp"
 #include "detail/sections_text.hpp"
 #include "profile.hpp"
@@ -37,6 +38,9 @@ struct ProfileFileOptions {
 struct ProfileFile {
     std::variant<Profile, Sections> curve;
     std::vector<std::string> notes;  ///< a line for each cleaning, turn and mirroring, with its place
+    /// A line for each sign that the profile is not meant as it is read, with the remedy: the back of a wheel's flange
+    /// more than 2 mm beside its place by tape_offset.
+    std::vector<std::string> doubts{};
 };
 
 namespace detail {
@@ -190,7 +194,12 @@ inline ProfileFile read_profile(const std::filesystem::path& path, Profile::Use 
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument(path.string() + ": " + error.what());
     }
-    return {std::move(profile), std::move(notes)};
+    std::vector<std::string> doubts;
+    if (use == Profile::Use::wheel) {
+        const std::string doubt = detail::doubt_of_flange_back(profile.y(), profile.z(), options.tape_offset);
+        if (!doubt.empty()) doubts.push_back(doubt);
+    }
+    return {std::move(profile), std::move(notes), std::move(doubts)};
 }
 
 }  // namespace rollbem

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -18,18 +19,18 @@ namespace rollbem {
 
 struct WheelFile {
     WheelSurface surface;
-    std::vector<std::string> notes;  ///< notes of ProfileFile
+    std::vector<std::string> notes, doubts{};  ///< of ProfileFile
 };
 
 struct RailFile {
     RailSurface surface;
-    std::vector<std::string> notes;  ///< notes of ProfileFile
+    std::vector<std::string> notes, doubts{};  ///< of ProfileFile, and that a file is canted unasked
 };
 
 /// The position of a rail in its track.
 struct RailPlacing {
-    double cant = detail::usual_cant;  ///< inward turn [rad]; 0 for a profile that is canted already
-    double roller_radius = 0;          ///< [m] from the axle to the profile's z = 0; 0: a rail
+    std::optional<double> cant{};  ///< inward turn [rad]; 0 for a profile that is canted already; 1:40 without it
+    double roller_radius = 0;      ///< [m] from the axle to the profile's z = 0; 0: a rail
     /// Whether the profile is turned about its origin, in the sense of TrackDimensions::rail_origin. Otherwise a
     /// standard rail has its origin at its highest point, turned or not.
     bool by_origin = false;
@@ -66,14 +67,15 @@ inline WheelFile open_wheel(const std::filesystem::path& name, const ProfileFile
     }
     detail::require_profile_file(name, "s1002");
     ProfileFile file = read_profile(name, any_shape ? Profile::Use::piece : Profile::Use::wheel, options);
-    return {std::visit([](auto& curve) { return WheelSurface(std::move(curve)); }, file.curve), std::move(file.notes)};
+    return {std::visit([](auto& curve) { return WheelSurface(std::move(curve)); }, file.curve), std::move(file.notes),
+            std::move(file.doubts)};
 }
 
 /// The right rail 60e1, uic60 or 54e1, or a rail from a file by read_profile, of any shape or checked, canted; a roller
 /// if it has a radius. Throws std::invalid_argument.
 inline RailFile open_rail(const std::filesystem::path& name, const ProfileFileOptions& options = {},
                           const RailPlacing& placing = {}, bool any_shape = false) {
-    const double cant = placing.cant, radius = placing.roller_radius;
+    const double cant = placing.cant.value_or(detail::usual_cant), radius = placing.roller_radius;
     detail::require_finite("open_rail", "cant", cant);
     detail::require_not_negative("open_rail", "roller_radius", radius);
     const auto surface = [&](Profile profile) {
@@ -86,11 +88,12 @@ inline RailFile open_rail(const std::filesystem::path& name, const ProfileFileOp
     }
     detail::require_profile_file(name, "60e1, uic60, 54e1");
     ProfileFile file = read_profile(name, any_shape ? Profile::Use::piece : Profile::Use::rail, options);
+    if (!placing.cant) file.doubts.emplace_back("turned inwards by 1:40: --cant 0 if the profile is canted already");
     if (const auto* profile = std::get_if<Profile>(&file.curve)) {
-        return {surface(profile->moved(-cant, 0, 0)), std::move(file.notes)};
+        return {surface(profile->moved(-cant, 0, 0)), std::move(file.notes), std::move(file.doubts)};
     }
     detail::require(radius == 0, "open_rail", "roller_radius", radius, "be 0 for sections along the track");
-    return {std::get<Sections>(file.curve).moved(-cant, 0, 0), std::move(file.notes)};
+    return {std::get<Sections>(file.curve).moved(-cant, 0, 0), std::move(file.notes), std::move(file.doubts)};
 }
 
 }  // namespace rollbem
