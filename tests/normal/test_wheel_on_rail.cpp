@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/standard_profiles.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
