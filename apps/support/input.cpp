@@ -50,16 +50,6 @@ bool Lines::next() {
     return true;
 }
 
-namespace {
-
-/// Whether the cells from that place on are empty, as separators at the end of a line make them.
-bool all_empty(const std::vector<std::string>& cells, std::size_t from) {
-    return std::all_of(cells.begin() + std::ptrdiff_t(std::min(from, cells.size())), cells.end(),
-                       [](const std::string& cell) { return cell.empty(); });
-}
-
-}  // namespace
-
 Numbers read_edges(const Options& options, const std::string& name, double low, double high, const std::string& lowest,
                    const std::string& highest) {
     Lines lines(options, name);
@@ -68,7 +58,7 @@ Numbers read_edges(const Options& options, const std::string& name, double low, 
         const std::string where = lines.where() + " = " + lines.text();
         const std::vector<std::string> cells = lines.cells();
         const std::optional<double> place = lines.number(cells[0]);
-        if (!place || !all_empty(cells, 1)) throw BadInput(where + " must be a finite number");
+        if (!place || cells.size() > 1) throw BadInput(where + " must be a finite number");
         double edge = (*place - (low + high) / 2) / ((high - low) / 2);
         const double end = edges.empty() ? -1 : 1;
         if (std::abs(edge - end) < 1e-12) edge = end;
@@ -104,7 +94,7 @@ std::vector<Numbers> read_columns(
     if (!further.empty()) groups = cells_of(further, ';');
     for (const std::string& group : groups) all = joined(std::move(all), cells_of(group));
     std::vector<Numbers> columns(all.size());
-    std::size_t present = 0, named = 0;                       // cells of the header, and of them up to the last name
+    std::size_t present = 0;                                  // columns of the file
     std::vector<std::pair<std::size_t, std::size_t>> places;  // a column that is read, and its place in a line
     Lines lines(options, name);
     while (lines.next()) {
@@ -127,13 +117,12 @@ std::vector<Numbers> read_columns(
                 throw BadInput(where + ": the column " + cell + " does not apply here; those that do are " +
                                listed(only, "and"));
             }
-            named = present = cells.size();
-            while (cells[named - 1].empty()) --named;
+            present = cells.size();
             continue;
         }
-        const bool whole = cells.size() >= named && all_empty(cells, present);
         for (const auto& [column, place] : places) {
-            const auto value = whole ? lines.number(cells[place]) : std::nullopt;
+            const bool there = place < cells.size() && cells.size() <= present;
+            const auto value = there ? lines.number(cells[place]) : std::nullopt;
             if (!value) {
                 throw BadInput(where + " must have " + std::to_string(present) + " cells with " + lines.separator() +
                                " between them, finite numbers under " + expected);

@@ -12,8 +12,6 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/detail/text_table.hpp>
-
 #include "options.hpp"
 
 namespace study {

@@ -2,7 +2,6 @@
 // defaults and refuse what it would ignore, and reads values strictly. CLI11 splits the words and writes the help.
 #pragma once
 
-#include <charconv>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -13,6 +12,8 @@
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include <rollbem/detail/text_table.hpp>
 
 namespace CLI {  // compiling CLI11's headers takes seconds, so only options.cpp sees them
 class App;
@@ -83,15 +84,7 @@ Rule positive_or_infinite();
 
 namespace detail {
 
-/// The whole text as a number, which may have a plus sign, or nothing.
-template <class Number>
-std::optional<Number> parse_number(std::string_view text) {
-    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
+using rollbem::detail::parse_number;
 
 /// The number of letters to add, remove or change to turn `from` into `to`.
 std::size_t edit_distance(const std::string& from, const std::string& to);

@@ -38,14 +38,21 @@ inline std::string lower_case(std::string_view text) {
 /// Numbers below it in size are none: products of three of them lose digits.
 inline constexpr double least_number = 1e-100;
 
-/// The whole text as a finite number, with a decimal point in any locale, or nothing; 0 if it is below least_number in
-/// size.
-inline std::optional<double> number_of(std::string_view text) {
+/// The whole text as a number, which may have a plus sign, with a decimal point in any locale, or nothing.
+template <class Number>
+std::optional<Number> parse_number(std::string_view text) {
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-    double value = 0;
+    Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !is_finite(value)) return std::nullopt;
-    return std::abs(value) < least_number ? 0 : value;
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+/// The text as a finite number, 0 if it is below least_number in size, or nothing.
+inline std::optional<double> number_of(std::string_view text) {
+    const auto value = parse_number<double>(text);
+    if (!value || !is_finite(*value)) return std::nullopt;
+    return std::abs(*value) < least_number ? 0 : value;
 }
 
 /// A text file in memory. Lines end in LF, CR LF or CR; a byte-order mark of UTF-8 is skipped.
@@ -133,8 +140,8 @@ inline std::vector<std::string> cells_of(std::string_view line, char separator =
 }
 
 /// The separator of a table's cells. A line `sep=;` above the table names it; otherwise the first line with a semicolon,
-/// a tab or a comma outside quotes has it, in this order, but a tab beside a comma is a blank, and so are tabs between
-/// numbers above which there is no header. Lines without it have blanks between their cells.
+/// a comma or a tab outside quotes has it, in this order, but tabs behind a number are blanks, and a comma in it is its
+/// decimal point. Lines without the separator have blanks between their cells.
 class Separator {
 public:
     /// Whether the line only names the separator, of all that follow.
@@ -145,11 +152,13 @@ public:
         return true;
     }
 
-    /// The cells of the next line.
+    /// The cells of the next line, without empty ones at its end.
     std::vector<std::string> split(std::string_view line) {
         if (sign_ == 0) sign_ = sign_in(line);
         std::vector<std::string> cells = cells_of(line, sign_ == 0 ? ' ' : sign_);
-        return cells.size() > 1 ? cells : cells_of(line, ' ');
+        if (cells.size() == 1) cells = cells_of(line, ' ');
+        while (cells.size() > 1 && cells.back().empty()) cells.pop_back();
+        return cells;
     }
 
     /// A cell as a finite number, or nothing. Unless commas separate the cells, a comma may be the decimal point.
@@ -169,15 +178,10 @@ private:
     }
 
     static char sign_in(std::string_view line) {
-        if (cells_of(line, ';').size() > 1) return ';';
-        const std::vector<std::string> by_tab = cells_of(trimmed(line), '\t');
-        const auto is_set_off = [](const std::string& cell) {
-            return !cell.empty() && (cell.front() == ',' || cell.back() == ',');
-        };
-        if (by_tab.size() < 2 || std::any_of(by_tab.begin(), by_tab.end(), is_set_off)) {
-            return cells_of(line, ',').size() > 1 ? ',' : '\0';
-        }
-        return number_with_comma(by_tab[0]) ? ' ' : '\t';
+        const auto has = [line](char sign) { return cells_of(line, sign).size() > 1; };
+        if (has(';')) return ';';
+        if (has('\t') && number_with_comma(cells_of(trimmed(line), '\t')[0])) return ' ';
+        return has(',') ? ',' : has('\t') ? '\t' : '\0';
     }
 
     char sign_ = 0;  // 0: not known yet

@@ -62,7 +62,7 @@ struct FrictionScratch {
     using Vector = VectorX<Scalar>;
     using Vectors = ElementVectors<Scalar, directions>;
     /// One array for each solution that has constants of its own (StickSlip).
-    using OfEach = std::array<Vectors, directions>;
+    using OfEach = std::array<Vectors, std::size_t(directions)>;
 
     FrictionScratch(Eigen::Index n, bool slip_dependent, bool coupled)
         : solver(n, coupled), falling(slip_dependent ? n : 0) {
@@ -87,7 +87,7 @@ struct FrictionScratch {
     Vector bound;                         // mu p_n/G of the present stage; p_n/G if mu depends on slip
     Vector bound_rate, stage_bound_rate;  // d bound / d load at the end of the step; in the present stage
     // dc of the second stage caused by the first
-    std::array<std::array<Vectors, TangentBy<directions>::count>, directions> carried;
+    std::array<std::array<Vectors, TangentBy<directions>::count>, std::size_t(directions)> carried;
 
     std::array<KeptResponse<directions, Scalar>, 3>
         kept;  // responses of the first of two stages, of a single stage, and of the second stage

@@ -92,7 +92,7 @@ public:
     Scalar shift(Index i) { return std::sqrt(std::numeric_limits<Scalar>::epsilon()) / reach()[i]; }
 
     /// Finds B = M^-1 with the help of `scratch`, unless it is known. False if M is too close to singular.
-    bool find_inverse(std::array<Matrix, directions>& scratch) {
+    bool find_inverse(std::array<Matrix, std::size_t(directions)>& scratch) {
         if (inverse_is_known_) return inverse_exists_;
         inverse_is_known_ = inverse_exists_ = true;
         for (std::size_t g = 0; g < groups(); ++g) {
@@ -148,7 +148,7 @@ private:
 
     Index n_;
     bool coupled_;
-    std::array<Matrix, directions> group_, inverse_;
+    std::array<Matrix, std::size_t(directions)> group_, inverse_;
     std::vector<Index> swaps_;
     std::array<Vectors, 2> sign_, sums_;  // u and M^T u
     Vector reach_;

@@ -58,7 +58,7 @@ public:
     /// A change of the problem: dc of each solution and the change of the bounds; null means no change. The second dc
     /// is read only if the second solution has constants of its own.
     struct Change {
-        std::array<const Vectors*, directions> constant{};
+        std::array<const Vectors*, std::size_t(directions)> constant{};
         const Vector* bound = nullptr;
     };
 
@@ -317,8 +317,8 @@ private:
     Vectors slip_response_, against_slip_;
     Vector angle_change_, right_, unit_;
     typename Condensed::Base response_base_;
-    std::size_t at_ = 0;                        // index of the condensed equations of the last solution
-    std::array<Scalar, directions> imposed_{};  // max |c| of each solution
+    std::size_t at_ = 0;                                     // index of the condensed equations of the last solution
+    std::array<Scalar, std::size_t(directions)> imposed_{};  // max |c| of each solution
     std::uint64_t revision_ = 0, roles_revision_ = 0;
     Index stick_count_ = 0;
     bool has_two_ = false;     // both solutions have constants of their own

@@ -51,10 +51,8 @@ inline std::array<std::size_t, 2> places_in_header(const TextFile& file, std::si
     std::array<std::optional<std::size_t>, 2> found;
     std::size_t place = 0;
     for (const std::string& cell : cells) {
-        std::string name;
-        for (const char c : lower_case(cell.substr(0, cell.find_first_of("[(")))) {
-            if (c != '\'' && c != ' ') name += c;
-        }
+        std::string name = lower_case(cell.substr(0, cell.find_first_of("[(")));
+        std::erase_if(name, [](char c) { return c == '\'' || c == ' '; });
         if (name.empty() && !cell.empty() && cell.find_first_of("[(") == 0) continue;  // a unit between blanks
         if (name == "y" || name == "z") {
             auto& of = found[name == "z"];

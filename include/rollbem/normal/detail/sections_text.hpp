@@ -88,14 +88,12 @@ private:
     // The numbers at the beginning of a line, separated by blanks or commas.
     static std::vector<double> leading_numbers(std::string_view content) {
         std::vector<double> numbers;
-        for (std::size_t from = 0; from < content.size();) {
-            from = content.find_first_not_of(" \t,", from);
-            if (from == std::string_view::npos) break;
-            const std::size_t end = (std::min)(content.find_first_of(" \t,", from), content.size());
-            const auto value = number_of(content.substr(from, end - from));
+        std::string text(content);
+        std::replace(text.begin(), text.end(), ',', ' ');
+        for (const std::string& cell : cells_of(text, ' ')) {
+            const auto value = number_of(cell);
             if (!value) break;
             numbers.push_back(*value);
-            from = end;
         }
         return numbers;
     }
