@@ -42,6 +42,7 @@ foreach(target IN ITEMS rollbem_compiled_steady rollbem_compiled)
     target_compile_definitions(${target} PUBLIC ROLLBEM_COMPILED)
     if(TARGET rollbem_warnings)
         # not linked, so that the exported target does not name it
-        target_compile_options(${target} PRIVATE $<TARGET_PROPERTY:rollbem_warnings,INTERFACE_COMPILE_OPTIONS>)
+        target_compile_options(${target} PRIVATE $<TARGET_PROPERTY:rollbem_warnings,INTERFACE_COMPILE_OPTIONS>
+            $<$<NOT:$<CXX_COMPILER_ID:MSVC>>:-Wsign-conversion>)  # with clang a part of -Wconversion
     endif()
 endforeach()

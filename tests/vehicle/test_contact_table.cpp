@@ -522,6 +522,46 @@ TEST_CASE("look-ups say what is wrong", "[contact_table]") {
     CHECK(s1002().look_up(creep(), WheelsetSide::right, {.lateral = last}, speeds, as_equal, mu).status == Status::ok);
 }
 
+TEST_CASE("an ellipse keeps its size where a zone begins to carry", "[contact_table]") {
+    // from one node to the next the half-width of the second zone changes tenfold
+    const Inputs begins{-5.51e-3, 8e-3, 20, -20 / radius, 0, 0, 0, 20.0 / 400, 55e3, mu, 0};
+    const WheelForces wheel = look_up(begins, WheelsetSide::left);
+    REQUIRE(wheel.status == Status::ok);
+    CHECK(wheel.force[1] / (mu * 55e3) == Approx(2.027).margin(5e-3));  // by patches
+    const ContactTable::Side& side = s1002().side(WheelsetSide::right);
+    const auto least = [&](ContactRow::Of row) {
+        return (side.points.row(ContactRow::share) > 0).select(side.points.row(row), 1e100).minCoeff();
+    };
+    const double least_length = least(ContactRow::length), least_width = least(ContactRow::width),
+                 least_peak = least(ContactRow::peak);
+    std::mt19937_64 random(69);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    for (int i = 0; i < 20000; ++i) {
+        const WheelsetPosition at{.lateral = 4.5e-3 + 2e-3 * uniform(random), .yaw = 1e-2 * uniform(random)};
+        const double load = 4e4 + 6e4 * uniform(random);
+        const WheelForces sliding = s1002().forces(
+            creep(), WheelsetSide::right, at, {.forward = 20, .pitch_rate = -20 / radius, .yaw_rate = 0.05}, load, mu);
+        CAPTURE(at.lateral, at.yaw, load);
+        REQUIRE(sliding.status == Status::ok);
+        for (const WheelForces::Point& point : sliding.points) {
+            if (!(point.load_share > 0)) continue;
+            const double size = std::cbrt(point.normal_load);
+            REQUIRE(point.ellipse.half_length() / size > 0.7 * least_length);
+            REQUIRE(point.ellipse.half_width() / size > 0.7 * least_width);
+            REQUIRE(point.peak_pressure / size > 0.7 * least_peak);
+        }
+    }
+}
+
+TEST_CASE("a table whose ellipses have no size is refused", "[contact_table]") {
+    ContactTable::Side side = s1002().side(WheelsetSide::right);
+    side.points(ContactRow::width, s1002().grid().nodes() / 2) = 0;
+    CHECK_THAT(refusal([&] {
+                   ContactTable(s1002().grid(), {8.2e10, 0.28}, {side});
+               }),
+               ContainsSubstring("semi-axis, coefficient, scale or peak of a point = 0 must be positive"));
+}
+
 TEST_CASE("a place where no zone carries has no forces", "[contact_table]") {
     const ContactTable::Grid& grid = s1002().grid();
     ContactTable::Side side = s1002().side(WheelsetSide::right);

@@ -33,6 +33,8 @@ struct ContactRow {
         wheel_y,                             ///< place in the wheel's profile [m]
         rows
     };
+    /// Rows that are positive where a zone carries.
+    static constexpr std::array<Of, 6> positive{length, width, c11, c22, scale, peak};
     using Values = Eigen::Array<double, rows, 1, Eigen::DontAlign>;
 };
 

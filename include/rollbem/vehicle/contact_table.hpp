@@ -115,7 +115,7 @@ class WheelLookUp;
 ///
 /// Values are interpolated by local cubics along the shift and the cube root of the load, and by polynomials in yaw^2
 /// along the yaw: on straight rails the contact at -yaw is the mirror image, across the track, of the contact at yaw.
-/// All are C1, and shares of the load do not overshoot. Zones have integrals of the pressures, so that forces stay
+/// All are C1, shares of the load do not overshoot, and semi-axes stay positive. Zones have integrals of the pressures, so that forces stay
 /// continuous where patches merge, part or vanish. Beyond its loads the table keeps the geometry of its border, and
 /// ellipses grow with N^(1/3). Immutable: threads may share it.
 class ContactTable {
@@ -171,7 +171,7 @@ public:
     static constexpr double support_y = 0.75;
 
     /// `sides` are left and right, or one side for both. Throws std::invalid_argument if the grid breaks its invariant,
-    /// numbers of nodes differ, or a value is not finite.
+    /// numbers of nodes differ, a value is not finite, or one of ContactRow::positive is not.
     ContactTable(Grid grid, Material material, std::vector<Side> sides);
 
     /// Reads the format of write(); throws as CreepForceTable::read does.
@@ -230,10 +230,11 @@ private:
     /// Number of rows in whole packets of four numbers.
     static constexpr int packed_rows = (static_cast<int>(ContactRow::rows) + 3) / 4 * 4;
     /// Numbers in the form used by look-ups: rows of points over their means in single precision, which halves the
-    /// memory that a look-up touches, filled in where zones carry nothing; and slopes by the shift.
+    /// memory that a look-up touches, filled in where zones carry nothing; and slopes by the shift. Of positive rows
+    /// they are the logarithms: cubics through the rows themselves fall below 0 where a zone begins to carry.
     struct Stored {
         Side given;
-        ContactRow::Values means;
+        ContactRow::Values means, interpolated_means;  ///< of the given points; of rows as they are interpolated
         Eigen::Array<float, packed_rows, Eigen::Dynamic> points, slopes;
         Eigen::ArrayXXd on_rails_slopes;
         /// Whether a zone carries a load at any node on either side of an interval between shifts: all intervals of a

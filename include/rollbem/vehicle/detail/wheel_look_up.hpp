@@ -182,6 +182,12 @@ private:
         return std::count_if(zones_.begin(), zones_.end(), [](const Zone& of) { return of.carries; });
     }
 
+    template <class Number>
+    static void multiply_slopes(Zone& of, Eigen::Index row, double factor) {
+        if constexpr (has_slopes<Number>) {
+            for (double* slope : {&of.by_shift[row], &of.by_yaw[row], &of.by_sum[row]}) *slope *= factor;
+        }
+    }
     /// The rows of a zone at a sum of loads. Odd parts are divided by the yaw.
     template <class Number>
     void interpolate(Zone& of, Eigen::Index zone, const LoadWeights& weights, double root) {
@@ -203,7 +209,7 @@ private:
         };
         using Rows = ContactTable::Interpolation::LoadedRows;
         of.value = at_load(weights.value, &Rows::value);
-        of.value.template head<ContactRow::rows>() += side_->means;
+        of.value.template head<ContactRow::rows>() += side_->interpolated_means;
         if constexpr (has_slopes<Number>) {
             of.by_sum = at_load(weights.rate, &Rows::value) / (3 * root * root);
             of.by_shift = at_load(weights.value, &Rows::by_shift);
@@ -215,6 +221,14 @@ private:
             of.by_yaw.template segment<9>(correction) += of.value.template segment<9>(correction_by_yaw);
         }
         times_yaw(of.value);
+        for (const auto row : ContactRow::positive) {
+            of.value[row] = std::exp(of.value[row]);
+            multiply_slopes<Number>(of, row, of.value[row]);
+        }
+        if (!(of.value[kept] >= 0 && of.value[kept] <= 1)) {
+            of.value[kept] = std::clamp(of.value[kept], 0.0, 1.0);
+            multiply_slopes<Number>(of, kept, 0);
+        }
     }
     template <class Number>
     static Number number(const Zone& of, Eigen::Index row) {
@@ -307,12 +321,8 @@ private:
         found.size = constant<Number>(std::cbrt(value_of(found.normal)));
         if constexpr (has_slopes<Number>)
             found.size.derivatives() = found.size.value() / (3 * found.normal.value()) * found.normal.derivatives();
-        const auto positive = [&](Eigen::Index which) {  // cubics may undershoot where a zone begins to carry
-            constexpr double least = 1e-9;
-            return of.value[which] > least ? row(which) : constant<Number>(least);
-        };
-        found.half_length = positive(length) * found.size;
-        found.half_width = positive(width) * found.size;
+        found.half_length = row(length) * found.size;
+        found.half_width = row(width) * found.size;
         found.force.fill(constant<Number>(0));
         found.by_motion.setZero();
         found.creepage.fill(constant<Number>(0));

@@ -128,6 +128,7 @@ inline Eigen::ArrayXXd slopes_of(const ContactTable::Grid& grid, const Eigen::Ar
 inline auto ContactTable::Interpolation::stored(Side side) const -> Stored {
     Stored made{.given = {},
                 .means = ContactRow::Values::Zero(),
+                .interpolated_means = {},
                 .points = {},
                 .slopes = {},
                 .on_rails_slopes = {},
@@ -141,7 +142,18 @@ inline auto ContactTable::Interpolation::stored(Side side) const -> Stored {
     made.slopes = made.points;
     made.points.topRows<ContactRow::rows>() = (side.points.colwise() - Eigen::ArrayXd(made.means)).cast<float>();
     side.points = made.points.topRows<ContactRow::rows>().cast<double>().colwise() + Eigen::ArrayXd(made.means);
-    made.slopes.topRows<ContactRow::rows>() = detail::slopes_of(table.grid_, side.points, true).cast<float>();
+    made.interpolated_means = made.means;
+    Eigen::ArrayXXd rows = side.points;
+    for (const auto row : ContactRow::positive) {
+        const auto given = side.points.row(row).transpose();
+        detail::require((side.points.row(ContactRow::share).transpose() <= 0 || given > 0).all(), name,
+                        "semi-axis, coefficient, scale or peak of a point", given.minCoeff(), "be positive");
+        const Eigen::ArrayXd logs = (given > 0).select(given, 1).log();
+        made.interpolated_means[row] = logs.mean();
+        made.points.row(row) = (logs - logs.mean()).cast<float>().transpose();
+        rows.row(row) = made.points.row(row).cast<double>() + logs.mean();
+    }
+    made.slopes.topRows<ContactRow::rows>() = detail::slopes_of(table.grid_, rows, true).cast<float>();
     made.on_rails_slopes = detail::slopes_of(table.grid_, side.on_rails, false);
     const auto shifts = Eigen::Index(table.grid_.shifts.size()), lines = table.grid_.nodes() / shifts;
     for (Eigen::Index zone = 0; zone < side.zones.count(); ++zone) {
@@ -266,8 +278,8 @@ ROLLBEM_DECL void ContactTable::write(std::ostream& stream) const {
             writer.integer(carrying);
             for (Eigen::Index zone = 0; zone < given.zones.count(); ++zone) {
                 if ((carrying >> unsigned(zone) & 1U) == 0) continue;
-                for (const float value : side.points.col(zone * grid_.nodes() + node).head<ContactRow::rows>()) {
-                    writer.number(value);
+                for (Eigen::Index row = 0; row < ContactRow::rows; ++row) {
+                    writer.number(float(given.points(row, zone * grid_.nodes() + node) - side.means[row]));
                 }
             }
         }
