@@ -221,9 +221,13 @@ private:
             of.by_yaw.template segment<9>(correction) += of.value.template segment<9>(correction_by_yaw);
         }
         times_yaw(of.value);
-        for (const auto row : ContactRow::positive) {
-            of.value[row] = std::exp(of.value[row]);
-            multiply_slopes<Number>(of, row, of.value[row]);
+        constexpr auto& positive = ContactRow::positive;
+        Eigen::Array<double, int(positive.size()), 1> powers;
+        for (std::size_t k = 0; k < positive.size(); ++k) powers[Eigen::Index(k)] = of.value[positive[k]];
+        powers = powers.exp().eval();  // all at once, in packets
+        for (std::size_t k = 0; k < positive.size(); ++k) {
+            of.value[positive[k]] = powers[Eigen::Index(k)];
+            multiply_slopes<Number>(of, positive[k], powers[Eigen::Index(k)]);
         }
         if (!(of.value[kept] >= 0 && of.value[kept] <= 1)) {
             of.value[kept] = std::clamp(of.value[kept], 0.0, 1.0);

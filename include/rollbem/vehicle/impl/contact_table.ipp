@@ -146,9 +146,11 @@ inline auto ContactTable::Interpolation::stored(Side side) const -> Stored {
     Eigen::ArrayXXd rows = side.points;
     for (const auto row : ContactRow::positive) {
         const auto given = side.points.row(row).transpose();
-        detail::require((side.points.row(ContactRow::share).transpose() <= 0 || given > 0).all(), name,
-                        "semi-axis, coefficient, scale or peak of a point", given.minCoeff(), "be positive");
-        const Eigen::ArrayXd logs = (given > 0).select(given, 1).log();
+        const double least = 1e-6 * made.means[row];  // less drowns in the rounding of single precision
+        detail::require((side.points.row(ContactRow::share).transpose() <= 0 || given > least).all(), name,
+                        "semi-axis, coefficient, scale or peak of a point", given.minCoeff(),
+                        "be positive, above 1e-6 of its mean");
+        const Eigen::ArrayXd logs = (given > least).select(given, 1).log();
         made.interpolated_means[row] = logs.mean();
         made.points.row(row) = (logs - logs.mean()).cast<float>().transpose();
         rows.row(row) = made.points.row(row).cast<double>() + logs.mean();
