@@ -141,7 +141,7 @@ public:
     struct Side {
         double radius = 0;  ///< radius of the tape circle [m]
         ContactZones zones{};
-        /// Height of the wheel, z_ws + support_y roll [m], and roll of the wheelset [rad], under equal loads: 2 x
+        /// Height of the wheel, z_ws + half_base roll [m], and roll of the wheelset [rad], under equal loads: 2 x
         /// nodes.
         Eigen::ArrayXXd on_rails{};
         /// ContactRow, for each zone all nodes; where a zone carries nothing, its share is 0 and its other rows are not
@@ -168,7 +168,7 @@ public:
     };
 
     /// Half the distance between the points at which heights of wheels are taken [m].
-    static constexpr double support_y = 0.75;
+    static constexpr double half_base = 0.75;
 
     /// `sides` are left and right, or one side for both. Throws std::invalid_argument if the grid breaks its invariant,
     /// numbers of nodes differ, or a value is not finite.
@@ -207,9 +207,9 @@ public:
         const double load = grid_.loads[grid_.loads.size() / 2];
         return on_rails(lateral, yaw, {load, load});
     }
-    /// Load that a wheel carries by normal forces at a height of its own, z_ws + support_y roll (left: minus). Profiles
+    /// Load that a wheel carries by normal forces at a height of its own, z_ws + half_base roll (left: minus). Profiles
     /// are assumed to meet as they do under equal loads.
-    Support support(WheelsetSide side, double lateral, double yaw, double height) const noexcept;
+    Support load_at_height(WheelsetSide side, double lateral, double yaw, double height) const noexcept;
 
     /// The forces of one wheel. Lateral shift and yaw of `position` count. Vertical speed and roll rate are the
     /// vehicle's; for a vehicle that follows its rails they follow from on_rails(). Normal forces follow from the load,

@@ -96,7 +96,8 @@ public:
 
     /// The distance of a contact from rest, in forces: full sliding begins at 1 to 3 mu N. The contact must satisfy the
     /// rules of look_up(). Does not allocate.
-    LinearForce linear_force_size(const PatchContact<double>& contact, const Creepage<double>& creepage) const noexcept;
+    LinearForce saturation_parameter(const PatchContact<double>& contact,
+                                     const Creepage<double>& creepage) const noexcept;
 
 private:
     struct Splines;  // internal
