@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include <rollbem/normal/detail/contact_region.hpp>
+#include <rollbem/normal/detail/rail_samples.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/rigid_contact.hpp>
 #include <rollbem/normal/standard_profiles.hpp>
@@ -198,7 +200,7 @@ TEST_CASE("virtual_penetration: deepest places aside from the middle lie on the 
         for (const VirtualPenetration& found :
              virtual_penetration(wheel, {.lateral = lateral, .height = touch + 1.2e-4})) {
             REQUIRE(found.status == Status::ok);
-            const auto samples = geometry.rail_samples(0);
+            const auto samples = detail::rail_samples(geometry, 0);
             const auto nearest =
                 std::min_element(samples.begin(), samples.end(), [&](const auto& one, const auto& two) {
                     return std::hypot(one.y - found.y, one.z - found.z) < std::hypot(two.y - found.y, two.z - found.z);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "profile.hpp"
+#include "profile_check.hpp"
 #include "sections.hpp"
 
 namespace rollbem {

@@ -19,7 +19,6 @@
 #include "../detail/profile_direction.hpp"
 #include "../detail/profile_text.hpp"
 #include "../detail/sections_text.hpp"
-#include "../profile_check.hpp"
 
 namespace rollbem::detail {
 
