@@ -22,6 +22,7 @@
 #include <vector>
 
 #include <rollbem/vehicle/contact_table.hpp>
+#include <rollbem/vehicle/detail/wheelset_velocity.hpp>
 #include <rollbem/vehicle/make_contact_table.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
 

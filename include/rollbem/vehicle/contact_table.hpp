@@ -191,9 +191,8 @@ public:
     double shear_modulus() const { return material_.shear_modulus; }
     double poisson_ratio() const { return material_.poisson_ratio; }
     const Side& side(WheelsetSide of) const { return sides_[index_of(of)].given; }
-    bool is_mirrored() const {
-        return sides_.size() == 1;
-    }  ///< Whether the left wheel is the right one's mirror image.
+    /// Whether the left wheel is the right one's mirror image.
+    bool is_mirrored() const { return sides_.size() == 1; }
 
     bool covers(double lateral, double yaw) const {
         return std::abs(lateral) <= largest_shift() * (1 + 1e-12) && std::abs(yaw) <= largest_yaw() * (1 + 1e-12);

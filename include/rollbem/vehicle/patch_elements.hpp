@@ -23,7 +23,7 @@ struct PatchElements {
 /// direction, strips are narrower than a third of the narrowest lobe, at most 25. The patch must have numbers.
 PatchElements elements_for(const RailPatch& patch);
 
-/// Indices of a wheel's patches, grouped by plane: patches of one contact, each of which displaces the surface below the
+/// Indices of a wheel's patches, grouped by plane: those of one contact, each of which displaces the surface below the
 /// others. Patches without an outline are left out.
 std::vector<std::vector<std::size_t>> patches_by_plane(const std::vector<RailPatch>& patches);
 

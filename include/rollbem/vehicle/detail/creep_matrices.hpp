@@ -33,7 +33,8 @@ struct StripCreepMatrices {
     std::vector<Eigen::Matrix3d> creep_matrix;
 };
 
-/// Creep matrices of the strips of one patch. The responses p/G cover all elements in its plane, for unit xi, eta and phi.
+/// Creep matrices of the strips of one patch. The responses p/G cover all elements in its plane, for unit xi,
+/// eta and phi.
 inline StripCreepMatrices strip_creep_matrices_of(const PatchMeshes& meshes, std::size_t patch,
                                                   const MatrixX<double>& unknowns, double shear_modulus) {
     const PatchMesh<double>& mesh = meshes.patches[patch];
@@ -217,7 +218,8 @@ inline Eigen::Matrix3d creep_matrix_of_ellipse(const PatchContact<double>& conta
     return matrix;
 }
 
-/// Rows of a zone from its pressures and creep matrices, without share and arm; `yaw` is the position's yaw, 0 or positive.
+/// Rows of a zone from its pressures and creep matrices, without share and arm; `yaw` is the position's yaw, 0 or
+/// positive.
 inline ContactRow::Values rows_of(const std::vector<PatchCreepMatrices>& patches, const ContactZones& zones,
                                   Eigen::Index zone, const ZonePressures& pressed, const TrackDimensions& dimensions,
                                   const CreepForceTable& creep, double yaw) {

@@ -1,4 +1,5 @@
-// One wheel at a node of a contact table: its patches with their creep matrices, friction on them, and the rows of its zones.
+// One wheel at a node of a contact table: its patches with their creep matrices, friction on them, and the rows of its
+// zones.
 #pragma once
 
 #include <algorithm>
