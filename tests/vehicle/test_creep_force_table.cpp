@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <rollbem/closed_form/full_sliding.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/vehicle/make_creep_force_table.hpp>
