@@ -9,6 +9,8 @@
 #include <sstream>
 #include <string>
 
+#include <Eigen/LU>
+
 #include <rollbem/normal/standard_profiles.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
