@@ -22,6 +22,7 @@
 #include <vector>
 
 #include <rollbem/vehicle/contact_table.hpp>
+#include <rollbem/vehicle/detail/wheelset_velocity.hpp>
 #include <rollbem/vehicle/make_contact_table.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
 
@@ -45,9 +46,9 @@ constexpr double friction = 0.3;
 // --- making ----------------------------------------------------------------------------------------------------------
 
 /// Seconds of processor time that a position takes, from one on the tread and one towards the flange.
-double position_seconds(const Scene& scene, const rollbem::ContactTableMaking& making) {
+double position_seconds(const Scene& scene, const rollbem::ContactTableOptions& making) {
     const auto start = std::clock();
-    rollbem::ContactTableMaking few = making;
+    rollbem::ContactTableOptions few = making;
     few.grid.shifts = {-5e-3, -2.5e-3, 0, 2.5e-3, 5e-3};
     for (double& shift : few.grid.shifts) shift *= std::min(1.0, making.grid.shifts.back() / 5e-3);
     few.grid.yaws = {0, making.grid.yaws[1]};
@@ -62,7 +63,7 @@ double position_seconds(const Scene& scene, const rollbem::ContactTableMaking& m
     return double(std::clock() - start) / CLOCKS_PER_SEC / (scene.wheelset.is_mirrored() ? 6 : 10);
 }
 
-void say_duration(const Scene& scene, const rollbem::ContactTableMaking& making, const char* of) {
+void say_duration(const Scene& scene, const rollbem::ContactTableOptions& making, const char* of) {
     if (!scene.threads.shows) return;
     const std::size_t shifts = making.grid.shifts.size();
     const std::size_t positions = making.lines() * (scene.wheelset.is_mirrored() ? shifts / 2 + 1 : shifts);
@@ -97,7 +98,7 @@ ContactTable make(const Making& job) {
     if (computes) say_duration(job.scene, job.making, "");
     study::Progress progress(program, job.making.lines(), job.scene.threads.shows && computes, "lines");
     std::size_t done = 0;
-    rollbem::ContactTableMaking making = job.making;
+    rollbem::ContactTableOptions making = job.making;
     making.done = [&] { progress.update(++done); };
     return study::blame(job.said,
                         [&] {
@@ -117,7 +118,7 @@ struct Compared {
     std::string status = "ok";
 };
 
-Eigen::Array3d judged(double f_x, double f_y, double m_z) { return {f_x, f_y, m_z / ContactTable::support_y}; }
+Eigen::Array3d judged(double f_x, double f_y, double m_z) { return {f_x, f_y, m_z / ContactTable::half_base}; }
 
 /// Adds the power in steady rolling through a curve, where normal forces do no work.
 void add_power(const Scene& scene, const ContactTable& table, const WheelsetRolling& rolling, Compared& result) {
@@ -251,7 +252,7 @@ struct Scanned {
 const study::Sheet<Scanned, Position>& scan_sheet() {
     const auto force = [](std::array<Eigen::Array3d, 2> Compared::*of, Eigen::Index i) {
         return study::where(&Scanned::ok, [=](const Scanned& row) {
-            return (row.found.*of)[row.side][i] * (i == 2 ? ContactTable::support_y : 1);
+            return (row.found.*of)[row.side][i] * (i == 2 ? ContactTable::half_base : 1);
         });
     };
     const char* by_table =

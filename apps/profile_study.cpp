@@ -54,7 +54,7 @@ Contacts find_contacts(const Settings& settings, const Case& at) {
         .speeds = {.forward = settings.speed, .pitch_rate = at.pitch_rate.value_or(0)},
         .free_pitch = !at.pitch_rate,
         .force = settings.force,
-        .friction_carries = settings.friction_carries};
+        .loads_include_friction = settings.loads_include_friction};
     Contacts contacts;
     if (settings.friction) {
         contacts.of = rolling_forces(settings.wheelset, rolling, *settings.friction, workspace, settings.grid);

@@ -341,7 +341,7 @@ int rollbem_contact_table_support(const rollbem_contact_table* table, int side, 
         const WheelsetSide of = side_of(who, side);
         detail::require_finite(who, "height", height);
         require_covered(who, table->table, lateral, yaw);
-        const auto now = table->table.support(of, lateral, yaw, height);
+        const auto now = table->table.load_at_height(of, lateral, yaw, height);
         if (now.status == Status::ok) put(load, {now.load, now.by_height, now.by_lateral, now.by_yaw});
         return outcome(who, now.status);
     });

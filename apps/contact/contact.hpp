@@ -23,7 +23,7 @@ struct Scene {
 /// A table to make.
 struct Making {
     Scene scene;
-    rollbem::ContactTableMaking making;
+    rollbem::ContactTableOptions making;
     std::string said;                           ///< the options of the grid, for messages
     std::vector<rollbem::ContactSide> sides{};  ///< of --rows, in place of a computation
 };

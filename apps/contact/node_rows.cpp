@@ -115,7 +115,7 @@ void read_row(const study::JoinedRows& rows, std::size_t row, const std::vector<
     rows.require(values[ContactRow::share] >= 0 && values[ContactRow::share] <= 1 + 1e-9, row,
                  "share = " + cells[first_value] + " must be 0 to 1");
     for (const auto which : {ContactRow::radius, ContactRow::length, ContactRow::width, ContactRow::c11,
-                             ContactRow::c22, ContactRow::scale}) {
+                             ContactRow::c22, ContactRow::creepage_scale}) {
         const std::size_t k = first_value + std::size_t(which);
         if (!(values[ContactRow::share] > 0) || values[which] > 0) continue;
         rows.require(false, row, columns()[key_columns + k] + " = " + cells[k] + " must be positive where share is");

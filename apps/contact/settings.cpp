@@ -84,7 +84,7 @@ void require_same_profiles(const study::Options& options, const char* name, cons
     for (const auto& [load, at, height, has_roll] : places) {
         rollbem::WheelsetOnTrack::Workspace workspace;
         const auto found = scene.wheelset.solve(at, {load, load}, workspace);
-        const double own = found.position.height + (has_roll ? ContactTable::support_y * found.position.roll : 0);
+        const double own = found.position.height + (has_roll ? ContactTable::half_base * found.position.roll : 0);
         const auto text = [](double value) { return study::Cell(value).text(6); };
         options.require(has_numbers(found.status) && std::abs(own - height) <= alike, name,
                         "be of the profiles, the track and the material that the other options say: at load " +
@@ -282,7 +282,7 @@ void add_options(study::Options& options) {
 }
 
 Making read_making(const study::Options& options) {
-    rollbem::ContactTableMaking making{.grid = read_grid(options), .jobs = study::job_count(options)};
+    rollbem::ContactTableOptions making{.grid = read_grid(options), .jobs = study::job_count(options)};
     making.zones = {read_zones(options, "left-zones"), read_zones(options, "zones")};
     const bool to_file = options.given("output") && options.text("output") != "-";
     options.require(to_file || options.given("shard"), "output", "be a file: a contact table is not text");

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <rollbem/normal/detail/region_solver.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 
 namespace extremes {

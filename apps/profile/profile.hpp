@@ -40,7 +40,7 @@ struct Settings {
     double speed;                       ///< V [m/s]
     double shear_yield;                 ///< [Pa]
     std::optional<double> force;        ///< of friction along x, in place of the pitch rate [N]
-    bool friction_carries;              ///< a part of the loads
+    bool loads_include_friction;        ///< a part of the loads
     std::string outline, wear, stress;  ///< a folder, and files; empty where they are not asked for
     bool timed;
 };

@@ -9,9 +9,12 @@
 #include <sstream>
 #include <string>
 
+#include <Eigen/LU>
+
 #include <rollbem/normal/standard_profiles.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
+#include <rollbem/vehicle/creep_ellipse.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
 #include <rollbem/vehicle/make_contact_table.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
@@ -312,13 +315,13 @@ TEST_CASE("a table agrees with the patches at its nodes, whichever side and yaw"
     const WheelOnRail right(rollbem::s1002(), rail_60e1()), left(rollbem::s1002(), rail_54e1(), {.radius = 0.45});
     const bool both = GENERATE(true, false);
     const WheelsetOnTrack track = both ? WheelsetOnTrack(right) : WheelsetOnTrack(left, right);
-    ContactTableMaking making{.grid = contact_table_grid(1e5, 1e-3, 5, 4e-3, 3),
-                              .contacts = {.cells_x = 20, .cells_s = 12}};
+    ContactTableOptions making{.grid = contact_table_grid(1e5, 1e-3, 5, 4e-3, 3),
+                               .contacts = {.cells_x = 20, .cells_s = 12}};
     making.grid.loads = {6e4, 1e5};
     making.zones = {ContactZones(), ContactZones()};
     making.jobs = 2;
     const MadeContactTable made = make_contact_table(track, creep(), making);
-    REQUIRE(made.missing == 0);
+    REQUIRE(made.missing_share == 0);
     REQUIRE(made.table.is_mirrored() == both);
     REQUIRE(made.table.grid().shifts.size() == 5);
     WheelsetOnTrack::Workspace workspace;
@@ -407,7 +410,7 @@ TEST_CASE("a shifted wheelset is turned back as by its patches, less than by ell
     const WheelsetForces patches = rolling_forces(track, shifted, {.coefficient = mu}, workspace);
     REQUIRE(patches.contacts.status == Status::ok);
     ContactTable::Side plain = s1002().side(WheelsetSide::right);
-    plain.points.row(ContactRow::scale).setOnes();
+    plain.points.row(ContactRow::creepage_scale).setOnes();
     plain.points.middleRows(ContactRow::correction, 18).setZero();
     const ContactTable ellipses(s1002().grid(), {s1002().shear_modulus(), s1002().poisson_ratio()}, {plain});
     const auto turning = [&](const ContactTable& table) {
@@ -452,15 +455,15 @@ TEST_CASE("height and roll follow both loads, and loads follow heights", "[conta
             at.height_by_load[1], at.roll_by_load[1]);
         // heights of wheels under equal loads give the loads back
         const auto equal = s1002().on_rails(lateral, yaw, {loads[0], loads[0]});
-        const auto support =
-            s1002().support(WheelsetSide::right, lateral, yaw, equal.height + ContactTable::support_y * equal.roll);
+        const auto support = s1002().load_at_height(WheelsetSide::right, lateral, yaw,
+                                                    equal.height + ContactTable::half_base * equal.roll);
         CHECK_THAT(support.load, WithinRel(loads[0], 1e-6));
         CHECK(support.by_height > 3e8);
     }
     const auto equal = s1002().on_rails(0, 0);
-    const auto lifted = s1002().support(WheelsetSide::left, 0, 0, equal.height - 1e-3);
+    const auto lifted = s1002().load_at_height(WheelsetSide::left, 0, 0, equal.height - 1e-3);
     CHECK(lifted.load == 0);
-    const auto light = s1002().support(WheelsetSide::left, 0, 0, equal.height - 6e-5);
+    const auto light = s1002().load_at_height(WheelsetSide::left, 0, 0, equal.height - 6e-5);
     CHECK((light.load > 0 && light.load < s1002().grid().loads[0]));
 }
 

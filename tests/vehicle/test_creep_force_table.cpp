@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <rollbem/closed_form/full_sliding.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/vehicle/make_creep_force_table.hpp>
@@ -275,7 +276,7 @@ TEST_CASE("creep_force_table: tangents are derivatives, and continuous across ce
     }
     // and so does its own derivative, past the first level, where the correction at rest ends
     const double n = table.grid().levels(),
-                 at_level = CreepForceGrid::half_way / (n - 1) / creep_forces::coefficients(1).c22;
+                 at_level = CreepForceGrid::saturation_scale / (n - 1) / creep_forces::coefficients(1).c22;
     const PatchContact<double> circle = contact(1);
     const auto change = [&](double from, double to) {
         const auto tangent = [&](double part) {

@@ -41,7 +41,7 @@ struct Scene {
 
 TEST_CASE("A mirror image of a mirror image is the original", "[profiles]") {
     const Scene scene;
-    const Mirror mirror = GENERATE(Mirror::along_track(), Mirror::across_track());
+    const Mirror mirror = GENERATE(Mirror::reversing_x(), Mirror::across_track());
     const RailPatch twice = mirrored(mirrored(scene.patch, mirror), mirror);
     CHECK(twice.x == scene.patch.x);
     CHECK(twice.y == scene.patch.y);
@@ -60,7 +60,7 @@ TEST_CASE("A mirror image of a mirror image is the original", "[profiles]") {
 
 TEST_CASE("Creepages of a mirror image are mirror images of creepages, and forces on them", "[profiles]") {
     const Scene scene;
-    const Mirror mirror = GENERATE(Mirror::along_track(), Mirror::across_track());
+    const Mirror mirror = GENERATE(Mirror::reversing_x(), Mirror::across_track());
     const RailPatch patch = mirrored(scene.patch, mirror);
     const WheelsetPosition at = mirrored(scene.at, mirror);
     const WheelsetSpeeds speeds = mirrored(scene.speeds, mirror);
@@ -175,7 +175,7 @@ TEST_CASE("Pieces of one plane rub as the outline into which they grow together"
         const auto contacts = WheelsetOnTrack(wheel()).solve({.lateral = lateral, .yaw = -3e-3}, {1e5, 1e5}, workspace);
         const auto& patches = contacts.wheels[1].patches;
         REQUIRE(patches.size() == count);
-        REQUIRE(pieces_of_planes(patches).size() == 1);
+        REQUIRE(patches_by_plane(patches).size() == 1);
         WheelsetSpeeds speeds{.forward = 20};
         speeds.pitch_rate = -20 / patches[0].rolling_radius;
         const auto at = contacts.seen(WheelsetSide::right);
@@ -300,13 +300,13 @@ TEST_CASE("Loads are carried by normal forces, or by friction's vertical share t
     const RollingFriction friction{.coefficient = 0.3, .elements = 6, .strips = 7};
     WheelsetRolling rolling{.position = {.lateral = 6.1e-3, .roll = 0, .yaw = 5e-3},
                             .free = WheelsetOnTrack::Free::height,
-                            .friction_carries = false};
+                            .loads_include_friction = false};
     const WheelsetForces normal = rolling_forces(wheelset, rolling, friction, workspace);
     WheelsetOnTrack::Workspace other;
     const auto alone = wheelset.solve(rolling.position, rolling.loads, other, rolling.free);
     REQUIRE((has_numbers(normal.contacts.status) && has_numbers(alone.status)));
     CHECK(std::abs(normal.contacts.wheels[1].height - alone.wheels[1].height) < 1e-9);
-    rolling.friction_carries = true;
+    rolling.loads_include_friction = true;
     const WheelsetForces all = rolling_forces(wheelset, rolling, friction, workspace);
     REQUIRE(has_numbers(all.contacts.status));
     CHECK(all.on_wheel[1].force[2] == Approx(-1e5).epsilon(1e-5));

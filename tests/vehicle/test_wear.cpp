@@ -158,8 +158,8 @@ TEST_CASE("Backwards, work lies where it lies in the mirror image that rolls for
         for (const WheelsetSide side : {WheelsetSide::left, WheelsetSide::right}) {
             const WheelForces forward = place.by_table(side);
             const WheelForces backwards =
-                contacts().look_up(creep(), side, mirrored(place.position(), Mirror::along_track()),
-                                   mirrored(place.speeds(), Mirror::along_track()), load, mu);
+                contacts().look_up(creep(), side, mirrored(place.position(), Mirror::reversing_x()),
+                                   mirrored(place.speeds(), Mirror::reversing_x()), load, mu);
             REQUIRE(backwards.status == Status::ok);
             for (std::size_t k = 0; k < forward.points.size(); ++k) {
                 const WheelForces::Point &one = forward.points[k], &image = backwards.points[k];

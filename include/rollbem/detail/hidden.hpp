@@ -32,6 +32,8 @@ public:
         }
         return *object_;
     }
+    /// The object, which must have been made.
+    const Type& get() const { return *object_; }
 
 private:
     Type* (*copy_)(const Type&) = nullptr;

@@ -180,7 +180,8 @@ private:
     static char sign_in(std::string_view line) {
         const auto has = [line](char sign) { return cells_of(line, sign).size() > 1; };
         if (has(';')) return ';';
-        if (has('\t') && number_with_comma(cells_of(trimmed(line), '\t')[0])) return ' ';
+        const std::string first = cells_of(trimmed(line), '\t')[0];
+        if (has('\t') && number_with_comma(first) && first.back() != ',') return ' ';
         return has(',') ? ',' : has('\t') ? '\t' : '\0';
     }
 

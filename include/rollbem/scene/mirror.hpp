@@ -18,7 +18,7 @@ class Mirror {
 public:
     constexpr Mirror() = default;  ///< the identity: everything is its own image
 
-    static constexpr Mirror along_track() { return {-1, 1}; }   ///< reverses x, and with it the direction of rolling
+    static constexpr Mirror reversing_x() { return {-1, 1}; }   ///< reverses x, and with it the direction of rolling
     static constexpr Mirror across_track() { return {1, -1}; }  ///< reverses y: left and right
     /// The reflection that makes the wheel of this side a right wheel.
     static constexpr Mirror of(WheelsetSide side) { return side == WheelsetSide::left ? across_track() : Mirror(); }

@@ -141,7 +141,7 @@ public:
     struct Side {
         double radius = 0;  ///< radius of the tape circle [m]
         ContactZones zones{};
-        /// Height of the wheel, z_ws + support_y roll [m], and roll of the wheelset [rad], under equal loads: 2 x
+        /// Height of the wheel, z_ws + half_base roll [m], and roll of the wheelset [rad], under equal loads: 2 x
         /// nodes.
         Eigen::ArrayXXd on_rails{};
         /// ContactRow, for each zone all nodes; where a zone carries nothing, its share is 0 and its other rows are not
@@ -168,7 +168,7 @@ public:
     };
 
     /// Half the distance between the points at which heights of wheels are taken [m].
-    static constexpr double support_y = 0.75;
+    static constexpr double half_base = 0.75;
 
     /// `sides` are left and right, or one side for both. Throws std::invalid_argument if the grid breaks its invariant,
     /// numbers of nodes differ, a value is not finite, or one of ContactRow::positive is not.
@@ -191,9 +191,8 @@ public:
     double shear_modulus() const { return material_.shear_modulus; }
     double poisson_ratio() const { return material_.poisson_ratio; }
     const Side& side(WheelsetSide of) const { return sides_[index_of(of)].given; }
-    bool is_mirrored() const {
-        return sides_.size() == 1;
-    }  ///< Whether the left wheel is the right one's mirror image.
+    /// Whether the left wheel is the right one's mirror image.
+    bool is_mirrored() const { return sides_.size() == 1; }
 
     bool covers(double lateral, double yaw) const {
         return std::abs(lateral) <= largest_shift() * (1 + 1e-12) && std::abs(yaw) <= largest_yaw() * (1 + 1e-12);
@@ -207,9 +206,9 @@ public:
         const double load = grid_.loads[grid_.loads.size() / 2];
         return on_rails(lateral, yaw, {load, load});
     }
-    /// Load that a wheel carries by normal forces at a height of its own, z_ws + support_y roll (left: minus). Profiles
+    /// Load that a wheel carries by normal forces at a height of its own, z_ws + half_base roll (left: minus). Profiles
     /// are assumed to meet as they do under equal loads.
-    Support support(WheelsetSide side, double lateral, double yaw, double height) const noexcept;
+    Support load_at_height(WheelsetSide side, double lateral, double yaw, double height) const noexcept;
 
     /// The forces of one wheel. Lateral shift and yaw of `position` count. Vertical speed and roll rate are the
     /// vehicle's; for a vehicle that follows its rails they follow from on_rails(). Normal forces follow from the load,

@@ -1,270 +1,16 @@
-// Equivalent ellipse: with it, a table of creep forces approximates friction on a wheel's patches, or on their part in
+// Equivalent ellipse: with it, a table of creep forces approximates friction on a wheel's patches, or on their share in
 // a zone of the rail.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <concepts>
-#include <cstddef>
-#include <utility>
-#include <vector>
+#include "../detail/decl.hpp"
 
-#include <Eigen/Core>
-#include <Eigen/LU>
-
-#include "../detail/finite.hpp"
-#include "../detail/require.hpp"
-#include "../discretisation/patch_mesh.hpp"
-#include "../discretisation/scheme.hpp"
-#include "../elasticity/rectangle_kernel.hpp"
-#include "../scene/mirror.hpp"
-#include "../steady/creep_coefficients.hpp"
+#include "../scene/creepage.hpp"
+#include "../scene/force.hpp"
 #include "contact_row.hpp"
-#include "contact_zones.hpp"
 #include "creep_force_table.hpp"
-#include "patch_elements.hpp"
 #include "wheelset_on_track.hpp"
 
 namespace rollbem {
-
-namespace detail {
-
-/// Linear forces of each strip in full adhesion, reversed [N, N m]: F_x, F_y and M_z about the reference point, per xi,
-/// eta and phi at that point.
-struct StripLaws {
-    std::vector<double> s;  ///< middles of the strips [m]
-    std::vector<Eigen::Matrix3d> law;
-};
-
-/// Laws of the strips of one piece. The responses p/G cover all elements in its plane, for unit xi, eta and phi.
-inline StripLaws strip_laws_of(const PieceMeshes& meshes, std::size_t piece, const MatrixX<double>& unknowns,
-                               double shear_modulus) {
-    const PatchMesh<double>& mesh = meshes.pieces[piece];
-    const std::vector<Rectangle<double>> elements = mesh.rectangles(meshes.unit);
-    const Eigen::Index n = mesh.elements_per_strip(), first = meshes.first(piece), count = unknowns.rows() / 2;
-    StripLaws laws;
-    for (Eigen::Index j = 0; j < mesh.strip_count(); ++j) {
-        Eigen::Matrix3d law = Eigen::Matrix3d::Zero();
-        for (Eigen::Index i = j * n; i < (j + 1) * n; ++i) {
-            const auto& [x_1, x_2, y_1, y_2] = elements[std::size_t(i)];
-            const double area = -shear_modulus * (x_2 - x_1) * (y_2 - y_1);
-            const Eigen::RowVector3d x = area * unknowns.row(first + i), y = area * unknowns.row(count + first + i);
-            law.row(0) += x;
-            law.row(1) += y;
-            law.row(2) += (x_1 + x_2) / 2 * y - (y_1 + y_2) / 2 * x;
-        }
-        law.col(2) *= meshes.unit;
-        laws.law.push_back(law);
-        laws.s.push_back(meshes.unit * mesh.middles_y()[j]);
-    }
-    return laws;
-}
-
-/// Laws of the strips of all patches of a wheel: pieces of one plane stick together. A patch has no law if it has no
-/// outline, or if rolling would gain energy on all meshes.
-template <std::same_as<double> Real = double>
-std::vector<StripLaws> strip_laws(const std::vector<RailPatch>& patches, const TrackDimensions& dimensions) {
-    std::vector<StripLaws> laws(patches.size());
-    const HalfSpace<double> half_space(dimensions.poisson_ratio);
-    for (const std::vector<std::size_t>& plane : pieces_of_planes(patches)) {
-        std::vector<const RailPatch*> pieces;
-        std::vector<PatchElements> elements;
-        for (const std::size_t k : plane) {
-            pieces.push_back(&patches[k]);
-            elements.push_back(elements_for(patches[k]));
-        }
-        const double unit = contact_of(*pieces[0], dimensions).half_length();
-        with_fewer_strips(elements, [&](const std::vector<PatchElements>& fewer) {
-            const PieceMeshes meshes = friction_meshes(pieces, fewer, unit);
-            const Response<double> own = solve_steady(meshes.joined(), NodeDifference{Nodes::chebyshev}, half_space);
-            if (own.status != Status::ok) return false;
-            for (std::size_t i = 0; i < plane.size(); ++i) {
-                laws[plane[i]] = strip_laws_of(meshes, i, own.unknowns, dimensions.shear_modulus);
-            }
-            return true;
-        });
-    }
-    return laws;
-}
-
-/// A patch with its linear law and the law of its mirror image across the track, which the wheel has at the opposite
-/// yaw. Zones take shares of both.
-struct PatchLaws {
-    RailPatch patch;
-    StripLaws own, mirrored;
-};
-
-/// Laws of all patches of a wheel; `symmetric` patches are their own mirror images.
-template <std::same_as<double> Real = double>
-std::vector<PatchLaws> patch_laws(const std::vector<RailPatch>& patches, const TrackDimensions& dimensions,
-                                  bool symmetric) {
-    const std::vector<StripLaws> own = strip_laws(patches, dimensions);
-    std::vector<StripLaws> other = own;
-    if (!symmetric) {
-        std::vector<RailPatch> images;
-        for (const RailPatch& patch : patches) images.push_back(mirrored(patch, Mirror::along_track()));
-        other = strip_laws(images, dimensions);
-    }
-    std::vector<PatchLaws> laws;
-    for (std::size_t k = 0; k < patches.size(); ++k) laws.push_back({patches[k], own[k], other[k]});
-    return laws;
-}
-
-/// The pressures of a zone: their resultant, and the numbers that determine an ellipse.
-struct ZonePressures {
-    double load = 0;                    ///< size of the resultant [N]
-    Eigen::Vector3d place;              ///< point of the resultant in track axes, as deep as the wheel's undeformed
-                                        ///< surface [m]
-    double angle = 0;                   ///< angle of the mean normal [rad]
-    double square_x = 0, square_s = 0;  ///< second moments about the place over the load [m^2]
-    double radius = 0, rail_y = 0, wheel_y = 0, peak = 0;
-
-    double vertical() const { return load * std::cos(angle); }
-    Eigen::Vector3d along_s() const { return {0, std::cos(angle), std::sin(angle)}; }
-    /// Distance of the place from the reference point of a patch, in the patch's plane (x, s).
-    Eigen::Vector2d from(const RailPatch& patch) const {
-        return {place[0] - patch.x,
-                (place[1] - patch.y) * std::cos(patch.angle) + (place[2] - patch.z) * std::sin(patch.angle)};
-    }
-};
-
-/// Calls visit(patch, pressure times weight, x, s, slope) for each cell of a zone with pressure.
-template <class Visit>
-void for_cells(const std::vector<PatchLaws>& patches, const ContactZones& zones, Eigen::Index zone,
-               const Visit& visit) {
-    for (const PatchLaws& of : patches) {
-        const RailPatch& patch = of.patch;
-        const CellGrid& grid = patch.grid;
-        for (Eigen::Index j = 0; j < grid.ny; ++j) {
-            const double s = grid.y(j), weight = zones.weight(zone, patch.y + s * std::cos(patch.angle));
-            if (!(weight > 0)) continue;
-            for (Eigen::Index i = 0; i < grid.nx; ++i) {
-                if (patch.pressure(i, j) > 0)
-                    visit(patch, weight * patch.pressure(i, j), grid.x(i), s, patch.rail_slope[j]);
-            }
-        }
-    }
-}
-
-inline ZonePressures pressures_of(const std::vector<PatchLaws>& patches, const ContactZones& zones, Eigen::Index zone) {
-    ZonePressures found;
-    double sum = 0;
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-    Eigen::Vector3d place = Eigen::Vector3d::Zero();
-    for_cells(patches, zones, zone, [&](const RailPatch& patch, double pressure, double x, double s, double slope) {
-        const double sine = std::sin(patch.angle), cosine = std::cos(patch.angle);
-        const double force = pressure * patch.grid.dx * patch.grid.dy;
-        sum += force;
-        place += force * Eigen::Map<const Eigen::Vector3d>(patch.place(x, s, patch.approach).data());
-        normal += force * Eigen::Map<const Eigen::Vector3d>(patch.in_track(0, -slope, 1).data());
-        found.radius += force * (patch.rolling_radius + s * sine);
-        found.rail_y += force * (patch.rail_y + s * cosine);
-        found.wheel_y += force * (patch.wheel_y + s * cosine);
-        found.peak = (std::max)(found.peak, pressure);
-    });
-    if (!(sum > 0)) return found;
-    found.load = normal.norm();
-    found.angle = std::atan2(-normal[1], normal[2]);
-    found.place = place / sum;
-    for (double* mean : {&found.radius, &found.rail_y, &found.wheel_y}) *mean /= sum;
-    const Eigen::Vector3d across = found.along_s();
-    for_cells(patches, zones, zone, [&](const RailPatch& patch, double pressure, double x, double s, double) {
-        const double force = pressure * patch.grid.dx * patch.grid.dy / sum;
-        const Eigen::Vector3d apart =
-            Eigen::Map<const Eigen::Vector3d>(patch.place(x, s, patch.approach).data()) - found.place;
-        const double along = apart[0], beside = across.dot(apart);
-        // a cell's own second moment counts where the patch is a cell wide
-        found.square_x += force * (along * along + patch.grid.dx * patch.grid.dx / 12);
-        found.square_s += force * (beside * beside + patch.grid.dy * patch.grid.dy / 12);
-    });
-    return found;
-}
-
-/// The linear law of a zone at its place, per (xi, eta, phi), with the moment about the place: reversed forces [N, N
-/// m]. Small patches without a law are taken to have the law of the others; zero if the others carry less than nine
-/// tenths.
-inline Eigen::Matrix3d law_of(const std::vector<PatchLaws>& patches, const ContactZones& zones, Eigen::Index zone,
-                              const ZonePressures& pressed, bool mirrored) {
-    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    double carried = 0, known = 0;
-    for (const PatchLaws& of : patches) {
-        const StripLaws& laws = mirrored ? of.mirrored : of.own;
-        carried += of.patch.load;
-        if (laws.s.empty()) continue;
-        known += of.patch.load;
-        Eigen::Matrix3d own = Eigen::Matrix3d::Zero();
-        for (std::size_t j = 0; j < laws.s.size(); ++j) {
-            own += zones.weight(zone, of.patch.y + laws.s[j] * std::cos(of.patch.angle)) * laws.law[j];
-        }
-        const Eigen::Vector2d from = pressed.from(of.patch);
-        Eigen::Matrix3d to_place;  // maps creepages at the reference point to creepages at the place
-        to_place << 1, 0, from[1], 0, 1, mirrored ? from[0] : -from[0], 0, 0, 1;
-        sum += to_place.transpose() * own * to_place;
-    }
-    constexpr double most = 0.9;
-    if (!(known > most * carried)) return Eigen::Matrix3d::Zero();
-    return carried / known * sum;
-}
-
-/// An ellipse's rows of c11, c22, c23, and its linear law in the form of law_of.
-template <std::same_as<double> Real = double>
-Eigen::Matrix3d law_of_ellipse(const PatchContact<double>& contact, double load, const CreepForceTable& creep) {
-    const TabulatedForce rest = creep.look_up(contact, 1, load, {0, 0, 0});
-    require(rest.status == Status::ok, "creep_ellipse", "status of the table of creep forces", name(rest.status),
-            "be ok");
-    Eigen::Matrix3d law;
-    const CreepageTangent<double>& t = rest.tangent;
-    for (const auto& [column, by] : {std::pair(0, t.by_longitudinal), {1, t.by_lateral}, {2, t.by_spin}}) {
-        law.col(column) = -Eigen::Vector3d(by.longitudinal, by.lateral, by.moment);
-    }
-    return law;
-}
-
-/// Rows of a zone from its pressures and laws, without share and arm; `yaw` is the position's yaw, 0 or positive.
-template <std::same_as<double> Real = double>
-ContactRow::Values rows_of(const std::vector<PatchLaws>& patches, const ContactZones& zones, Eigen::Index zone,
-                           const ZonePressures& pressed, const TrackDimensions& dimensions,
-                           const CreepForceTable& creep, double yaw) {
-    using enum ContactRow::Of;
-    ContactRow::Values v = ContactRow::Values::Zero();
-    double a = std::sqrt(5 * pressed.square_x), b = std::sqrt(5 * pressed.square_s);
-    const double most = creep.grid().largest_a_over_b(), least = creep.grid().smallest_a_over_b();
-    if (a > most * b || a < least * b) {
-        v[kept] = 1;
-        (a > most * b ? b : a) = a > most * b ? a / most : least * b;
-    }
-    const PatchContact<double> contact({a, b, dimensions.shear_modulus, dimensions.poisson_ratio});
-    const double c = contact.c(), root = std::cbrt(pressed.load);
-    v[length] = a / root;
-    v[width] = b / root;
-    v[angle] = pressed.angle;
-    v[radius] = pressed.radius;
-    v[peak] = pressed.peak / root;
-    v[rail_y] = pressed.rail_y;
-    v[wheel_y] = pressed.wheel_y;
-    const Eigen::Vector3d units(1, 1, c);
-    const auto dimensionless = [&](const Eigen::Matrix3d& law) -> Eigen::Matrix3d {
-        return units.cwiseInverse().asDiagonal() * law * units.cwiseInverse().asDiagonal() /
-               (dimensions.shear_modulus * c * c);
-    };
-    const Eigen::Matrix3d ellipse = dimensionless(law_of_ellipse(contact, pressed.load, creep));
-    v[c11] = ellipse(0, 0);
-    v[c22] = ellipse(1, 1);
-    v[c23] = ellipse(1, 2);
-    v[scale] = 1;
-    const Eigen::Matrix3d own = dimensionless(law_of(patches, zones, zone, pressed, false)),
-                          other = dimensionless(law_of(patches, zones, zone, pressed, true));
-    const Eigen::Matrix3d inverse = ellipse.inverse(), even = inverse * (own + other) / 2;
-    if (!(even(0, 0) > 0 && even(1, 1) > 0)) return v;  // too few cells
-    v[scale] = std::sqrt(even(0, 0) * even(1, 1));
-    using Rows = Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
-    Rows(v.data() + correction) = even / v[scale] - Eigen::Matrix3d::Identity();
-    if (yaw > 0) Rows(v.data() + correction_by_yaw) = inverse * (own - other) / (2 * yaw * v[scale]);
-    return v;
-}
-
-}  // namespace detail
 
 /// Equivalent ellipse used for the creep forces of a patch.
 struct PatchEllipse {
@@ -274,17 +20,7 @@ struct PatchEllipse {
 
     /// The forces on the patch under the load N [N], from a table; creepages and moment refer to the reference point.
     TangentialForce<double> forces(const CreepForceTable& creep, const TrackDimensions& dimensions, double mu,
-                                   double load, const Creepage<double>& at) const {
-        const std::array<double, 3> there{at.longitudinal - at.spin * s, at.lateral + at.spin * x, at.spin};
-        const auto [xi, eta, phi] =
-            detail::ellipse_creepages<double>(there, half_length, half_width, dimensions.shear_modulus, mu * load,
-                                              [&](Eigen::Index row) { return values[row]; });
-        const PatchContact<double> contact(
-            {half_length, half_width, dimensions.shear_modulus, dimensions.poisson_ratio});
-        TangentialForce<double> force = creep.look_up(contact, mu, load, {xi, eta, phi}).force;
-        force.moment += x * force.lateral - s * force.longitudinal;
-        return force;
-    }
+                                   double load, const Creepage<double>& at) const;
 };
 
 /// Equivalent ellipse of a patch: with it, a table of creep forces approximates friction on the patch's own outline
@@ -297,20 +33,10 @@ struct PatchEllipse {
 /// - a/b beyond the table: the longer semi-axis is kept, and the correction also holds in full sliding.
 ///
 /// Throws std::invalid_argument unless the patch has numbers.
-template <std::same_as<double> Real = double>
-PatchEllipse creep_ellipse(const RailPatch& patch, const TrackDimensions& dimensions, const CreepForceTable& creep) {
-    using enum ContactRow::Of;
-    detail::require(patch.load > 0, "creep_ellipse", "load of the patch", patch.load, "be positive");
-    const std::vector<detail::PatchLaws> one = detail::patch_laws({patch}, dimensions, true);
-    const detail::ZonePressures pressed = detail::pressures_of(one, {}, 0);
-    PatchEllipse ellipse{.values = detail::rows_of(one, {}, 0, pressed, dimensions, creep, 0)};
-    const Eigen::Vector2d from = pressed.from(patch);
-    const double root = std::cbrt(pressed.load);
-    ellipse.x = from[0];
-    ellipse.s = from[1];
-    ellipse.half_length = root * ellipse.values[length];
-    ellipse.half_width = root * ellipse.values[width];
-    return ellipse;
-}
+PatchEllipse creep_ellipse(const RailPatch& patch, const TrackDimensions& dimensions, const CreepForceTable& creep);
 
 }  // namespace rollbem
+
+#ifndef ROLLBEM_COMPILED
+#include "impl/creep_ellipse.ipp"
+#endif

@@ -42,7 +42,7 @@ public:
         Eigen::Index n = 17;       ///< patches of some n^2 elements
     };
 
-    static constexpr double half_way = 1.4;  ///< |X| where |u| = 1/2
+    static constexpr double saturation_scale = 1.4;  ///< |X| where |u| = 1/2
     /// Upper bound of coefficient_count().
     static constexpr Eigen::Index most_coefficients = 10'000'000;
     /// Number of coefficients of one force's splines.
@@ -77,7 +77,7 @@ public:
     Creepage<double> creepage(Eigen::Index i, Eigen::Index node) const {
         const Place& place = nodes_[static_cast<std::size_t>(node)];
         const double size = std::sqrt(double(place.x * place.x + place.y * place.y + place.spin * place.spin));
-        return creepage(i, half_way / (levels_ - size) * Eigen::Array3d(place.x, place.y, place.spin));
+        return creepage(i, saturation_scale / (levels_ - size) * Eigen::Array3d(place.x, place.y, place.spin));
     }
     /// Creepages and spin, scaled as above, at X.
     Creepage<double> creepage(Eigen::Index i, const Eigen::Array3d& X) const {
@@ -91,7 +91,7 @@ public:
         double radial;  ///< du = factor (dw - radial d|w| w/|w|)
     };
     static Stretch stretch(double unit, double size) {
-        const double factor = 1 / (half_way * unit + size);
+        const double factor = 1 / (saturation_scale * unit + size);
         return {factor, factor * size};
     }
     /// Whether a node begins a line of growing spin.

@@ -23,23 +23,23 @@ struct PatchElements {
 /// direction, strips are narrower than a third of the narrowest lobe, at most 25. The patch must have numbers.
 PatchElements elements_for(const RailPatch& patch);
 
-/// Indices of a wheel's patches, grouped by plane: pieces of one contact, each of which displaces the surface below the
+/// Indices of a wheel's patches, grouped by plane: those of one contact, each of which displaces the surface below the
 /// others. Patches without an outline are left out.
-std::vector<std::vector<std::size_t>> pieces_of_planes(const std::vector<RailPatch>& patches);
+std::vector<std::vector<std::size_t>> patches_by_plane(const std::vector<RailPatch>& patches);
 
-/// The pieces of one plane as one mesh for friction with NodeDifference{Nodes::chebyshev}.
-struct PieceMeshes {
-    double unit;                            ///< unit of length [m]: half_length() of the first piece's contact
-    std::vector<PatchMesh<double>> pieces;  ///< meshes in the order of the patches
+/// The patches of one plane as one mesh for friction with NodeDifference{Nodes::chebyshev}.
+struct PatchMeshes {
+    double unit;                             ///< unit of length [m]: half_length() of the first patch's contact
+    std::vector<PatchMesh<double>> patches;  ///< meshes in the order of the patches
 
-    /// Index of the first element of piece k in joined(), and number of its elements.
+    /// Index of the first element of patch k in joined(), and number of its elements.
     Eigen::Index first(std::size_t k) const;
-    Eigen::Index size(std::size_t k) const { return pieces[k].size(); }
-    PatchMesh<double> joined() const { return PatchMesh<double>::joined(pieces); }
+    Eigen::Index size(std::size_t k) const { return patches[k].size(); }
+    PatchMesh<double> joined() const { return PatchMesh<double>::joined(patches); }
 };
 
-/// Calls solve(elements) with the elements of each piece until it returns true, each time with two strips less in
-/// pieces with more than 6: on some flanges rolling would gain energy on many strips. Returns whether a call returned
+/// Calls solve(elements) with the elements of each patch until it returns true, each time with two strips less in
+/// patches with more than 6: on some flanges rolling would gain energy on many strips. Returns whether a call returned
 /// true.
 template <class Solve>
 bool with_fewer_strips(std::vector<PatchElements> elements, const Solve& solve) {
@@ -47,9 +47,9 @@ bool with_fewer_strips(std::vector<PatchElements> elements, const Solve& solve) 
     while (true) {
         if (solve(elements)) return true;
         bool fewer = false;
-        for (PatchElements& piece : elements) {
-            if (piece.strips - 2 < least) continue;
-            piece.strips -= 2;
+        for (PatchElements& patch : elements) {
+            if (patch.strips - 2 < least) continue;
+            patch.strips -= 2;
             fewer = true;
         }
         if (!fewer) return false;
@@ -57,7 +57,7 @@ bool with_fewer_strips(std::vector<PatchElements> elements, const Solve& solve) 
 }
 
 /// Meshes of outlines in one plane. All have the same number of elements along x as the first one.
-PieceMeshes friction_meshes(const std::vector<const RailPatch*>& pieces, const std::vector<PatchElements>& elements,
+PatchMeshes friction_meshes(const std::vector<const RailPatch*>& patches, const std::vector<PatchElements>& elements,
                             double unit);
 
 /// Mean pressures of a patch on elements [Pa], which together carry its load.

@@ -45,7 +45,7 @@ struct PatchForce {
     double slip_work = std::numeric_limits<double>::quiet_NaN();  ///< heat per distance rolled [J/m]
     Eigen::ArrayXd edges{}, strip_work{};  ///< edges of the strips along s [m]; each strip's part of slip_work [J/m]
     Eigen::Index elements = 0;
-    /// Elements of all pieces of its plane, with the loads of the rail, in (x, s): tractions opposite to the wheel's.
+    /// Elements of all patches of its plane, with the loads of the rail, in (x, s): tractions opposite to the wheel's.
     std::vector<LoadedRectangle> surface{};
     /// The largest temperature above ambient [K], where heating is asked for. NaN where the contact passes so slowly
     /// that heat flows along it (Heating::passes_fast), and above 20 % of creepage, where one body passes slower.

@@ -26,7 +26,7 @@ namespace rollbem {
 ///     p(eps; k_A, k_S) = 2/pi (k_A eps/(1 + (k_A eps)^2) + atan(k_S eps)).
 ///
 /// Clean contacts have k_A = k_S = 1. Their slope at rest, 4/pi mu N, must be the linear law's, so that eps = pi/4 |X|
-/// with |X| = linear_force_size()/(mu N). All forces of the table, at mu(w), are multiplied by
+/// with |X| = saturation_parameter()/(mu N). All forces of the table, at mu(w), are multiplied by
 ///
 ///     r(eps) = p(eps; k_A, k_S)/p(eps; 1, 1).
 ///

@@ -31,7 +31,7 @@ struct WheelsetRolling {
     std::optional<double> force{};
     /// Whether friction's vertical share, which is large on a flange, counts in the loads; otherwise normal forces
     /// alone carry them.
-    bool friction_carries = true;
+    bool loads_include_friction = true;
 };
 
 struct WheelsetForces {
@@ -47,8 +47,8 @@ struct WheelsetForces {
 };
 
 /// The forces of a rolling wheelset. Loads are vertical, carried by normal forces and friction together: contacts and
-/// friction are found in turn until they carry the loads to 1e-6. With friction_carries = false contacts carry the
-/// loads without friction. Allocates. Statuses name the failure:
+/// friction are found in turn until they carry the loads to 1e-6. With loads_include_friction = false contacts carry
+/// the loads without friction. Allocates. Statuses name the failure:
 ///
 /// - `unbalanced`: the wheel does not carry its load after 40 rounds;
 /// - `load_not_reached`: friction holds the wheel up;

@@ -12,7 +12,7 @@
 
 #include "../contact_table.hpp"
 #include "table_weights.hpp"
-#include "widened.hpp"
+#include "to_double.hpp"
 
 namespace rollbem {
 
@@ -91,10 +91,10 @@ struct ContactTable::Interpolation {
             const bool is_first = k == 0;
             const auto add = [is_first](auto to, const Eigen::Array4d& more) { is_first ? to = more : to += more; };
             for (int i = 0; i < packed_rows; i += 4) {
-                const Eigen::Array4d one = detail::widened(Four(points + i)),
-                                     rise = detail::widened(Four(points + packed_rows + i) - Four(points + i)),
-                                     low = detail::widened(Four(slopes + i)),
-                                     high = detail::widened(Four(slopes + packed_rows + i));
+                const Eigen::Array4d one = detail::to_double(Four(points + i)),
+                                     rise = detail::to_double(Four(points + packed_rows + i) - Four(points + i)),
+                                     low = detail::to_double(Four(slopes + i)),
+                                     high = detail::to_double(Four(slopes + packed_rows + i));
                 // the first two weights add up to 1
                 const Eigen::Array4d here = one + w1 * rise + w2 * low + w3 * high;
                 add(found.value.template segment<4>(i), across * here);

@@ -15,6 +15,7 @@
 
 #include "../contact_table.hpp"
 #include "contact_table_interpolation.hpp"
+#include "ellipse_creepages.hpp"
 #include "wheelset_velocity.hpp"
 
 namespace rollbem::detail {
@@ -30,7 +31,7 @@ public:
     void operator()(WheelsetSide side, const WheelsetPosition& position, const WheelsetSpeeds& speeds,
                     const WheelLoad& load, bool tangents) {
         tangents_ = tangents;
-        result_.status = take(side, position, speeds, load);
+        result_.status = set_inputs(side, position, speeds, load);
         if (result_.status != Status::ok) return;
         const auto& loads = table_.grid_.loads;
         result_.load_on_table = inputs_[WheelForces::load] >= loads.front() * (1 - 1e-12) &&
@@ -89,8 +90,8 @@ private:
 
     // --- inputs
 
-    Status take(WheelsetSide side, const WheelsetPosition& position, const WheelsetSpeeds& speeds,
-                const WheelLoad& load) {
+    Status set_inputs(WheelsetSide side, const WheelsetPosition& position, const WheelsetSpeeds& speeds,
+                      const WheelLoad& load) {
         mirror_ = side == WheelsetSide::left ? -1 : 1;
         side_ = &table_.sides_[table_.index_of(side)];
         has_roll_ = load.roll.has_value();
@@ -202,9 +203,9 @@ private:
             tangents_ ? nodes_.sample_rows<true>(cell_, *side_, zone, l, of.rows[l])
                       : nodes_.sample_rows<false>(cell_, *side_, zone, l, of.rows[l]);
         }
-        const auto at_load = [&](const auto& weight, auto part) {
-            auto sum = (weight[weights.first] * (of.rows[weights.first].*part)).eval();
-            for (std::size_t l = weights.first + 1; l < weights.last; ++l) sum += weight[l] * (of.rows[l].*part);
+        const auto at_load = [&](const auto& weight, auto rows) {
+            auto sum = (weight[weights.first] * (of.rows[weights.first].*rows)).eval();
+            for (std::size_t l = weights.first + 1; l < weights.last; ++l) sum += weight[l] * (of.rows[l].*rows);
             return sum;
         };
         using Rows = ContactTable::Interpolation::LoadedRows;
@@ -229,9 +230,9 @@ private:
             of.value[positive[k]] = powers[Eigen::Index(k)];
             multiply_slopes<Number>(of, positive[k], powers[Eigen::Index(k)]);
         }
-        if (!(of.value[kept] >= 0 && of.value[kept] <= 1)) {
-            of.value[kept] = std::clamp(of.value[kept], 0.0, 1.0);
-            multiply_slopes<Number>(of, kept, 0);
+        if (!(of.value[full_sliding_share] >= 0 && of.value[full_sliding_share] <= 1)) {
+            of.value[full_sliding_share] = std::clamp(of.value[full_sliding_share], 0.0, 1.0);
+            multiply_slopes<Number>(of, full_sliding_share, 0);
         }
     }
     template <class Number>
@@ -302,7 +303,7 @@ private:
     struct Pass {
         Number excess;  // load carried by the zones minus the wheel's load
         Eigen::Matrix<double, 1, motion_count> excess_by_motion;
-        bool stands = false;
+        bool does_not_roll = false;
         Number roll;                // of the wheelset
         SineCosine<double> rolled;  // sine and cosine of the roll
         std::array<Contact<Number>, ContactZones::most> contacts;
@@ -331,7 +332,7 @@ private:
         found.by_motion.setZero();
         found.creepage.fill(constant<Number>(0));
         if (!(value_of(found.rolling) >= (std::numeric_limits<double>::min)())) {
-            pass.stands = true;
+            pass.does_not_roll = true;
             return Status::ok;
         }
         const std::array<Number, 3> slip = velocity(pass).slip(found.arm, found.sine, found.cosine);
@@ -549,15 +550,15 @@ private:
         const Number whole = variable<Number>(sum, by_sum);
         pass.excess = whole - constant<Number>(input(WheelForces::load));
         pass.excess_by_motion.setZero();
-        pass.stands = false;
+        pass.does_not_roll = false;
         for (std::size_t k = 0; k < count; ++k) {
             Contact<Number>& of = pass.contacts[k];
             of.share = 0;
             if (!(value_of(shares[k]) > 0)) continue;
-            const Number part = shares[k] / total, load = part * whole;
+            const Number portion = shares[k] / total, load = portion * whole;
             if (value_of(load) < least_load) continue;
             interpolate<Number>(zones_[k], Eigen::Index(k), weights, root);
-            of.share = value_of(part);
+            of.share = value_of(portion);
             const Status status = forces_on(pass, k, load);
             if (status != Status::ok) return status;
             pass.excess -= of.force[1] * of.sine;
@@ -647,7 +648,7 @@ private:
         }
         const double sum = result_.force.sum() + result_.tangent.sum() + result_.heat;
         if (!is_finite(sum)) result_.status = Status::not_finite;
-        if (pass.stands && result_.status == Status::ok) {
+        if (pass.does_not_roll && result_.status == Status::ok) {
             result_.status = Status::invalid_step;
             result_.tangent.setZero();
         }

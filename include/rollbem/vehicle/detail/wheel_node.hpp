@@ -1,4 +1,5 @@
-// One wheel at a node of a contact table: its patches with their laws, friction on them, and the rows of its zones.
+// One wheel at a node of a contact table: its patches with their creep matrices, friction on them, and the rows of its
+// zones.
 #pragma once
 
 #include <algorithm>
@@ -10,27 +11,28 @@
 #include <Eigen/Core>
 
 #include "../contact_table.hpp"
-#include "../creep_ellipse.hpp"
 #include "../patch_force.hpp"
+#include "creep_matrices.hpp"
+#include "ellipse_creepages.hpp"
 #include "wheelset_velocity.hpp"
 
 namespace rollbem::detail {
 
 /// A right wheel on its rail.
 struct WheelNode {
-    WheelsetPosition at;             ///< position as the wheel sees it, with its own height
-    double support = 0;              ///< height of the wheelset, z_ws, plus support_y times the roll [m]
-    double pitch_per_metre = 0;      ///< pitch of the wheelset that rolls freely straight on [rad/m]
-    std::vector<PatchLaws> patches;  ///< empty: not found
+    WheelsetPosition at;                      ///< position as the wheel sees it, with its own height
+    double support = 0;                       ///< height of the wheelset, z_ws, plus half_base times the roll [m]
+    double pitch_per_metre = 0;               ///< pitch of the wheelset that rolls freely straight on [rad/m]
+    std::vector<PatchCreepMatrices> patches;  ///< empty: not found
 
     double vertical() const { return pressures_of(patches, {}, 0).vertical(); }
 };
 
-/// Friction of one wheel in track axes: F_x, F_y [N], and M_z over support_y [N] about the middle of the axle.
+/// Friction of one wheel in track axes: F_x, F_y [N], and M_z over half_base [N] about the middle of the axle.
 using RollingForces = Eigen::Array3d;
 
 /// Three motions by which zones are assessed: straight on, in a curve, and with small creepages.
-inline std::array<WheelsetSpeeds, 3> judged_motions(const WheelNode& node) {
+inline std::array<WheelsetSpeeds, 3> reference_motions(const WheelNode& node) {
     constexpr double speed = 20, curve = 300, slight = 2e-4;
     const double rolling = speed * node.pitch_per_metre, yaw = node.at.yaw;
     return {WheelsetSpeeds{.forward = speed, .pitch_rate = rolling},
@@ -43,7 +45,7 @@ inline RollingForces forces_of_patches(const WheelNode& node, const WheelsetSpee
                                        const TrackDimensions& dimensions, double mu) {
     RollingForces sum = RollingForces::Zero();
     std::vector<RailPatch> patches;
-    for (const PatchLaws& of : node.patches) patches.push_back(of.patch);
+    for (const PatchCreepMatrices& of : node.patches) patches.push_back(of.patch);
     const std::vector<PatchForce> forces = patch_forces(patches, node.at, speeds, dimensions, {.coefficient = mu});
     for (std::size_t k = 0; k < patches.size(); ++k) {
         const PatchForce& own = forces[k];  // no force of its own for a patch without an outline
@@ -53,7 +55,7 @@ inline RollingForces forces_of_patches(const WheelNode& node, const WheelsetSpee
         sum += RollingForces(own.force.longitudinal, across,
                              (place[0] * across - (place[1] - node.at.lateral) * own.force.longitudinal +
                               own.force.moment * std::cos(patches[k].angle)) /
-                                 ContactTable::support_y);
+                                 ContactTable::half_base);
     }
     return sum;
 }
@@ -75,10 +77,10 @@ inline std::vector<ContactRow::Values> zone_rows(const WheelNode& node, const Co
         v[arm_y] = pressed.place[1] - node.at.lateral;
         v[arm_z] = pressed.place[2] - node.at.height + dimensions.radius;
     }
-    constexpr double crumb = 1e-5;  // share of the load below which a zone has no meaningful numbers
+    constexpr double negligible_load_share = 1e-5;  // below it a zone has no meaningful numbers
     for (ContactRow::Values& v : found) {
         v[share] /= carried;
-        if (v[share] < crumb) v.setZero();
+        if (v[share] < negligible_load_share) v.setZero();
     }
     return found;
 }
@@ -112,7 +114,7 @@ inline RollingForces forces_of_zones(const std::vector<ContactRow::Values>& poin
         const double across = force.lateral * cosine;
         sum += RollingForces(
             force.longitudinal, across,
-            (arm[0] * across - arm[1] * force.longitudinal + force.moment * cosine) / ContactTable::support_y);
+            (arm[0] * across - arm[1] * force.longitudinal + force.moment * cosine) / ContactTable::half_base);
     }
     return sum;
 }

@@ -193,8 +193,8 @@ ROLLBEM_DECL auto ContactTable::on_rails(double lateral, double yaw, const std::
     OnRails found;
     for (int round = 0; round < 4; ++round) {
         const Wheel left = wheel(WheelsetSide::left, roll), right = wheel(WheelsetSide::right, roll);
-        const double slope = 2 * support_y - (right.by_roll - left.by_roll);
-        const double excess = 2 * support_y * roll - (right.height - left.height);
+        const double slope = 2 * half_base - (right.by_roll - left.by_roll);
+        const double excess = 2 * half_base * roll - (right.height - left.height);
         found = {.height = (left.height + right.height) / 2,
                  .roll = roll,
                  .roll_by_lateral = (right.by_lateral - left.by_lateral) / slope,
@@ -211,8 +211,8 @@ ROLLBEM_DECL auto ContactTable::on_rails(double lateral, double yaw, const std::
     return found;
 }
 
-ROLLBEM_DECL auto ContactTable::support(WheelsetSide side, double lateral, double yaw, double height) const noexcept
-    -> Support {
+ROLLBEM_DECL auto ContactTable::load_at_height(WheelsetSide side, double lateral, double yaw,
+                                               double height) const noexcept -> Support {
     const double mirror = side == WheelsetSide::left ? -1 : 1;
     const Stored& own = sides_[index_of(side)];
     if (!detail::is_finite(lateral) || !detail::is_finite(yaw) || !detail::is_finite(height)) return {};

@@ -17,16 +17,16 @@
 #include "../../detail/require.hpp"
 #include "../detail/cubic_spline.hpp"
 #include "../detail/finite_force.hpp"
-#include "../detail/widened.hpp"
+#include "../detail/to_double.hpp"
 
 namespace rollbem::detail {
 
 /// The forces of one ellipse on the whole cube of the lattice, -n-2 ... n+2 in all directions, during its making.
-class CreepForceCube {
+class ForceLattice {
 public:
     using Value = Eigen::Array<double, 3, 1>;
 
-    explicit CreepForceCube(int levels)
+    explicit ForceLattice(int levels)
         : n_(levels), m_(levels + 2), w_(2 * m_ + 1), values_(static_cast<std::size_t>(w_ * w_ * w_), Value::Zero()) {}
 
     Value& at(int x, int y, int spin) { return values_[place(x, y, spin)]; }
@@ -161,7 +161,8 @@ struct CreepForceTable::Splines {
     Eigen::Index line() const { return 2 * table.n_ + 3; }
     Eigen::Index per_shape() const { return side() * line() * side(); }
     std::size_t at(Eigen::Index shape, Eigen::Index x, Eigen::Index y, Eigen::Index spin) const {
-        return static_cast<std::size_t>((((shape + 1) * side() + x + 1) * line() + y + table.n_ + 1) * side() + spin + 1) *
+        return static_cast<std::size_t>((((shape + 1) * side() + x + 1) * line() + y + table.n_ + 1) * side() + spin +
+                                        1) *
                width;
     }
 
@@ -193,7 +194,7 @@ struct CreepForceTable::Splines {
     /// The first of four neighbours in phi.
     const float* row_of(const Cell& cell, std::size_t p, std::size_t q) const {
         return table.coefficients_.data() + at(cell.s - 1, cell.i - 1 + static_cast<Eigen::Index>(p),
-                                           cell.j - 1 + static_cast<Eigen::Index>(q), cell.k - 1);
+                                               cell.j - 1 + static_cast<Eigen::Index>(q), cell.k - 1);
     }
 
     /// An ellipse between the ellipses of the table.
@@ -207,7 +208,7 @@ struct CreepForceTable::Splines {
     };
     /// The difference between the linear law and the splines where creepage vanishes, over the coordinates of the
     /// lattice, and its derivative by the shape.
-    struct Lack {
+    struct RestCorrection {
         Eigen::Matrix3d value, by_shape;
         Eigen::Vector3d moment_by_shape;  ///< derivative of the linear law's moment
     };
@@ -256,10 +257,10 @@ struct CreepForceTable::Splines {
                 Number here = Number::Zero(), here_spin = here;
                 for (std::size_t t = 0; t < 4; ++t) {
                     const float* const from = first + t * width;
-                    const Number node = share[0] * detail::widened(Quad(from)) +
-                                        share[1] * detail::widened(Quad(from + next_shape)) +
-                                        share[2] * detail::widened(Quad(from + 2 * next_shape)) +
-                                        share[3] * detail::widened(Quad(from + 3 * next_shape));
+                    const Number node = share[0] * detail::to_double(Quad(from)) +
+                                        share[1] * detail::to_double(Quad(from + next_shape)) +
+                                        share[2] * detail::to_double(Quad(from + 2 * next_shape)) +
+                                        share[3] * detail::to_double(Quad(from + 3 * next_shape));
                     here += by_spin.value[t] * node;
                     here_spin += by_spin.slope[t] * node;
                 }
@@ -298,7 +299,7 @@ struct CreepForceTable::Splines {
             if constexpr (std::same_as<Digits, float>) {
                 return node;
             } else {
-                return detail::widened(node);
+                return detail::to_double(node);
             }
         };
         const auto digits = [](double weight) { return static_cast<Digits>(weight); };
@@ -339,8 +340,9 @@ struct CreepForceTable::Splines {
         return {on_table, shape, shape_per_log, cell, by_shape, linear, linear_by_shape};
     }
 
-    auto lack_at_rest(const Ellipse& on) const noexcept -> Lack {
-        const double step = CreepForceGrid::half_way / static_cast<double>(table.n_);  // step of X for one level, at rest
+    auto rest_correction(const Ellipse& on) const noexcept -> RestCorrection {
+        const double step =
+            CreepForceGrid::saturation_scale / static_cast<double>(table.n_);  // step of X for one level, at rest
         Eigen::Array<double, 7, 1> rest = Eigen::Array<double, 7, 1>::Zero(), changed = rest;
         for (Eigen::Index k = 0; k < 4; ++k) {
             const Eigen::Array<double, 7, 1> of = table.at_rest_.col(on.cell + k).template head<7>();
@@ -349,22 +351,22 @@ struct CreepForceTable::Splines {
         }
         const double c22 = on.linear[1], c23 = on.linear[2], c32 = rest[5], c33 = rest[6];
         const double couples = c32 / c22, turns = (c33 - couples * c23) / on.linear[3];
-        Lack lack;
-        lack.value.col(0) << step - rest[0], 0, 0;
-        lack.value.col(1) << 0, step - rest[1], couples * step - rest[3];
-        lack.value.col(2) << 0, -rest[2], turns * step - rest[4];
+        RestCorrection correction;
+        correction.value.col(0) << step - rest[0], 0, 0;
+        correction.value.col(1) << 0, step - rest[1], couples * step - rest[3];
+        correction.value.col(2) << 0, -rest[2], turns * step - rest[4];
         const double couples_by_shape = (changed[5] - couples * on.linear_by_shape[1]) / c22;
         const double turns_by_shape =
             (changed[6] - couples_by_shape * c23 - couples * on.linear_by_shape[2] - turns * on.linear_by_shape[3]) /
             on.linear[3];
-        lack.by_shape.col(0) << -changed[0], 0, 0;
-        lack.by_shape.col(1) << 0, -changed[1], couples_by_shape * step - changed[3];
-        lack.by_shape.col(2) << 0, -changed[2], turns_by_shape * step - changed[4];
-        lack.moment_by_shape << 0, step * couples_by_shape, step * turns_by_shape;
-        return lack;
+        correction.by_shape.col(0) << -changed[0], 0, 0;
+        correction.by_shape.col(1) << 0, -changed[1], couples_by_shape * step - changed[3];
+        correction.by_shape.col(2) << 0, -changed[2], turns_by_shape * step - changed[4];
+        correction.moment_by_shape << 0, step * couples_by_shape, step * turns_by_shape;
+        return correction;
     }
 
-    auto linear_force_size(const PatchContact<double>& contact, const Creepage<double>& creepage) const noexcept
+    auto saturation_parameter(const PatchContact<double>& contact, const Creepage<double>& creepage) const noexcept
         -> LinearForce {
         const Ellipse on = ellipse(contact.a_over_b());
         const double c = contact.c(), stiffness = contact.shear_modulus() * c * c;
@@ -398,7 +400,7 @@ struct CreepForceTable::Splines {
         const Eigen::Vector3d place(std::abs(u[0]), turn * u[1], turn * u[2]);
         Eigen::Array3d of = value<Digits>(on.shape, place[0], place[1], place[2]);
         const double left = 1 - place.norm();
-        if (left > 0) of += left * left * left * (3 - 2 * left) * (lack_at_rest(on).value * place).array();
+        if (left > 0) of += left * left * left * (3 - 2 * left) * (rest_correction(on).value * place).array();
         return {(u[0] < 0 ? bound : -bound) * of[0], -bound * turn * of[1], -bound * turn * c * of[2]};
     }
 
@@ -440,18 +442,18 @@ struct CreepForceTable::Splines {
         const double distance = u.matrix().norm();
         const Eigen::Vector3d place(std::abs(u[0]), turn * u[1], turn * u[2]);
         if (distance < 1) {
-            const Lack lack = lack_at_rest(on);
-            const Eigen::Vector3d all = lack.value * place;
+            const RestCorrection correction = rest_correction(on);
+            const Eigen::Vector3d all = correction.value * place;
             const double left = 1 - distance, share = left * left * left * (1 + 2 * distance);
             const double slope = distance > 0 ? -left * left * (1 + 8 * distance) / distance : 0;  // d share, over |u|
             at.value += share * all.array();
-            at.by_shape += share * (lack.by_shape * place).array();
+            at.by_shape += share * (correction.by_shape * place).array();
             if (distance < 1e-9) {  // no rounding
-                at.by_shape = Eigen::Array3d(0, 0, lack.moment_by_shape.dot(place));
+                at.by_shape = Eigen::Array3d(0, 0, correction.moment_by_shape.dot(place));
             }
-            at.by_x += share * lack.value.col(0).array() + slope * place[0] * all.array();
-            at.by_y += share * lack.value.col(1).array() + slope * place[1] * all.array();
-            at.by_spin += share * lack.value.col(2).array() + slope * place[2] * all.array();
+            at.by_x += share * correction.value.col(0).array() + slope * place[0] * all.array();
+            at.by_y += share * correction.value.col(1).array() + slope * place[1] * all.array();
+            at.by_spin += share * correction.value.col(2).array() + slope * place[2] * all.array();
         }
         if (distance < 1e-9) {  // no rounding
             at.value = at.by_x * place[0] + at.by_y * place[1] + at.by_spin * place[2];
@@ -497,7 +499,7 @@ struct CreepForceTable::Splines {
     }
 
     /// Fills at_rest_ from the coefficients of the splines.
-    static void look_at_rest(CreepForceTable& table);
+    static void fill_rest_correction(CreepForceTable& table);
 };
 
 ROLLBEM_DECL CreepForceTable::CreepForceTable(CreepForceGrid grid)
@@ -522,7 +524,7 @@ ROLLBEM_DECL CreepForceTable::CreepForceTable(CreepForceGrid grid, const Eigen::
     }
     Eigen::ArrayXXd columns(3 * Splines{*this}.per_shape(), shapes);
     for (Eigen::Index shape = 0; shape < shapes; ++shape) {
-        detail::CreepForceCube cube(grid_.levels());
+        detail::ForceLattice cube(grid_.levels());
         for (Eigen::Index node = 0; node < nodes; ++node) {
             const CreepForceGrid::Place& place = grid_.place(node);
             cube.set(place.x, place.y, place.spin, forces.col(shape * nodes + node));
@@ -546,10 +548,10 @@ ROLLBEM_DECL CreepForceTable::CreepForceTable(CreepForceGrid grid, const Eigen::
             }
         }
     }
-    Splines::look_at_rest(*this);
+    Splines::fill_rest_correction(*this);
 }
 
-ROLLBEM_DECL void CreepForceTable::Splines::look_at_rest(CreepForceTable& table) {
+ROLLBEM_DECL void CreepForceTable::Splines::fill_rest_correction(CreepForceTable& table) {
     Eigen::ArrayXXd columns(7, table.grid_.shapes());
     for (Eigen::Index i = 0; i < table.grid_.shapes(); ++i) {
         const CreepCoefficients<double>& c = table.grid_.coefficients()[static_cast<std::size_t>(i)];
@@ -559,9 +561,10 @@ ROLLBEM_DECL void CreepForceTable::Splines::look_at_rest(CreepForceTable& table)
     table.at_rest_ = with_ends(std::move(columns));
 }
 
-ROLLBEM_DECL auto CreepForceTable::linear_force_size(const PatchContact<double>& contact,
-                                                     const Creepage<double>& creepage) const noexcept -> LinearForce {
-    return Splines{*this}.linear_force_size(contact, creepage);
+ROLLBEM_DECL auto CreepForceTable::saturation_parameter(const PatchContact<double>& contact,
+                                                        const Creepage<double>& creepage) const noexcept
+    -> LinearForce {
+    return Splines{*this}.saturation_parameter(contact, creepage);
 }
 
 ROLLBEM_DECL TabulatedForce CreepForceTable::look_up(const PatchContact<double>& contact, double friction_coefficient,
@@ -606,7 +609,7 @@ ROLLBEM_DECL CreepForceTable CreepForceTable::read(std::istream& stream) {
                         "be finite and at Splines::most 1000");
         table.coefficients_[i] = value;
     }
-    Splines::look_at_rest(table);
+    Splines::fill_rest_correction(table);
     reader.finish();
     return table;
 }

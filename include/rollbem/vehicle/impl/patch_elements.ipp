@@ -54,7 +54,7 @@ ROLLBEM_DECL PatchElements elements_for(const RailPatch& patch) {
     return elements;
 }
 
-ROLLBEM_DECL std::vector<std::vector<std::size_t>> pieces_of_planes(const std::vector<RailPatch>& patches) {
+ROLLBEM_DECL std::vector<std::vector<std::size_t>> patches_by_plane(const std::vector<RailPatch>& patches) {
     std::vector<std::vector<std::size_t>> planes;
     for (std::size_t k = 0; k < patches.size(); ++k) {
         const RailPatch& patch = patches[k];
@@ -72,18 +72,18 @@ ROLLBEM_DECL std::vector<std::vector<std::size_t>> pieces_of_planes(const std::v
     return planes;
 }
 
-ROLLBEM_DECL Eigen::Index PieceMeshes::first(std::size_t k) const {
+ROLLBEM_DECL Eigen::Index PatchMeshes::first(std::size_t k) const {
     Eigen::Index sum = 0;
-    for (std::size_t before = 0; before < k; ++before) sum += pieces[before].size();
+    for (std::size_t before = 0; before < k; ++before) sum += patches[before].size();
     return sum;
 }
 
-ROLLBEM_DECL PieceMeshes friction_meshes(const std::vector<const RailPatch*>& pieces,
+ROLLBEM_DECL PatchMeshes friction_meshes(const std::vector<const RailPatch*>& patches,
                                          const std::vector<PatchElements>& elements, double unit) {
-    PieceMeshes meshes{unit, {}};
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
-        meshes.pieces.push_back(outline_mesh<double>(*pieces[k]->outline, unit, cosine_mesh(elements[0].along),
-                                                     uniform_mesh(elements[k].strips)));
+    PatchMeshes meshes{unit, {}};
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+        meshes.patches.push_back(outline_mesh<double>(*patches[k]->outline, unit, cosine_mesh(elements[0].along),
+                                                      uniform_mesh(elements[k].strips)));
     }
     return meshes;
 }

@@ -67,28 +67,28 @@ ROLLBEM_DECL Wrench mirrored(Wrench wrench, const Mirror& mirror) {
 
 namespace rollbem::detail {
 
-/// Pieces of one plane that roll forward.
-struct RollingPieces {
-    std::vector<const RailPatch*> pieces;
+/// Patches of one plane that roll forward.
+struct RollingPatches {
+    std::vector<const RailPatch*> patches;
     const WheelsetPosition& at;
     const WheelsetSpeeds& speeds;
     const TrackDimensions& dimensions;
 
-    Creepage<double> creepage(std::size_t k) const { return creepage_of(*pieces[k], at, speeds, dimensions.radius); }
+    Creepage<double> creepage(std::size_t k) const { return creepage_of(*patches[k], at, speeds, dimensions.radius); }
 };
 
-/// Rigid slip of the elements of all pieces in addition to the slip by the first piece's creepages: creepages of other
-/// pieces differ a little, as the pieces lie at other depths.
-inline ElementVectors<double> slip_besides(const PieceMeshes& meshes, const Elements<double>& elements,
-                                           const RollingPieces& rolling, const RollingFriction& friction) {
+/// Rigid slip of the elements of all patches in addition to the slip by the first patch's creepages: creepages of other
+/// patches differ a little, as the patches lie at other depths.
+inline ElementVectors<double> slip_besides(const PatchMeshes& meshes, const Elements<double>& elements,
+                                           const RollingPatches& rolling, const RollingFriction& friction) {
     ElementVectors<double> rows = ElementVectors<double>::Zero(elements.size(), 2);
     const Creepage<double> first = rolling.creepage(0);
-    for (std::size_t k = 0; k < meshes.pieces.size(); ++k) {
+    for (std::size_t k = 0; k < meshes.patches.size(); ++k) {
         const Eigen::ArrayXd x = meshes.unit * elements.x.segment(meshes.first(k), meshes.size(k)),
                              s = meshes.unit * elements.y.segment(meshes.first(k), meshes.size(k));
         auto own = rows.middleRows(meshes.first(k), meshes.size(k));
         if (friction.curved_slip) {
-            own = curved_slip_of(*rolling.pieces[k], rolling.at, rolling.speeds, rolling.dimensions.radius, x, s);
+            own = curved_slip_of(*rolling.patches[k], rolling.at, rolling.speeds, rolling.dimensions.radius, x, s);
         }
         const Creepage<double> here = rolling.creepage(k);
         const double spin = here.spin - first.spin;
@@ -98,7 +98,7 @@ inline ElementVectors<double> slip_besides(const PieceMeshes& meshes, const Elem
     return rows;
 }
 
-/// Force and moment of the tractions [Pa] on a piece's elements.
+/// Force and moment of the tractions [Pa] on a patch's elements.
 inline TangentialForce<double> force_of(const std::vector<Rectangle<double>>& elements,
                                         const ElementVectors<double>& tractions) {
     TangentialForce<double> force{0, 0, 0};
@@ -114,12 +114,12 @@ inline TangentialForce<double> force_of(const std::vector<Rectangle<double>>& el
 }
 
 /// mu of each element, cold.
-inline Eigen::ArrayXd coefficients_on(const PieceMeshes& meshes, const RollingPieces& rolling,
+inline Eigen::ArrayXd coefficients_on(const PatchMeshes& meshes, const RollingPatches& rolling,
                                       const RollingFriction& friction) {
     std::vector<double> found;
-    for (std::size_t k = 0; k < meshes.pieces.size(); ++k) {
-        const PatchMesh<double>& mesh = meshes.pieces[k];
-        const RailPatch& patch = *rolling.pieces[k];
+    for (std::size_t k = 0; k < meshes.patches.size(); ++k) {
+        const PatchMesh<double>& mesh = meshes.patches[k];
+        const RailPatch& patch = *rolling.patches[k];
         for (Eigen::Index j = 0; j < mesh.strip_count(); ++j) {
             const double s = meshes.unit * mesh.middles_y()[j];
             const double mu =
@@ -130,16 +130,16 @@ inline Eigen::ArrayXd coefficients_on(const PieceMeshes& meshes, const RollingPi
     return Eigen::Map<const Eigen::ArrayXd>(found.data(), Eigen::Index(found.size()));
 }
 
-/// Temperatures above ambient [K] in the middles of a piece's elements, and the largest temperature at their trailing
+/// Temperatures above ambient [K] in the middles of a patch's elements, and the largest temperature at their trailing
 /// edges, from the heat of each element per distance rolled [J/m].
-struct PieceTemperatures {
+struct PatchTemperatures {
     Eigen::ArrayXd middles;
     double peak = 0;
 };
 
-inline PieceTemperatures temperatures_of(const std::vector<Rectangle<double>>& elements, Eigen::Index along,
+inline PatchTemperatures temperatures_of(const std::vector<Rectangle<double>>& elements, Eigen::Index along,
                                          const Eigen::ArrayXd& work, double speed, const Heating& heating) {
-    PieceTemperatures found{Eigen::ArrayXd(work.size()), 0};
+    PatchTemperatures found{Eigen::ArrayXd(work.size()), 0};
     for (Eigen::Index first = 0; first < work.size(); first += along) {
         Eigen::ArrayXd edges(along + 1), heat(along);
         for (Eigen::Index i = 0; i < along; ++i) {
@@ -162,13 +162,13 @@ struct MeshFriction {
     TangentialForce<double> force;
     ElementVectors<double> tractions;
     Eigen::ArrayXd work;
-    std::vector<double> peaks{};  ///< largest temperature of each piece [K]; empty: not known
+    std::vector<double> peaks{};  ///< largest temperature of each patch [K]; empty: not known
 };
 
 /// Solves friction on a mesh for given coefficients of its elements.
 class MeshSolver {
 public:
-    MeshSolver(const PieceMeshes& meshes, const PatchContact<double>& contact, const RollingPieces& rolling,
+    MeshSolver(const PatchMeshes& meshes, const PatchContact<double>& contact, const RollingPatches& rolling,
                const RollingFriction& friction)
         : meshes_(meshes),
           contact_(contact),
@@ -178,9 +178,9 @@ public:
               meshes.joined(), NodeDifference{Nodes::chebyshev},
               HalfSpace<double>(contact.poisson_ratio(), friction.layer * contact.shear_modulus() / meshes.unit))),
           pressures_(system_.size()) {
-        for (std::size_t k = 0; k < meshes.pieces.size(); ++k) {
+        for (std::size_t k = 0; k < meshes.patches.size(); ++k) {
             pressures_.segment(meshes.first(k), meshes.size(k)) =
-                pressures_on(meshes.pieces[k].rectangles(meshes.unit), *rolling.pieces[k]);
+                pressures_on(meshes.patches[k].rectangles(meshes.unit), *rolling.patches[k]);
         }
     }
 
@@ -212,7 +212,7 @@ public:
     /// Loads of the rail's surface under tractions of the wheel.
     std::vector<LoadedRectangle> surface(const ElementVectors<double>& tractions) const {
         std::vector<LoadedRectangle> found;
-        for (const PatchMesh<double>& mesh : meshes_.pieces) {
+        for (const PatchMesh<double>& mesh : meshes_.patches) {
             for (const auto& [x_1, x_2, y_1, y_2] : mesh.rectangles(meshes_.unit)) {
                 const auto i = Eigen::Index(found.size());
                 found.push_back({x_1, x_2, y_1, y_2, -tractions(i, 0), -tractions(i, 1), pressures_[i]});
@@ -241,15 +241,15 @@ private:
         const Heating& heating = *friction_.heating;
         Eigen::ArrayXd found(of.work.size());
         std::vector<double> peaks;
-        for (std::size_t k = 0; k < meshes_.pieces.size(); ++k) {
-            const RailPatch& patch = *rolling_.pieces[k];
+        for (std::size_t k = 0; k < meshes_.patches.size(); ++k) {
+            const RailPatch& patch = *rolling_.patches[k];
             const double speed = rolling_velocity_of(patch, rolling_.speeds);
             const Creepage<double> creepage = rolling_.creepage(k);
             const bool both_pass = std::hypot(creepage.longitudinal, creepage.lateral) <= 0.2;
             if (!both_pass || !heating.passes_fast(speed, patch.half_length)) return std::nullopt;
             const Eigen::Index first = meshes_.first(k), count = meshes_.size(k);
-            const PieceTemperatures own =
-                temperatures_of(meshes_.pieces[k].rectangles(meshes_.unit), meshes_.pieces[k].elements_per_strip(),
+            const PatchTemperatures own =
+                temperatures_of(meshes_.patches[k].rectangles(meshes_.unit), meshes_.patches[k].elements_per_strip(),
                                 of.work.segment(first, count), speed, heating);
             found.segment(first, count) = own.middles;
             peaks.push_back(own.peak);
@@ -258,73 +258,73 @@ private:
         return found;
     }
 
-    const PieceMeshes& meshes_;
+    const PatchMeshes& meshes_;
     const PatchContact<double>& contact_;
-    const RollingPieces& rolling_;
+    const RollingPatches& rolling_;
     const RollingFriction& friction_;
     ElementSystem<double, 2> system_;
     Eigen::ArrayXd pressures_;
 };
 
-inline std::vector<PatchForce> friction_on(const PieceMeshes& meshes, const PatchContact<double>& contact,
-                                           const RollingPieces& rolling, const RollingFriction& friction) {
+inline std::vector<PatchForce> friction_on(const PatchMeshes& meshes, const PatchContact<double>& contact,
+                                           const RollingPatches& rolling, const RollingFriction& friction) {
     const MeshSolver solver(meshes, contact, rolling, friction);
     const MeshFriction solved = solver.solve();
     std::vector<PatchForce> found;
-    for (std::size_t k = 0; k < meshes.pieces.size(); ++k) {
-        const PatchMesh<double>& mesh = meshes.pieces[k];
-        PatchForce& piece = found.emplace_back();
-        piece.creepage = rolling.creepage(k);
-        piece.elements = mesh.size();
-        piece.status = solved.status;
-        piece.force = solved.force;  // not finite without a result
+    for (std::size_t k = 0; k < meshes.patches.size(); ++k) {
+        const PatchMesh<double>& mesh = meshes.patches[k];
+        PatchForce& patch = found.emplace_back();
+        patch.creepage = rolling.creepage(k);
+        patch.elements = mesh.size();
+        patch.status = solved.status;
+        patch.force = solved.force;  // not finite without a result
         if (solved.status == Status::assists_creepage || !is_finite(solved.force)) continue;
-        piece.force = force_of(mesh.rectangles(meshes.unit), solved.tractions.middleRows(meshes.first(k), mesh.size()));
-        piece.edges.resize(mesh.strip_count() + 1);
-        piece.edges << meshes.unit * mesh.lower(), meshes.unit * mesh.upper().tail(1);
-        piece.strip_work = solved.work.segment(meshes.first(k), mesh.size())
+        patch.force = force_of(mesh.rectangles(meshes.unit), solved.tractions.middleRows(meshes.first(k), mesh.size()));
+        patch.edges.resize(mesh.strip_count() + 1);
+        patch.edges << meshes.unit * mesh.lower(), meshes.unit * mesh.upper().tail(1);
+        patch.strip_work = solved.work.segment(meshes.first(k), mesh.size())
                                .reshaped(mesh.elements_per_strip(), mesh.strip_count())
                                .colwise()
                                .sum()
                                .transpose();
-        piece.slip_work = piece.strip_work.sum();
-        piece.surface = solver.surface(solved.tractions);
-        if (!solved.peaks.empty()) piece.peak_temperature = solved.peaks[k];
+        patch.slip_work = patch.strip_work.sum();
+        patch.surface = solver.surface(solved.tractions);
+        if (!solved.peaks.empty()) patch.peak_temperature = solved.peaks[k];
     }
     return found;
 }
 
-/// Friction on the pieces of one plane, which may also roll backwards or stand still.
-inline std::vector<PatchForce> plane_forces(const std::vector<RailPatch>& pieces, const WheelsetPosition& at,
+/// Friction on the patches of one plane, which may also roll backwards or stand still.
+inline std::vector<PatchForce> plane_forces(const std::vector<RailPatch>& patches, const WheelsetPosition& at,
                                             const WheelsetSpeeds& speeds, const TrackDimensions& dimensions,
                                             const RollingFriction& friction) {
-    const double rolls = rolling_velocity_of(pieces[0], speeds);
+    const double rolls = rolling_velocity_of(patches[0], speeds);
     if (rolls < 0) {
-        constexpr Mirror mirror = Mirror::along_track();
+        constexpr Mirror mirror = Mirror::reversing_x();
         std::vector<RailPatch> images;
-        for (const RailPatch& piece : pieces) images.push_back(mirrored(piece, mirror));
+        for (const RailPatch& patch : patches) images.push_back(mirrored(patch, mirror));
         std::vector<PatchForce> found =
             plane_forces(images, mirrored(at, mirror), mirrored(speeds, mirror), dimensions, friction);
-        for (PatchForce& piece : found) piece = mirrored(std::move(piece), mirror);
+        for (PatchForce& patch : found) patch = mirrored(std::move(patch), mirror);
         return found;
     }
-    RollingPieces rolling{{}, at, speeds, dimensions};
+    RollingPatches rolling{{}, at, speeds, dimensions};
     std::vector<PatchElements> elements;
-    for (const RailPatch& piece : pieces) {
-        rolling.pieces.push_back(&piece);
-        PatchElements& own = elements.emplace_back(elements_for(piece));
+    for (const RailPatch& patch : patches) {
+        rolling.patches.push_back(&patch);
+        PatchElements& own = elements.emplace_back(elements_for(patch));
         if (friction.elements > 0) own.along = friction.elements;
         if (friction.strips > 0) own.strips = friction.strips;
     }
     const bool known = rolls >= (std::numeric_limits<double>::min)() && is_finite(rolling.creepage(0));
     if (is_finite(speeds) && !known) {
-        return std::vector<PatchForce>(pieces.size(),
+        return std::vector<PatchForce>(patches.size(),
                                        {.force = {0, 0, 0}, .slip_work = 0, .status = Status::invalid_step});
     }
-    const PatchContact<double> contact = contact_of(pieces[0], dimensions);
+    const PatchContact<double> contact = contact_of(patches[0], dimensions);
     std::vector<PatchForce> found;
     with_fewer_strips(elements, [&](const std::vector<PatchElements>& fewer) {
-        found = friction_on(friction_meshes(rolling.pieces, fewer, contact.half_length()), contact, rolling, friction);
+        found = friction_on(friction_meshes(rolling.patches, fewer, contact.half_length()), contact, rolling, friction);
         return found[0].status != Status::assists_creepage;
     });
     return found;
@@ -357,10 +357,10 @@ ROLLBEM_DECL std::vector<PatchForce> patch_forces(const std::vector<RailPatch>& 
                                                   const RollingFriction& friction) {
     detail::require_valid(friction);
     std::vector<PatchForce> found(patches.size());
-    for (const std::vector<std::size_t>& plane : pieces_of_planes(patches)) {
-        std::vector<RailPatch> pieces;
-        for (const std::size_t k : plane) pieces.push_back(patches[k]);
-        std::vector<PatchForce> own = detail::plane_forces(pieces, at, speeds, dimensions, friction);
+    for (const std::vector<std::size_t>& plane : patches_by_plane(patches)) {
+        std::vector<RailPatch> coplanar;
+        for (const std::size_t k : plane) coplanar.push_back(patches[k]);
+        std::vector<PatchForce> own = detail::plane_forces(coplanar, at, speeds, dimensions, friction);
         for (std::size_t i = 0; i < plane.size(); ++i) found[plane[i]] = std::move(own[i]);
     }
     return found;

@@ -40,7 +40,7 @@ ROLLBEM_DECL auto ReducedFriction::look_up(const CreepForceTable& table, const P
     if (clean.status != Status::ok) return result;
     result.friction_coefficient = mu;
 
-    const CreepForceTable::LinearForce linear = table.linear_force_size(contact, creepage);
+    const CreepForceTable::LinearForce linear = table.saturation_parameter(contact, creepage);
     // without friction the contact slides; 1e100 is far in full sliding, and 1e-100 is rest
     const double eps = (std::min)(std::numbers::pi / 4 * linear.value / (mu * load), 1e100);
     const bool slides = !(mu * load > 0);

@@ -29,10 +29,11 @@ inline void scale(WheelOnRail::Contact& wheel, std::vector<PatchForce>& forces, 
 }
 
 /// Searches for the vertical load of a wheel's normal forces with which normal forces and friction carry the wanted
-/// load. `at` is the logarithm of the load over the wanted load.
+/// load. `log_load_factor` is the logarithm of the load over the
+/// wanted load.
 class CarriedLoad {
 public:
-    double at = 0;
+    double log_load_factor = 0;
 
     /// Whether normal forces and friction carry the wanted load to 1e-6, or the wheel does not touch; otherwise sets
     /// another load. Contacts jump a little where grids change: there all forces are scaled.
@@ -42,7 +43,7 @@ public:
             carried -= wrench_of(wheel.patches[i], forces[i], 0, 0).force[2];
         const double excess = std::log((std::max)(carried / wanted, 1e-2));
         if (!is_finite(carried) || std::abs(excess) < 1e-6) return true;
-        before_ = std::exchange(at, root_.next(at, excess));
+        before_ = std::exchange(log_load_factor, root_.next(log_load_factor, excess));
         constexpr double jump = 1e-2;
         if (root_.width() > 1e-6) return false;
         if (std::abs(excess) > jump) {
@@ -52,8 +53,8 @@ public:
         scale(wheel, forces, wanted / carried);
         return true;
     }
-    /// Returns towards the previous load.
-    void retreat() { at = (at + before_) / 2; }
+    /// Returns halfway to the previous load.
+    void halve_step() { log_load_factor = (log_load_factor + before_) / 2; }
 
 private:
     static constexpr double largest = 1.4;  // largest step
@@ -75,7 +76,7 @@ public:
         for (bool settled = false; !settled;) {
             ++result_.rounds;
             find_contacts(workspace, options);
-            if (retreats()) continue;
+            if (halves_steps()) continue;
             if (rolling_.free_pitch) speeds_.pitch_rate = free_pitch_rate(wheelset_, result_.contacts, speeds_);
             settled = true;
             for (const Side side : WheelsetOnTrack::sides) {
@@ -96,19 +97,19 @@ private:
 
     void find_contacts(WheelsetOnTrack::Workspace& workspace, const WheelOnRail::Options& options) {
         std::array<double, 2> loads = rolling_.loads;
-        for (std::size_t k = 0; k < 2; ++k) loads[k] *= std::exp(carried_[k].at);
+        for (std::size_t k = 0; k < 2; ++k) loads[k] *= std::exp(carried_[k].log_load_factor);
         result_.contacts = wheelset_.solve(position_, loads, workspace, rolling_.free, options);
         // the roll changes little from one round to the next
         if (has_numbers(result_.contacts.status)) position_.roll = result_.contacts.position.roll;
     }
 
     /// Whether a wheel has lost the numbers that it had under the previous loads; then loads return towards these.
-    bool retreats() {
+    bool halves_steps() {
         constexpr int most = 4;
         bool lost = false;
         for (std::size_t k = 0; k < 2 && failures_ < most; ++k) {
             if (has_numbers(result_.contacts.wheels[k].status) || result_.patches[k].empty()) continue;
-            carried_[k].retreat();
+            carried_[k].halve_step();
             lost = true;
         }
         failures_ += lost;
@@ -131,9 +132,9 @@ private:
         constexpr double out_of_reach = 5;  // a load of 150 times the one wanted
         const auto k = static_cast<std::size_t>(side);
         Status& status = wheel(side).status;
-        if (!has_numbers(status) || rolling_.free == Free::nothing || !rolling_.friction_carries) return true;
+        if (!has_numbers(status) || rolling_.free == Free::nothing || !rolling_.loads_include_friction) return true;
         if (carried_[k].settled(wheel(side), result_.patches[k], rolling_.loads[k])) return true;
-        const bool last = result_.rounds >= most, lifted = carried_[k].at > out_of_reach;
+        const bool last = result_.rounds >= most, lifted = carried_[k].log_load_factor > out_of_reach;
         if (lifted) status = Status::load_not_reached;
         if (lifted && rolling_.free == Free::height_and_roll) {
             for (const Side both : WheelsetOnTrack::sides) wheel(both).status = Status::load_not_reached;
@@ -178,7 +179,7 @@ private:
 };
 
 /// Whether a wheel has friction, and each of the others is lifted.
-inline bool rolls(const WheelsetForces& forces) {
+inline bool has_friction_result(const WheelsetForces& forces) {
     const auto& [left, right] = forces.contacts.wheels;
     const auto known = [](Status status) { return has_numbers(status) || status == Status::no_contact; };
     return known(left.status) && known(right.status) && (has_numbers(left.status) || has_numbers(right.status));
@@ -221,7 +222,7 @@ inline WheelsetForces roll_at_force(const WheelsetOnTrack& wheelset, WheelsetRol
     const double free = result.pitch_rate;
     RisingRoot root(steepest, largest_step);
     double creepage = 0;
-    for (int k = 0; k < 80 && rolls(result); ++k) {
+    for (int k = 0; k < 80 && has_friction_result(result); ++k) {
         double load = 0;
         for (const WheelOnRail::Contact& wheel : result.contacts.wheels) {
             for (const RailPatch& patch : wheel.patches) load += patch.load;

@@ -75,7 +75,7 @@ ROLLBEM_DECL auto WheelsetOnTrack::solve(WheelsetPosition position, const std::a
     // contacts, and with them heights, jump a little where grids change
     constexpr double precise = 1e-10, jump = 1e-6;  // tolerances of the height [m]
     detail::RisingRoot root(wheels_[0].wheel_origin() + wheels_[1].wheel_origin(), 5e-3);
-    // a piece with few cells at one roll need not have few at the next
+    // a patch with few cells at one roll need not have few at the next
     const auto goes_on = [&] { return has_numbers(contacts.status) || contacts.status == Status::few_cells; };
     for (int k = 0; k < 40 && goes_on() && std::abs(excess) > precise; ++k) {
         roll = root.next(roll, -excess);
