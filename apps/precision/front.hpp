@@ -27,6 +27,7 @@ struct Point {
     std::optional<double> model_error{};
     std::string status = "ok";           ///< why there is no error
     std::vector<std::string> setting{};  ///< kernel, aspect, poisson, size_ratio, epsilon
+    std::string worst_at{};              ///< the place of the error, if the quantity has any
     std::string series{};                ///< tells apart several series in n of one scheme
 };
 

@@ -24,7 +24,11 @@ std::vector<std::string> ranked_schemes(const std::vector<Point>& points) {
 
 std::string title_of(const Quantity& quantity) {
     if (quantity.name == "c11") return "c_{11} in steady rolling";
-    if (quantity.problem == Problem::harmonic) return "c_{11} at ω a/V = " + study::Cell(quantity.frequency).text(6);
+    if (quantity.problem == Problem::harmonic) {
+        const auto omega = [](const Place& place) { return study::Cell(place["omega"]).text(6); };
+        const Places& places = quantity.places;
+        return "c_{11} at ω a/V = " + omega(places.front()) + (places.size() > 1 ? " to " + omega(places.back()) : "");
+    }
     std::string title;
     for (const char c : quantity.name) title += c == '_' ? ' ' : c;  // to gnuplot the start of a subscript
     return title;
