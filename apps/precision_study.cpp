@@ -61,9 +61,8 @@ Quantities of a line
 with the weight sqrt(1 - x^2/a^2): Carter's traction, singular at the trailing edge, has no norm without it, and with it
 the norm bounds the error of the force.
   c11_z0.1, c11_z1, response: c11 at omega a/V = 0.1, at 1, and at 20 frequencies from 0.1 to 5, logarithmic. transient:
-TRANSIENT. friction: the force in
-steady rolling at creepage ratios 0.05 + 0.9 k/19, k = 0 to 19. closed-form: the difference of two closed forms where
-there are two.
+the force at q/a = 1.05, 1.12, ... 9.94 after a step of creepage, exact in time. friction: the force in steady rolling
+at creepage ratios 0.05 + 0.9 k/19, k = 0 to 19. closed-form: the difference of two closed forms where there are two.
   combined_force: the force at these creepage ratios, at 15, 45 and 75 degrees to the rolling direction; the error is
 |F - reference| over |reference|. load_force: the largest error of F/(mu N_0) from steady rolling over a period of a
 load N = N_0 (1 + 0.5 sin(2 pi q/(8 a_0))), in 160 steps of sdirk2, at creepage ratios 0.2, 0.35, 0.55 and 0.8.
@@ -113,9 +112,18 @@ void add_options(study::Options& options) {
     options.add("creepage-ratio", "X",
                 "the one creepage ratio delta = xi G/(2 (1-nu) mu p0) of friction, combined_force and load_force "
                 "[dimensionless], above 0; default: 20 ratios, for load_force 4");
+    options.add("angle", "DEGREES",
+                "the one angle of combined_force between creepages and the rolling direction [degrees], 0 to 90; "
+                "default: 15, 45 and 75");
     options.add("a-over-b", "RATIO",
                 "the one ratio of a patch's semi-axes [dimensionless], 0.001 to 1000; default: 0.2, 0.5, 1, 2 and 5; "
                 "with --recommend 0.1 to 25, default 1");
+    for (const char* name : {"longitudinal", "lateral", "spin"}) {
+        options.add(name, "X",
+                    std::string("the one creepage of patch_force, in units of patch_study [dimensionless], its ") + name +
+                        " part; default: 75 creepages, with one of the parts 0",
+                    "0");
+    }
     options.add("strips", "LIST",
                 "number of a patch's strips along the rolling direction [dimensionless]; default: --n, see below for "
                 "uniform-strips");
@@ -270,7 +278,7 @@ study::Table table_of(const Comparison& read) {
 
 Comparison read_comparison(const study::Options& options) {
     const bool patches = options.text("quantity").find("patch_") != std::string::npos;
-    for (const char* name : {"a-over-b", "strips"}) {
+    for (const char* name : {"a-over-b", "strips", "longitudinal", "lateral", "spin"}) {
         if (!patches) options.ignored(name, "without quantities of patches");
     }
     const bool timed = study::has_times(options), partial = options.given("shard") || !timed;

@@ -373,6 +373,7 @@ std::pair<Contact<double>, LineModel> read_contact(const study::Options& options
     if (!asked([](const Quantity& q) { return q.name == "response"; }))
         options.ignored("omega", "without the quantity response");
     if (!solve(Problem::transient)) options.ignored("dq", "without the quantity transient");
+    if (!solve(Problem::combined_friction)) options.ignored("angle", "without the quantity combined_force");
     if (!asked([](const Quantity& q) { return q.problem >= Problem::friction; }))
         options.ignored("creepage-ratio", "without a quantity with friction");
     const bool steady = !solve(Problem::harmonic) && !solve(Problem::transient) && !solve(Problem::varying_load);
@@ -440,17 +441,19 @@ std::vector<Quantity> line_quantities(const study::Options& options) {
         }
         return std::sqrt(error / size);
     };
-    const auto one_or = [&](const char* option, std::vector<double> usual) {
-        if (options.given(option)) usual = {options.number(option, study::positive())};
+    const auto one_or = [&](const char* option, std::vector<double> usual, const study::Rule& rule) {
+        if (options.given(option)) usual = {options.number(option, rule)};
         return usual;
     };
+    const auto positive = study::positive();
     const auto twenty = [](const auto& of) {  // of 0 to 1
         std::vector<double> values;
         for (int k = 0; k < 20; ++k) values.push_back(of(k / 19.0));
         return values;
     };
-    const auto ratios = one_or("creepage-ratio", twenty([](double part) { return 0.05 + 0.9 * part; }));
-    const auto frequencies = one_or("omega", twenty([](double part) { return 0.1 * std::pow(50, part); }));
+    const auto ratios = one_or("creepage-ratio", twenty([](double part) { return 0.05 + 0.9 * part; }), positive);
+    const auto frequencies = one_or("omega", twenty([](double part) { return 0.1 * std::pow(50, part); }), positive);
+    const auto angles = one_or("angle", {15, 45, 75}, study::between(0, 90));
     return {{"c11", Problem::steady, relative()},
             {"traction", Problem::steady, vector},
             {"c11_z0.1", Problem::harmonic, complex, combined({{"omega", {0.1}}})},
@@ -459,9 +462,9 @@ std::vector<Quantity> line_quantities(const study::Options& options) {
             {"transient", Problem::transient, relative(), combined({{"q_over_a", distances(options)}})},
             {"friction", Problem::friction, relative(), combined({{"creepage_ratio", ratios}})},
             {"combined_force", Problem::combined_friction, vector,
-             combined({{"creepage_ratio", ratios}, {"angle", {15, 45, 75}}})},
+             combined({{"creepage_ratio", ratios}, {"angle", angles}})},
             {"load_force", Problem::varying_load, largest_difference,
-             combined({{"creepage_ratio", one_or("creepage-ratio", {0.2, 0.35, 0.55, 0.8})}})}};
+             combined({{"creepage_ratio", one_or("creepage-ratio", {0.2, 0.35, 0.55, 0.8}, positive)}})}};
 }
 
 Comparison read_line_comparison(const study::Options& options) {

@@ -180,10 +180,20 @@ std::vector<double> read_shapes(const study::Options& options) {
     return {0.2, 0.5, 1, 2, 5};
 }
 
-/// 75 creepages of each shape, in units of mu N/(G a b) and, the spin, mu N/(G a b c): xi, eta and phi alone, together
-/// and against each other at three sizes, and 48 random ones. Each is relative to the creepage that would need mu N
-/// without slip, by Kalker's coefficients of the next a/b, which serve for this only.
-Places creepages(const std::vector<double>& shapes) {
+constexpr const char* components[] = {"longitudinal", "lateral", "spin"};
+
+/// The creepage of the options with each shape, or 75 of each, in units of mu N/(G a b) and, the spin, mu N/(G a b c):
+/// xi, eta and phi alone, together and against each other at three sizes, and 48 random ones. Each of these is relative
+/// to the creepage that would need mu N without slip, by Kalker's coefficients of the next a/b, which serve for this
+/// only.
+Places read_creepages(const study::Options& options, const std::vector<double>& shapes) {
+    if (std::any_of(std::begin(components), std::end(components), [&](const char* c) { return options.given(c); })) {
+        const auto part = [&](const char* name) { return std::vector{options.number(name, study::finite())}; };
+        return combined({{"a_over_b", shapes},
+                         {"longitudinal", part("longitudinal")},
+                         {"lateral", part("lateral")},
+                         {"spin", part("spin")}});
+    }
     std::vector<std::array<double, 3>> parts;
     for (const double size : {0.4, 1.0, 2.5}) {
         for (const auto& [xi, eta, phi] : {std::array{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1},
@@ -253,16 +263,19 @@ std::vector<Quantity> patch_quantities(const study::Options& options) {
             {"patch_c22", Problem::patch, relative(1), contacts},
             {"patch_c23", Problem::patch, relative(2), contacts},
             {"patch_c33", Problem::patch, relative(3), contacts},
-            {"patch_force", Problem::patch_friction, largest_difference, creepages(shapes)}};
+            {"patch_force", Problem::patch_friction, largest_difference, read_creepages(options, shapes)}};
 }
 
 Comparison read_patch_comparison(const study::Options& options) {
     const std::vector<double> shapes = read_shapes(options);
     const double nu = options.number("poisson", study::between(0, 0.5));
-    for (const char* name : {"kernel", "aspect", "front", "omega", "dq", "creepage-ratio"}) {
+    for (const char* name : {"kernel", "aspect", "front", "omega", "dq", "creepage-ratio", "angle"}) {
         options.ignored(name, "with quantities of patches");
     }
     Comparison result{columns(true), read_quantities(options, patch_quantities(options))};
+    if (result.quantities.back().problem != Problem::patch_friction) {
+        for (const char* name : components) options.ignored(name, "without the quantity patch_force");
+    }
     result.reference = [=](const Quantity& quantity) { return reference(nu, quantity); };
     std::vector<std::ptrdiff_t> sizes{4, 6, 8, 12, 16};
     if (result.quantities.back().problem == Problem::patch) sizes.push_back(24);
