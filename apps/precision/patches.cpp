@@ -177,7 +177,7 @@ std::optional<bool> stable(const std::vector<double>& shapes, double nu, const D
 /// a/b: those of the contacts over which quantities are judged, or the given one.
 std::vector<double> read_shapes(const study::Options& options) {
     if (options.given("a-over-b")) return {options.number("a-over-b", study::between(1e-3, 1e3))};
-    return {0.2, 0.5, 1, 2, 5};
+    return {0.2, 1, 5};
 }
 
 constexpr const char* components[] = {"longitudinal", "lateral", "spin"};

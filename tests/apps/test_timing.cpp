@@ -29,6 +29,19 @@ TEST_CASE("What takes a second is timed once, other computations at least 5 time
     CHECK(often.calls >= 6);
 }
 
+TEST_CASE("A call of several computations counts as so many, and its time is that of one", "[timing]") {
+    Computation four{2e4}, many{2e4};
+    const auto median_of = [](Computation& computation, std::size_t count) {
+        study::Timer timer([&] { return computation(); }, count);
+        while (!timer.done()) timer.run_again();
+        return timer.median();
+    };
+    CHECK(median_of(four, 4) >= 5e3);
+    CHECK(four.calls == 3);  // the first is not timed
+    CHECK(median_of(many, 20) >= 1e3);
+    CHECK(many.calls == 2);
+}
+
 TEST_CASE("A computation that is not timed is done once", "[timing]") {
     Computation once{100}, often{100};
     CHECK_FALSE(study::time_us_if(false, [&] { return once(); }));
