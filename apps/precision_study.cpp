@@ -43,8 +43,9 @@ One row for each scheme, n and quantity:
   stable            1 where no eigenvalue grows, as computed, else 0; empty above 256 elements of a patch
   on_front          1 where no other scheme is both as fast and as precise, else 0; a scheme's error counts as the
                     largest at this and every larger n, so that a change of sign does not pass for precision. Empty
-                    for polynomial and closed-form, and with --shard or --jobs above 1, where times are missing:
-                    concatenate the shards and use --front
+                    for polynomial and closed-form; for extrapolated forces with friction, whose errors jump with
+                    the border of stick; and with --shard or --jobs above 1, where times are missing: concatenate the
+                    shards and use --front
   model_error       relative error that the strip kernel alone makes
   size_ratio, epsilon
                     parameters of the scheme's mesh
@@ -67,9 +68,9 @@ at creepage ratios 0.05 + 0.9 k/19, k = 0 to 19. closed-form: the difference of 
 |F - reference| over |reference|. load_force: the largest error of F/(mu N_0) from steady rolling over a period of a
 load N = N_0 (1 + 0.5 sin(2 pi q/(8 a_0))), in 160 steps of sdirk2, at creepage ratios 0.2, 0.35, 0.55 and 0.8.
 Collocation and node differences on graded meshes breathe with the half-length where the kernel is plane; all other
-meshes cover the largest contact. Neither force has a closed form: combined_force is compared with cosine:nodes-chebyshev
-of 640 elements, good to 3e-6, load_force with an extrapolation from cosine meshes of 160 and 320 elements that breathe,
-in 640 steps, good to about 4e-6.
+meshes cover the largest contact. Neither force has a closed form: combined_force is compared with
+cosine:nodes-chebyshev of 640 elements, good to 3e-6, load_force with an extrapolation from cosine meshes of 160 and 320
+elements that breathe, in 640 steps, good to about 4e-6.
 
 Quantities of a patch
   patch_c11 ... patch_c33: Kalker's creep coefficients of an ellipse between half-spaces, by n elements in each of as
@@ -83,7 +84,7 @@ against each other, of 0.4, 1 and 2.5 times the size that would make mu N withou
 against eta, to 1e-3 elsewhere (5e-3 below a/b = 0.1, 1e-2 above 25).
   uniform-strips: strips of equal width, without --strips as many as recommended_patch gives (a/b from 0.1 to 25).
 Without --n, n is 4 to 24 for patches, with patch_force to 16; c11_z* and response stop at n = 320, transient and the
-forces with friction at 160: MINUTES in all.
+forces with friction at 160: two to three minutes in all.
 --plot draws up to three quantities; of more it draws c11, response and friction.
 )";
 
@@ -246,6 +247,7 @@ private:
             Values exact = found[k].exact.empty() ? task.exact(quantity) : found[k].exact;
             if (exact.empty()) exact = references_.at(quantity.name);
             point.quantity = quantity.name;
+            point.competes = quantity.competes(point.scheme);
             point.stable = stable;
             const auto [error, place] = worst(quantity, found[k].values, exact);
             point.relative_error = error;

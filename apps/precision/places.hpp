@@ -67,6 +67,12 @@ struct Quantity {
 
     /// The number of computations for the values at all places, which a run in time passes one after the other.
     std::size_t runs() const { return problem == Problem::transient ? 1 : places.size(); }
+
+    /// Whether its errors by a scheme count on the front.
+    bool competes(const std::string& scheme) const {
+        const bool friction = problem >= Problem::friction && problem != Problem::patch;
+        return !(friction && scheme.rfind("richardson:", 0) == 0);
+    }
 };
 
 /// The error that is largest, as it is signed, and its place. Each place has its part of the values, all of one length.

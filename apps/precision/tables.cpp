@@ -84,7 +84,8 @@ std::vector<Point> read_points(const study::Options& options, const std::vector<
                           .model_error = cell(7),
                           .status = cells[8],
                           .setting = {cells.begin() + setting, cells.end() - 1},
-                          .worst_at = cells.back()});
+                          .worst_at = cells.back(),
+                          .competes = quantity->competes(cells[0])});
         // rows can only be compared for one contact
         require(std::equal(points.back().setting.begin(), points.back().setting.begin() + 3,
                            points.front().setting.begin()),

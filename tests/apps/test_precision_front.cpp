@@ -49,6 +49,9 @@ TEST_CASE("An error is the largest over the places of a quantity, and names its 
     CHECK(std::isnan(failed.first));
     CHECK(failed.second == names[1]);
     CHECK(precision::Quantity{"c11", precision::Problem::steady, {}}.places.front().text().empty());
+    CHECK_FALSE(force.competes("richardson:cosine:nodes"));
+    CHECK(force.competes("cosine:nodes"));
+    CHECK(precision::Quantity{"c11", precision::Problem::patch, {}}.competes("richardson:cosine:nodes"));
 }
 
 TEST_CASE("An error counts as the largest at this and every larger n", "[precision]") {
@@ -76,6 +79,8 @@ TEST_CASE("No other discretisation is as fast and as precise as one on the front
                               point("cosine", 10, 0.5, 9, true, "traction")};
     points.push_back(points[0]);
     points.back().time_us.reset();
+    points.push_back(point("richardson:cosine", 10, 1e-9, 1));
+    points.back().competes = false;
     precision::mark_front(points);
     const auto front = [&] {
         std::vector<std::optional<bool>> found;
@@ -83,11 +88,11 @@ TEST_CASE("No other discretisation is as fast and as precise as one on the front
         return found;
     };
     const std::optional<bool> none;
-    CHECK(front() == std::vector<std::optional<bool>>{true, false, false, true, true, false, none, none, true, none});
+    CHECK(front() == std::vector<std::optional<bool>>{true, false, false, true, true, false, none, none, true, none, none});
     points.push_back(point("chebyshev", 8, 1e-3, 9));  // faster and more precise than all but the fourth
     precision::mark_front(points);
     CHECK(front() ==
-          std::vector<std::optional<bool>>{false, false, false, true, false, false, none, none, true, none, true});
+          std::vector<std::optional<bool>>{false, false, false, true, false, false, none, none, true, none, none, true});
 }
 
 TEST_CASE("The cheapest scheme for a tolerance is the fastest that keeps it", "[precision]") {
@@ -98,7 +103,13 @@ TEST_CASE("The cheapest scheme for a tolerance is the fastest that keeps it", "[
                                     point("knothe", 10, 1e-3, 7, std::nullopt),
                                     point("chebyshev", 5, 1e-5, 3),
                                     point("chebyshev", 6, 1e-6, 4, std::nullopt),
-                                    point("polynomial", 10, 1e-9, 1)};
+                                    point("polynomial", 10, 1e-9, 1),
+                                    {.scheme = "richardson:cosine",
+                                     .n = 10,
+                                     .quantity = "c11",
+                                     .relative_error = 1e-12,
+                                     .time_us = 0.1,
+                                     .competes = false}};
     const std::vector<double> sustained = precision::sustained_errors(points);
     const auto best = [&](const char* among) {
         std::vector<std::optional<std::size_t>> found;
