@@ -39,7 +39,8 @@ One row for each scheme, n and quantity:
   relative_error    relative error, for lines against the closed forms of the plane model: the largest over all
                     creepages, frequencies, ... that the quantity stands for, or that at the one given by an option
   time_us           time from the mesh to the result [microseconds] of one of these, the mean of all; median of
-                    several times all, at least 5 runs in all, one if it takes a second; all schemes take turns
+                    at least 5 times, or 5 of these if they take 0.2 seconds, once if all take one; all schemes take
+                    turns
   stable            1 where no eigenvalue grows, as computed, else 0; empty above 256 elements of a patch
   on_front          1 where no other scheme is both as fast and as precise, else 0; a scheme's error counts as the
                     largest at this and every larger n, so that a change of sign does not pass for precision. Empty
