@@ -127,8 +127,8 @@ void add_options(study::Options& options) {
                 "with --recommend 0.1 to 25, default 1");
     for (const char* name : {"longitudinal", "lateral", "spin"}) {
         options.add(name, "X",
-                    std::string("the one creepage of patch_force, in units of patch_study [dimensionless], its ") + name +
-                        " part; default: 75 creepages, with one of the parts 0",
+                    std::string("the one creepage of patch_force, in units of patch_study [dimensionless], its ") +
+                        name + " part; default: 75 creepages, with one of the parts 0",
                     "0");
     }
     options.add("strips", "LIST",

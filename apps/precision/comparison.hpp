@@ -66,7 +66,7 @@ inline Found extrapolate(const Found& coarse, Found fine, double order) {
 struct Task {
     Point point;  ///< what the rows of all quantities have in common
     std::vector<Quantity> quantities{};
-    std::map<Problem, double> time_us{};  ///< of one run, the mean over the places
+    std::map<Problem, double> time_us{};   ///< of one run, the mean over the places
     std::map<std::string, Found> found{};  ///< of each quantity whose time was measured
     /// Everything from the mesh to the result, anew for each run.
     std::function<Found(const Quantity&)> compute{};

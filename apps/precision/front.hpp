@@ -31,7 +31,7 @@ struct Point {
     /// Whether the error can be relied on. That of an extrapolated force with friction cannot: the border of stick jumps
     /// from element to element, and what few places show may be luck.
     bool competes = true;
-    std::string series{};                ///< tells apart several series in n of one scheme
+    std::string series{};  ///< tells apart several series in n of one scheme
 };
 
 /// Elements and Chebyshev states solve problems in steady rolling, frequency and time with any kernel; the others only

@@ -196,8 +196,15 @@ Places read_creepages(const study::Options& options, const std::vector<double>& 
     }
     std::vector<std::array<double, 3>> parts;
     for (const double size : {0.4, 1.0, 2.5}) {
-        for (const auto& [xi, eta, phi] : {std::array{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1},
-                                           {0, 1, -1}, {1, 1, 1}, {1, 1, -1}}) {
+        for (const auto& [xi, eta, phi] : {std::array{1, 0, 0},
+                                           {0, 1, 0},
+                                           {0, 0, 1},
+                                           {1, 1, 0},
+                                           {1, 0, 1},
+                                           {0, 1, 1},
+                                           {0, 1, -1},
+                                           {1, 1, 1},
+                                           {1, 1, -1}}) {
             const double one = size / std::sqrt(xi * xi + eta * eta + phi * phi);
             parts.push_back({one * xi, one * eta, one * phi});
         }
@@ -230,8 +237,13 @@ Task task_of(const std::vector<double>& shapes, double nu, const Discretisation&
     Task task{{.scheme = by.scheme.word(), .n = by.n}, quantities};
     const long strips = by.strips_of(shapes[0]);
     const bool equal = std::all_of(shapes.begin(), shapes.end(), [&](double s) { return by.strips_of(s) == strips; });
-    task.point.setting = {"half-space", "", study::Cell(nu).text(), "", "",
-                          shapes.size() > 1 ? "" : study::Cell(shapes[0]).text(), equal ? std::to_string(strips) : ""};
+    task.point.setting = {"half-space",
+                          "",
+                          study::Cell(nu).text(),
+                          "",
+                          "",
+                          shapes.size() > 1 ? "" : study::Cell(shapes[0]).text(),
+                          equal ? std::to_string(strips) : ""};
     task.compute = [=](const Quantity& quantity) { return compute(nu, quantity, by); };
     task.status = [](const Found& found) {
         return found.status == Status::ok ? Status::not_converged : found.status;  // the reference, then

@@ -56,7 +56,8 @@ study::Plot panel(const Quantity& shown, const std::string& note, const std::vec
     if (plot.series.size() == 1) plot.series[0].label = *rows.texts("scheme").begin();
     std::string left_out;  // schemes that serve for comparison alone
     for (const std::string& scheme : rows.texts("scheme")) {
-        if (!is_discretisation(scheme) || !shown.competes(scheme)) left_out += (left_out.empty() ? " without " : ", ") + scheme;
+        if (!is_discretisation(scheme) || !shown.competes(scheme))
+            left_out += (left_out.empty() ? " without " : ", ") + scheme;
     }
     front.label += left_out;
     std::sort(front.points.begin(), front.points.end());

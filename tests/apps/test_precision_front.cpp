@@ -88,11 +88,12 @@ TEST_CASE("No other discretisation is as fast and as precise as one on the front
         return found;
     };
     const std::optional<bool> none;
-    CHECK(front() == std::vector<std::optional<bool>>{true, false, false, true, true, false, none, none, true, none, none});
+    CHECK(front() ==
+          std::vector<std::optional<bool>>{true, false, false, true, true, false, none, none, true, none, none});
     points.push_back(point("chebyshev", 8, 1e-3, 9));  // faster and more precise than all but the fourth
     precision::mark_front(points);
-    CHECK(front() ==
-          std::vector<std::optional<bool>>{false, false, false, true, false, false, none, none, true, none, none, true});
+    CHECK(front() == std::vector<std::optional<bool>>{false, false, false, true, false, false, none, none, true, none,
+                                                      none, true});
 }
 
 TEST_CASE("The cheapest scheme for a tolerance is the fastest that keeps it", "[precision]") {
