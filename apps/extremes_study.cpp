@@ -98,8 +98,8 @@ void add_options(study::Options& options) {
 
 One row for each case:
   case, quantity    name of the case and of what is judged
-  value, reference  value, and closed form, Bessel function, spectral solution of the strip, other solver of the same
-                    elements, Chebyshev states, or the same discretisation in long double
+  value, reference  value, and closed form, Bessel function, spectral solution of the strip, 640 elements, other
+                    solver of the same elements, Chebyshev states, or the same discretisation in long double
   relative_error    relative error of the value
   residual          residual of the equations
   condition         condition of the problem, where the reference is in long double: the bound is the rounding error

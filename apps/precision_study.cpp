@@ -36,46 +36,56 @@ One row for each scheme, n and quantity:
   n                 number of elements, with richardson: of the finer mesh; with chebyshev number of states (1 to 48
                     without --n), with polynomial order; empty for the closed form
   quantity          quantity, see below
-  relative_error    relative error, for lines against the closed forms of the plane model
-  time_us           time from the mesh to the result [microseconds], median of at least 5 runs, one if it takes a
-                    second; all schemes take turns
+  relative_error    relative error, for lines against the closed forms of the plane model: the largest over all
+                    creepages, frequencies, ... that the quantity stands for, or that at the one given by an option
+  time_us           time from the mesh to the result [microseconds] of one of these, the mean of all; median of
+                    at least 5 times, or 5 of these if they take 0.2 seconds, once if all take one; all schemes take
+                    turns
   stable            1 where no eigenvalue grows, as computed, else 0; empty above 256 elements of a patch
   on_front          1 where no other scheme is both as fast and as precise, else 0; a scheme's error counts as the
                     largest at this and every larger n, so that a change of sign does not pass for precision. Empty
-                    for polynomial and closed-form, and with --shard or --jobs above 1, where times are missing:
-                    concatenate the shards and use --front
+                    for polynomial and closed-form; for extrapolated forces with friction, whose errors jump with
+                    the border of stick; and with --shard or --jobs above 1, where times are missing: concatenate the
+                    shards and use --front
   model_error       relative error that the strip kernel alone makes
   size_ratio, epsilon
                     parameters of the scheme's mesh
   status            ok, or why relative_error is empty; in the file of --cheapest none where no scheme reaches the
                     tolerance
-  a_over_b, strips  ratio of semi-axes and number of strips, for quantities of patches
+  a_over_b, strips  ratio of semi-axes and number of strips, for quantities of patches; empty where it differs among
+                    the patches that the error is the largest of
+  worst_at          place of the error, as creepage_ratio=0.5 angle=15, by the names of friction_study, transient_study
+                    and patch_study (angle: of both creepages to the rolling direction [degrees]; omega: of response);
+                    empty for c11 and traction, where nothing is varied
 
 Quantities of a line
   traction: norm of the differences from Carter's mean traction of each element over the norm of these means, both
 with the weight sqrt(1 - x^2/a^2): Carter's traction, singular at the trailing edge, has no norm without it, and with it
 the norm bounds the error of the force.
-  c11_z0.1, c11_z1, response: c11 at omega a/V = 0.1, 1 and --omega. transient: the largest relative error at q = dq,
-2 dq, ... 10 dq after a step of creepage, exact in time. friction: the force in steady rolling at --creepage-ratio.
-closed-form: the difference of two closed forms where there are two.
-  combined_force: the force at that creepage ratio, at 45 degrees to the rolling direction; the error is |F - reference|
-over |reference|. load_force: the largest error of F/(mu N_0) from steady rolling over a period of a load
-N = N_0 (1 + 0.5 sin(2 pi q/(8 a_0))), in 160 steps of sdirk2. Collocation and node differences on graded meshes breathe
-with the half-length where the kernel is plane; all other meshes cover the largest contact. Neither force has a closed
-form: references are extrapolated from cosine meshes of 320 and 640 elements (160 and 320 that breathe, in 640 steps),
-to about 1e-6 and 4e-6.
+  c11_z0.1, c11_z1, response: c11 at omega a/V = 0.1, at 1, and at 20 frequencies from 0.1 to 5, logarithmic. transient:
+the force at q/a = 1.05, 1.12, ... 9.94 after a step of creepage, exact in time. friction: the force in steady rolling
+at creepage ratios 0.05 + 0.9 k/19, k = 0 to 19. closed-form: the difference of two closed forms where there are two.
+  combined_force: the force at these creepage ratios, at 15, 45 and 75 degrees to the rolling direction; the error is
+|F - reference| over |reference|. load_force: the largest error of F/(mu N_0) from steady rolling over a period of a
+load N = N_0 (1 + 0.5 sin(2 pi q/(8 a_0))), in 160 steps of sdirk2, at creepage ratios 0.2, 0.35, 0.55 and 0.8.
+Collocation and node differences on graded meshes breathe with the half-length where the kernel is plane; all other
+meshes cover the largest contact. Neither force has a closed form: combined_force is compared with
+cosine:nodes-chebyshev of 640 elements, good to 3e-6, load_force with an extrapolation from cosine meshes of 160 and 320
+elements that breathe, in 640 steps, good to about 4e-6.
+
 Quantities of a patch
   patch_c11 ... patch_c33: Kalker's creep coefficients of an ellipse between half-spaces, by n elements in each of as
-many strips (others by --strips) along the rolling direction, with richardson: extrapolated from n/2 and strips/2. The
-reference is extrapolated from 24 x 24 and 48 x 48 elements; a reference from 32 x 32 and 64 x 64 differs by 2e-4
-(a/b = 0.5, 1) and 6e-4 (a/b = 5, 20).
-  patch_force: -F_x and -F_y under Hertz's pressure for three creepages, xi with eta, spin alone, all three; alone and
-without slip they would make 0.7, 2.5 and 0.6 mu N (by Kalker's c11, c22, c23). relative_error is the largest difference
-over mu N from strips of equal width, at most 500 elements, extrapolated from a third of them in each direction, a
-reference good to about 1e-3 (5e-3 below a/b = 0.1, 1e-2 above 25). time_us is the time for all three.
+many strips (others by --strips) along the rolling direction, with richardson: extrapolated from n/2 and strips/2, of
+a/b = 0.2, 1 and 5. The reference is extrapolated from 24 x 24 and 48 x 48 elements; a reference from 32 x 32 and
+64 x 64 differs by 2e-4 (a/b = 0.5, 1) and 6e-4 (a/b = 5, 20).
+  patch_force: -F_x and -F_y under Hertz's pressure for 75 creepages of each a/b: xi, eta and phi alone, together and
+against each other, of 0.4, 1 and 2.5 times the size that would make mu N without slip (by Kalker's c11, c22, c23), and
+48 random ones of up to 6 times. relative_error is the largest difference over mu N from strips of equal width, at most
+500 elements, extrapolated from a third of them in each direction, a reference good to about 3e-3 where spin acts
+against eta, to 1e-3 elsewhere (5e-3 below a/b = 0.1, 1e-2 above 25).
   uniform-strips: strips of equal width, without --strips as many as recommended_patch gives (a/b from 0.1 to 25).
 Without --n, n is 4 to 24 for patches, with patch_force to 16; c11_z* and response stop at n = 320, transient and the
-forces with friction at 160: a minute in all.
+forces with friction at 160: two to three minutes in all.
 --plot draws up to three quantities; of more it draws c11, response and friction.
 )";
 
@@ -98,18 +108,29 @@ void add_options(study::Options& options) {
     options.add(
         "quantity", "LIST",
         "quantities: all, or some of "
-        "c11,traction,c11_z0.1,c11_z1,response,transient,friction,combined_force,load_force; or, of a patch, some of " +
-            study::join(names_of(patch_quantities()), ","),
+        "c11,traction,c11_z0.1,c11_z1,response,transient,friction,combined_force,load_force; or, of a patch, some of "
+        "patch_c11,patch_c22,patch_c23,patch_c33,patch_force",
         "all");
-    options.add("omega", "Z", "frequency omega a/V of response [dimensionless], one value above 0", "5");
-    options.add("dq", "STEP", "length of each of the ten steps of transient [a], above 0", "1");
+    options.add("omega", "Z",
+                "the one frequency omega a/V of response [dimensionless], above 0; default: 20 frequencies");
+    options.add("dq", "STEP",
+                "length [a], above 0, of ten steps, after each of which transient is judged; default: from q = a to 10 "
+                "a");
     options.add("creepage-ratio", "X",
-                "creepage ratio delta = xi G/(2 (1-nu) mu p0) of friction, combined_force, load_force [dimensionless], "
-                "one value above 0",
-                "0.5");
+                "the one creepage ratio delta = xi G/(2 (1-nu) mu p0) of friction, combined_force and load_force "
+                "[dimensionless], above 0; default: 20 ratios, for load_force 4");
+    options.add("angle", "DEGREES",
+                "the one angle of combined_force between creepages and the rolling direction [degrees], 0 to 90; "
+                "default: 15, 45 and 75");
     options.add("a-over-b", "RATIO",
-                "ratio of a patch's semi-axes [dimensionless], one value, 0.001 to 1000; with --recommend 0.1 to 25",
-                "1");
+                "the one ratio of a patch's semi-axes [dimensionless], 0.001 to 1000; default: 0.2, 1 and 5; "
+                "with --recommend 0.1 to 25, default 1");
+    for (const char* name : {"longitudinal", "lateral", "spin"}) {
+        options.add(name, "X",
+                    std::string("the one creepage of patch_force, in units of patch_study [dimensionless], its ") +
+                        name + " part; default: 75 creepages, with one of the parts 0",
+                    "0");
+    }
     options.add("strips", "LIST",
                 "number of a patch's strips along the rolling direction [dimensionless]; default: --n, see below for "
                 "uniform-strips");
@@ -122,14 +143,15 @@ void add_options(study::Options& options) {
     options.add("recommend", "TOLERANCE",
                 "relative error [dimensionless], above 0 and below 1, for which command lines that stay below it are "
                 "printed, in place of a computation");
-    options.not_with({"n", "scheme", "kernel", "aspect", "poisson", "dq", "creepage-ratio", "shard", "jobs"}, "front");
+    options.not_with({"n", "scheme", "kernel", "aspect", "poisson", "shard", "jobs"}, "front");
     options.footer(help);
 }
 
 // --- times
 
-/// Finds the median times [us] of the `wanted` tasks for each of their problems. All take turns, one run each, so that
-/// changes in the machine's speed affect all of them. Reports the progress, 0 ... 1, by done(part).
+/// Finds the median times [us] of the `wanted` tasks for each of their problems, the mean over its places, and keeps
+/// what they find. All take turns, one run each, so that changes in the machine's speed affect all of them. Reports the
+/// progress, 0 ... 1, by done(part).
 void measure(std::vector<Task>& tasks, const std::vector<std::size_t>& wanted,
              const std::function<void(double part)>& done) {
     std::vector<std::pair<double*, study::Timer>> timers;
@@ -137,9 +159,14 @@ void measure(std::vector<Task>& tasks, const std::vector<std::size_t>& wanted,
         for (const Quantity& quantity : tasks[i].quantities) {
             const auto [time, is_new] = tasks[i].time_us.try_emplace(quantity.problem);
             if (!is_new) continue;
-            timers.emplace_back(&time->second, study::Timer([&compute = tasks[i].compute, quantity] {
-                return compute(quantity).values[0].real();
-            }));
+            Found& kept = tasks[i].found[quantity.name];
+            const auto compute = [&task = tasks[i], &kept, &quantity] {
+                Found found = task.compute(quantity);
+                const double value = found.values[0].real();
+                if (kept.values.empty()) kept = std::move(found);
+                return value;
+            };
+            timers.emplace_back(&time->second, study::Timer(compute, quantity.runs()));
         }
     }
     const auto is_open = [](const auto& timer) { return !timer.second.done(); };
@@ -209,7 +236,10 @@ private:
 
     std::vector<Point> points_of(std::size_t index) const {
         const Task& task = comparison_.tasks[index];
-        const std::vector<Found> found = each<Found>(task.quantities, task.compute);
+        const std::vector<Found> found = each<Found>(task.quantities, [&](const Quantity& quantity) {
+            const auto known = task.found.find(quantity.name);
+            return known != task.found.end() ? known->second : task.compute(quantity);
+        });
         std::vector<Point> points(found.size(), task.point);
         const std::optional<bool> stable = task.stable();
         for (std::size_t k = 0; k < found.size(); ++k) {
@@ -218,9 +248,12 @@ private:
             Values exact = found[k].exact.empty() ? task.exact(quantity) : found[k].exact;
             if (exact.empty()) exact = references_.at(quantity.name);
             point.quantity = quantity.name;
+            point.competes = quantity.competes(point.scheme);
             point.stable = stable;
-            point.relative_error = quantity.error(found[k].values, exact);
-            if (!std::isfinite(*point.relative_error)) {
+            const auto [error, place] = worst(quantity, found[k].values, exact);
+            point.relative_error = error;
+            point.worst_at = place->text();
+            if (!std::isfinite(error)) {
                 point.relative_error.reset();
                 point.status = name(task.status(found[k]));
             }
@@ -249,7 +282,7 @@ study::Table table_of(const Comparison& read) {
 
 Comparison read_comparison(const study::Options& options) {
     const bool patches = options.text("quantity").find("patch_") != std::string::npos;
-    for (const char* name : {"a-over-b", "strips"}) {
+    for (const char* name : {"a-over-b", "strips", "longitudinal", "lateral", "spin"}) {
         if (!patches) options.ignored(name, "without quantities of patches");
     }
     const bool timed = study::has_times(options), partial = options.given("shard") || !timed;

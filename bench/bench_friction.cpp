@@ -1,6 +1,7 @@
 // Friction: steps with unchanged and with changing zones, points of a creep curve from scratch, from the previous point
 // and by the exact border. The units of comparison are a matrix-vector product and a solution by LU.
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -23,6 +24,20 @@ constexpr double peak = 1e-3;  // mu p0 / G
 double creepage(double ratio) { return 2 * (1 - poisson_ratio) * peak * ratio; }
 constexpr double aspect = 1000;
 double force_ratio(const FrictionStep<>& step) { return -step.force / (2 * aspect * peak * std::numbers::pi / 2); }
+
+/// The largest error of steady rolling over creepage ratios, which place the border of stick all over the mesh.
+double largest_error(const FrictionModel<>& model) {
+    auto workspace = model.workspace();
+    auto now = model.at_rest(), next = now;
+    double largest = 0;
+    for (int k = 0; k < 20; ++k) {
+        const double ratio = 0.05 + 0.9 * k / 19;
+        const FrictionStep<> step = model.steady(now, {.motion = creepage(ratio)}, next, workspace);
+        largest = std::max(largest, std::abs(force_ratio(step) / carter_force_ratio(ratio) - 1));
+        std::swap(now, next);
+    }
+    return largest;
+}
 
 struct Scene {
     explicit Scene(Eigen::Index n) : mesh(cosine_mesh<double>(n)), friction{1, peak * mean_hertz_pressure(mesh)} {}
@@ -129,10 +144,10 @@ BENCHMARK(BM_StickBorderStrip)->Arg(40);
 // step for stick and slip, sdirk2 twice.
 void steps_unchanged(benchmark::State& state, Integrator integrator) {
     const FrictionModel<> model = Scene(state.range(0)).model(integrator);
-    const FrictionStep<> step = roll(state, model, 800, [&](const auto& now, auto& next, auto& workspace) {
+    roll(state, model, 800, [&](const auto& now, auto& next, auto& workspace) {
         return model.advance(now, {0.05, creepage(0.5)}, next, workspace);
     });
-    state.counters["relative_error"] = force_ratio(step) / carter_force_ratio(0.5) - 1;
+    state.counters["relative_error"] = largest_error(model);
 }
 void BM_FrictionStep(benchmark::State& state) { steps_unchanged(state, Integrator::implicit_euler); }
 BENCHMARK(BM_FrictionStep)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
@@ -240,8 +255,9 @@ void BM_FrictionStepFixedMeshSdirk2(benchmark::State& state) { steps_under_load(
 BENCHMARK(BM_FrictionStepFixedMeshSdirk2)->Arg(20)->Arg(30)->Arg(40)->Arg(80);
 
 void BM_FrictionSteady(benchmark::State& state) {
-    const FrictionStep<> step = solve_afresh(state, Scene(state.range(0)).steady_model(), creepage(0.5));
-    state.counters["relative_error"] = force_ratio(step) / carter_force_ratio(0.5) - 1;
+    const FrictionModel<> model = Scene(state.range(0)).steady_model();
+    solve_afresh(state, model, creepage(0.5));
+    state.counters["relative_error"] = largest_error(model);
 }
 BENCHMARK(BM_FrictionSteady)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 

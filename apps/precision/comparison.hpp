@@ -16,6 +16,7 @@
 #include <rollbem/status.hpp>
 
 #include "front.hpp"
+#include "places.hpp"
 #include "support/csv.hpp"
 #include "support/named_scheme.hpp"
 #include "support/options.hpp"
@@ -25,20 +26,6 @@
 namespace precision {
 
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-/// A problem is computed, and timed, as a whole.
-enum class Problem { steady, harmonic, transient, friction, combined_friction, varying_load, patch, patch_friction };
-
-/// Numbers that a quantity consists of; all but c11 under harmonic creepage are real.
-using Values = std::vector<std::complex<double>>;
-
-struct Quantity {
-    std::string name;
-    Problem problem;
-    /// relative_error as the study defines it, of what was found and what it should be.
-    std::function<double(const Values& found, const Values& exact)> error;
-    double frequency = 0;  ///< omega a/V, harmonic problems
-};
 
 /// The relative error of the k-th value, signed, if it is real.
 inline auto relative(std::size_t k = 0) {
@@ -52,10 +39,17 @@ inline double largest_difference(const Values& found, const Values& exact) {
     return largest(real(found) - real(exact));
 }
 
-/// The values that were computed; not numbers unless the status is ok.
+/// The values that were computed, at one place of a quantity after the other; not numbers unless the status is ok.
 struct Found {
-    Values values, exact{};  ///< and their exact values, if these differ from the reference
+    Values values{}, exact{};  ///< and their exact values, if these differ from the reference
     rollbem::Status status = rollbem::Status::ok;
+
+    /// Appends the values at further places.
+    void add(const Found& further) {
+        values.insert(values.end(), further.values.begin(), further.values.end());
+        exact.insert(exact.end(), further.exact.begin(), further.exact.end());
+        if (status == rollbem::Status::ok) status = further.status;
+    }
 };
 
 /// The values extrapolated with the values on a coarser mesh.
@@ -72,8 +66,9 @@ inline Found extrapolate(const Found& coarse, Found fine, double order) {
 struct Task {
     Point point;  ///< what the rows of all quantities have in common
     std::vector<Quantity> quantities{};
-    std::map<Problem, double> time_us{};
-    /// Everything from the mesh to the result.
+    std::map<Problem, double> time_us{};   ///< of one run, the mean over the places
+    std::map<std::string, Found> found{};  ///< of each quantity whose time was measured
+    /// Everything from the mesh to the result, anew for each run.
     std::function<Found(const Quantity&)> compute{};
     /// Exact values that take the place of the reference, found without being timed; empty if none do.
     std::function<Values(const Quantity&)> exact = [](const Quantity&) { return Values{}; };
@@ -95,10 +90,9 @@ struct Comparison {
     std::vector<Point> points{};  ///< all that are known
 };
 
-/// All quantities of a line, in the order of the rows; the response is at --omega.
+/// All quantities of a line, in the order of the rows, and of patches, each with the places that the options leave.
 std::vector<Quantity> line_quantities(const study::Options& options);
-/// The quantities of patches.
-std::vector<Quantity> patch_quantities();
+std::vector<Quantity> patch_quantities(const study::Options& options);
 
 /// The defaults of --scheme, of a line and of patches.
 inline constexpr const char* line_schemes =
@@ -121,12 +115,13 @@ Comparison read_line_comparison(const study::Options& options);
 Comparison read_patch_comparison(const study::Options& options);
 
 inline constexpr std::ptrdiff_t largest_n = 100000;
-inline constexpr std::size_t first_setting = 9;  ///< of the columns: kernel, ...
-const std::vector<std::string>& columns();
+/// The columns of a point's setting, of a line and of patches, and those of all rows.
+const std::vector<std::string>& settings(bool of_patch = false);
+std::vector<std::string> columns(bool of_patch = false);
 study::Row row(const Point& point);
 
-/// The rows of this program's earlier output for the chosen quantities. Throws BadInput if they are malformed or do not
-/// have one kernel, aspect and poisson.
+/// The rows of this program's earlier output for the chosen quantities. Throws BadInput if they are malformed, are
+/// judged at other places, or do not have one kernel, aspect and poisson.
 std::vector<Point> read_points(const study::Options& options, const std::vector<Quantity>& quantities);
 
 /// The fastest scheme for every quantity and tolerance. Throws WriteError.

@@ -27,7 +27,11 @@ struct Point {
     std::optional<double> model_error{};
     std::string status = "ok";           ///< why there is no error
     std::vector<std::string> setting{};  ///< kernel, aspect, poisson, size_ratio, epsilon
-    std::string series{};                ///< tells apart several series in n of one scheme
+    std::string worst_at{};              ///< the place of the error, if the quantity has any
+    /// Whether the error can be relied on. That of an extrapolated force with friction cannot: the border of stick jumps
+    /// from element to element, and what few places show may be luck.
+    bool competes = true;
+    std::string series{};  ///< tells apart several series in n of one scheme
 };
 
 /// Elements and Chebyshev states solve problems in steady rolling, frequency and time with any kernel; the others only
@@ -55,14 +59,15 @@ inline std::vector<double> sustained_errors(const std::vector<Point>& points) {
     return sustained;
 }
 
-/// Sets on_front of every discretisation that has a time: no other is both as fast and as precise. Leaves it empty for
-/// the rest.
+/// Sets on_front of every discretisation that competes and has a time: no other is both as fast and as precise. Leaves
+/// it empty for the rest.
 inline void mark_front(std::vector<Point>& points) {
     const std::vector<double> sustained = sustained_errors(points);
     std::map<std::string, std::vector<std::size_t>> of_quantity;
     for (std::size_t i = 0; i < points.size(); ++i) {
         points[i].on_front.reset();
-        if (is_discretisation(points[i].scheme) && points[i].time_us) of_quantity[points[i].quantity].push_back(i);
+        const bool counts = is_discretisation(points[i].scheme) && points[i].competes;
+        if (counts && points[i].time_us) of_quantity[points[i].quantity].push_back(i);
     }
     for (auto& [quantity, members] : of_quantity) {
         std::sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
@@ -85,14 +90,15 @@ inline const std::map<std::string, bool (*)(const Point&)> groups{
     {"stable", [](const Point& point) { return is_discretisation(point.scheme) && point.stable.value_or(false); }},
     {"all", [](const Point&) { return true; }}};
 
-/// The fastest point of a quantity in a group whose sustained error is at most `tolerance`, if there is one.
+/// The fastest point of a quantity in a group that competes and whose sustained error is at most `tolerance`, if there
+/// is one.
 inline std::optional<std::size_t> cheapest(const std::vector<Point>& points, const std::vector<double>& sustained,
                                            const std::string& quantity, double tolerance, const std::string& group) {
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Point& point = points[i];
         if (point.quantity != quantity || !point.time_us || !(sustained[i] <= tolerance)) continue;
-        if (groups.at(group)(point) && (!best || *point.time_us < *points[*best].time_us)) best = i;
+        if (point.competes && groups.at(group)(point) && (!best || *point.time_us < *points[*best].time_us)) best = i;
     }
     return best;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include <rollbem/closed_form/carter.hpp>
@@ -37,21 +38,21 @@ using Complex = std::complex<double>;
 using Kernel = rollbem::AnyKernel<double>;
 
 constexpr double peak = 1e-3;           // mu p0 / G
-constexpr int steps = 10;               // of the response to a step of creepage
 constexpr double load_amplitude = 0.5;  // N = N_0 (1 + A sin(2 pi q/L))
 constexpr double load_length = 8;       // L/a_0
 constexpr int load_steps = 160;         // in a period
 
-/// The parameters of the problems besides the contact.
+/// How the load that varies is computed.
 struct Settings {
-    double dq = 1;                ///< [a]
-    double creepage_ratio = 0.5;  ///< of the problems with friction
-    int load_parts = 1;           ///< of each step under a load that varies
-    bool may_breathe = true;      ///< whether a mesh may follow that load
+    int load_parts = 1;       ///< of each step
+    bool may_breathe = true;  ///< whether a mesh may follow that load
 };
 
-double creepage(const Scene& scene, const Settings& settings) {
-    return 2 * (1 - scene.contact.poisson_ratio()) * peak * settings.creepage_ratio;
+/// Places that are computed on one mesh.
+using Some = std::span<const Place>;
+
+double creepage(const Scene& scene, const Place& place) {
+    return 2 * (1 - scene.contact.poisson_ratio()) * peak * place["creepage_ratio"];
 }
 
 /// mu N of Hertz's pressure.
@@ -70,42 +71,69 @@ rollbem::Response<double> steady(const Scene& scene) {
                                          rollbem::unknown_widths(*scene.mesh, scene.scheme));
 }
 
-// --- the values of a quantity; not a number if the status is not ok
+// --- the values of a quantity at some places; not a number if the status is not ok
 
-/// force(q) at q = dq, 2 dq, ...
-template <class Force>
-Values after_step(const Settings& settings, const Force& force) {
-    Values forces;
-    for (int k = 1; k <= steps; ++k) forces.emplace_back(force(k * settings.dq));
-    return forces;
+/// function(q) at each q = q_over_a.
+template <class Function>
+Values over_distance(Some places, const Function& function) {
+    Values values;
+    for (const Place& place : places) values.emplace_back(function(place["q_over_a"]));
+    return values;
 }
 
-/// -F/(a G xi) after a step of creepage, exact in the time domain.
-Values step_forces(const Scene& scene, const Settings& settings) {
+/// -F/(a G xi) after a step of creepage, exact in the time domain, at places that are equally far apart.
+Values step_forces(const Scene& scene, Some places) {
     const rollbem::AdhesionModel<> model(scene.contact, study::system_of(scene), rollbem::unchecked,
                                          rollbem::Integrator::matrix_exponential);
     rollbem::Run contact(model);
-    return after_step(settings, [&](double) { return -contact.advance({settings.dq, 1.0}).force_per_width; });
+    const double dq = places[1]["q_over_a"] - places[0]["q_over_a"];
+    long rolled = 0;
+    double force = nan;
+    return over_distance(places, [&](double q) {
+        for (; rolled < std::lround(q / dq); ++rolled) force = -contact.advance({dq, 1.0}).force_per_width;
+        return force;
+    });
 }
 
-/// -F/(mu N) at the creepage ratio.
-Values friction_force(const Scene& scene, const Settings& settings) {
+/// c11 under harmonic creepage.
+Values responses(const Scene& scene, Some places) {
+    const auto system = study::system_of(scene);
+    Values values;
+    for (const Place& place : places) {
+        const auto response = rollbem::solve_response<double>(system, {0, place["omega"]});
+        values.push_back(response.status == Status::ok ? response.c11() : Complex(nan, nan));
+    }
+    return values;
+}
+
+/// -F/(mu N) at creepage ratios.
+Values friction_forces(const Scene& scene, Some places) {
     const rollbem::FrictionModel<> model(scene.contact, slopes(scene, scene.kernel), friction(scene));
-    const auto step = rollbem::Run(model).steady({.motion = creepage(scene, settings)});
-    return {step.status == Status::ok ? -step.force / full(scene) : nan};
+    rollbem::Run contact(model);
+    Values forces;
+    for (const Place& place : places) {
+        const auto step = contact.steady({.motion = creepage(scene, place)});
+        forces.emplace_back(step.status == Status::ok ? -step.force / full(scene) : nan);
+    }
+    return forces;
 }
 
-/// The forces along and across with the creepage at 45 degrees.
-Values combined_forces(const Scene& scene, const Settings& settings) {
+/// The forces along and across with creepages at an angle to the rolling direction.
+Values combined_forces(const Scene& scene, Some places) {
     // the model is made from kernels, as only then it knows where the equations hold and turns the slip
     const rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2> model(
         scene.contact,
         {slopes(scene, scene.kernel), slopes(scene, Kernel::lateral(scene.kernel.model(), scene.contact))},
         friction(scene));
-    const double part = creepage(scene, settings) / std::numbers::sqrt2;
-    const auto step = rollbem::Run(model).steady({.motion = {part, part}});
-    if (step.status != Status::ok) return {nan, nan};
-    return {-step.force.longitudinal / full(scene), -step.force.lateral / full(scene)};
+    rollbem::Run contact(model);
+    Values forces;
+    for (const Place& place : places) {
+        const double xi = creepage(scene, place), angle = place["angle"] * std::numbers::pi / 180;
+        const auto step = contact.steady({.motion = {xi * std::cos(angle), xi * std::sin(angle)}});
+        const double unit = step.status == Status::ok ? full(scene) : nan;
+        forces.insert(forces.end(), {-step.force.longitudinal / unit, -step.force.lateral / unit});
+    }
+    return forces;
 }
 
 /// Whether a mesh follows the half-length if the load varies: a uniform mesh gains nothing from edges that move with
@@ -116,7 +144,7 @@ bool breathes(const Scene& scene, const Settings& settings) {
 }
 
 /// -F/(mu N_0) after each of 160 steps in a period of the load.
-Values load_forces(const Scene& scene, const Settings& settings) {
+Values load_forces(const Scene& scene, const Settings& settings, const Place& place) {
     const auto line = rollbem::HertzLine<double>::dimensionless(peak);  // a_0 = 1 and p_0 = mu p_0 = peak under N_0
     const bool follows = breathes(scene, settings);
     const double half_length = follows ? 1 : std::sqrt(1 + load_amplitude);
@@ -132,7 +160,7 @@ Values load_forces(const Scene& scene, const Settings& settings) {
     rollbem::NormalLoad<double> load = hertz.at(load_at(load_length / 4));
     const auto system = rolling_system(*scene.mesh, scene.scheme, Kernel::longitudinal(scene.kernel.model(), covered));
     const rollbem::FrictionModel<> model(covered, system, rollbem::unchecked, {1, load.normal_pressure});
-    const double xi = creepage(scene, settings);
+    const double xi = creepage(scene, place);
     rollbem::Run contact(model);
     hertz.set(load_at(0), load);
     Status status = contact.steady({.motion = xi, .load = load}).status;
@@ -199,16 +227,17 @@ Found tractions(const Scene& scene) {
 bool is_traction(const Quantity& quantity) { return quantity.name == "traction"; }
 
 /// The values of a quantity other than the traction on one mesh, or by states.
-Values values(const Scene& scene, const Settings& settings, const Quantity& quantity) {
-    switch (quantity.problem) {
-        case Problem::harmonic: {
-            const auto response = rollbem::solve_response<double>(study::system_of(scene), {0, quantity.frequency});
-            return {response.status == Status::ok ? response.c11() : Complex(nan, nan)};
+Values values(const Scene& scene, const Settings& settings, Problem problem, Some places) {
+    switch (problem) {
+        case Problem::harmonic: return responses(scene, places);
+        case Problem::transient: return step_forces(scene, places);
+        case Problem::friction: return friction_forces(scene, places);
+        case Problem::combined_friction: return combined_forces(scene, places);
+        case Problem::varying_load: {
+            Found all;
+            for (const Place& place : places) all.add({load_forces(scene, settings, place)});
+            return all.values;
         }
-        case Problem::transient: return step_forces(scene, settings);
-        case Problem::friction: return friction_force(scene, settings);
-        case Problem::combined_friction: return combined_forces(scene, settings);
-        case Problem::varying_load: return load_forces(scene, settings);
         default: break;
     }
     const rollbem::Response<double> response = steady(scene);
@@ -217,78 +246,92 @@ Values values(const Scene& scene, const Settings& settings, const Quantity& quan
 
 /// The values of a quantity by a polynomial of the order `degree`. Steady results of the plane do not depend on the
 /// aspect.
-Found by_polynomial(const Contact<double>& contact, Eigen::Index degree, const Settings& settings,
-                    const Quantity& quantity) {
+Found by_polynomial(const Contact<double>& contact, Eigen::Index degree, const Quantity& quantity, Some places) {
     const double nu = contact.poisson_ratio(), aspect = std::isfinite(contact.aspect()) ? contact.aspect() : 1000;
     if (is_traction(quantity)) {
         const auto solution = rollbem::solve_polynomial(Complex(0), nu, aspect, degree);
         return at_points(nu, [&](double x) { return solution.traction(x); });
     }
-    if (quantity.problem != Problem::transient)
-        return {{rollbem::polynomial_c11(Complex(0, quantity.frequency), nu, aspect, degree).c11}};
-    const auto transform = [&](std::complex<long double> s) {
-        return rollbem::polynomial_c11<long double>(s, nu, aspect, degree).c11 / s;
-    };
-    return {after_step(settings, [&](double q) { return rollbem::reference::invert_laplace(transform, q); })};
+    if (quantity.problem == Problem::transient) {
+        const auto transform = [&](std::complex<long double> s) {
+            return rollbem::polynomial_c11<long double>(s, nu, aspect, degree).c11 / s;
+        };
+        return {over_distance(places, [&](double q) { return rollbem::reference::invert_laplace(transform, q); })};
+    }
+    Found found;
+    for (const Place& place : places) {
+        const double omega = quantity.problem == Problem::harmonic ? place["omega"] : 0;
+        found.add({{rollbem::polynomial_c11(Complex(0, omega), nu, aspect, degree).c11}});
+    }
+    return found;
 }
 
-Found evaluate(const Scene& scene, const Settings& settings, const Quantity& quantity);
+Found evaluate(const Scene& scene, const Settings& settings, const Quantity& quantity, Some places);
 
 /// The exact values of a quantity in the plane model, by closed forms where there are any, none of which depends on an
-/// infinite aspect. The force in both directions is extrapolated from cosine meshes of 320 and 640 elements. The
-/// force under a load that varies is extrapolated from cosine meshes of 160 and 320 elements that breathe, in steps of
-/// a quarter of the schemes' steps.
-Values reference(const Contact<double>& contact, const Settings& settings, const Quantity& quantity) {
+/// infinite aspect. Forces in both directions are those of 640 elements, which cannot be extrapolated, as the border of
+/// stick jumps from element to element. A load that varies moves the border all the time: its forces are extrapolated
+/// from cosine meshes of 160 and 320 elements that breathe, in steps of a quarter of the schemes' steps.
+Values reference(const Contact<double>& contact, const Quantity& quantity, Some places) {
     const double nu = contact.poisson_ratio();
+    const auto by = [&](const char* scheme, long n) {
+        const Scene fine = study::make_scene(study::scheme_named(scheme), n, contact, LineModel::plane);
+        return evaluate(fine, {.load_parts = 4}, quantity, places).values;
+    };
+    Values exact;
     switch (quantity.problem) {
-        case Problem::harmonic: return {rollbem::reference::plane_c11({0, quantity.frequency}, nu, contact.aspect())};
+        case Problem::harmonic:
+            for (const Place& place : places)
+                exact.push_back(rollbem::reference::plane_c11({0, place["omega"]}, nu, contact.aspect()));
+            return exact;
         case Problem::transient: {
             const rollbem::reference::StepResponse response(nu, contact.aspect());
-            return after_step(settings, [&](double q) { return response.step(q); });
+            return over_distance(places, [&](double q) { return response.step(q); });
         }
-        case Problem::friction: return {rollbem::carter_force_ratio(settings.creepage_ratio)};
-        case Problem::combined_friction:
-        case Problem::varying_load: {
-            const long n = quantity.problem == Problem::varying_load ? 320 : 640;
-            const Scene fine = study::make_scene(study::scheme_named("richardson:cosine:collocation:0.5/0.5"), n,
-                                                 contact, LineModel::plane);
-            return evaluate(fine, {.creepage_ratio = settings.creepage_ratio, .load_parts = 4}, quantity).values;
-        }
+        case Problem::friction:
+            for (const Place& place : places) exact.emplace_back(rollbem::carter_force_ratio(place["creepage_ratio"]));
+            return exact;
+        case Problem::combined_friction: return by("cosine:nodes-chebyshev", 640);
+        case Problem::varying_load: return by("richardson:cosine:collocation:0.5/0.5", 320);
         default: return {rollbem::steady_c11(nu)};
     }
 }
 
-Found in_closed_form(const Contact<double>& contact, const Settings& settings, const Quantity& quantity) {
+Found in_closed_form(const Contact<double>& contact, const Quantity& quantity, Some places) {
     const double nu = contact.poisson_ratio(), aspect = contact.aspect();
-    if (quantity.problem != Problem::transient) return {reference(contact, settings, quantity)};
-    return {after_step(settings, [&](double q) { return rollbem::reference::step_response_de_hoog(q, nu, aspect); })};
+    if (quantity.problem != Problem::transient) return {reference(contact, quantity, places)};
+    return {over_distance(places, [&](double q) { return rollbem::reference::step_response_de_hoog(q, nu, aspect); })};
 }
 
 /// Exact values to compare closed forms with where these are the reference themselves.
-Values second_closed_form(const Contact<double>& contact, const Settings& settings, const Quantity& quantity) {
-    if (quantity.problem != Problem::harmonic) return {};
-    const auto order = rollbem::default_polynomial_order(Complex(0, quantity.frequency));
-    return by_polynomial(contact, order, settings, quantity).values;
+Values second_closed_form(const Contact<double>& contact, const Quantity& quantity) {
+    Values exact;
+    if (quantity.problem != Problem::harmonic) return exact;
+    for (const Place& place : quantity.places) {
+        const auto order = rollbem::default_polynomial_order(Complex(0, place["omega"]));
+        exact.push_back(by_polynomial(contact, order, quantity, {&place, 1}).values[0]);
+    }
+    return exact;
 }
 
-Found evaluate(const Scene& scene, const Settings& settings, const Quantity& quantity) {
-    if (scene.degree > 0) return by_polynomial(scene.contact, scene.degree, settings, quantity);
-    if (!scene.is_discrete()) return in_closed_form(scene.contact, settings, quantity);
+Found evaluate(const Scene& scene, const Settings& settings, const Quantity& quantity, Some places) {
+    if (scene.degree > 0) return by_polynomial(scene.contact, scene.degree, quantity, places);
+    if (!scene.is_discrete()) return in_closed_form(scene.contact, quantity, places);
     if (is_traction(quantity)) return tractions(scene);
     const std::vector<Scene> meshes = scene.meshes();
-    const Found found{values(meshes.front(), settings, quantity)};
+    const Found found{values(meshes.front(), settings, quantity.problem, places)};
     if (!scene.coarse) return found;
-    return extrapolate({values(meshes.back(), settings, quantity)}, found, scene.order());
+    return extrapolate({values(meshes.back(), settings, quantity.problem, places)}, found, scene.order());
 }
 
 /// The relative difference that the strip makes to the plane limit: the model's error, on one mesh.
-double model_error(const Contact<double>& contact, Settings settings, const Quantity& quantity) {
-    settings.may_breathe = false;
+double model_error(const Contact<double>& contact, const Quantity& quantity) {
     const auto on = [&](LineModel model) {
         const auto scene = study::make_scene(study::scheme_named("cosine:collocation:0.5/0.5"), 60, contact, model);
-        return evaluate(scene, settings, quantity).values;
+        return evaluate(scene, {.may_breathe = false}, quantity, quantity.places);
     };
-    return quantity.error(on(LineModel::strip), on(LineModel::plane));
+    const Found strip = on(LineModel::strip), plane = on(LineModel::plane);
+    return worst(quantity, strip.values, plane.values).first;
 }
 
 Status status_of(const Scene& scene) {
@@ -330,6 +373,7 @@ std::pair<Contact<double>, LineModel> read_contact(const study::Options& options
     if (!asked([](const Quantity& q) { return q.name == "response"; }))
         options.ignored("omega", "without the quantity response");
     if (!solve(Problem::transient)) options.ignored("dq", "without the quantity transient");
+    if (!solve(Problem::combined_friction)) options.ignored("angle", "without the quantity combined_force");
     if (!asked([](const Quantity& q) { return q.problem >= Problem::friction; }))
         options.ignored("creepage-ratio", "without a quantity with friction");
     const bool steady = !solve(Problem::harmonic) && !solve(Problem::transient) && !solve(Problem::varying_load);
@@ -374,13 +418,20 @@ std::vector<std::ptrdiff_t> read_sizes(const study::Options& options, const Name
     return sizes;
 }
 
+/// The distances q/a of transient, equally far apart: ten steps of --dq, or those from 1 to 10, two of which lie next to
+/// the kink of the exact force at q/a = 2, on either side.
+std::vector<double> distances(const study::Options& options) {
+    const bool given = options.given("dq");
+    const double dq = given ? options.number("dq", study::positive()) : 0.07;
+    std::vector<double> all;
+    for (int k = given ? 1 : 15; k <= (given ? 10 : 142); ++k) all.push_back(k * dq);
+    return all;
+}
+
 }  // namespace
 
 std::vector<Quantity> line_quantities(const study::Options& options) {
     const auto complex = [](const Values& found, const Values& exact) { return std::abs(found[0] / exact[0] - 1.0); };
-    const auto largest_relative = [](const Values& found, const Values& exact) {
-        return largest(real(found) / real(exact) - 1);
-    };
     // |difference| over |exact|
     const auto vector = [](const Values& found, const Values& exact) {
         double error = 0, size = 0;
@@ -390,15 +441,30 @@ std::vector<Quantity> line_quantities(const study::Options& options) {
         }
         return std::sqrt(error / size);
     };
+    const auto one_or = [&](const char* option, std::vector<double> usual, const study::Rule& rule) {
+        if (options.given(option)) usual = {options.number(option, rule)};
+        return usual;
+    };
+    const auto positive = study::positive();
+    const auto twenty = [](const auto& of) {  // of 0 to 1
+        std::vector<double> values;
+        for (int k = 0; k < 20; ++k) values.push_back(of(k / 19.0));
+        return values;
+    };
+    const auto ratios = one_or("creepage-ratio", twenty([](double part) { return 0.05 + 0.9 * part; }), positive);
+    const auto frequencies = one_or("omega", twenty([](double part) { return 0.1 * std::pow(50, part); }), positive);
+    const auto angles = one_or("angle", {15, 45, 75}, study::between(0, 90));
     return {{"c11", Problem::steady, relative()},
             {"traction", Problem::steady, vector},
-            {"c11_z0.1", Problem::harmonic, complex, 0.1},
-            {"c11_z1", Problem::harmonic, complex, 1},
-            {"response", Problem::harmonic, complex, options.number("omega", study::positive())},
-            {"transient", Problem::transient, largest_relative},
-            {"friction", Problem::friction, relative()},
-            {"combined_force", Problem::combined_friction, vector},
-            {"load_force", Problem::varying_load, largest_difference}};
+            {"c11_z0.1", Problem::harmonic, complex, combined({{"omega", {0.1}}})},
+            {"c11_z1", Problem::harmonic, complex, combined({{"omega", {1}}})},
+            {"response", Problem::harmonic, complex, combined({{"omega", frequencies}})},
+            {"transient", Problem::transient, relative(), combined({{"q_over_a", distances(options)}})},
+            {"friction", Problem::friction, relative(), combined({{"creepage_ratio", ratios}})},
+            {"combined_force", Problem::combined_friction, vector,
+             combined({{"creepage_ratio", ratios}, {"angle", angles}})},
+            {"load_force", Problem::varying_load, largest_difference,
+             combined({{"creepage_ratio", one_or("creepage-ratio", {0.2, 0.35, 0.55, 0.8}, positive)}})}};
 }
 
 Comparison read_line_comparison(const study::Options& options) {
@@ -407,8 +473,6 @@ Comparison read_line_comparison(const study::Options& options) {
     const auto given = read_contact(options, schemes, quantities);
     const Contact<double> contact = given.first;
     const LineModel model = given.second;
-    const Settings settings{options.number("dq", study::positive()),
-                            options.number("creepage-ratio", study::positive())};
     Comparison result{columns(), quantities};
     for (const NamedScheme& scheme : schemes) {
         for (const long n : read_sizes(options, scheme)) {
@@ -419,14 +483,18 @@ Comparison read_line_comparison(const study::Options& options) {
             }
             if (task.quantities.empty()) continue;
             const Scene scene = study::make_scene(scheme, n, contact, model);
-            for (std::size_t k = first_setting; k < columns().size(); ++k) {
-                task.point.setting.push_back(scene_cell(scene, columns()[k]).text());
-            }
+            for (const std::string& column : settings()) task.point.setting.push_back(scene_cell(scene, column).text());
             task.compute = [=](const Quantity& quantity) {
-                return evaluate(study::make_scene(scheme, n, contact, model), settings, quantity);
+                Found found;
+                const std::size_t at_once = quantity.places.size() / quantity.runs();
+                for (Some rest = quantity.places; !rest.empty(); rest = rest.subspan(at_once)) {
+                    const Scene fresh = study::make_scene(scheme, n, contact, model);
+                    found.add(evaluate(fresh, {}, quantity, rest.first(at_once)));
+                }
+                return found;
             };
             if (scheme.method == "closed-form")
-                task.exact = [=](const Quantity& quantity) { return second_closed_form(contact, settings, quantity); };
+                task.exact = [=](const Quantity& quantity) { return second_closed_form(contact, quantity); };
             task.status = [=](const Found&) { return status_of(scene); };
             task.stable = [=] { return stable(scene); };
             result.tasks.push_back(std::move(task));
@@ -442,9 +510,9 @@ Comparison read_line_comparison(const study::Options& options) {
     };
     std::stable_sort(result.tasks.begin(), result.tasks.end(),
                      [&](const Task& one, const Task& other) { return place(one) < place(other); });
-    result.reference = [=](const Quantity& quantity) { return reference(contact, settings, quantity); };
+    result.reference = [=](const Quantity& quantity) { return reference(contact, quantity, quantity.places); };
     result.model_error = [=](const Quantity& quantity) {
-        return model == LineModel::plane ? std::nullopt : std::optional(model_error(contact, settings, quantity));
+        return model == LineModel::plane ? std::nullopt : std::optional(model_error(contact, quantity));
     };
     return result;
 }

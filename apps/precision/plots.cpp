@@ -24,7 +24,11 @@ std::vector<std::string> ranked_schemes(const std::vector<Point>& points) {
 
 std::string title_of(const Quantity& quantity) {
     if (quantity.name == "c11") return "c_{11} in steady rolling";
-    if (quantity.problem == Problem::harmonic) return "c_{11} at ω a/V = " + study::Cell(quantity.frequency).text(6);
+    if (quantity.problem == Problem::harmonic) {
+        const auto omega = [](const Place& place) { return study::Cell(place["omega"]).text(6); };
+        const Places& places = quantity.places;
+        return "c_{11} at ω a/V = " + omega(places.front()) + (places.size() > 1 ? " to " + omega(places.back()) : "");
+    }
     std::string title;
     for (const char c : quantity.name) title += c == '_' ? ' ' : c;  // to gnuplot the start of a subscript
     return title;
@@ -50,9 +54,10 @@ study::Plot panel(const Quantity& shown, const std::string& note, const std::vec
     add_series(plot, rows, {.by = {"scheme"}, .x = "time_us", .y = "relative_error", .absolute = true});
     plot.title = title_of(shown) + note;
     if (plot.series.size() == 1) plot.series[0].label = *rows.texts("scheme").begin();
-    std::string left_out;  // schemes that serve for comparison are not on the front
+    std::string left_out;  // schemes that serve for comparison alone
     for (const std::string& scheme : rows.texts("scheme")) {
-        if (!is_discretisation(scheme)) left_out += (left_out.empty() ? " without " : ", ") + scheme;
+        if (!is_discretisation(scheme) || !shown.competes(scheme))
+            left_out += (left_out.empty() ? " without " : ", ") + scheme;
     }
     front.label += left_out;
     std::sort(front.points.begin(), front.points.end());

@@ -16,11 +16,16 @@
 
 namespace precision {
 
-const std::vector<std::string>& columns() {
-    static const std::vector<std::string> names{"scheme", "n",        "quantity",    "relative_error", "time_us",
-                                                "stable", "on_front", "model_error", "status",         "kernel",
-                                                "aspect", "poisson",  "size_ratio",  "epsilon"};
-    return names;
+const std::vector<std::string>& settings(bool of_patch) {
+    static const std::vector<std::string> of_lines{"kernel", "aspect", "poisson", "size_ratio", "epsilon"},
+        of_patches = study::joined<std::string>(of_lines, {"a_over_b", "strips"});
+    return of_patch ? of_patches : of_lines;
+}
+
+std::vector<std::string> columns(bool of_patch) {
+    const std::vector<std::string> first{"scheme", "n",        "quantity",    "relative_error", "time_us",
+                                         "stable", "on_front", "model_error", "status"};
+    return study::joined(study::joined(first, settings(of_patch)), {"worst_at"});
 }
 
 study::Row row(const Point& point) {
@@ -28,6 +33,7 @@ study::Row row(const Point& point) {
     study::Row cells{point.scheme,       study::Cell(point.n), point.quantity,    point.relative_error, point.time_us,
                      flag(point.stable), flag(point.on_front), point.model_error, point.status};
     cells.insert(cells.end(), point.setting.begin(), point.setting.end());
+    cells.emplace_back(point.worst_at);
     return cells;
 }
 
@@ -36,23 +42,28 @@ std::vector<Point> read_points(const study::Options& options, const std::vector<
     const auto require = [&](bool holds, const std::string& what) {
         if (!holds) throw study::BadInput(lines.where() + " must " + what);
     };
+    const std::vector<std::string> names = columns();
+    const auto setting = study::index_of(names, settings().front());
     std::vector<Point> points;
     std::set<std::vector<std::string>> seen;
     while (lines.next()) {
         const std::vector<std::string> cells = study::cells_of(lines.text());
         if (lines.is_first()) {
-            require(cells == columns(), "be " + study::join(columns(), ","));
+            require(cells == names, "be " + study::join(names, ","));
             continue;
         }
-        require(cells.size() == columns().size(), "have " + std::to_string(columns().size()) + " cells");
+        require(cells.size() == names.size(), "have " + std::to_string(names.size()) + " cells");
         try {
             study::scheme_named(cells[0]);
         } catch (const study::BadInput&) {
             require(false, "name a scheme: " + cells[0]);
         }
-        const bool wanted = std::any_of(quantities.begin(), quantities.end(),
-                                        [&](const Quantity& quantity) { return quantity.name == cells[2]; });
-        if (!wanted) continue;
+        const auto quantity = std::find_if(quantities.begin(), quantities.end(),
+                                           [&](const Quantity& one) { return one.name == cells[2]; });
+        if (quantity == quantities.end()) continue;
+        const Places& places = quantity->places;
+        require(std::any_of(places.begin(), places.end(), [&](const Place& p) { return p.text() == cells.back(); }),
+                "have a worst_at of " + cells[2] + " by the options given: " + cells.back());
         require(seen.insert({cells[0], cells[1], cells[2]}).second,
                 "not repeat a row: " + cells[0] + ", n = " + cells[1] + ", " + cells[2]);
         const auto cell = [&](std::size_t column) -> std::optional<double> {
@@ -72,9 +83,11 @@ std::vector<Point> read_points(const study::Options& options, const std::vector<
                           .on_front = std::nullopt,
                           .model_error = cell(7),
                           .status = cells[8],
-                          .setting = {cells.begin() + first_setting, cells.end()}});
+                          .setting = {cells.begin() + setting, cells.end() - 1},
+                          .worst_at = cells.back(),
+                          .competes = quantity->competes(cells[0])});
         // rows can only be compared for one contact
-        require(std::equal(cells.begin() + first_setting, cells.begin() + first_setting + 3,
+        require(std::equal(points.back().setting.begin(), points.back().setting.begin() + 3,
                            points.front().setting.begin()),
                 "have the kernel, aspect and poisson of the rows above");
     }
@@ -111,7 +124,7 @@ Recommendation read_recommendation(const study::Options& options) {
     for (const study::Given& given : options.given()) {
         if (given.name != "recommend" && given.name != "a-over-b") options.ignored(given.name, "with --recommend");
     }
-    return {tolerance, options.number("a-over-b", study::between(0.1, 25))};
+    return {tolerance, options.given("a-over-b") ? options.number("a-over-b", study::between(0.1, 25)) : 1};
 }
 
 void print_recommendations(const Recommendation& wanted) {

@@ -27,12 +27,47 @@ done
 "$precision" --recommend 0.02 --a-over-b 0.2 |
     grep -q '^patch_study --a-over-b 0.2 --n 12 --strips 17 --strip-grading uniform ' || fail '--recommend, patch'
 
+# --- an error is the largest of those that the other studies find at the places a quantity stands for, and worst_at
+# names its place; an option judges at one place. largest COLUMN PROGRAM ARG...: the largest |relative_error| of the rows
+# and its place, beside a row of precision_study in the file out.
+largest() {
+    column=$1
+    shift
+    "$@" >rows_of_places || fail "$*"
+    set -- "$(rows 'NR > 1 { e = $relative_error ^ 2; if (e > most) { most = e; place = $'"$column"' } }
+        END { printf "%.17g %s", sqrt(most), place }' rows_of_places)"
+    check "the largest error over $column: $1" "(sqrt(\$relative_error ^ 2) / ${1% *} - 1) ^ 2 < 1e-5 ^ 2 && \
+        split(\$worst_at, place, /=/) == 2 && place[1] == \"$column\" && (place[2] - ${1#* }) ^ 2 < 1e-20"
+}
+word='--kernel plane --scheme cosine:nodes --n 20 --no-timing'
+spread() { awk -v from="$1" -v by="$2" -v count="$3" 'BEGIN {
+    for (k = 0; k < count; ++k) printf "%s%.17g", k ? "," : "", by < 0 ? from * (-by) ^ (k / 19) : from + by * k }'; }
+# shellcheck disable=SC2086 # words
+{
+    "$precision" --quantity friction $word >out
+    largest creepage_ratio "$programs/friction_study" $word --creepage-ratio "$(spread 0.05 0.047368421052631574 20)"
+    "$precision" --quantity response $word >out
+    largest omega "$programs/frequency_study" $word --omega "$(spread 0.1 -50 20)"
+    "$programs/transient_study" $word --step 1 --dq 0.07 --until 9.94 --integrator exponential >all
+    "$precision" --quantity transient $word >out
+    rows 'NR == 1 || $q_over_a > 1' all >late
+    largest q_over_a cat late
+    "$precision" --quantity friction $word --creepage-ratio 0.3 >out
+    largest creepage_ratio "$programs/friction_study" $word --creepage-ratio 0.3
+}
+# a border of stick in the middle of both meshes passes for precision at one creepage alone
+"$precision" --quantity friction --scheme richardson:cosine:nodes --n 20 --no-timing >out
+set_error=$(rows 'END { print sqrt($relative_error ^ 2) }' out)
+"$precision" --quantity friction --scheme richardson:cosine:nodes --n 20 --no-timing --creepage-ratio 0.5 >out
+check 'a lucky creepage' "$set_error > 100 * sqrt(\$relative_error ^ 2) && \$worst_at == \"creepage_ratio=0.5\""
+
 # --- the error of a force is the distance as a vector of friction_study's from CONTACT's, extrapolated
 "$programs/friction_study" --kernel plane --n 40 --creepage-ratio 0.35355339059327373 \
     --lateral-ratio 0.35355339059327373 >out
 distance=$(rows 'END { x = 0.54356; y = 0.40941
     print sqrt((($force_ratio - x) ^ 2 + ($lateral_force_ratio - y) ^ 2) / (x ^ 2 + y ^ 2)) }' out)
-"$precision" --quantity combined_force --n 40 --scheme cosine:collocation:0.5/0.5 --jobs 2 >out
+"$precision" --quantity combined_force --creepage-ratio 0.5 --angle 45 --n 40 --scheme cosine:collocation:0.5/0.5 \
+    --jobs 2 >out
 check 'the error of the force as a vector' "(\$relative_error - $distance) ^ 2 < 2e-5 ^ 2 && $distance > 5e-4"
 
 # --- shards add up to the whole, but for times and the front; --front leaves the whole as it is, and fills the columns

@@ -29,6 +29,23 @@ TEST_CASE("What takes a second is timed once, other computations at least 5 time
     CHECK(often.calls >= 6);
 }
 
+TEST_CASE("A call of several computations counts as so many, and its time is that of one", "[timing]") {
+    Computation few{1e3}, four{1.5e5}, many{2.5e5};
+    const auto median_of = [](Computation& computation, std::size_t count) {
+        study::Timer timer([&] { return computation(); }, count);
+        while (!timer.done()) timer.run_again();
+        return timer.median();
+    };
+    const double one = median_of(few, 20);
+    CHECK(one >= 50);
+    CHECK(one < 500);
+    CHECK(few.calls >= 6);
+    CHECK(median_of(four, 4) >= 3.75e4);
+    CHECK(four.calls == 3);  // the first is not timed
+    CHECK(median_of(many, 20) >= 1.25e4);
+    CHECK(many.calls == 2);
+}
+
 TEST_CASE("A computation that is not timed is done once", "[timing]") {
     Computation once{100}, often{100};
     CHECK_FALSE(study::time_us_if(false, [&] { return once(); }));
