@@ -194,8 +194,11 @@ std::string unlike_its_mirror_image(const WheelOnRail& wheel, Scene scene, const
     return apart > 1e-8 ? "mirror image: height differs by " + shown(apart) + " m" : "";
 }
 
-/// Whether a point of the track lies under pressure of a patch.
-bool presses(const RailPatch& patch, double x, double y, double z) {
+/// Whether the place of the largest pressure of a patch lies under pressure of another patch, too.
+bool presses(const RailPatch& patch, const RailPatch& other) {
+    Eigen::Index row = 0, column = 0;
+    other.pressure.maxCoeff(&row, &column);
+    const auto [x, y, z] = other.place(other.grid.x(row), other.grid.y(column), 0);
     const double s = (y - patch.y) * std::cos(patch.angle) + (z - patch.z) * std::sin(patch.angle);
     const auto cell = [](double place, double first, double size) { return std::lround((place - first) / size); };
     const Eigen::Index i = cell(x - patch.x, patch.grid.x(0), patch.grid.dx),
@@ -245,9 +248,8 @@ std::string unlike_at_its_height(const Pair& pair, Scene scene, const Contact& c
         return "without interaction: " + shown(more / again) + " of one region's load";
     for (const auto& [one, other] : {std::pair(&same, &alone), {&alone, &same}}) {
         for (const RailPatch& patch : one->patches) {
-            const auto parts = std::count_if(other->patches.begin(), other->patches.end(), [&](const RailPatch& part) {
-                return presses(patch, part.x, part.y, part.z);
-            });
+            const auto parts = std::count_if(other->patches.begin(), other->patches.end(),
+                                             [&](const RailPatch& part) { return presses(patch, part); });
             if (parts > 1) return "interaction: " + std::to_string(parts) + " patches in place of one";
         }
     }
