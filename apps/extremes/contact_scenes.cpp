@@ -237,7 +237,7 @@ std::string unlike_at_its_height(const Pair& pair, Scene scene, const Contact& c
         if (!has_numbers(found->status)) return std::string(how) + name(found->status);
     }
     const double again = vertical(same) / scene.load, more = vertical(alone) / scene.load;
-    constexpr double by_cells = 0.01;
+    constexpr double by_cells = 0.02;
     if (std::abs(again - 1) > by_cells) return "at its height: " + shown(again) + " of the load";
     if (more < again - 1e-6) return "without interaction: " + shown(more / again) + " of the load";
     bool is_one = true;

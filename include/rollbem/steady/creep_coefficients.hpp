@@ -36,7 +36,7 @@ CreepCoefficients<Value> creep_coefficients(const PatchContact<Scalar>& contact,
 }
 
 /// Largest estimate of a coefficient's relative error that confirms it: errors up to 5 % (docs/measured.md).
-inline constexpr double largest_error_estimate = 0.045;
+inline constexpr double largest_error_estimate = 0.042;
 [[deprecated("largest_error_estimate")]] inline constexpr double largest_mesh_change = largest_error_estimate;
 
 /// Whether entry (i, j) of steady coefficients can be used: the status is ok, or it is not_converged and other meshes
