@@ -173,9 +173,9 @@ Surfaces drawn_surfaces(Random& random) {
     Surfaces drawn{};
     std::tie(drawn.rail, drawn.canted) = rails[random.integer(3)];
     drawn.cant = std::array{0.0, 1.0 / 40, 1.0 / 20}[std::size_t(random.integer(3))];
-    const std::pair<const char*, std::vector<Wave>> as_new{"", {}},
-        worn{", worn", {{0.02, 1e-4}, {0.04, 4e-4}, {0.08, 1e-3}}},
-        rough{", rough", {{1e-3, 1e-5}, {2.3e-3, 1e-5}, {5e-3, 1e-5}}};
+    const std::pair<const char*, std::vector<Wave>> as_new{"new", {}},
+        worn{"worn", {{0.02, 1e-4}, {0.04, 4e-4}, {0.08, 1e-3}}},
+        rough{"rough", {{1e-3, 1e-5}, {2.3e-3, 1e-5}, {5e-3, 1e-5}}};
     std::tie(drawn.state, drawn.waves) = random.one_in(10) ? rough : random.one_in(3) ? as_new : worn;
     return drawn;
 }
@@ -281,8 +281,8 @@ Case contact_scene(std::uint64_t seed, bool in_slices) {
 Case position_scene(std::uint64_t seed) {
     Random random(seed);
     const Surfaces surfaces = drawn_surfaces(random);
-    return {std::string("S1002 on ") + surfaces.rail + surfaces.state + ", scene " + std::to_string(seed), "least gap",
-            [=] { return run_position(seed); }};
+    return {std::string("position ") + std::to_string(seed) + " of S1002 on " + surfaces.rail + ' ' + surfaces.state,
+            "least gap", [=] { return run_position(seed); }};
 }
 
 }  // namespace extremes
