@@ -36,7 +36,7 @@ CreepCoefficients<Value> creep_coefficients(const PatchContact<Scalar>& contact,
 }
 
 /// Largest estimate of a coefficient's relative error that confirms it: errors up to 5 % (docs/measured.md).
-inline constexpr double largest_error_estimate = 0.042;
+inline constexpr double largest_error_estimate = 0.045;
 [[deprecated("largest_error_estimate")]] inline constexpr double largest_mesh_change = largest_error_estimate;
 
 /// Whether entry (i, j) of steady coefficients can be used: the status is ok, or it is not_converged and other meshes
@@ -145,9 +145,10 @@ MatrixX<Scalar> distances_from_limits(const PatchContact<Scalar>& contact, const
     const MatrixX<Scalar> middle = on(12), first = limit(on(8), middle, Scalar(1.5));
     const auto of_first = [&](const MatrixX<Scalar>& from) { return relative_sizes<Scalar>(from - first, first); };
     const MatrixX<Scalar> errors = of_first(own), doubts = of_first(middle);
-    // a third mesh decides what neither is certainly right nor far off
+    // a third mesh decides what is neither certainly right nor far off by two
     constexpr Scalar largest = Scalar(largest_error_estimate);
-    const bool decided = ((errors + doubts).array() <= largest || (errors - doubts).array() > 2 * largest).all();
+    const bool decided =
+        ((errors + doubts).array() <= 2 * largest / 3 || (errors - doubts).array() > 2 * largest).all();
     if (decided) return errors + doubts;
     const MatrixX<Scalar> last = limit(middle, on(16), Scalar(4) / 3);
     return relative_sizes<Scalar>(own - last, last) + relative_sizes<Scalar>(last - first, last);
