@@ -120,5 +120,7 @@ Case patch_scene(std::uint64_t seed);
 /// A random position and load of a wheel on a rail, or on the rail as a surface that changes along the way. The error
 /// is the largest ratio of a violation to its bound.
 Case contact_scene(std::uint64_t seed, bool in_slices);
+/// A random position and load of a wheel on a rail drawn with it.
+Case position_scene(std::uint64_t seed);
 
 }  // namespace extremes

@@ -4,6 +4,7 @@
 #include <complex>
 #include <map>
 #include <numbers>
+#include <vector>
 
 #include <rollbem/adhesion/frequency.hpp>
 #include <rollbem/adhesion/stability.hpp>
@@ -209,6 +210,66 @@ TEST_CASE("patch_steady: coarse meshes do not pass for right") {
     const PatchContact<double> triangle(Outline<double>(y, base, tip), 1, 0);
     const auto corner = solved(triangle, patch_mesh(triangle, 12, 8));
     CHECK_FALSE(is_confirmed(corner.response, 1, 2));
+}
+
+TEST_CASE("patch_steady: coefficients of ellipses that one finer mesh does not doubt") {
+    struct Coarse {
+        double a_over_b;
+        Eigen::Index n, m;
+        double c33;  ///< limit of 36 x 18 and 52 x 26 elements
+    };
+    // 12 % off, and the change to 12 x 12 or so is below 7 %
+    for (const Coarse& mesh : {Coarse{5, 2, 8, 0.345}, {7, 4, 8, 0.282}, {6, 8, 6, 0.308}}) {
+        INFO("a/b " << mesh.a_over_b << ", " << mesh.n << " x " << mesh.m);
+        const auto contact = PatchContact<double>::dimensionless(mesh.a_over_b, 0.5);
+        const Mesh<double> across = mesh.m == 8 ? uniform_mesh(mesh.m) : cosine_mesh(mesh.m);
+        const auto coarse = solved(contact, patch_mesh(contact, cosine_mesh(mesh.n), across));
+        CHECK(relative(coarse.c33, mesh.c33) > 0.1);
+        CHECK_FALSE(is_confirmed(coarse.response, 2, 2));
+        const auto fine = solved(mesh.a_over_b, 0.5, 16, 16);
+        CHECK(fine.status == Status::ok);
+        CHECK(relative(fine.c33, mesh.c33) < 0.05);
+    }
+    // strips of no use: all but two of ten close together in the middle
+    const auto circle = PatchContact<double>::dimensionless(1, 0.28);
+    ArrayX<double> edges = ArrayX<double>::LinSpaced(11, -0.1, 0.1);
+    edges[0] = -1;
+    edges[10] = 1;
+    CHECK(solved(circle, patch_mesh(circle, cosine_mesh(10), mesh_from_edges(edges))).status != Status::ok);
+}
+
+TEST_CASE("patch_steady: coefficients of outlines that half as many strips do not doubt") {
+    struct Shape {
+        const char* name;
+        double nu;
+        std::vector<double> y, trailing, leading;
+        Eigen::Index n;
+        Mesh<double> across;
+        double c11;  ///< limit of 14 x 26 and 20 x 36 elements, in units of its c
+    };
+    const std::vector<double> half_behind(5, -0.5);
+    for (const Shape& shape :
+         {Shape{"bulge", 0.28, {-1, -0.2, 0, 0.2, 1}, half_behind, {0.5, 0.5, 4.5, 0.5, 0.5}, 12, cosine_mesh(8), 8.35},
+          {"tongue",
+           0.5,
+           {-1, 0.05, 0.055, 0.145, 0.15, 1},
+           {-0.2, -0.2, -3, -3, -0.2, -0.2},
+           {0.2, 0.2, 3, 3, 0.2, 0.2},
+           8,
+           cosine_mesh(8),
+           19.15},
+          {"end", 0.28, {-1, -0.95, 1}, {-2, -0.2, -0.2}, {2, 0.2, 0.2}, 8, uniform_mesh(8), 10.38}}) {
+        INFO(shape.name);
+        const auto array = [](const std::vector<double>& of) -> ArrayX<double> {
+            return Eigen::Map<const ArrayX<double>>(of.data(), Eigen::Index(of.size()));
+        };
+        const PatchContact<double> contact(Outline<double>(array(shape.y), array(shape.trailing), array(shape.leading)),
+                                           1, shape.nu);
+        const auto patch = solved(contact, patch_mesh(contact, cosine_mesh(shape.n), shape.across));
+        CHECK(relative(patch.response.coefficients(0, 0), shape.c11) > 0.15);
+        CHECK(patch.status == Status::not_converged);
+        CHECK_FALSE(is_confirmed(patch.response, 0, 0));
+    }
 }
 
 TEST_CASE("patch_steady: a kernel without means of the coupling is not trusted on wide patches") {

@@ -3,6 +3,9 @@
 // and strip by strip from small to large y, piece by piece where several patches are one mesh.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -163,6 +166,60 @@ PatchMesh<Scalar> outline_mesh(const Outline<Scalar>& outline, std::type_identit
     }
     return PatchMesh<Scalar>({std::move(along), edges, middles, middles_x, half_lengths});
 }
+
+namespace detail {
+
+/// About m strips across an outline: half of them as a cosine mesh, half where its edges run along y the least. Up to
+/// m/2 lines of the outline are edges of strips.
+template <class Scalar>
+Mesh<Scalar> outline_strips(const Outline<Scalar>& outline, Eigen::Index m) {
+    const ArrayX<Scalar>& y = outline.y();
+    const Eigen::Index lines = y.size();
+    const auto place = [&](Scalar at) {
+        return (2 * at - outline.low() - outline.high()) / (outline.high() - outline.low());
+    };
+    ArrayX<Scalar> run = ArrayX<Scalar>::Zero(lines);  // of both edges along x, up to each line
+    for (Eigen::Index i = 1; i < lines; ++i) {
+        run[i] = run[i - 1] + std::abs(outline.leading(y[i]) - outline.leading(y[i - 1])) +
+                 std::abs(outline.trailing(y[i]) - outline.trailing(y[i - 1]));
+    }
+    const Scalar whole = run[lines - 1];
+    const auto share = [&](Scalar at) {  // of the strips that lie below
+        const Scalar by_height = std::acos(std::clamp(-place(at), Scalar(-1), Scalar(1))) / std::numbers::pi_v<Scalar>;
+        if (!(whole > 0)) return by_height;
+        const Eigen::Index j = std::upper_bound(y.data() + 1, y.data() + lines - 1, at) - y.data();
+        const Scalar part = (at - y[j - 1]) / (y[j] - y[j - 1]);
+        return (by_height + (run[j - 1] + part * (run[j] - run[j - 1])) / whole) / 2;
+    };
+    std::vector<Scalar> edges{-1};
+    const auto add_up_to = [&](Scalar from, Scalar to) {
+        const Scalar low = share(from), high = share(to);
+        const auto count = (std::max)(Eigen::Index(1), static_cast<Eigen::Index>(std::round(Scalar(m) * (high - low))));
+        for (Eigen::Index j = 1; j < count; ++j) {
+            Scalar below = from, above = to;
+            for (int k = 0; k < 60; ++k) {
+                const Scalar middle = (below + above) / 2;
+                (share(middle) < low + (high - low) * Scalar(j) / Scalar(count) ? below : above) = middle;
+            }
+            edges.push_back(place(below));
+        }
+        edges.push_back(place(to));
+    };
+    Scalar from = outline.low();
+    const Scalar least = (outline.high() - from) / 1000;
+    if (lines - 2 <= m / 2) {
+        for (Eigen::Index i = 1; i + 1 < lines; ++i) {
+            if (y[i] - from < least || outline.high() - y[i] < least) continue;
+            add_up_to(from, y[i]);
+            from = y[i];
+        }
+    }
+    add_up_to(from, outline.high());
+    edges.back() = 1;
+    return mesh_from_edges<Scalar>(Eigen::Map<const ArrayX<Scalar>>(edges.data(), Eigen::Index(edges.size())));
+}
+
+}  // namespace detail
 
 /// The mesh of a contact patch in units of a (outlines: c). Cosine meshes in both directions are accurate; n = m serves
 /// at every a/b up to 10.
