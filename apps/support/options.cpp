@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <new>
+#include <optional>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
 #include <gsl/gsl_errno.h>
@@ -10,7 +12,6 @@
 #include <rollbem/discretisation/mesh.hpp>
 
 #include "build_info.hpp"
-#include "config_file.hpp"
 #include "csv.hpp"
 #include "input.hpp"
 #include "named_scheme.hpp"
@@ -297,6 +298,49 @@ std::optional<std::string> Options::parse(int argc, const char* const* argv) {
     return std::nullopt;
 }
 
+namespace {
+
+/// A line of a configuration file, NAME = VALUE, or a list that goes on over lines.
+struct Setting {
+    std::string name, where;          ///< `where` as Lines::where
+    std::vector<std::string> values;  ///< none after a name alone
+};
+
+/// The next setting, read by CLI11, which passes over what it does not understand: that is refused here, by its line.
+std::optional<Setting> next_setting(Lines& lines) {
+    do {
+        if (!lines.next()) return std::nullopt;
+    } while (lines.text()[0] == ';');
+    const std::string where = lines.where(), shown = where + " = " + lines.text();
+    const auto require = [&](bool holds, const char* what) {
+        if (!holds) throw BadInput(shown + " must " + what);
+    };
+    std::string text = lines.text();
+    require(text[0] != '[', "not be there: a configuration file has no sections");
+    const std::size_t equals = text.find('=');
+    const bool is_name = equals == std::string::npos;
+    require(is_name || equals + 1 < text.size(), "have a value");
+    const bool is_list = !is_name && rollbem::detail::trimmed(std::string_view(text).substr(equals + 1))[0] == '[';
+    while (is_list && text.find(']') == std::string::npos) {
+        if (!lines.next()) throw BadInput(where + ": each [ must have its ]");
+        text += lines.text();
+    }
+    require(!is_list || text.find(']') + 1 == text.size(), "end with its ]");
+    require(is_list || text.back() != ',', "be a list without empty items");
+    CLI::ConfigBase format;
+    format.comment('\0');  // a # within a value is no comment
+    std::istringstream one(is_name ? text + " = true" : text);
+    const CLI::ConfigItem item = format.from_config(one).at(0);
+    Setting setting{item.name, where, {}};
+    if (is_name) return setting;
+    for (const std::string& value : item.inputs) setting.values.emplace_back(rollbem::detail::trimmed(value));
+    require(setting.values.size() < 2 || !contains(setting.values, ""), "be a list without empty items");
+    if (!is_list && text.find(',', equals) < text.size()) setting.values = {join(setting.values, ",")};
+    return setting;
+}
+
+}  // namespace
+
 void Options::read_config() {
     const std::string text = contents(*this, "config");
     const auto malformed = [&](const std::string& what) { return BadInput(said("config") + ": " + what); };
@@ -309,21 +353,21 @@ void Options::read_config() {
     if (text.find("[given]") != std::string::npos) {
         throw malformed("must be of version 0.5 or later; give the command_line in it instead");
     }
-    for (const Setting& setting : read_settings(Lines(said("config"), text))) {
-        const auto found = entries_.find(setting.name);
-        const std::string where = setting.where + ": " + setting.name;
-        if (found == entries_.end() || setting.name == "config") {
-            throw BadInput(where + " must be an option of " + program_ + suggestion(setting.name) + "; see --help");
+    Lines lines(said("config"), text);
+    while (const std::optional<Setting> setting = next_setting(lines)) {
+        const auto found = entries_.find(setting->name);
+        const std::string where = setting->where + ": " + setting->name, value = join(setting->values, ",");
+        if (found == entries_.end() || setting->name == "config") {
+            throw BadInput(where + " must be an option of " + program_ + suggestion(setting->name) + "; see --help");
         }
         const bool is_flag = found->second.kind == Kind::flag;
-        const std::string value = setting.values.empty() && is_flag ? "true" : join(setting.values, ",");
-        if (value.empty()) throw BadInput(where + " must have a value");
-        if (is_flag && value != "true" && value != "false") {
+        if (value.empty() && !is_flag) throw BadInput(where + " must have a value");
+        if (is_flag && value != "" && value != "true" && value != "false") {
             throw BadInput(where + " = " + value + " must be true or false");
         }
         std::vector<std::string>& values = found->second.configured;
-        if (is_flag) values = {value};
-        if (!is_flag) values.insert(values.end(), setting.values.begin(), setting.values.end());
+        if (is_flag) values = {value == "false" ? "false" : "true"};
+        if (!is_flag) values.insert(values.end(), setting->values.begin(), setting->values.end());
     }
 }
 
