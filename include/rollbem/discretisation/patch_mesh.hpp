@@ -169,8 +169,8 @@ PatchMesh<Scalar> outline_mesh(const Outline<Scalar>& outline, std::type_identit
 
 namespace detail {
 
-/// About m strips across an outline: half of them as a cosine mesh, half where its edges run along y the least. Up to
-/// m/2 lines of the outline are edges of strips.
+/// About m strips across an outline, as dense as in a cosine mesh by half, and where its edges change along y by half.
+/// Up to m/2 lines of the outline are edges of strips.
 template <class Scalar>
 Mesh<Scalar> outline_strips(const Outline<Scalar>& outline, Eigen::Index m) {
     const ArrayX<Scalar>& y = outline.y();

@@ -127,7 +127,8 @@ bool is_resolved(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& m
     return std::abs(found / Scalar(4.0 / 15) - 1) < Scalar(0.035);
 }
 
-/// Limits of small elements that the library's own meshes show.
+/// Relative distances of coefficients from the limits of small elements that meshes of the library's own show, and the
+/// doubt about these limits.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 MatrixX<Scalar> distances_from_limits(const PatchContact<Scalar>& contact, const Scheme& scheme, const Kernel& kernel,
                                       const MatrixX<Scalar>& own) {
