@@ -216,6 +216,13 @@ Mesh<Scalar> outline_strips(const Outline<Scalar>& outline, Eigen::Index m) {
     }
     add_up_to(from, outline.high());
     edges.back() = 1;
+    // strips that are mirror images to the last bit make two problems of half the size
+    for (std::size_t j = 0, k = edges.size() - 1; j <= k && k > 0; ++j, --k) {
+        const Scalar half = (edges[k] - edges[j]) / 2;
+        if (!(std::abs(edges[j] + edges[k]) <= Scalar(1e-6))) continue;
+        edges[k] = half;
+        edges[j] = -half;
+    }
     return mesh_from_edges<Scalar>(Eigen::Map<const ArrayX<Scalar>>(edges.data(), Eigen::Index(edges.size())));
 }
 
