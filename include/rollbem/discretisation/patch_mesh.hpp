@@ -169,8 +169,8 @@ PatchMesh<Scalar> outline_mesh(const Outline<Scalar>& outline, std::type_identit
 
 namespace detail {
 
-/// About m strips across an outline: half of them as a cosine mesh, half where its edges run along y the least. Up to
-/// m/2 lines of the outline are edges of strips.
+/// About m strips across an outline, as dense as in a cosine mesh by half, and where its edges change along y by half.
+/// Up to m/2 lines of the outline are edges of strips.
 template <class Scalar>
 Mesh<Scalar> outline_strips(const Outline<Scalar>& outline, Eigen::Index m) {
     const ArrayX<Scalar>& y = outline.y();
@@ -216,6 +216,13 @@ Mesh<Scalar> outline_strips(const Outline<Scalar>& outline, Eigen::Index m) {
     }
     add_up_to(from, outline.high());
     edges.back() = 1;
+    // strips that are mirror images to the last bit make two problems of half the size
+    for (std::size_t j = 0, k = edges.size() - 1; j <= k && k > 0; ++j, --k) {
+        const Scalar half = (edges[k] - edges[j]) / 2;
+        if (!(std::abs(edges[j] + edges[k]) <= Scalar(1e-6))) continue;
+        edges[k] = half;
+        edges[j] = -half;
+    }
     return mesh_from_edges<Scalar>(Eigen::Map<const ArrayX<Scalar>>(edges.data(), Eigen::Index(edges.size())));
 }
 

@@ -127,7 +127,8 @@ bool is_resolved(const PatchContact<Scalar>& contact, const PatchMesh<Scalar>& m
     return std::abs(found / Scalar(4.0 / 15) - 1) < Scalar(0.035);
 }
 
-/// Limits of small elements that the library's own meshes show.
+/// Relative distances of coefficients from the limits of small elements that meshes of the library's own show, and the
+/// doubt about these limits.
 template <class Scalar, RollingScheme<Scalar> Scheme, RectangleKernel Kernel>
 MatrixX<Scalar> distances_from_limits(const PatchContact<Scalar>& contact, const Scheme& scheme, const Kernel& kernel,
                                       const MatrixX<Scalar>& own) {
@@ -145,10 +146,10 @@ MatrixX<Scalar> distances_from_limits(const PatchContact<Scalar>& contact, const
     const MatrixX<Scalar> middle = on(12), first = limit(on(8), middle, Scalar(1.5));
     const auto of_first = [&](const MatrixX<Scalar>& from) { return relative_sizes<Scalar>(from - first, first); };
     const MatrixX<Scalar> errors = of_first(own), doubts = of_first(middle);
-    // a third mesh decides what is neither certainly right nor far off by two
+    // a third mesh decides what is neither certainly right nor far off by two; of outlines it costs most
     constexpr Scalar largest = Scalar(largest_error_estimate);
-    const bool decided =
-        ((errors + doubts).array() <= 2 * largest / 3 || (errors - doubts).array() > 2 * largest).all();
+    const Scalar right = outline ? largest : 2 * largest / 3;
+    const bool decided = ((errors + doubts).array() <= right || (errors - doubts).array() > 2 * largest).all();
     if (decided) return errors + doubts;
     const MatrixX<Scalar> last = limit(middle, on(16), Scalar(4) / 3);
     return relative_sizes<Scalar>(own - last, last) + relative_sizes<Scalar>(last - first, last);
