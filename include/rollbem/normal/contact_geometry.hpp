@@ -117,27 +117,23 @@ public:
     PlacedWheel placed(const WheelsetPosition& at) const { return {wheel_, wheel_origin_, dimensions_.radius, at}; }
 
     /// A point of the rail in track axes; x [m] along the track.
-    CurvePoint rail_at(std::size_t part, double s, double x) const {
-        CurvePoint p = rail_.at(part, s, x);
+    CurvePoint rail_at(double s, double x) const {
+        CurvePoint p = rail_.at(s, x);
         p.y += origin_.y;
         p.z += origin_.z;
         return p;
     }
 
-    /// Points of the rail's curves at x, a quarter of a millimetre apart.
+    /// Points of the rail's curve at x, a quarter of a millimetre apart, where it has any.
     std::vector<detail::SurfaceSample> rail_samples(double x) const {
-        constexpr double distance = 2.5e-4;
+        const double length = rail_.length();
+        const auto count = static_cast<std::size_t>(std::ceil(length / detail::CurveIndex::spacing));
         std::vector<detail::SurfaceSample> samples;
-        for (std::size_t part = 0; part < rail_.parts(); ++part) {
-            if (!rail_.covers(part, x)) continue;
-            const double length = rail_.length(part);
-            const auto count = static_cast<std::size_t>(std::ceil(length / distance));
-            for (std::size_t k = 0; k <= count; ++k) {
-                const double s = length * double(k) / double(count);
-                const CurvePoint p = rail_at(part, s, x);
-                const double size = std::hypot(p.slope[0], p.slope[1]);
-                if (p.defined) samples.push_back({p.y, p.z, -p.slope[1] / size, p.slope[0] / size, part, s});
-            }
+        for (std::size_t k = 0; k <= count; ++k) {
+            const double s = length * double(k) / double(count);
+            const CurvePoint p = rail_at(s, x);
+            const double size = std::hypot(p.slope[0], p.slope[1]);
+            if (p.defined) samples.push_back({p.y, p.z, -p.slope[1] / size, p.slope[0] / size, s});
         }
         return samples;
     }

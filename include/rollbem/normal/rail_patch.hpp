@@ -148,7 +148,7 @@ inline void measure(RailPatch& patch) {
 inline double turn_across(const ContactGeometry& geometry, const ContactPlane& plane, double track_x,
                           const Outline<double>& outline) {
     const auto angle = [&](double s) {
-        const CurvePoint p = geometry.rail_at(plane.rail_part, plane.rail_s + s, track_x + plane.x);
+        const CurvePoint p = geometry.rail_at(plane.rail_s + s, track_x + plane.x);
         return std::atan2(p.slope[1], p.slope[0]);
     };
     return std::abs(angle(outline.high()) - angle(outline.low()));
@@ -182,8 +182,8 @@ RailPatch patch_on(const ContactGeometry& geometry, const WheelsetPosition& at, 
     patch.rail_s = plane.rail_s;
     patch.wheel_s = GapFinder<>::wheel_place(placed, at.height, plane);
     patch.rail_y = plane.y - geometry.rail_origin().y;
-    const WheelSurface::Point wheel = placed.unplaced(plane.wheel_part, patch.wheel_s, plane.x)
-                                          .value_or(geometry.wheel().at(plane.wheel_part, patch.wheel_s, -at.pitch));
+    const WheelSurface::Point wheel = placed.unplaced(patch.wheel_s, plane.x)
+                                          .value_or(geometry.wheel().at(patch.wheel_s, -at.pitch));
     patch.wheel_y = wheel.y;
     patch.angle = plane.angle;
     patch.rolling_radius = geometry.dimensions().radius + wheel.z;

@@ -27,7 +27,8 @@ struct CurvePoint {
 
 /// A rail, in axes of its own: x along the track, y to the right, z down. Straight: (x, y(s), z(s)). Roller: a disc of
 /// radius R about an axle along y at z = R, ((R - z) sin f, y, R - (R - z) cos f). Sections: curves that change along
-/// the track. Its curves at constant x have parts, each with a parameter 0 <= s <= length(part) of about unit speed.
+/// the track. Its curves at constant x have a parameter 0 <= s <= length() of
+/// about unit speed.
 class RailSurface {
 public:
     RailSurface(Profile profile) : curve_(std::move(profile)) {}     // NOLINT: implicit on purpose
@@ -47,20 +48,13 @@ public:
     /// The profile of a straight rail or a roller.
     const Profile& profile() const { return std::get<Profile>(curve_); }
 
-    std::size_t parts() const { return has_sections() ? std::get<Sections>(curve_).parts() : 1; }
-    double length(std::size_t part) const {
-        return has_sections() ? std::get<Sections>(curve_).length(part) : profile().length();
-    }
-    bool covers(std::size_t part, double x) const {
-        if (has_sections()) return std::get<Sections>(curve_).covers(part, x);
-        return radius_ == 0 || std::abs(x) <= steepest * radius_;
-    }
+    double length() const { return has_sections() ? std::get<Sections>(curve_).length() : profile().length(); }
 
-    /// The point s of the curve at x [m].
-    CurvePoint at(std::size_t part, double s, double x) const noexcept {
+    /// The point s of the curve at x [m]; sections of which one is missing have none.
+    CurvePoint at(double s, double x) const noexcept {
         if (const auto* sections = std::get_if<Sections>(&curve_)) {
-            const Sections::Point p = sections->at(part, s, x);
-            return {p.y, p.z, p.by_s, true};
+            const Sections::Point p = sections->at(s, x);
+            return {p.y, p.z, p.by_s, sections->reaches(s, x)};
         }
         const Profile::Point p = std::get_if<Profile>(&curve_)->at(s);
         if (radius_ == 0) return {p.y, p.z, p.slope, true};
@@ -94,19 +88,16 @@ public:
     /// The profile of a round wheel.
     const Profile& profile() const { return std::get<Profile>(curve_); }
 
-    std::size_t parts() const { return is_round() ? 1 : std::get<Sections>(curve_).parts(); }
-    double length(std::size_t part) const {
-        return is_round() ? profile().length() : std::get<Sections>(curve_).length(part);
-    }
+    double length() const { return is_round() ? profile().length() : std::get<Sections>(curve_).length(); }
 
-    Point at(std::size_t part, double s, double angle) const noexcept {
+    Point at(double s, double angle) const noexcept {
         if (const auto* profile = std::get_if<Profile>(&curve_)) {
             const Profile::Point p = profile->at(s);
             return {p.y, p.z, p.slope, {0, 0}};
         }
         const Sections& sections = *std::get_if<Sections>(&curve_);
         const double middle = (sections.first() + sections.last()) / 2;
-        const Sections::Point p = sections.at(part, s, middle + std::remainder(angle - middle, 2 * std::numbers::pi));
+        const Sections::Point p = sections.at(s, middle + std::remainder(angle - middle, 2 * std::numbers::pi));
         return {p.y, p.z, p.by_s, p.by_u};
     }
 
@@ -154,12 +145,12 @@ public:
     }
 
     /// The point s of the curve at x [m], on the wheel's surface before it is placed; nothing where there is none.
-    std::optional<WheelSurface::Point> unplaced(std::size_t part, double s, double x) const {
-        if (surface_->is_round()) return surface_->at(part, s, 0);
+    std::optional<WheelSurface::Point> unplaced(double s, double x) const {
+        if (surface_->is_round()) return surface_->at(s, 0);
         double sine = x / radius_;
         WheelSurface::Point p{};
         for (int k = 0; k < 20; ++k) {
-            p = surface_->at(part, s, std::asin(sine) - pitch_);
+            p = surface_->at(s, std::asin(sine) - pitch_);
             const double next = sine_of(p, x);
             if (!(std::abs(next) <= steepest)) return std::nullopt;
             const double change = next - std::exchange(sine, next);
@@ -168,8 +159,8 @@ public:
         return p;
     }
     /// The point s of the curve at x [m] in track axes, the wheelset at height 0.
-    CurvePoint section(std::size_t part, double s, double x) const {
-        const auto p = unplaced(part, s, x);
+    CurvePoint section(double s, double x) const {
+        const auto p = unplaced(s, x);
         return p ? section_of(*p, x) : CurvePoint{0, 0, {0, 0}, false};
     }
 

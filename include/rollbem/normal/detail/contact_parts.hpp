@@ -34,13 +34,20 @@ struct ContactSettings {
     bool interaction;
 };
 
+/// The load [N] of a row of cells, its mean place in track axes [m], and the variance of its x [m^2].
+struct RowLoad {
+    double x, y, z, load, variance;
+};
+
 /// One region with its plane.
 struct ContactPart {
     ContactPlane plane{};
+    std::size_t body = 0;  // parts of one body displace each other always
     CellGrid grid{};
     Gaps gaps{};  // gaps at the height of the plane
     NormalContact::Solution solution{};
     double vertical = 0;  // vertical load of the pressures [N]
+    std::vector<RowLoad> rows{};
 };
 
 template <std::same_as<double> Real = double>
@@ -70,6 +77,7 @@ public:
         for (const Region& region : regions(height)) {
             ContactPart& part = parts_.emplace_back();
             part.plane = plane_of(*geometry_, region, at_.along);
+            part.body = region.body;
             part.grid = first_grid(part.plane);
             find_gaps(part);
         }
@@ -97,6 +105,7 @@ public:
             if (touches && (round < 2 || anew || outgrown(k))) part.grid = finer(k);
             if (same) {
                 const ContactPlane before = std::exchange(part.plane, plane_of(*geometry_, found[k], at_.along));
+                part.body = found[k].body;
                 part.grid.x_0 += before.x - part.plane.x;  // the grid stays where it is
                 part.grid.y_0 -= before.s(part.plane.y, part.plane.z);
             } else if (round > 0) {
@@ -114,7 +123,7 @@ public:
     /// Finds loads with the wheel lower than its gaps assume, in rounds, as each part displaces the surface below the
     /// others.
     void settle(double lower, double tolerance, bool warm) {
-        const int rounds = parts_.size() > 1 && settings_.interaction ? 4 : 1;
+        const int rounds = interact() ? 4 : 1;
         for (int round = 0; round < rounds; ++round) {
             for (std::size_t k = 0; k < parts_.size(); ++k) {
                 ContactPart& part = parts_[k];
@@ -122,6 +131,7 @@ public:
                 const NormalContact::Grid& h = rounds > 1 ? displaced(k) : part.gaps.h;
                 part.solution = normal_[k].approach(part.grid, h, depth, tolerance, warm || round > 0);
                 part.vertical = vertical_load(k);
+                if (rounds > 1) find_rows(k);
             }
         }
     }
@@ -221,24 +231,81 @@ private:
         finder_.find(*geometry_, *placed_, at_.height, at_.along, part.plane, part.grid, part.gaps);
     }
 
-    // The gaps of part k plus displacements by the loads of the other parts, as if each acted at its plane's origin.
+    // Whether parts displace each other: by choice those of different bodies, always those of one.
+    bool interact() const {
+        if (settings_.interaction) return parts_.size() > 1;
+        for (std::size_t k = 0; k < parts_.size(); ++k) {
+            for (std::size_t other = 0; other < k; ++other) {
+                if (parts_[k].body == parts_[other].body) return true;
+            }
+        }
+        return false;
+    }
+
+    // The gaps of part k plus displacements by the loads of the other parts.
     const NormalContact::Grid& displaced(std::size_t k) {
         const ContactPart& part = parts_[k];
-        const ContactPlane& here = part.plane;
         displaced_ = part.gaps.h;
-        for (std::size_t other = 0; other < parts_.size(); ++other) {
-            const ContactPlane& there = parts_[other].plane;
-            const double size = parts_[other].solution.load * interaction(here.angle - there.angle) *
-                                geometry_->compliance() / std::numbers::pi;
-            if (other == k || size == 0) continue;
-            const double x = here.x - there.x, s = -here.s(there.y, there.z), n = here.n(there.y, there.z);
+        find_loads_on(k);
+        for (const PointLoad& load : loads_) {
             for (Eigen::Index j = 0; j < part.grid.ny; ++j) {
+                const double s = load.s + part.grid.y(j), square = s * s + load.n * load.n;
                 for (Eigen::Index i = 0; i < part.grid.nx; ++i) {
-                    displaced_(i, j) += size / (std::max)(std::hypot(x + part.grid.x(i), s + part.grid.y(j), n), 1e-6);
+                    const double x = load.x + part.grid.x(i);
+                    displaced_(i, j) += load.size / std::sqrt((std::max)(x * x + square, 1e-12));
                 }
             }
         }
         return displaced_;
+    }
+
+    // A load on another part, seen from the plane of one: minus its x and s, its distance from the plane, and its
+    // displacement times the distance.
+    struct PointLoad {
+        double x, s, n, size;
+    };
+
+    // Loads that displace part k: of another body as if it acted at the plane's origin, of the same body in each row of
+    // cells, as these parts are as wide as far apart.
+    void find_loads_on(std::size_t k) {
+        loads_.clear();
+        const ContactPlane& here = parts_[k].plane;
+        for (std::size_t other = 0; other < parts_.size(); ++other) {
+            const ContactPart& part = parts_[other];
+            const ContactPlane& there = part.plane;
+            const bool same = part.body == parts_[k].body;
+            if (other == k || !(settings_.interaction || same)) continue;
+            const double size =
+                interaction(here.angle - there.angle) * geometry_->compliance() / std::numbers::pi;
+            if (size * part.solution.load == 0) continue;
+            if (!same) {
+                loads_.push_back({here.x - there.x, -here.s(there.y, there.z), here.n(there.y, there.z),
+                                  part.solution.load * size});
+                continue;
+            }
+            for (const RowLoad& row : part.rows) {
+                // the mean inverse distance of the row from a point beside it, to second order in its length
+                loads_.push_back({here.x - row.x, -here.s(row.y, row.z),
+                                  std::hypot(here.n(row.y, row.z), std::sqrt(row.variance)), row.load * size});
+            }
+        }
+    }
+
+    // The loads of a part's rows of cells, after a solution.
+    void find_rows(std::size_t k) {
+        ContactPart& part = parts_[k];
+        const ContactPlane& plane = part.plane;
+        const NormalContact::Grid& p = normal_[k].pressure();
+        const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(part.grid.nx, part.grid.x(0), part.grid.x(part.grid.nx - 1));
+        part.rows.clear();
+        for (Eigen::Index j = 0; j < part.grid.ny; ++j) {
+            const double sum = p.col(j).sum(), s = part.grid.y(j), n = part.gaps.rail_n[j];
+            if (!(sum > 0)) continue;
+            const double mean = (p.col(j) * x).sum() / sum;
+            part.rows.push_back({plane.x + mean, plane.y + s * plane.cosine - n * plane.sine,
+                                 plane.z + s * plane.sine + n * plane.cosine, sum * part.grid.dx * part.grid.dy,
+                                 (p.col(j) * (x - mean).square()).sum() / sum});
+        }
     }
 
     CellGrid first_grid(const ContactPlane& plane) const {
@@ -340,6 +407,7 @@ private:
     GapFinder<> finder_;
     Gaps row_;
     NormalContact::Grid displaced_;
+    std::vector<PointLoad> loads_;
     std::vector<ContactPart> parts_;
     std::vector<NormalContact> normal_;  // normal problems of the parts
     Eigen::Index cells_ = 1;

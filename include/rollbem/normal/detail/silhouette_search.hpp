@@ -82,7 +82,7 @@ public:
             if (goes_on) {
                 runs.back().last = i;
             } else {
-                runs.push_back({.first = i, .last = i});
+                runs.push_back({.first = i, .last = i, .body = runs.size()});
             }
         }
         part(runs);
@@ -104,13 +104,13 @@ private:
         Foot foot;
     };
     struct Run {
-        std::size_t first, last;
+        std::size_t first, last, body;
         RailStretch rail{};
     };
 
     void trace() {
         constexpr double distance = 1e-4;  // flange contacts are four times as wide at least
-        const double length = placed_->surface().length(0);
+        const double length = placed_->surface().length();
         const auto count = static_cast<std::size_t>(std::ceil(length / distance));
         samples_.clear();
         searched_at_ = std::numeric_limits<double>::quiet_NaN();
@@ -154,7 +154,7 @@ private:
         cut.x = (one.x + two.x) / 2;
         cut.y = (one.y + two.y) / 2;
         cut.z = (one.z + two.z) / 2 + touch_;
-        cut.foot = foot_on_rail(*geometry_, 0, rail_s, 0, cut.y, cut.z);
+        cut.foot = foot_on_rail(*geometry_, rail_s, 0, cut.y, cut.z);
         return dy * cut.foot.slope[1] - dz * cut.foot.slope[0];
     }
 
@@ -171,7 +171,7 @@ private:
                 sample.close = rail != nullptr;
                 if (sample.close) sample.foot.s = rail->s;
             }
-            if (sample.close) sample.foot = foot_on_rail(*geometry_, 0, sample.foot.s, 0, sample.y, z);
+            if (sample.close) sample.foot = foot_on_rail(*geometry_, sample.foot.s, 0, sample.y, z);
             if (anew) sample.close = sample.close && sample.foot.depth > -out_of_reach;
         }
     }
@@ -206,7 +206,9 @@ private:
             if (close && std::abs(mean_angle_of(runs[k]) - mean_angle_of(runs[k - 1])) < joined_angle) {
                 runs[k - 1].last = runs[k].last;
                 runs[k - 1].rail.high = runs[k].rail.high;
+                const std::size_t body = runs[k].body;
                 runs.erase(runs.begin() + std::ptrdiff_t(k));
+                for (Run& run : runs) run.body = run.body == body ? runs[k - 1].body : run.body;
             } else {
                 ++k;
             }
@@ -225,6 +227,7 @@ private:
         constexpr int count = 160;
         Region region;
         region.rail = run.rail;
+        region.body = run.body;
         region.x_low = std::numeric_limits<double>::infinity();
         region.x_high = -region.x_low;
         double rail_s = samples_[run.first].foot.s;
@@ -232,7 +235,7 @@ private:
             const double s = one.s + (two.s - one.s) * k / count;
             const PlacedWheel::Place p = placed_->silhouette(s);
             if (!p.defined) continue;
-            const Foot foot = foot_on_rail(*geometry_, 0, rail_s, 0, p.y, p.z + height);
+            const Foot foot = foot_on_rail(*geometry_, rail_s, 0, p.y, p.z + height);
             rail_s = foot.s;
             region.cuts.push_back({s, p.x, p.y, p.z + height, foot, 0});
             if (!foot.inside) region.cuts.back().foot.depth = 0;

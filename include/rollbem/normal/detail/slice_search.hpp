@@ -59,7 +59,7 @@ public:
                 if (!(below > most)) continue;
                 const SurfaceSample* rail = slice.rail.facing(sample.y, z, sample.normal_y, sample.normal_z);
                 if (rail == nullptr) return true;
-                if (foot_on_rail(*geometry_, rail->part, rail->s, track_x_ + slice.x, sample.y, z).depth > most) {
+                if (foot_on_rail(*geometry_, rail->s, track_x_ + slice.x, sample.y, z).depth > most) {
                     return true;
                 }
             }
@@ -80,7 +80,11 @@ public:
             Point seed = valley;
             descend(seed, height);
             if (!(seed.foot.depth > 0) || lies_in(found, seed)) continue;
-            for (Region& region : explore(seed, height)) join(found, std::move(region));
+            std::size_t body = found.size();  // regions are not fewer than bodies
+            for (Region& region : explore(seed, height)) {
+                region.body = body;
+                body = join(found, std::move(region));
+            }
         }
         return found;
     }
@@ -96,7 +100,6 @@ private:
     };
     // A point of the wheel and its foot on the rail.
     struct Point {
-        std::size_t part, rail_part;
         double x, s, y, z;
         Foot foot;
         bool defined;
@@ -112,14 +115,12 @@ private:
             slice.x = placed_->middle_x() + k * slice_distance;
             slice.rail.build(geometry_->rail_samples(track_x_ + slice.x));
             slice.wheel.clear();
-            for (std::size_t part = 0; part < wheel.parts(); ++part) {
-                const auto count = static_cast<std::size_t>(std::ceil(wheel.length(part) / distance));
-                for (std::size_t i = 0; i <= count; ++i) {
-                    const double s = wheel.length(part) * double(i) / double(count);
-                    const CurvePoint p = placed_->section(part, s, slice.x);
-                    const double size = std::hypot(p.slope[0], p.slope[1]);
-                    if (p.defined) slice.wheel.push_back({p.y, p.z, -p.slope[1] / size, p.slope[0] / size, part, s});
-                }
+            const auto count = static_cast<std::size_t>(std::ceil(wheel.length() / distance));
+            for (std::size_t i = 0; i <= count; ++i) {
+                const double s = wheel.length() * double(i) / double(count);
+                const CurvePoint p = placed_->section(s, slice.x);
+                const double size = std::hypot(p.slope[0], p.slope[1]);
+                if (p.defined) slice.wheel.push_back({p.y, p.z, -p.slope[1] / size, p.slope[0] / size, s});
             }
         }
     }
@@ -134,13 +135,12 @@ private:
             const Slice& slice = slices_[k];
             for (const SurfaceSample& sample : slice.wheel) {
                 const double z = sample.z + height;
-                Point& p = points[k].emplace_back(Point{sample.part, 0, slice.x, sample.s, sample.y, z, {}, true});
+                Point& p = points[k].emplace_back(Point{slice.x, sample.s, sample.y, z, {}, true});
                 p.foot.depth = none;
                 if (z - slice.rail.top(sample.y) < -seen_above - CurveIndex::reach) continue;
                 const SurfaceSample* rail = slice.rail.facing(sample.y, z, sample.normal_y, sample.normal_z);
                 if (rail == nullptr) continue;
-                p.rail_part = rail->part;
-                p.foot = foot_on_rail(*geometry_, rail->part, rail->s, track_x_ + slice.x, sample.y, z);
+                p.foot = foot_on_rail(*geometry_, rail->s, track_x_ + slice.x, sample.y, z);
                 if (!p.foot.inside) p.foot.depth = none;
             }
         }
@@ -184,13 +184,12 @@ private:
         Point p = from;
         p.x = x;
         p.s = s;
-        const CurvePoint on_wheel = placed_->section(p.part, s, x);
+        const CurvePoint on_wheel = placed_->section(s, x);
         p.y = on_wheel.y;
         p.z = on_wheel.z + height;
-        p.defined = on_wheel.defined && s >= 0 && s <= placed_->surface().length(p.part) &&
-                    geometry_->rail().covers(p.rail_part, track_x_ + x);
+        p.defined = on_wheel.defined && s >= 0 && s <= placed_->surface().length();
         if (!p.defined) return p;
-        p.foot = foot_on_rail(*geometry_, p.rail_part, from.foot.s, track_x_ + x, p.y, p.z);
+        p.foot = foot_on_rail(*geometry_, from.foot.s, track_x_ + x, p.y, p.z);
         p.defined = p.foot.inside;
         return p;
     }
@@ -245,7 +244,7 @@ private:
     // rail on the wheel's curve, nothing if there is none. `step` [m] is the distance between cuts.
     std::optional<std::array<double, 2>> cut_slice(const Point& about, double step, double height,
                                                    std::vector<SurfaceCut>& cuts) const {
-        const double length = placed_->surface().length(about.part);
+        const double length = placed_->surface().length();
         std::vector<SurfaceCut> slice;
         for (const int direction : {-1, 1}) {
             Point p = about;
@@ -281,7 +280,7 @@ private:
 
     // The regions about a point: one, or one for each of several contacts.
     std::vector<Region> explore(const Point& seed, double height) const {
-        Region region{.wheel_part = seed.part, .rail_part = seed.rail_part, .cuts = {}, .x_low = 0, .x_high = 0};
+        Region region;
         region.power = 2;
         // A tenth of the half-length, as estimated from the wheel's radius, and a fortieth of the width.
         const double step_x = std::clamp(std::sqrt(2 * seed.foot.depth * placed_->radius()) / 10, 2e-6, 1e-3);
@@ -347,10 +346,9 @@ private:
         return mean_angle(region.cuts.begin(), region.cuts.end(), region.power);
     }
 
-    // Joins a region to one that is near and has nearly the same normal, or adds it.
-    static void join(std::vector<Region>& found, Region region) {
+    // Joins a region to one that is near and has nearly the same normal, or adds it. Returns its body.
+    static std::size_t join(std::vector<Region>& found, Region region) {
         for (Region& other : found) {
-            if (other.wheel_part != region.wheel_part || other.rail_part != region.rail_part) continue;
             double least = std::numeric_limits<double>::infinity();
             for (const SurfaceCut& one : other.cuts) {
                 for (const SurfaceCut& two : region.cuts) {
@@ -362,9 +360,11 @@ private:
             other.cuts.insert(other.cuts.end(), region.cuts.begin(), region.cuts.end());
             other.x_low = (std::min)(other.x_low, region.x_low);
             other.x_high = (std::max)(other.x_high, region.x_high);
-            return;
+            for (Region& of : found) of.body = of.body == region.body ? other.body : of.body;
+            return other.body;
         }
         found.push_back(std::move(region));
+        return found.back().body;
     }
 
     const ContactGeometry* geometry_ = nullptr;
