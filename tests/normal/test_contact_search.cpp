@@ -291,6 +291,39 @@ TEST_CASE("contact_search: a rail of sections is not known beyond its end", "[pr
     }
 }
 
+TEST_CASE("contact_search: a contact goes on from one part of a rail to the next, and beside an interruption",
+          "[profiles]") {
+    // features below the contact, and one beside it that a section lacks; a wing that no wheel is above
+    const Profile arc = piece(-0.03, 0.1, 1301, [](double y) { return y < 0.065 ? crown(y, 0.3) : -0.002; });
+    const WheelOnRail whole(cylinder(), RailSurface::roller(arc, 1e5), above);
+    WheelOnRail::Workspace workspace;
+    const auto same = whole.solve_for_load({}, 1e4, workspace);
+    REQUIRE(same.status == Status::ok);
+    const auto solved = [&](double middle, double beside, double along) {
+        const double missing = beside > 0 ? beside : -1;
+        std::vector<Section> list;
+        for (const double u : {-0.3, -0.2, 0.1, 0.2, 0.3}) {
+            list.push_back({u, arc, {0, u == 0.2 ? missing : 0.01, middle, 0.07, 1}});
+        }
+        const Sections sections(list, Sections::Interpolation::through);
+        return WheelOnRail(cylinder(), sections, above).solve_for_load({.along = along}, 1e4, workspace);
+    };
+    for (const double middle : {0.0295, 0.03, 0.0306}) {
+        for (const double beside : {0.01, -1.0}) {
+            const auto contact = solved(middle, beside, 0);
+            CAPTURE(middle, beside, name(contact.status));
+            REQUIRE(contact.status == Status::ok);
+            REQUIRE(contact.patches.size() == 1);
+            CHECK(contact.height == Approx(same.height).epsilon(1e-4));
+            CHECK(contact.patches[0].peak_pressure == Approx(same.patches[0].peak_pressure).epsilon(1e-3));
+            CHECK(contact.patches[0].rail_s == Approx(same.patches[0].rail_s).margin(1e-5));
+        }
+    }
+    // where the parts on both sides of the missing feature end, so does what is known of the rail below the wheel
+    CHECK(solved(0.02, -1, 0.0985).status == Status::ok);
+    CHECK(solved(0.04, -1, 0.0985).status == Status::end_of_profile);
+}
+
 TEST_CASE("contact_search: a wheel stands on the chord of its flat", "[profiles]") {
     constexpr double half = 0.05, r = 0.46;  // of the flat's angle
     std::vector<Section> sections;
