@@ -88,7 +88,7 @@ inline double least_gap(const rollbem::WheelOnRail& wheel, const RailPoints& rai
     double least = 0;
     for (double x = -0.048; x <= 0.0481; x += 4e-3) {
         for (double s = 0; s <= length; s += 7e-4) {
-            const rollbem::CurvePoint p = placed.section(0, s, x);
+            const rollbem::CurvePoint p = placed.section(s, x);
             if (!p.defined) continue;
             const double z = p.z + at.height;
             const auto [gap, angle] = rail.above(p.y, z, p.slope[0], p.slope[1]);

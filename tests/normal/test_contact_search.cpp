@@ -239,8 +239,8 @@ TEST_CASE("contact_search: curves of a placed wheel lie on its turned surface, w
         const PlacedWheel placed(surface, 0.75, 0.46, at);
         for (const double ahead : {-0.08, 0.01, 0.12}) {
             const double x = placed.middle_x() + ahead, s = 0.05, h = 1e-6;
-            const CurvePoint p = placed.section(0, s, x), before = placed.section(0, s - h, x),
-                             after = placed.section(0, s + h, x);
+            const CurvePoint p = placed.section(s, x), before = placed.section(s - h, x),
+                             after = placed.section(s + h, x);
             CAPTURE(surface.is_round(), ahead);
             CHECK(p.slope[0] == Approx((after.y - before.y) / (2 * h)).margin(1e-8));
             CHECK(p.slope[1] == Approx((after.z - before.z) / (2 * h)).margin(1e-8));
@@ -248,7 +248,7 @@ TEST_CASE("contact_search: curves of a placed wheel lie on its turned surface, w
             const double y = p.y - at.lateral, z = p.z + 0.46, across = std::cos(at.roll) * y + std::sin(at.roll) * z,
                          down = std::cos(at.roll) * z - std::sin(at.roll) * y,
                          forward = std::cos(at.yaw) * x + std::sin(at.yaw) * across;
-            const WheelSurface::Point same = surface.at(0, s, std::atan2(forward, down) - at.pitch);
+            const WheelSurface::Point same = surface.at(s, std::atan2(forward, down) - at.pitch);
             CHECK(std::hypot(forward, down) == Approx(0.46 + same.z).epsilon(1e-12));
             CHECK(std::cos(at.yaw) * across - std::sin(at.yaw) * x == Approx(0.75 + same.y).epsilon(1e-12));
         }
@@ -260,7 +260,7 @@ TEST_CASE("contact_search: curves of a roller lie on its turned surface, with th
     const RailSurface rail = RailSurface::roller(arc, 0.4);
     for (const double x : {-0.15, 0.02, 0.1}) {
         const double s = 0.01, h = 1e-6;
-        const CurvePoint p = rail.at(0, s, x), before = rail.at(0, s - h, x), after = rail.at(0, s + h, x);
+        const CurvePoint p = rail.at(s, x), before = rail.at(s - h, x), after = rail.at(s + h, x);
         CAPTURE(x);
         CHECK(p.y == arc.at(s).y);
         CHECK(std::hypot(x, 0.4 - p.z) == Approx(0.4 - arc.at(s).z).epsilon(1e-14));
@@ -309,6 +309,39 @@ TEST_CASE("contact_search: a rail of sections is not known beyond its end", "[pr
         CAPTURE(along);
         CHECK(wheel.solve_for_load({.along = along}, 1e4, workspace).status == status);
     }
+}
+
+TEST_CASE("contact_search: a contact goes on from one part of a rail to the next, and beside an interruption",
+          "[profiles]") {
+    // features below the contact, and one beside it that a section lacks; a wing that no wheel is above
+    const Profile arc = piece(-0.03, 0.1, 1301, [](double y) { return y < 0.065 ? crown(y, 0.3) : -0.002; });
+    const WheelOnRail whole(cylinder(), RailSurface::roller(arc, 1e5), above);
+    WheelOnRail::Workspace workspace;
+    const auto same = whole.solve_for_load({}, 1e4, workspace);
+    REQUIRE(same.status == Status::ok);
+    const auto solved = [&](double middle, double beside, double along) {
+        const double missing = beside > 0 ? beside : -1;
+        std::vector<Section> list;
+        for (const double u : {-0.3, -0.2, 0.1, 0.2, 0.3}) {
+            list.push_back({u, arc, {0, u == 0.2 ? missing : 0.01, middle, 0.07, 1}});
+        }
+        const Sections sections(list, Sections::Interpolation::through);
+        return WheelOnRail(cylinder(), sections, above).solve_for_load({.along = along}, 1e4, workspace);
+    };
+    for (const double middle : {0.0295, 0.03, 0.0306}) {
+        for (const double beside : {0.01, -1.0}) {
+            const auto contact = solved(middle, beside, 0);
+            CAPTURE(middle, beside, name(contact.status));
+            REQUIRE(contact.status == Status::ok);
+            REQUIRE(contact.patches.size() == 1);
+            CHECK(contact.height == Approx(same.height).epsilon(1e-4));
+            CHECK(contact.patches[0].peak_pressure == Approx(same.patches[0].peak_pressure).epsilon(1e-3));
+            CHECK(contact.patches[0].rail_s == Approx(same.patches[0].rail_s).margin(1e-5));
+        }
+    }
+    // where the parts on both sides of the missing feature end, so does what is known of the rail below the wheel
+    CHECK(solved(0.02, -1, 0.0985).status == Status::ok);
+    CHECK(solved(0.04, -1, 0.0985).status == Status::end_of_profile);
 }
 
 TEST_CASE("contact_search: a wheel stands on the chord of its flat", "[profiles]") {
@@ -467,6 +500,53 @@ TEST_CASE("contact_search: contacts that part a run of depths do not overlap, an
         }
     }
     CHECK(flange_end < corner_end);
+}
+
+TEST_CASE("contact_search: parts of one run of depths displace each other with interaction off, as one region",
+          "[profiles]") {
+    // a wheel that turns by 25 degrees over a rail that follows it but for a hump between two hollows, and a crown far
+    // beside them
+    const auto wheel_z = [](double y) { return 0.466 * (0.004 * std::log(std::cosh(y / 0.004)) - y) / 2; };
+    const auto rail_z = [&](double y) {
+        const double t = y / 0.008, hump = 60e-6 * std::pow(t * t - 1, 2), beside = std::pow(y - 0.04, 2) / 0.4;
+        return wheel_z(y) + std::min({hump, beside, 5e-3});
+    };
+    const Profile wheel = piece(-0.05, 0.05, 1001, wheel_z), with_crown = piece(-0.05, 0.05, 4001, rail_z),
+                  without = piece(-0.05, 0.03, 3201, rail_z);
+    const WheelsetPosition at{.height = 1e-4};
+    // all of it in one plane
+    const double angle = std::atan(-0.466 / 2), dx = 4e-4, ds = 2e-4;
+    const CellGrid grid{.nx = 60, .ny = 140, .x_0 = -30 * dx + dx / 2, .y_0 = -70 * ds + ds / 2, .dx = dx, .dy = ds};
+    const auto n_at = [&](const auto& z, double s) {
+        double low = -0.03, high = 0.03;
+        for (int k = 0; k < 50; ++k) {
+            const double y = (low + high) / 2;
+            (y * std::cos(angle) + z(y) * std::sin(angle) < s ? low : high) = y;
+        }
+        return z(low) * std::cos(angle) - low * std::sin(angle);
+    };
+    Eigen::ArrayXXd gap(grid.nx, grid.ny);
+    for (Eigen::Index j = 0; j < grid.ny; ++j) {
+        const double along = n_at(rail_z, grid.y(j)) - n_at(wheel_z, grid.y(j)) - 1e-4 * std::cos(angle);
+        for (Eigen::Index i = 0; i < grid.nx; ++i) {
+            gap(i, j) = along + grid.x(i) * grid.x(i) / (2 * 0.46) * std::cos(angle);
+        }
+    }
+    NormalContact one((1 - above.poisson_ratio) / above.shear_modulus);
+    const double expected = one.approach(grid, gap, 0).load;
+    for (const RailSurface& rail : {RailSurface(with_crown), RailSurface(without),
+                                    RailSurface(Sections({{-1, without}, {1, without}},
+                                                         Sections::Interpolation::spline))}) {
+        WheelOnRail::Workspace workspace;
+        const auto contact =
+            WheelOnRail(wheel, rail, above).solve_at_height(at, workspace, {.interaction = false});
+        const bool crown = rail.has_sections() ? false : rail.profile().length() > 0.09;
+        CAPTURE(rail.has_sections(), crown, name(contact.status), contact.patches.size());
+        REQUIRE(contact.patches.size() == (crown ? 3 : 2));
+        double load = 0;
+        for (const RailPatch& patch : contact.patches) load += patch.y < 0.75 + 0.02 ? patch.load : 0;
+        CHECK(load == Approx(expected).epsilon(0.02));
+    }
 }
 
 TEST_CASE("contact_search: one contact round a gauge corner stays one where depths hardly fall between two maxima",

@@ -199,6 +199,32 @@ TEST_CASE("sections: parts are interrupted where a feature is absent", "[profile
     CHECK(sections.at(0, s, 1).z == Approx(sections.at(0, s, 0.07).z));
 }
 
+TEST_CASE("sections: parts lie one behind the other along s", "[profiles]") {
+    const auto list = [](double feature) {
+        std::vector<Section> sections;
+        for (const double at : unequal) sections.push_back({at, arch(1 + at, at), {0, feature, at == 0.03 ? -1 : 0.03, 1}});
+        return sections;
+    };
+    const Sections sections(list(0.01), Interpolation::through);
+    CHECK(sections.length() == Approx(sections.length(0) + sections.length(1) + sections.length(2)));
+    for (const double u : {0.004, 0.0271, 0.07}) {
+        double start = 0;
+        for (std::size_t part = 0; part < 3; ++part) {
+            const double s = 0.3 * sections.length(part);
+            CAPTURE(u, part);
+            CHECK(sections.at(start + s, u).y == Approx(sections.at(part, s, u).y));
+            CHECK(sections.at(start + s, u).by_s[1] == Approx(sections.at(part, s, u).by_s[1]));
+            CHECK(sections.reaches(start + s, u) == (part == 0 || u != 0.0271));
+            start += sections.length(part);
+            if (part < 2 && u != 0.0271) {
+                CHECK(sections.at(start - 1e-12, u).z == Approx(sections.at(start + 1e-12, u).z).margin(1e-11));
+            }
+        }
+        CHECK(sections.at(-1e-3, u).y < sections.at(0, u).y);
+        CHECK(sections.at(start + 1e-3, u).y > sections.at(start, u).y);
+    }
+}
+
 TEST_CASE("sections: two are joined by straight lines", "[profiles]") {
     const Interpolation how = GENERATE(Interpolation::through, Interpolation::spline);
     const Sections sections({{0, arch(1, 0)}, {0.1, arch(1.2, 0.01)}}, how);

@@ -206,7 +206,7 @@ TEST_CASE("virtual_penetration: deepest places aside from the middle lie on the 
                     return std::hypot(one.y - found.y, one.z - found.z) < std::hypot(two.y - found.y, two.z - found.z);
                 });
             CAPTURE(lateral, found.y, found.z);
-            CHECK(std::abs(detail::closest_on_rail(geometry, 0, nearest->s, 0, found.y, found.z).depth) < 1e-7);
+            CHECK(std::abs(detail::closest_on_rail(geometry, nearest->s, 0, found.y, found.z).depth) < 1e-7);
         }
     }
 }

@@ -135,12 +135,12 @@ TEST_CASE("Places on a rail below a patch lie on its profile", "[profiles]") {
             // from the place in the plane down to the profile along its normal
             double along = patch.rail_s + s;
             for (int k = 0; k < 20; ++k) {
-                const CurvePoint rail = wheel.geometry().rail_at(0, along, 0);
+                const CurvePoint rail = wheel.geometry().rail_at(along, 0);
                 const double apart =
                     (rail.y - patch.y) * std::cos(patch.angle) + (rail.z - patch.z) * std::sin(patch.angle);
                 along += (s - apart) / (rail.slope[0] * std::cos(patch.angle) + rail.slope[1] * std::sin(patch.angle));
             }
-            const CurvePoint rail = wheel.geometry().rail_at(0, along, 0);
+            const CurvePoint rail = wheel.geometry().rail_at(along, 0);
             CHECK_THAT(patch.surface_y(s) - patch.rail_y, WithinAbs(rail.y - patch.y, 2e-5));
             CHECK_THAT(patch.surface_angle(s), WithinAbs(std::atan2(rail.slope[1], rail.slope[0]), 0.02));
         }

@@ -101,7 +101,7 @@ TEST_CASE("Pressures act along the normals of the rail's surface", "[profiles]")
             double s = patch.rail_s + patch.grid.y(j);
             CurvePoint rail{};
             for (int k = 0; k < 10; ++k) {
-                rail = wheel().geometry().rail_at(0, s, 0);
+                rail = wheel().geometry().rail_at(s, 0);
                 s += ((place[1] - rail.y) * rail.slope[0] + (place[2] - rail.z) * rail.slope[1]) /
                      (rail.slope[0] * rail.slope[0] + rail.slope[1] * rail.slope[1]);
             }

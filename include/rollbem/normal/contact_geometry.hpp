@@ -62,7 +62,7 @@ public:
     PlacedWheel placed(const WheelsetPosition& at) const { return {wheel_, wheel_origin_, dimensions_.radius, at}; }
 
     /// A point of the rail in track axes; x [m] along the track.
-    CurvePoint rail_at(std::size_t part, double s, double x) const;
+    CurvePoint rail_at(double s, double x) const;
 
 private:
     WheelSurface wheel_;

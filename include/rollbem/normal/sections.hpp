@@ -63,6 +63,15 @@ public:
     /// point at the nearest u where it is covered, and by_u = 0.
     Point at(std::size_t part, double s, double u) const noexcept;
 
+    /// All parts one behind the other: s runs from 0 to length() through them.
+    double length() const { return starts_.back(); }
+    Point at(double s, double u) const noexcept {
+        const std::size_t part = part_at(s);
+        return at(part, s - starts_[part], u);
+    }
+    /// Whether the part that holds s is covered at u.
+    bool reaches(double s, double u) const noexcept { return covers(part_at(s), u); }
+
     /// The surface with every section turned and moved by Profile::moved.
     Sections moved(double angle, double dy, double dz) const;
 
@@ -77,6 +86,10 @@ private:
         // weights of the four sections around an interval (before it, at both ends, after it): cubics in its share t
         std::vector<std::array<std::array<double, 4>, 4>> weights;
     };
+
+    std::size_t part_at(double s) const noexcept {
+        return std::size_t(std::upper_bound(starts_.begin() + 1, starts_.end() - 1, s) - starts_.begin()) - 1;
+    }
 
     void check(std::size_t k) const;
 
@@ -107,6 +120,7 @@ private:
     std::vector<Section> sections_;
     Interpolation interpolation_;
     std::vector<Part> parts_;
+    std::vector<double> starts_{0};  // s at which parts begin, and at which the last one ends
 };
 
 }  // namespace rollbem

@@ -27,7 +27,7 @@ struct CurvePoint {
 
 /// A rail, in axes of its own: x along the track, y to the right, z down. Straight: (x, y(s), z(s)). Roller: a disc of
 /// radius R about an axle along y at z = R, ((R - z) sin f, y, R - (R - z) cos f). Sections: curves that change along
-/// the track. Its curves at constant x have parts, each with a parameter 0 <= s <= length(part) of about unit speed.
+/// the track. Its curves at constant x have a parameter 0 <= s <= length() of about unit speed.
 class RailSurface {
 public:
     RailSurface(Profile profile) : curve_(std::move(profile)) {}     // NOLINT: implicit on purpose
@@ -42,17 +42,10 @@ public:
     /// The profile of a straight rail or a roller.
     const Profile& profile() const { return std::get<Profile>(curve_); }
 
-    std::size_t parts() const { return has_sections() ? std::get<Sections>(curve_).parts() : 1; }
-    double length(std::size_t part) const {
-        return has_sections() ? std::get<Sections>(curve_).length(part) : profile().length();
-    }
-    bool covers(std::size_t part, double x) const {
-        if (has_sections()) return std::get<Sections>(curve_).covers(part, x);
-        return radius_ == 0 || std::abs(x) <= steepest * radius_;
-    }
+    double length() const { return has_sections() ? std::get<Sections>(curve_).length() : profile().length(); }
 
-    /// The point s of the curve at x [m].
-    CurvePoint at(std::size_t part, double s, double x) const noexcept;
+    /// The point s of the curve at x [m]; where a section is missing there is none.
+    CurvePoint at(double s, double x) const noexcept;
 
     /// Largest sin f at which a roller is searched.
     static constexpr double steepest = 0.5;
@@ -78,12 +71,9 @@ public:
     /// The profile of a round wheel.
     const Profile& profile() const { return std::get<Profile>(curve_); }
 
-    std::size_t parts() const { return is_round() ? 1 : std::get<Sections>(curve_).parts(); }
-    double length(std::size_t part) const {
-        return is_round() ? profile().length() : std::get<Sections>(curve_).length(part);
-    }
+    double length() const { return is_round() ? profile().length() : std::get<Sections>(curve_).length(); }
 
-    Point at(std::size_t part, double s, double angle) const noexcept;
+    Point at(double s, double angle) const noexcept;
 
 private:
     std::variant<Profile, Sections> curve_;
@@ -124,9 +114,9 @@ public:
     Place silhouette(double s) const;
 
     /// The point s of the curve at x [m], on the wheel's surface before it is placed; nothing where there is none.
-    std::optional<WheelSurface::Point> unplaced(std::size_t part, double s, double x) const;
+    std::optional<WheelSurface::Point> unplaced(double s, double x) const;
     /// The point s of the curve at x [m] in track axes, the wheelset at height 0.
-    CurvePoint section(std::size_t part, double s, double x) const;
+    CurvePoint section(double s, double x) const;
 
 private:
     double sine_of(const WheelSurface::Point& p, double x) const {

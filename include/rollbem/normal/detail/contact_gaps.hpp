@@ -56,10 +56,10 @@ public:
     static double wheel_place(const PlacedWheel& wheel, double height, const ContactPlane& plane) {
         double s = plane.wheel_s;
         for (int k = 0; k < most; ++k) {
-            const CurvePoint p = wheel.section(plane.wheel_part, s, plane.x);
+            const CurvePoint p = wheel.section(s, plane.x);
             const double off = plane.s(p.y, p.z + height);
             if (std::abs(off) < tiny || !p.defined) break;
-            s = std::clamp(s - step(plane, p, off), 0.0, wheel.surface().length(plane.wheel_part));
+            s = std::clamp(s - step(plane, p, off), 0.0, wheel.surface().length());
         }
         return s;
     }
@@ -119,31 +119,31 @@ private:
     }
 
     Status rail_at(double x, double s, double& place, double& n) const {
-        const double length = geometry_->rail().length(plane_->rail_part);
-        if (!geometry_->rail().covers(plane_->rail_part, track_x_ + x)) return Status::end_of_profile;
         double off = 0;
+        bool defined = true;
         for (int k = 0; k < most; ++k) {
-            const CurvePoint p = geometry_->rail_at(plane_->rail_part, place, track_x_ + x);
+            const CurvePoint p = geometry_->rail_at(place, track_x_ + x);
+            defined = p.defined;
             off = approach(p, p.z, s, place, n);
             if (std::abs(off) < tiny) break;
         }
-        return outcome(place, length, off);
+        return defined ? outcome(place, geometry_->rail().length(), off) : Status::end_of_profile;
     }
 
     double rail_slope(double x, double place) const {
-        const CurvePoint p = geometry_->rail_at(plane_->rail_part, place, track_x_ + x);
+        const CurvePoint p = geometry_->rail_at(place, track_x_ + x);
         return (p.slope[1] * plane_->cosine - p.slope[0] * plane_->sine) / rate(*plane_, p);
     }
 
     Status wheel_at(double x, double s, double& place, double& n) const {
         double off = 0;
         for (int k = 0; k < most; ++k) {
-            const CurvePoint p = wheel_->section(plane_->wheel_part, place, x);
+            const CurvePoint p = wheel_->section(place, x);
             if (!p.defined) return Status::undefined_section;
             off = approach(p, p.z + height_, s, place, n);
             if (std::abs(off) < tiny) break;
         }
-        return outcome(place, wheel_->surface().length(plane_->wheel_part), off);
+        return outcome(place, wheel_->surface().length(), off);
     }
 
     static Status outcome(double& place, double length, double off) {

@@ -25,13 +25,12 @@ struct ClosestPoint {
 };
 
 /// Finds the closest point from a first guess of its place; `x` along the track.
-inline ClosestPoint closest_on_rail(const ContactGeometry& geometry, std::size_t part, double s, double x, double y,
-                                    double z) {
-    const double length = geometry.rail().length(part);
+inline ClosestPoint closest_on_rail(const ContactGeometry& geometry, double s, double x, double y, double z) {
+    const double length = geometry.rail().length();
     constexpr double enough = 1e-7;  // error of the place; the error of the depth is of second order in it
     ClosestPoint closest{.s = s, .y = 0, .z = 0, .depth = 0, .slope = {1, 0}, .inside = true};
     for (int k = 0; k < 10; ++k) {
-        const CurvePoint p = geometry.rail_at(part, closest.s, x);
+        const CurvePoint p = geometry.rail_at(closest.s, x);
         const double square = p.slope[0] * p.slope[0] + p.slope[1] * p.slope[1],
                      step = ((y - p.y) * p.slope[0] + (z - p.z) * p.slope[1]) / square;
         closest = {closest.s, p.y,      p.z, ((z - p.z) * p.slope[0] - (y - p.y) * p.slope[1]) / std::sqrt(square),
@@ -63,17 +62,16 @@ struct RailStretch {
 
 /// A region where the wheel lies below the rail, by samples; those beside the rail's surface have a depth of 0.
 struct Region {
-    std::size_t wheel_part = 0, rail_part = 0;
     std::vector<PenetrationSample> samples;
     double x_low = 0, x_high = 0;  ///< ends of the overlap along x [m]
     double power = 2.5;            ///< power of the depth in the weights of samples
     RailStretch rail{};            ///< the region's stretch; samples beyond it belong to other regions
+    std::size_t body = 0;          ///< number of the run that holds the region: regions split from one have the same
 };
 
 /// The plane of contact: its origin on the rail, s along y turned by the angle, n into the rail; and the region in it.
 struct ContactPlane {
     double x = 0, y = 0, z = 0, angle = 0, sine = 0, cosine = 1;
-    std::size_t wheel_part = 0, rail_part = 0;
     double wheel_s = 0, rail_s = 0;  ///< s of both curves at the origin
     double deepest = 0;              ///< the largest depth [m]
     double low = 0, high = 0;        ///< ends of the region along s [m]
@@ -91,13 +89,12 @@ struct ContactPlane {
 struct RailPointBelow {
     double depth, angle, s;
 };
-inline RailPointBelow rail_below(const ContactGeometry& geometry, const Region& region, const PenetrationSample& sample,
-                                 double track_x) {
+inline RailPointBelow rail_below(const ContactGeometry& geometry, const PenetrationSample& sample, double track_x) {
     constexpr double wall = 0.03;  // dy/ds
     const RailPointBelow at_closest{sample.closest.depth, sample.closest.angle(), sample.closest.s};
     double s = sample.closest.s;
     for (int k = 0; k < 12; ++k) {
-        const CurvePoint p = geometry.rail_at(region.rail_part, s, track_x + sample.x);
+        const CurvePoint p = geometry.rail_at(s, track_x + sample.x);
         if (!(p.slope[0] > wall)) return at_closest;
         const double step = std::clamp((sample.y - p.y) / p.slope[0], -1e-3, 1e-3);
         if (std::abs(step) < 1e-7) return {(std::max)(sample.z - p.z, 0.0), std::atan2(p.slope[1], p.slope[0]), s};
@@ -114,7 +111,7 @@ inline ContactPlane plane_of(const ContactGeometry& geometry, const Region& regi
     const auto add = [&](bool by_width) {
         for (const PenetrationSample& sample : region.samples) {
             if (!(sample.closest.depth > 0)) continue;
-            const RailPointBelow rail = rail_below(geometry, region, sample, track_x);
+            const RailPointBelow rail = rail_below(geometry, sample, track_x);
             const double weight = (by_width ? sample.width : 1) * std::pow(rail.depth, region.power);
             sum += weight;
             plane.x += weight * sample.x;
@@ -130,15 +127,13 @@ inline ContactPlane plane_of(const ContactGeometry& geometry, const Region& regi
     for (double* mean : {&plane.x, &plane.y, &plane.angle, &plane.wheel_s, &rail_s}) *mean /= sum;
     plane.sine = std::sin(plane.angle);
     plane.cosine = std::cos(plane.angle);
-    plane.wheel_part = region.wheel_part;
-    plane.rail_part = region.rail_part;
     plane.rail = region.rail;
     // the rail's point at y, except on a wall
-    CurvePoint on_rail = geometry.rail_at(region.rail_part, rail_s, track_x + plane.x);
+    CurvePoint on_rail = geometry.rail_at(rail_s, track_x + plane.x);
     for (int k = 0; k < 8 && on_rail.slope[0] > 0.05; ++k) {
         const double step = (plane.y - on_rail.y) / on_rail.slope[0];
-        rail_s = std::clamp(rail_s + step, 0.0, geometry.rail().length(region.rail_part));
-        on_rail = geometry.rail_at(region.rail_part, rail_s, track_x + plane.x);
+        rail_s = std::clamp(rail_s + step, 0.0, geometry.rail().length());
+        on_rail = geometry.rail_at(rail_s, track_x + plane.x);
         if (std::abs(step) < 1e-13) break;
     }
     plane.rail_s = rail_s;

@@ -17,7 +17,6 @@ namespace rollbem::detail {
 /// on the curve.
 struct SurfaceSample {
     double y, z, normal_y, normal_z;
-    std::size_t part;
     double s;
 };
 
@@ -25,6 +24,8 @@ class CurveIndex {
 public:
     /// Largest distance of a sample from the point for which it is searched [m].
     static constexpr double reach = 2e-3;
+    /// Largest distance of neighbouring samples along a curve without interruptions [m].
+    static constexpr double spacing = 2.5e-4;
 
     void build(std::vector<SurfaceSample> samples) {
         samples_ = std::move(samples);
@@ -88,12 +89,12 @@ private:
         return std::size_t(std::ptrdiff_t((y - low_y_) / reach) * rows_ + std::ptrdiff_t((z - low_z_) / reach));
     }
 
-    // Finds the highest points on lines of constant y, by the chords between neighbouring samples of a part.
+    // Finds the highest points on lines of constant y, by the chords between neighbouring samples.
     void find_tops(double high_y) {
         tops_.assign(std::size_t((high_y - low_y_) / column_) + 2, std::numeric_limits<double>::infinity());
         for (std::size_t k = 1; k < samples_.size(); ++k) {
             const SurfaceSample &one = samples_[k - 1], &two = samples_[k];
-            if (one.part != two.part) continue;
+            if (two.s - one.s > 1.5 * spacing) continue;  // interrupted
             const double from = (std::min)(one.y, two.y), to = (std::max)(one.y, two.y);
             for (auto i = std::size_t(std::ceil((from - low_y_) / column_)); low_y_ + double(i) * column_ <= to; ++i) {
                 const double share = (low_y_ + double(i) * column_ - one.y) / (two.y - one.y);

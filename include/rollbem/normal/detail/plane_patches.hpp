@@ -34,6 +34,7 @@ struct PlanePressures {
     const NormalContact::Solution& solution;
     const NormalContact::Grid& pressure;
     double lower;  ///< along n [m]
+    bool resolved;  ///< cells are small enough
 };
 
 /// The worst status of the cells beside pressures: not ok where a surface has no point there.
@@ -70,7 +71,7 @@ inline void measure(RailPatch& patch) {
 inline double turn_across(const ContactGeometry& geometry, const ContactPlane& plane, double track_x,
                           const Outline<double>& outline) {
     const auto angle = [&](double s) {
-        const CurvePoint p = geometry.rail_at(plane.rail_part, plane.rail_s + s, track_x + plane.x);
+        const CurvePoint p = geometry.rail_at(plane.rail_s + s, track_x + plane.x);
         return std::atan2(p.slope[1], p.slope[0]);
     };
     return std::abs(angle(outline.high()) - angle(outline.low()));
@@ -102,8 +103,8 @@ inline RailPatch patch_on(const ContactGeometry& geometry, const WheelsetPositio
     patch.rail_s = plane.rail_s;
     patch.wheel_s = GapFinder::wheel_place(placed, at.height, plane);
     patch.rail_y = plane.y - geometry.rail_origin().y;
-    const WheelSurface::Point wheel = placed.unplaced(plane.wheel_part, patch.wheel_s, plane.x)
-                                          .value_or(geometry.wheel().at(plane.wheel_part, patch.wheel_s, -at.pitch));
+    const WheelSurface::Point wheel = placed.unplaced(patch.wheel_s, plane.x)
+                                          .value_or(geometry.wheel().at(patch.wheel_s, -at.pitch));
     patch.wheel_y = wheel.y;
     patch.angle = plane.angle;
     patch.rolling_radius = geometry.dimensions().radius + wheel.z;
@@ -130,9 +131,10 @@ inline void add_patches(const ContactGeometry& geometry, const WheelsetPosition&
         if (!patch.outline && patch.load < negligible) continue;
         patch.approach = of.lower + largest_depth(of.gaps.h, pressure);
         patch.peak_pressure = detail::peak_pressure(pressure);
-        if (!patch.outline) {
+        if (!patch.outline || !of.resolved) {
             if (patch.has_numbers()) patch.status = Status::few_cells;
-        } else {
+        }
+        if (patch.outline) {
             measure(patch);
             if (patch.status == Status::ok && turn_across(geometry, of.plane, at.along, *patch.outline) > doubtful) {
                 patch.status = Status::doubtful_plane;

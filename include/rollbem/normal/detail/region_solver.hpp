@@ -21,6 +21,7 @@
 #include "plane_patches.hpp"
 #include "silhouette_search.hpp"
 #include "slice_search.hpp"
+#include "sufficient_cells.hpp"
 
 namespace rollbem::detail {
 
@@ -35,13 +36,23 @@ struct ContactSettings {
     bool interaction;
 };
 
+/// The load [N] of a row of cells, its mean place in track axes [m], and the variance of its x [m^2].
+struct RowLoad {
+    double x, y, z, load, variance;
+};
+
 /// One region with its plane and its pressures.
 struct SolvedRegion {
     ContactPlane plane{};
+    std::size_t body = 0;  // regions of one body displace each other always
     CellGrid grid{};
     Gaps gaps{};  // gaps at the height of the plane
     NormalContact::Solution solution{};
     double vertical = 0;  // vertical load of the pressures [N]
+    std::vector<RowLoad> rows{};
+    Eigen::Index times_x = 1, times_s = 1;  // the usual numbers of cells are multiplied by these
+    std::optional<Measures> coarser{};      // on cells twice as large
+    bool resolved = true;                   // cells are small enough
 };
 
 class RegionSolver {
@@ -52,7 +63,6 @@ public:
         settings_ = settings;
         at_ = at;
         placed_.emplace(geometry.placed(at));
-        cells_ = 1;
         return geometry.is_plain() ? silhouette_.locate(geometry, at) : slices_.locate(geometry, at);
     }
 
@@ -60,16 +70,30 @@ public:
     bool is_too_deep() const { return geometry_->is_plain() ? silhouette_.is_too_deep() : slices_.is_too_deep(); }
     double height() const { return at_.height; }
 
-    /// Multiplies the usual number of cells in both directions by this factor, from the next refine() on.
-    void set_cells(Eigen::Index times) { cells_ = times; }
+    /// Doubles the numbers of cells of regions where they are too few, from the next refine() on, with the wheel lower
+    /// than gaps assume. Returns whether any have been doubled; patches whose cells cannot be doubled have few_cells.
+    bool double_cells(double lower) {
+        const double load = normal_load();
+        bool any = false;
+        for (std::size_t k = 0; k < regions_.size(); ++k) any = double_cells(k, lower, load) || any;
+        return any;
+    }
 
     /// Finds the regions of the contact at a height, and their loads on coarse grids.
     void divide(double height) {
         at_.height = height;
+        Eigen::Index times_x = 1, times_s = 1;
+        for (const SolvedRegion& region : regions_) {
+            times_x = (std::max)(times_x, region.times_x);
+            times_s = (std::max)(times_s, region.times_s);
+        }
         regions_.clear();
         for (const Region& found : find_regions(height)) {
             SolvedRegion& region = regions_.emplace_back();
+            region.times_x = times_x;
+            region.times_s = times_s;
             region.plane = plane_of(*geometry_, found, at_.along);
+            region.body = found.body;
             region.grid = first_grid(region.plane);
             find_gaps(region);
         }
@@ -97,6 +121,7 @@ public:
             if (touches && (round < 2 || anew || outgrown(k))) region.grid = finer(k);
             if (same) {
                 const ContactPlane before = std::exchange(region.plane, plane_of(*geometry_, found[k], at_.along));
+                region.body = found[k].body;
                 region.grid.x_0 += before.x - region.plane.x;  // the grid stays where it is
                 region.grid.y_0 -= before.s(region.plane.y, region.plane.z);
             } else if (round > 0) {
@@ -114,7 +139,7 @@ public:
     /// Finds loads with the wheel lower than its gaps assume, in rounds, as each region displaces the surface below the
     /// others.
     void settle(double lower, double tolerance, bool warm) {
-        const int rounds = regions_.size() > 1 && settings_.interaction ? 4 : 1;
+        const int rounds = interact() ? 4 : 1;
         for (int round = 0; round < rounds; ++round) {
             for (std::size_t k = 0; k < regions_.size(); ++k) {
                 SolvedRegion& region = regions_[k];
@@ -122,6 +147,7 @@ public:
                 const NormalContact::Grid& h = rounds > 1 ? displaced(k) : region.gaps.h;
                 region.solution = normal_[k].approach(region.grid, h, depth, tolerance, warm || round > 0);
                 region.vertical = vertical_load(k);
+                if (rounds > 1) find_rows(k);
             }
         }
     }
@@ -189,17 +215,13 @@ public:
 
     /// Patches by decreasing load, with the wheel lower than its gaps assume.
     std::vector<RailPatch> patches(double lower) const {
-        constexpr double negligible_load_share = 1e-3;  // of the normal forces
-        double load = 0;
-        for (const SolvedRegion& region : regions_) load += region.solution.load;
+        const double load = normal_load();
         std::vector<RailPatch> found;
         for (std::size_t k = 0; k < regions_.size(); ++k) {
             const SolvedRegion& region = regions_[k];
             if (!(region.solution.load > 0)) continue;
             add_patches(*geometry_, at_,
-                        {region.plane, region.grid, region.gaps, region.solution, normal_[k].pressure(),
-                         lower * region.plane.cosine},
-                        negligible_load_share * load, found);
+                        pressures_of(k, lower), negligible_load_share * load, found);
         }
         std::stable_sort(found.begin(), found.end(),
                          [](const RailPatch& one, const RailPatch& other) { return one.load > other.load; });
@@ -207,6 +229,40 @@ public:
     }
 
 private:
+    static constexpr double negligible_load_share = 1e-3;  // of the normal forces
+
+    double normal_load() const {
+        double sum = 0;
+        for (const SolvedRegion& region : regions_) sum += region.solution.load;
+        return sum;
+    }
+
+    PlanePressures pressures_of(std::size_t k, double lower) const {
+        const SolvedRegion& region = regions_[k];
+        return {region.plane, region.grid,     region.gaps, region.solution, normal_[k].pressure(),
+                lower * region.plane.cosine, region.resolved};
+    }
+
+    // Doubles the cells of region k where they are too few; `load` of all regions [N].
+    bool double_cells(std::size_t k, double lower, double load) {
+        constexpr Eigen::Index most_cells = 30000;
+        SolvedRegion& region = regions_[k];
+        if (!(region.solution.load > 0) || !region.resolved) return false;
+        TooFewCells few = too_few_cells(region.grid, normal_[k].pressure(), negligible_load_share * load);
+        if (settings_.cell_size > 0 && !few.for_outline) return false;
+        if (!few.along && !few.across) return false;
+        const Measures now = measures_of(pressures_of(k, lower));
+        const std::optional<Measures> before = std::exchange(region.coarser, now);
+        if (before && now.settled_since(*before) && !few.for_outline) return false;
+        if (settings_.cell_size > 0) few.along = few.across = true;
+        const Eigen::Index times = (few.along ? 2 : 1) * (few.across ? 2 : 1);
+        region.resolved = region.grid.nx * region.grid.ny * times <= most_cells;
+        if (!region.resolved) return false;
+        if (few.along) region.times_x *= 2;
+        if (few.across) region.times_s *= 2;
+        return true;
+    }
+
     std::vector<Region> find_regions(double height) {
         return geometry_->is_plain() ? silhouette_.regions(height) : slices_.regions(height);
     }
@@ -221,25 +277,81 @@ private:
         finder_.find(*geometry_, *placed_, at_.height, at_.along, region.plane, region.grid, region.gaps);
     }
 
-    // The gaps of region k plus displacements by the loads of the others, as if each acted at its plane's origin.
+    // Whether regions displace each other: by choice those of different bodies, always those of one.
+    bool interact() const {
+        if (settings_.interaction) return regions_.size() > 1;
+        for (std::size_t k = 0; k < regions_.size(); ++k) {
+            for (std::size_t other = 0; other < k; ++other) {
+                if (regions_[k].body == regions_[other].body) return true;
+            }
+        }
+        return false;
+    }
+
+    // The gaps of region k plus displacements by the loads of the others.
     const NormalContact::Grid& displaced(std::size_t k) {
         const SolvedRegion& region = regions_[k];
-        const ContactPlane& here = region.plane;
         displaced_ = region.gaps.h;
-        for (std::size_t other = 0; other < regions_.size(); ++other) {
-            const ContactPlane& there = regions_[other].plane;
-            const double size = regions_[other].solution.load * interaction(here.angle - there.angle) *
-                                geometry_->compliance() / std::numbers::pi;
-            if (other == k || size == 0) continue;
-            const double x = here.x - there.x, s = -here.s(there.y, there.z), n = here.n(there.y, there.z);
+        find_loads_on(k);
+        for (const PointLoad& load : loads_) {
             for (Eigen::Index j = 0; j < region.grid.ny; ++j) {
+                const double s = load.s + region.grid.y(j), square = s * s + load.n * load.n;
                 for (Eigen::Index i = 0; i < region.grid.nx; ++i) {
-                    displaced_(i, j) +=
-                        size / (std::max)(std::hypot(x + region.grid.x(i), s + region.grid.y(j), n), 1e-6);
+                    const double x = load.x + region.grid.x(i);
+                    displaced_(i, j) += load.size / std::sqrt((std::max)(x * x + square, 1e-12));
                 }
             }
         }
         return displaced_;
+    }
+
+    // A load on another region, seen from the plane of one: minus its x and s, its distance from the plane, and its
+    // displacement times the distance.
+    struct PointLoad {
+        double x, s, n, size;
+    };
+
+    // Loads that displace region k: of another body as if it acted at the plane's origin, of the same body in each row
+    // of cells, as these regions are as wide as far apart.
+    void find_loads_on(std::size_t k) {
+        loads_.clear();
+        const ContactPlane& here = regions_[k].plane;
+        for (std::size_t other = 0; other < regions_.size(); ++other) {
+            const SolvedRegion& region = regions_[other];
+            const ContactPlane& there = region.plane;
+            const bool same = region.body == regions_[k].body;
+            if (other == k || !(settings_.interaction || same)) continue;
+            const double size = interaction(here.angle - there.angle) * geometry_->compliance() / std::numbers::pi;
+            if (size * region.solution.load == 0) continue;
+            if (!same) {
+                loads_.push_back({here.x - there.x, -here.s(there.y, there.z), here.n(there.y, there.z),
+                                  region.solution.load * size});
+                continue;
+            }
+            for (const RowLoad& row : region.rows) {
+                // the mean inverse distance of the row from a point beside it, to second order in its length
+                loads_.push_back({here.x - row.x, -here.s(row.y, row.z),
+                                  std::hypot(here.n(row.y, row.z), std::sqrt(row.variance)), row.load * size});
+            }
+        }
+    }
+
+    // The loads of a region's rows of cells, after a solution.
+    void find_rows(std::size_t k) {
+        SolvedRegion& region = regions_[k];
+        const ContactPlane& plane = region.plane;
+        const CellGrid& grid = region.grid;
+        const NormalContact::Grid& p = normal_[k].pressure();
+        const Eigen::ArrayXd x = Eigen::ArrayXd::LinSpaced(grid.nx, grid.x(0), grid.x(grid.nx - 1));
+        region.rows.clear();
+        for (Eigen::Index j = 0; j < grid.ny; ++j) {
+            const double sum = p.col(j).sum(), s = grid.y(j), n = region.gaps.rail_n[j];
+            if (!(sum > 0)) continue;
+            const double mean = (p.col(j) * x).sum() / sum;
+            region.rows.push_back({plane.x + mean, plane.y + s * plane.cosine - n * plane.sine,
+                                   plane.z + s * plane.sine + n * plane.cosine, sum * grid.dx * grid.dy,
+                                   (p.col(j) * (x - mean).square()).sum() / sum});
+        }
     }
 
     CellGrid first_grid(const ContactPlane& plane) const {
@@ -251,11 +363,12 @@ private:
         return {cells, cells, middle - half + dx / 2, (plane.low + plane.high - height + dy) / 2, dx, dy};
     }
 
-    // Grid over the cells that may touch, with a margin of two cells.
+    // Grid over the cells that may touch, with a margin of two cells, or of several where many did not suffice.
     CellGrid finer(std::size_t k) {
-        const auto [left, right, bottom, top] = extents(regions_[k].grid, normal_[k].pressure());
+        const SolvedRegion& region = regions_[k];
+        const auto [left, right, bottom, top] = extents(region.grid, normal_[k].pressure());
         constexpr Eigen::Index margin = 2, most = 60;
-        if (const double size = settings_.cell_size / double(cells_); size > 0) {
+        if (const double size = settings_.cell_size / double(region.times_x); size > 0) {
             const auto count = [=](double length) { return Eigen::Index(std::ceil(length / size)) + 2 * margin + 2; };
             return {count(right - left),
                     count(top - bottom),
@@ -266,16 +379,20 @@ private:
         }
         // lines across the track end where profiles have edges
         constexpr double line = 10;
-        const bool lobes = top - bottom > line * (right - left) || has_lobes(regions_[k].plane);
-        // patches with too few cells are cut by few lines across the track
-        const Eigen::Index cells_x = settings_.cells_x * cells_, nx = lobes ? (std::max)(cells_x, most) : cells_x,
-                           ny = (lobes ? (std::max)(settings_.cells_s, most) : settings_.cells_s) * cells_;
-        const double dx = (right - left) / double(nx - 2 * margin), dy = (top - bottom) / double(ny - 2 * margin);
-        return {nx, ny, left + (0.5 - margin) * dx, bottom + (0.5 - margin) * dy, dx, dy};
+        const bool lobes = top - bottom > line * (right - left) || has_lobes(region);
+        const Eigen::Index nx = (lobes ? (std::max)(settings_.cells_x, most) : settings_.cells_x) * region.times_x,
+                           ny = (lobes ? (std::max)(settings_.cells_s, most) : settings_.cells_s) * region.times_s;
+        const auto beside = [&](Eigen::Index count) {
+            return outgrown(k) ? (std::max)(margin, count / 24) : margin;
+        };
+        const Eigen::Index beside_x = beside(nx), beside_s = beside(ny);
+        const double dx = (right - left) / double(nx - 2 * beside_x), dy = (top - bottom) / double(ny - 2 * beside_s);
+        return {nx, ny, left + (0.5 - double(beside_x)) * dx, bottom + (0.5 - double(beside_s)) * dy, dx, dy};
     }
 
     // Whether cells are too few for the narrowest lobe of the gap, or there are several lobes.
-    bool has_lobes(const ContactPlane& plane) {
+    bool has_lobes(const SolvedRegion& region) {
+        const ContactPlane& plane = region.plane;
         constexpr Eigen::Index count = 80, least_cells = 10;
         const double ds = (plane.high - plane.low) / count;
         if (!(ds > 0)) return false;
@@ -288,7 +405,7 @@ private:
         Eigen::Index low = deepest, high = deepest;
         while (low > 0 && h[low - 1] < 0.75 * least) --low;
         while (high + 1 < count && h[high + 1] < 0.75 * least) ++high;
-        if (double(high - low + 1) / count * 2 * double(settings_.cells_s * cells_) < least_cells) return true;
+        if (double(high - low + 1) / count * 2 * double(settings_.cells_s * region.times_s) < least_cells) return true;
         // another lobe, deeper than the ridge between the two
         for (const Eigen::Index step : {-1, 1}) {
             double ridge = least;
@@ -341,9 +458,9 @@ private:
     GapFinder finder_;
     Gaps row_;
     NormalContact::Grid displaced_;
+    std::vector<PointLoad> loads_;
     std::vector<SolvedRegion> regions_;
     std::vector<NormalContact> normal_;  // normal problems of the regions
-    Eigen::Index cells_ = 1;
 };
 
 }  // namespace rollbem::detail

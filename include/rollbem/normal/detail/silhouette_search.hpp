@@ -82,7 +82,7 @@ public:
             if (goes_on) {
                 ranges.back().last = i;
             } else {
-                ranges.push_back({.first = i, .last = i});
+                ranges.push_back({.first = i, .last = i, .body = ranges.size()});
             }
         }
         split(ranges);
@@ -105,13 +105,13 @@ private:
     };
     // Numbers of the first and the last sample of a region.
     struct SampleRange {
-        std::size_t first, last;
+        std::size_t first, last, body;
         RailStretch rail{};
     };
 
     void trace() {
         constexpr double distance = 1e-4;  // flange contacts are four times as wide at least
-        const double length = placed_->surface().length(0);
+        const double length = placed_->surface().length();
         const auto count = static_cast<std::size_t>(std::ceil(length / distance));
         samples_.clear();
         searched_at_ = std::numeric_limits<double>::quiet_NaN();
@@ -155,7 +155,7 @@ private:
         of.x = (one.x + two.x) / 2;
         of.y = (one.y + two.y) / 2;
         of.z = (one.z + two.z) / 2 + touch_;
-        of.closest = closest_on_rail(*geometry_, 0, rail_s, 0, of.y, of.z);
+        of.closest = closest_on_rail(*geometry_, rail_s, 0, of.y, of.z);
         return dy * of.closest.slope[1] - dz * of.closest.slope[0];
     }
 
@@ -172,7 +172,7 @@ private:
                 sample.close = rail != nullptr;
                 if (sample.close) sample.closest.s = rail->s;
             }
-            if (sample.close) sample.closest = closest_on_rail(*geometry_, 0, sample.closest.s, 0, sample.y, z);
+            if (sample.close) sample.closest = closest_on_rail(*geometry_, sample.closest.s, 0, sample.y, z);
             if (anew) sample.close = sample.close && sample.closest.depth > -out_of_reach;
         }
     }
@@ -207,7 +207,9 @@ private:
             if (close && std::abs(mean_angle_of(ranges[k]) - mean_angle_of(ranges[k - 1])) < joined_angle) {
                 ranges[k - 1].last = ranges[k].last;
                 ranges[k - 1].rail.high = ranges[k].rail.high;
+                const std::size_t body = ranges[k].body;
                 ranges.erase(ranges.begin() + std::ptrdiff_t(k));
+                for (SampleRange& of : ranges) of.body = of.body == body ? ranges[k - 1].body : of.body;
             } else {
                 ++k;
             }
@@ -226,6 +228,7 @@ private:
         constexpr int count = 160;
         Region region;
         region.rail = range.rail;
+        region.body = range.body;
         region.x_low = std::numeric_limits<double>::infinity();
         region.x_high = -region.x_low;
         double rail_s = samples_[range.first].closest.s;
@@ -233,7 +236,7 @@ private:
             const double s = one.s + (two.s - one.s) * k / count;
             const PlacedWheel::Place p = placed_->silhouette(s);
             if (!p.defined) continue;
-            const ClosestPoint closest = closest_on_rail(*geometry_, 0, rail_s, 0, p.y, p.z + height);
+            const ClosestPoint closest = closest_on_rail(*geometry_, rail_s, 0, p.y, p.z + height);
             rail_s = closest.s;
             region.samples.push_back({s, p.x, p.y, p.z + height, closest, 0});
             if (!closest.inside) region.samples.back().closest.depth = 0;

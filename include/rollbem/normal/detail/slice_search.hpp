@@ -60,7 +60,7 @@ public:
                 if (!(below > most)) continue;
                 const SurfaceSample* rail = slice.rail.facing(sample.y, z, sample.normal_y, sample.normal_z);
                 if (rail == nullptr) return true;
-                if (closest_on_rail(*geometry_, rail->part, rail->s, track_x_ + slice.x, sample.y, z).depth > most) {
+                if (closest_on_rail(*geometry_, rail->s, track_x_ + slice.x, sample.y, z).depth > most) {
                     return true;
                 }
             }
@@ -81,7 +81,11 @@ public:
             Point seed = point;
             descend(seed, height);
             if (!(seed.closest.depth > 0) || lies_in(found, seed)) continue;
-            for (Region& region : explore(seed, height)) join(found, std::move(region));
+            std::size_t body = found.size();  // regions are not fewer than bodies
+            for (Region& region : explore(seed, height)) {
+                region.body = body;
+                body = join(found, std::move(region));
+            }
         }
         return found;
     }
@@ -97,7 +101,6 @@ private:
     };
     // A point of the wheel and the closest point of the rail.
     struct Point {
-        std::size_t part, rail_part;
         double x, s, y, z;
         ClosestPoint closest;
         bool defined;
@@ -113,14 +116,12 @@ private:
             slice.x = placed_->middle_x() + k * slice_distance;
             slice.rail.build(rail_samples(*geometry_, track_x_ + slice.x));
             slice.wheel.clear();
-            for (std::size_t part = 0; part < wheel.parts(); ++part) {
-                const auto count = static_cast<std::size_t>(std::ceil(wheel.length(part) / distance));
-                for (std::size_t i = 0; i <= count; ++i) {
-                    const double s = wheel.length(part) * double(i) / double(count);
-                    const CurvePoint p = placed_->section(part, s, slice.x);
-                    const double size = std::hypot(p.slope[0], p.slope[1]);
-                    if (p.defined) slice.wheel.push_back({p.y, p.z, -p.slope[1] / size, p.slope[0] / size, part, s});
-                }
+            const auto count = static_cast<std::size_t>(std::ceil(wheel.length() / distance));
+            for (std::size_t i = 0; i <= count; ++i) {
+                const double s = wheel.length() * double(i) / double(count);
+                const CurvePoint p = placed_->section(s, slice.x);
+                const double size = std::hypot(p.slope[0], p.slope[1]);
+                if (p.defined) slice.wheel.push_back({p.y, p.z, -p.slope[1] / size, p.slope[0] / size, s});
             }
         }
     }
@@ -135,13 +136,12 @@ private:
             const Slice& slice = slices_[k];
             for (const SurfaceSample& sample : slice.wheel) {
                 const double z = sample.z + height;
-                Point& p = points[k].emplace_back(Point{sample.part, 0, slice.x, sample.s, sample.y, z, {}, true});
+                Point& p = points[k].emplace_back(Point{slice.x, sample.s, sample.y, z, {}, true});
                 p.closest.depth = none;
                 if (z - slice.rail.top(sample.y) < -seen_above - CurveIndex::reach) continue;
                 const SurfaceSample* rail = slice.rail.facing(sample.y, z, sample.normal_y, sample.normal_z);
                 if (rail == nullptr) continue;
-                p.rail_part = rail->part;
-                p.closest = closest_on_rail(*geometry_, rail->part, rail->s, track_x_ + slice.x, sample.y, z);
+                p.closest = closest_on_rail(*geometry_, rail->s, track_x_ + slice.x, sample.y, z);
                 if (!p.closest.inside) p.closest.depth = none;
             }
         }
@@ -185,13 +185,12 @@ private:
         Point p = from;
         p.x = x;
         p.s = s;
-        const CurvePoint on_wheel = placed_->section(p.part, s, x);
+        const CurvePoint on_wheel = placed_->section(s, x);
         p.y = on_wheel.y;
         p.z = on_wheel.z + height;
-        p.defined = on_wheel.defined && s >= 0 && s <= placed_->surface().length(p.part) &&
-                    geometry_->rail().covers(p.rail_part, track_x_ + x);
+        p.defined = on_wheel.defined && s >= 0 && s <= placed_->surface().length();
         if (!p.defined) return p;
-        p.closest = closest_on_rail(*geometry_, p.rail_part, from.closest.s, track_x_ + x, p.y, p.z);
+        p.closest = closest_on_rail(*geometry_, from.closest.s, track_x_ + x, p.y, p.z);
         p.defined = p.closest.inside;
         return p;
     }
@@ -247,7 +246,7 @@ private:
     // wheel's curve, nothing if there is none. `step` [m] is the distance between samples.
     std::optional<std::array<double, 2>> sample_slice(const Point& about, double step, double height,
                                                       std::vector<PenetrationSample>& samples) const {
-        const double length = placed_->surface().length(about.part);
+        const double length = placed_->surface().length();
         std::vector<PenetrationSample> slice;
         for (const int direction : {-1, 1}) {
             Point p = about;
@@ -284,7 +283,7 @@ private:
 
     // The regions about a point: one, or one for each of several contacts.
     std::vector<Region> explore(const Point& seed, double height) const {
-        Region region{.wheel_part = seed.part, .rail_part = seed.rail_part, .samples = {}, .x_low = 0, .x_high = 0};
+        Region region;
         region.power = 2;
         // A tenth of the half-length, as estimated from the wheel's radius, and a fortieth of the width.
         const double step_x = std::clamp(std::sqrt(2 * seed.closest.depth * placed_->radius()) / 10, 2e-6, 1e-3);
@@ -353,10 +352,9 @@ private:
         return mean_angle(region.samples.begin(), region.samples.end(), region.power);
     }
 
-    // Joins a region to one that is near and has nearly the same normal, or adds it.
-    static void join(std::vector<Region>& found, Region region) {
+    // Joins a region to one that is near and has nearly the same normal, or adds it. Returns its body.
+    static std::size_t join(std::vector<Region>& found, Region region) {
         for (Region& other : found) {
-            if (other.wheel_part != region.wheel_part || other.rail_part != region.rail_part) continue;
             double least = std::numeric_limits<double>::infinity();
             for (const PenetrationSample& one : other.samples) {
                 for (const PenetrationSample& two : region.samples) {
@@ -368,9 +366,11 @@ private:
             other.samples.insert(other.samples.end(), region.samples.begin(), region.samples.end());
             other.x_low = (std::min)(other.x_low, region.x_low);
             other.x_high = (std::max)(other.x_high, region.x_high);
-            return;
+            for (Region& of : found) of.body = of.body == region.body ? other.body : of.body;
+            return other.body;
         }
         found.push_back(std::move(region));
+        return found.back().body;
     }
 
     const ContactGeometry* geometry_ = nullptr;

@@ -83,8 +83,8 @@ ROLLBEM_DECL ContactGeometry::ContactGeometry(WheelSurface wheel, RailSurface ra
     }
 }
 
-ROLLBEM_DECL auto ContactGeometry::rail_at(std::size_t part, double s, double x) const -> CurvePoint {
-    CurvePoint p = rail_.at(part, s, x);
+ROLLBEM_DECL auto ContactGeometry::rail_at(double s, double x) const -> CurvePoint {
+    CurvePoint p = rail_.at(s, x);
     p.y += origin_.y;
     p.z += origin_.z;
     return p;

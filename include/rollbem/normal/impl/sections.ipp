@@ -85,6 +85,7 @@ ROLLBEM_DECL void Sections::add_part(std::size_t number) {
         part.nearest.push_back(forward ? *after : *(after - 1));
     }
     part.length = sum / static_cast<double>(count);
+    starts_.push_back(starts_.back() + part.length);
     parts_.push_back(std::move(part));
 }
 

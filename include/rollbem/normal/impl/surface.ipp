@@ -16,10 +16,10 @@ ROLLBEM_DECL RailSurface RailSurface::roller(Profile profile, double radius) {
     return rail;
 }
 
-ROLLBEM_DECL auto RailSurface::at(std::size_t part, double s, double x) const noexcept -> CurvePoint {
+ROLLBEM_DECL auto RailSurface::at(double s, double x) const noexcept -> CurvePoint {
     if (const auto* sections = std::get_if<Sections>(&curve_)) {
-        const Sections::Point p = sections->at(part, s, x);
-        return {p.y, p.z, p.by_s, true};
+        const Sections::Point p = sections->at(s, x);
+        return {p.y, p.z, p.by_s, sections->reaches(s, x)};
     }
     const Profile::Point p = std::get_if<Profile>(&curve_)->at(s);
     if (radius_ == 0) return {p.y, p.z, p.slope, true};
@@ -29,14 +29,14 @@ ROLLBEM_DECL auto RailSurface::at(std::size_t part, double s, double x) const no
     return {p.y, p.z + x * sine / (1 + cosine), {p.slope[0], p.slope[1] / cosine}, true};
 }
 
-ROLLBEM_DECL auto WheelSurface::at(std::size_t part, double s, double angle) const noexcept -> Point {
+ROLLBEM_DECL auto WheelSurface::at(double s, double angle) const noexcept -> Point {
     if (const auto* profile = std::get_if<Profile>(&curve_)) {
         const Profile::Point p = profile->at(s);
         return {p.y, p.z, p.slope, {0, 0}};
     }
     const Sections& sections = *std::get_if<Sections>(&curve_);
     const double middle = (sections.first() + sections.last()) / 2;
-    const Sections::Point p = sections.at(part, s, middle + std::remainder(angle - middle, 2 * std::numbers::pi));
+    const Sections::Point p = sections.at(s, middle + std::remainder(angle - middle, 2 * std::numbers::pi));
     return {p.y, p.z, p.by_s, p.by_u};
 }
 
@@ -47,13 +47,12 @@ ROLLBEM_DECL auto PlacedWheel::silhouette(double s) const -> Place {
     return place(p.y, p.z, sine);
 }
 
-ROLLBEM_DECL auto PlacedWheel::unplaced(std::size_t part, double s, double x) const
-    -> std::optional<WheelSurface::Point> {
-    if (surface_->is_round()) return surface_->at(part, s, 0);
+ROLLBEM_DECL auto PlacedWheel::unplaced(double s, double x) const -> std::optional<WheelSurface::Point> {
+    if (surface_->is_round()) return surface_->at(s, 0);
     double sine = x / radius_;
     WheelSurface::Point p{};
     for (int k = 0; k < 20; ++k) {
-        p = surface_->at(part, s, std::asin(sine) - pitch_);
+        p = surface_->at(s, std::asin(sine) - pitch_);
         const double next = sine_of(p, x);
         if (!(std::abs(next) <= steepest)) return std::nullopt;
         const double change = next - std::exchange(sine, next);
@@ -62,8 +61,8 @@ ROLLBEM_DECL auto PlacedWheel::unplaced(std::size_t part, double s, double x) co
     return p;
 }
 
-ROLLBEM_DECL auto PlacedWheel::section(std::size_t part, double s, double x) const -> CurvePoint {
-    const auto p = unplaced(part, s, x);
+ROLLBEM_DECL auto PlacedWheel::section(double s, double x) const -> CurvePoint {
+    const auto p = unplaced(s, x);
     return p ? section_of(*p, x) : CurvePoint{0, 0, {0, 0}, false};
 }
 

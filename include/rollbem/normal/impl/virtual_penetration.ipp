@@ -130,7 +130,7 @@ ROLLBEM_DECL std::vector<VirtualPenetration> virtual_penetration(const WheelOnRa
         const double step = (plane.high - plane.low) / double(rows - 3), first = plane.low - step;
         if (!(step > 0)) continue;
         finder.find(geometry, placed, position.height, position.along, plane, {1, rows, 0, first, step, step}, gaps);
-        const double radius = (wheel.dimensions().radius + geometry.wheel().at(0, plane.wheel_s, 0).z) / plane.cosine;
+        const double radius = (wheel.dimensions().radius + geometry.wheel().at(plane.wheel_s, 0).z) / plane.cosine;
         Eigen::ArrayXd depth = -gaps.h.row(0).transpose();
         for (Eigen::Index j = 0; j < rows; ++j) {
             const bool known = gaps.known(0, j) == Status::ok || gaps.known(0, j) == Status::doubtful_plane;
