@@ -147,9 +147,9 @@ void falling_steps_unchanged(benchmark::State& state, bool with_tangents,
     const Mesh<double> mesh = cosine_mesh<double>(state.range(0));
     const Contact<double> contact(
         {.half_length = a, .half_width = 1000 * a, .shear_modulus = 82e9, .poisson_ratio = 0.28});
-    const Friction<ExponentialFall<double>> friction{
+    const Friction<ExponentialFall> friction{
         {0.3, 0.18, 0.1}, 495.169e6 * mean_hertz_pressure(mesh), {10e-6, 1e-3}, with_tangents};
-    const FrictionModel<ExponentialFall<double>> model(
+    const FrictionModel<ExponentialFall> model(
         contact, rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(contact)), unchecked,
         friction, integrator);
     roll(state, model, 2000, [&](const auto& now, auto& next, auto& workspace) {
@@ -276,7 +276,7 @@ void BM_CombinedLuSolve(benchmark::State& state) {
 }
 BENCHMARK(BM_CombinedLuSolve)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
-FrictionModel<ConstantFriction<>, 2> combined_steady_model(const Scene& scene) {
+FrictionModel<ConstantFriction, 2> combined_steady_model(const Scene& scene) {
     return {
         scene.contact,
         {steady_system(scene.mesh, scene.scheme, scene.kernel), steady_system(scene.mesh, scene.scheme, scene.lateral)},
@@ -353,7 +353,7 @@ void BM_CombinedStepUnchanged(benchmark::State& state) {
 }
 BENCHMARK(BM_CombinedStepUnchanged)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 void combined_falling_steps(benchmark::State& state, bool with_tangents) {
-    using Law = ExponentialFall<double>;
+    using Law = ExponentialFall;
     const CombinedWheel wheel(state.range(0));
     const Friction<Law> friction{{0.3, 0.18, 0.1}, wheel.pressure, {10e-6, 1e-3}, with_tangents};
     const FrictionModel model(wheel.contact, wheel.system(), unchecked, friction, Integrator::implicit_euler);

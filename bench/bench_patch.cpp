@@ -38,7 +38,7 @@ const HalfSpace<double> kernel(0.25);
 const PatchContact<double> circle = PatchContact<double>::dimensionless(1, 0.28);
 const HalfSpace<double> steel(0.28);
 
-FrictionModel<ConstantFriction<>, 2> steady_model(const PatchMesh<double>& mesh) {
+FrictionModel<ConstantFriction, 2> steady_model(const PatchMesh<double>& mesh) {
     return {circle, steady_system(mesh, scheme, steel), {1.0, hertz_pressures(circle, mesh, 1)}};
 }
 

@@ -109,7 +109,7 @@ struct rollbem_contact_table {
 };
 
 struct rollbem_patch {
-    using Model = FrictionModel<ConstantFriction<double>, 2>;
+    using Model = FrictionModel<ConstantFriction, 2>;
 
     rollbem_patch(const PatchContact<double>& contact, double mu, double load, const PatchMesh<double>& mesh)
         : load_(load),

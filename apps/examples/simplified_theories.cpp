@@ -51,7 +51,7 @@ private:
     PatchMesh<double> patch_of(double tolerance) const {
         return recommended_patch(tolerance, contact_.a_over_b()).mesh(contact_);
     }
-    FrictionModel<ConstantFriction<>, 2> friction() const {
+    FrictionModel<ConstantFriction, 2> friction() const {
         return {contact_,
                 steady_system(mesh_, scheme, HalfSpace<double>(nu)),
                 {1.0, hertz_pressures(contact_, mesh_, 1.0)}};
@@ -61,7 +61,7 @@ private:
     PatchMesh<double> mesh_;
     CreepCoefficients<double> kalker_ =
         creep_coefficients(contact_, solve_steady(contact_, patch_mesh(contact_, 16, 16), scheme));
-    FrictionModel<ConstantFriction<>, 2> model_;
+    FrictionModel<ConstantFriction, 2> model_;
     FrictionState<2> state_ = model_.at_rest();
     FrictionWorkspace<2> workspace_ = model_.workspace();
 };

@@ -44,7 +44,7 @@ struct Line {
 
     /// Forces are over mu N, at the creepage ratio delta; cosine and sine give the direction of the creepage.
     auto both(double delta, double cosine, double sine) const {
-        const rollbem::FrictionModel<rollbem::ConstantFriction<>, 2> model(
+        const rollbem::FrictionModel<rollbem::ConstantFriction, 2> model(
             contact(), {{{}, slopes(false), mesh.widths()}, {{}, slopes(true), mesh.widths()}}, law());
         const double size = creepage(delta, nu);
         auto step = rollbem::Run(model).steady({.motion = {size * cosine, size * sine}});
@@ -61,7 +61,7 @@ struct Line {
     /// A steady step with friction that falls with slip to a share of mu, by half at a slip velocity over the rolling
     /// velocity.
     auto falling(double delta, double share, double half_velocity) const {
-        const rollbem::ExponentialFall<> fall{1, share, half_velocity};
+        const rollbem::ExponentialFall fall{1, share, half_velocity};
         const rollbem::FrictionModel model(contact(), rollbem::ElementSystem<double>({}, slopes(false), mesh.widths()),
                                            rollbem::unchecked, rollbem::Friction{fall, law().normal_pressure});
         auto step = rollbem::Run(model).steady({rollbem::Travel<>::at_speed(1.0), creepage(delta, nu)});

@@ -221,7 +221,7 @@ private:
         return true;
     }
 
-    using Model = rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2>;
+    using Model = rollbem::FrictionModel<rollbem::ConstantFriction, 2>;
 
     const PatchScene& scene_;
     rollbem::PatchContact<double> contact_;

@@ -158,7 +158,7 @@ public:
 private:
     using Force = TangentialForce<double>;
     using Hertz = HertzPatchLoad<double>;
-    using Friction = FrictionModel<ConstantFriction<double>, 2>;
+    using Friction = FrictionModel<ConstantFriction, 2>;
     using Step = FrictionStep<2>;
     using State = FrictionState<2>;
 

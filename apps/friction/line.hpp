@@ -40,8 +40,8 @@ struct Pressure {
 /// A law of friction that falls, mu/mu_0 of the slip velocity, and its memory: velocities in V mu_0 p0/G, distances in
 /// a mu_0 p0/G.
 struct SlipLaw {
-    rollbem::ExponentialFall<> mu;
-    rollbem::FrictionMemory<> memory{};
+    rollbem::ExponentialFall mu;
+    rollbem::FrictionMemory memory{};
 };
 
 /// Half-length of a mesh that covers the contact during the whole run [a_0].
@@ -96,10 +96,10 @@ std::vector<study::Column<Row>> law_columns() {
         return [=](const Row& r) { return r.line.law ? study::Cell((*r.line.law).*part.*member) : study::Cell(); };
     };
     return {{"layer", "compliance of the layer [a/G], of --layer", [](const Row& r) { return r.line.layer; }},
-            {"falling_ratio", "parameters of --falling", of(&SlipLaw::mu, &rollbem::ExponentialFall<>::mu_k)},
-            {"half_velocity", "", of(&SlipLaw::mu, &rollbem::ExponentialFall<>::half_velocity)},
-            {"memory_distance", "parameters of --memory", of(&SlipLaw::memory, &rollbem::FrictionMemory<>::distance)},
-            {"least_velocity", "", of(&SlipLaw::memory, &rollbem::FrictionMemory<>::least_velocity)}};
+            {"falling_ratio", "parameters of --falling", of(&SlipLaw::mu, &rollbem::ExponentialFall::mu_k)},
+            {"half_velocity", "", of(&SlipLaw::mu, &rollbem::ExponentialFall::half_velocity)},
+            {"memory_distance", "parameters of --memory", of(&SlipLaw::memory, &rollbem::FrictionMemory::distance)},
+            {"least_velocity", "", of(&SlipLaw::memory, &rollbem::FrictionMemory::least_velocity)}};
 }
 
 /// value/exact - 1 where both are defined.

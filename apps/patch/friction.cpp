@@ -23,7 +23,7 @@ struct FrictionRow {
     const CreepPoint& point;
     const rollbem::FrictionStep<2>& step;
     const rollbem::FrictionState<2>& state;
-    const rollbem::ElementVectors<double>& slip;
+    const rollbem::ElementVectors<>& slip;
     const rollbem::Elements<double>& elements;
     double largest_slip;  ///< rigid
     study::Cell time_us;
@@ -110,7 +110,7 @@ study::Table friction_table(const Friction& scene) {
     table.compute = [&scene, &tractions](std::size_t task, study::RowRange range, const study::Emit& emit) {
         const Patch& patch = scene.patches[task];
         const rollbem::Elements<double> elements = rollbem::patch_elements(patch.mesh, patch.scheme);
-        const rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2> model(
+        const rollbem::FrictionModel<rollbem::ConstantFriction, 2> model(
             patch.contact, steady_system(patch.mesh, patch.scheme, patch.kernel()), {1.0, scene.pressure(patch)});
         const auto rest = model.at_rest();
         auto state = rest;

@@ -98,7 +98,7 @@ Values friction_force(const Scene& scene, const Settings& settings) {
 /// The forces along and across with the creepage at 45 degrees.
 Values combined_forces(const Scene& scene, const Settings& settings) {
     // the model is made from kernels, as only then it knows where the equations hold and turns the slip
-    const rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2> model(
+    const rollbem::FrictionModel<rollbem::ConstantFriction, 2> model(
         scene.contact,
         {slopes(scene, scene.kernel), slopes(scene, Kernel::lateral(scene.kernel.model(), scene.contact))},
         friction(scene));

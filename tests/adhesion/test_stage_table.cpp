@@ -116,12 +116,12 @@ void compare(const ElementSystem<double, directions>& system, const Law& law,
 }  // namespace
 
 TEST_CASE("With friction a row of the table is all of a scheme", "[stages][friction]") {
-    const ExponentialFall<> falling{0.3, 0.18, 0.1};
+    const ExponentialFall falling{0.3, 0.18, 0.1};
     const ElementSystem<double, 2> both(along, across);
     for (const double growth : {0.0, 0.05}) {
-        compare<1>(along, ConstantFriction<>{0.3}, 1e-3, 2e-3, 3e-3, growth);
+        compare<1>(along, ConstantFriction{0.3}, 1e-3, 2e-3, 3e-3, growth);
         compare<1>(along, falling, 1e-3, 2e-3, 3e-3, growth);
-        compare<2>(both, ConstantFriction<>{0.3}, {1e-3, 5e-4, 0}, {2e-3, -5e-4, 0}, {3e-3, -1.5e-3, 0}, growth);
+        compare<2>(both, ConstantFriction{0.3}, {1e-3, 5e-4, 0}, {2e-3, -5e-4, 0}, {3e-3, -1.5e-3, 0}, growth);
         compare<2>(both, falling, {1e-3, 5e-4, 0}, {2e-3, -5e-4, 0}, {3e-3, -1.5e-3, 0}, growth);
     }
 }

@@ -313,14 +313,14 @@ TEST_CASE("A step of a patch of varying size and shape does not allocate", "[fri
 
 TEST_CASE("The combined solver does not allocate, whether it follows a path or fails", "[friction]") {
     constexpr Eigen::Index n = 6;
-    detail::StickSlip<2, double> uncoupled(n), coupled(n, true);
+    detail::StickSlip<2> uncoupled(n), coupled(n, true);
     const auto centres = detail::CentreValues<double>::in_strips({-1, 0, 1, -1, 3, 4});
     const std::vector<Zone> zones(n, Zone::stick);
-    const ElementVectors<double> start = ElementVectors<double>::Zero(n, 2);
+    const ElementVectors<> start = ElementVectors<>::Zero(n, 2);
     drawn::Draw draw(11);
     int followed = 0, unsolved = 0;
     for (int problem = 0; problem < 300; ++problem) {
-        detail::StickSlip<2, double>& solver = problem % 2 == 0 ? uncoupled : coupled;
+        detail::StickSlip<2>& solver = problem % 2 == 0 ? uncoupled : coupled;
         for (const std::size_t slip : {0, 1}) {
             for (const std::size_t by : {0, 1}) {
                 if (slip != by && !solver.coupled()) continue;

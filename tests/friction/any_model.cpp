@@ -12,7 +12,7 @@ FrictionContact make(const Setup& setup, bool steady) {
         return model(ElementSystem(setup.system(false, steady), setup.system(true, steady)));
     };
     if (setup.any) return of(*setup.any);
-    return setup.falls ? of(setup.falling) : of(ConstantFriction<double>{setup.constant});
+    return setup.falls ? of(setup.falling) : of(ConstantFriction{setup.constant});
 }
 
 }  // namespace any_model

@@ -12,8 +12,8 @@
 namespace falling_tests {
 
 using namespace rollbem;
-using Law = ExponentialFall<double>;
-using Memory = FrictionMemory<double>;
+using Law = ExponentialFall;
+using Memory = FrictionMemory;
 using Motion = RigidMotion<double>;
 using State = FrictionState<>;
 using Step = FrictionStep<>;

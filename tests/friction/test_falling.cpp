@@ -14,7 +14,7 @@ namespace falling_tests {
 namespace {
 
 TEST_CASE("The law falls from mu_0 at rest to mu_k, halfway at its half velocity; memories fade", "[friction]") {
-    const ExponentialFall<double> falling{0.3, 0.1, 0.2};
+    const ExponentialFall falling{0.3, 0.1, 0.2};
     CHECK(falling(0.0) == Approx(0.3).epsilon(1e-15));
     CHECK(falling(0.2) == Approx(0.2).epsilon(1e-15));
     CHECK(falling(0.6) == Approx(0.1 + 0.2 / 8).epsilon(1e-14));

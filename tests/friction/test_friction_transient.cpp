@@ -11,7 +11,6 @@
 #include "scene.hpp"
 #include "support/catch.hpp"
 #include "support/observed_order.hpp"
-#include "support/scalars.hpp"
 
 namespace friction_tests {
 namespace {
@@ -99,25 +98,6 @@ TEST_CASE("A rigid shift without rolling gives Cattaneo's solution", "[friction]
         CHECK(std::abs(support::observed_order(sizes, errors) - 2) < 0.3);
     }
 }
-
-#ifdef ROLLBEM_SLOW_CHECKS
-TEST_CASE("Steps and steady rolling with friction agree in every scalar type", "[friction]") {
-    const Scene scene(cosine_mesh<double>(20), {.alpha_L = 0, .alpha_T = 0.5}, 1, 10);
-    const auto ratios = [&]<class Scalar>(Scalar) {
-        const auto [rolled, steady] =
-            rolled_and_steady<Scalar>(scene.contact, scene.system(), scene.friction.normal_pressure, creepage(1));
-        const double full = full_force * scene.contact.width();
-        return std::pair(double(rolled) / full, double(steady) / full);
-    };
-    const auto [rolled, steady] = ratios(1.0);
-    const auto [rolled_float, steady_float] = ratios(1.0f);
-    const auto [rolled_long, steady_long] = ratios(1.0L);
-    CHECK(std::abs(rolled_float - rolled) < 1e-4);
-    CHECK(std::abs(steady_float - steady) < 1e-4);
-    CHECK(std::abs(rolled_long - rolled) < 1e-12);
-    CHECK(std::abs(steady_long - steady) < 1e-12);
-}
-#endif
 
 TEST_CASE("Matrices that do not belong to elements are rejected by name", "[friction]") {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();

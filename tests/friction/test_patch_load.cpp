@@ -33,7 +33,7 @@ constexpr NodeDifference chebyshev{Nodes::chebyshev};
 constexpr double mu = 0.3, nu = 0.28, G = 8e10, a_0 = 5e-3, N_0 = 8e4;
 const HalfSpace<double> kernel(nu);
 using Forces = std::array<double, 3>;
-using Model = FrictionModel<ConstantFriction<double>, 2>;
+using Model = FrictionModel<ConstantFriction, 2>;
 using State = FrictionState<2>;
 
 const PatchShapes<double>& shapes() {

@@ -14,7 +14,7 @@
 namespace rigid_slip_tests {
 
 using namespace rollbem;
-using Vectors = ElementVectors<double>;
+using Vectors = ElementVectors<>;
 using Motion = RigidMotion<Creepage<double>>;
 
 namespace {
@@ -47,12 +47,12 @@ double difference(const TangentialForce<double>& one, const TangentialForce<doub
                      std::abs(one.moment - two.moment) / a});
 }
 
-TEMPLATE_TEST_CASE("Slip by rows equals slip by creepages", "[friction]", ConstantFriction<>, ExponentialFall<>) {
+TEMPLATE_TEST_CASE("Slip by rows equals slip by creepages", "[friction]", ConstantFriction, ExponentialFall) {
     const auto law = [] {
-        if constexpr (std::is_same_v<TestType, ConstantFriction<>>) {
-            return ConstantFriction<>{mu};
+        if constexpr (std::is_same_v<TestType, ConstantFriction>) {
+            return ConstantFriction{mu};
         } else {
-            return ExponentialFall<>{mu, 0.2, 0.05};
+            return ExponentialFall{mu, 0.2, 0.05};
         }
     }();
     const PatchContact<double> contact(
@@ -114,8 +114,8 @@ struct Line {
         return {own.G(), own.G_prime(), own.weights()};
     }
     template <int directions>
-    FrictionModel<ConstantFriction<>, directions> model() const {
-        const Friction<ConstantFriction<>> friction{1, pressure};
+    FrictionModel<ConstantFriction, directions> model() const {
+        const Friction<ConstantFriction> friction{1, pressure};
         if constexpr (directions == 1) {
             return {contact, along, unchecked, friction, Integrator::implicit_euler};
         } else {

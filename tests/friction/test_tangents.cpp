@@ -104,7 +104,7 @@ Error error_of(const Body& body, Friction<Law> friction, std::optional<Integrato
     }
     const Creepage<double> creepage = drawn();
     const NormalLoad<double> load = loaded();
-    ElementVectors<double> rows(body.pressure.size(), 2);  // in half of the scenes
+    ElementVectors<> rows(body.pressure.size(), 2);  // in half of the scenes
     rows.col(0) = 0.2 * body.creepage * (places.x * places.y - places.x.square());
     rows.col(1) = 0.3 * body.creepage * (places.x.square() + places.y);
     const bool with_rows = draw.one_in(2), shifts = integrator && draw.one_in(4);
@@ -171,11 +171,11 @@ TEST_CASE("Tangents in both directions are derivatives", "[friction]") {
                 int kinks = 0, beyond = 0;
                 for (int k = 0; k < count; ++k) {
                     const Body body = is_patch ? patch(draw.decades(-0.3, 0.3)) : line();
-                    const ExponentialFall<double> law{mu, 0.2, V * body.creepage};
-                    const FrictionMemory<double> memory{falls == 2 ? a_0 * body.creepage : 0, 0.01 * V * body.creepage};
+                    const ExponentialFall law{mu, 0.2, V * body.creepage};
+                    const FrictionMemory memory{falls == 2 ? a_0 * body.creepage : 0, 0.01 * V * body.creepage};
                     const Error error =
-                        falls > 0 ? error_of<ExponentialFall<double>>(body, {law, body.pressure, memory}, way, draw)
-                                  : error_of<ConstantFriction<double>>(body, {{mu}, body.pressure}, way, draw);
+                        falls > 0 ? error_of<ExponentialFall>(body, {law, body.pressure, memory}, way, draw)
+                                  : error_of<ConstantFriction>(body, {{mu}, body.pressure}, way, draw);
                     errors.push_back(error.largest);
                     kinks += error.kink ? 1 : 0;
                     beyond += error.largest <= 1e-6 ? 0 : 1;

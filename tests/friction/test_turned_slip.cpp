@@ -28,7 +28,7 @@ constexpr Integrator integrators[] = {Integrator::implicit_euler, Integrator::sd
 using State = FrictionState<2>;
 using Step = FrictionStep<2>;
 using Workspace = FrictionWorkspace<2>;
-using Model = FrictionModel<ConstantFriction<>, 2>;
+using Model = FrictionModel<ConstantFriction, 2>;
 using Motion = RigidMotion<Creepage<double>>;
 
 struct Scene {

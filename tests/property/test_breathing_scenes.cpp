@@ -93,7 +93,7 @@ void ride(Draw& draw, Tally& tally) {
     const auto x = support::unturned(rolling_system(mesh, scheme, along)),
                y = support::unturned(rolling_system(mesh, scheme, across));
     const FrictionModel<> one(contact, x, unchecked, law, integrator);
-    const FrictionModel<ConstantFriction<>, 2> two(contact, {x, y}, unchecked, law, integrator);
+    const FrictionModel<ConstantFriction, 2> two(contact, {x, y}, unchecked, law, integrator);
     FrictionState<> one_now = one.at_rest(), one_next = one_now;
     FrictionState<2> two_now = two.at_rest(), two_next = two_now;
     FrictionWorkspace<> one_workspace = one.workspace();

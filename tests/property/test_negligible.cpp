@@ -75,7 +75,7 @@ AdhesionModel<> adhesion(const Input& in) { return {line(in), line_system(in), u
 FrictionModel<> friction(const Input& in) {
     return {line(in), line_system(in), unchecked, {in.mu, in.N / (in.a * in.b) * mean_hertz_pressure(mesh)}};
 }
-using PatchModel = FrictionModel<ConstantFriction<double>, 2>;
+using PatchModel = FrictionModel<ConstantFriction, 2>;
 PatchModel patch_friction(const Input& in) {
     const PatchContact<double> contact = patch(in);
     const PatchMesh<double> strips = patch_mesh(contact, 3, 3);

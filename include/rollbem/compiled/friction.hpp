@@ -43,21 +43,21 @@ extern template ArrayX<double> hertz_pressures<double>(const PatchContact<double
 extern template MatrixX<double> detail::rigid_slip<double>(const Elements<double>&);
 extern template MatrixX<double> detail::force_weights<double>(const Elements<double>&);
 extern template class ElementSystem<double, 2>;
-extern template class detail::SlipPath<1, double>;
-extern template class detail::SlipPath<2, double>;
-extern template class detail::StickSlip<1, double>;
-extern template class detail::StickSlip<2, double>;
-extern template class detail::SlipDependentSet<1, double>;
-extern template class detail::SlipDependentSet<2, double>;
-extern template struct detail::SlipDependentScratch<1, double>;
-extern template struct detail::SlipDependentScratch<2, double>;
-extern template struct detail::FrictionScratch<1, double>;
-extern template struct detail::FrictionScratch<2, double>;
-extern template class detail::FrictionCore<ConstantFriction<double>, 1, double>;
-extern template class detail::FrictionCore<ConstantFriction<double>, 2, double>;
-extern template class detail::FrictionCore<std::function<double(double)>, 1, double>;
-extern template class detail::FrictionCore<std::function<double(double)>, 2, double>;
-extern template FrictionContact::FrictionContact(FrictionModel<ConstantFriction<double>, 1, double>, Eigen::Index);
-extern template FrictionContact::FrictionContact(FrictionModel<ConstantFriction<double>, 2, double>, Eigen::Index);
+extern template class detail::SlipPath<1>;
+extern template class detail::SlipPath<2>;
+extern template class detail::StickSlip<1>;
+extern template class detail::StickSlip<2>;
+extern template class detail::SlipDependentSet<1>;
+extern template class detail::SlipDependentSet<2>;
+extern template struct detail::SlipDependentScratch<1>;
+extern template struct detail::SlipDependentScratch<2>;
+extern template struct detail::FrictionScratch<1>;
+extern template struct detail::FrictionScratch<2>;
+extern template class detail::FrictionCore<ConstantFriction, 1>;
+extern template class detail::FrictionCore<ConstantFriction, 2>;
+extern template class detail::FrictionCore<std::function<double(double)>, 1>;
+extern template class detail::FrictionCore<std::function<double(double)>, 2>;
+extern template FrictionContact::FrictionContact(FrictionModel<ConstantFriction, 1>, Eigen::Index);
+extern template FrictionContact::FrictionContact(FrictionModel<ConstantFriction, 2>, Eigen::Index);
 
 }  // namespace rollbem

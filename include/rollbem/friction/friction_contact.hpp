@@ -39,7 +39,6 @@ class FrictionContact {
     class Erased;
 
 public:
-    using Scalar = double;
     using State = FrictionState<2>;
     using Step = FrictionStep<2>;
     using Force = Step::Force;
@@ -52,10 +51,10 @@ public:
     class Workspace {
     public:
         /// Slip as in FrictionWorkspace::slip(), always in two columns.
-        ElementVectors<double> slip() const {
+        ElementVectors<2> slip() const {
             if (const auto* both = std::get_if<1>(&own_)) return both->slip();
             const VectorX<double>& along = std::get<0>(own_).slip();
-            ElementVectors<double> slip = ElementVectors<double>::Zero(along.size(), 2);
+            ElementVectors<2> slip = ElementVectors<2>::Zero(along.size(), 2);
             slip.col(direction_) = along;
             return slip;
         }

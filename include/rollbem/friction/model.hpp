@@ -96,30 +96,29 @@ namespace rollbem {
 ///
 /// A coefficient that depends on slip:
 ///
-///     const FrictionModel model(contact, system, verdict, Friction{ExponentialFall<>{0.3, 0.18, 0.1}, pressure});
+///     const FrictionModel model(contact, system, verdict, Friction{ExponentialFall{0.3, 0.18, 0.1}, pressure});
 ///     const FrictionStep<> step = model.advance(now, {{dq, duration}, creepage}, next, workspace);
-template <class Law_ = ConstantFriction<double>, int directions_ = 1, class Scalar_ = double>
+template <class Law_ = ConstantFriction, int directions_ = 1>
 class FrictionModel {
 public:
     using Law = Law_;
-    using Scalar = Scalar_;
     static constexpr int directions = directions_;
-    static_assert(SlipLaw<Law, Scalar>);
+    static_assert(SlipLaw<Law>);
 
 private:
-    using Core = detail::FrictionCore<detail::UniformLaw<Law, Scalar>, directions, Scalar>;
+    using Core = detail::FrictionCore<detail::UniformLaw<Law>, directions>;
 
 public:
-    using State = FrictionState<directions, Scalar>;
-    using Step = FrictionStep<directions, Scalar>;
-    using Workspace = FrictionWorkspace<directions, Scalar>;
-    using System = ElementSystem<Scalar, directions>;
+    using State = FrictionState<directions>;
+    using Step = FrictionStep<directions>;
+    using Workspace = FrictionWorkspace<directions>;
+    using System = ElementSystem<double, directions>;
     using Force = typename Step::Force;  ///< a number, or TangentialForce with two directions
     using Value = typename Core::Value;  ///< a creepage: a number, or Creepage with two directions
     using Motion = RigidMotion<Value>;
     /// The load is a NormalLoad or, if none is given, the load of the state; travel needs a duration if mu depends on
     /// slip.
-    using RollingStep = rollbem::RollingStep<Motion, GivenLoad<NormalLoad<Scalar>>>;
+    using RollingStep = rollbem::RollingStep<Motion, GivenLoad<NormalLoad<double>>>;
 
     /// `contact` is a line contact (Contact) or a patch (PatchContact, whose half_length() is the system's unit of
     /// length); `verdict` judges `system`, or is `unchecked`. A system without G needs no verdict, no finite half-width
@@ -133,10 +132,10 @@ public:
     /// - for Integrator::matrix_exponential, which cannot treat friction.
     template <class AnyContact>
     FrictionModel(const AnyContact& contact, System system, const StabilityVerdict& verdict,
-                  const Friction<Law, Scalar>& friction, Integrator integrator = Integrator::sdirk2)
+                  const Friction<Law>& friction, Integrator integrator = Integrator::sdirk2)
         : core_(name, contact, std::move(system), detail::with_uniform_law(friction)), integrator_(integrator) {
         const System& own = core_.system();
-        if constexpr (std::is_same_v<AnyContact, Contact<Scalar>>) {
+        if constexpr (std::is_same_v<AnyContact, Contact<double>>) {
             detail::require_same_aspect(name, contact, own);
         } else {
             detail::require(!own.aspect() && own.elements().places_are_known(), name,
@@ -144,7 +143,7 @@ public:
                             "be theirs: a patch has the system of a PatchMesh");
             detail::require_same_shape(name, contact, own);
         }
-        detail::require(detail::stage_table<Scalar>(integrator).has_value(), name, "integrator",
+        detail::require(detail::stage_table<double>(integrator).has_value(), name, "integrator",
                         rollbem::name(integrator), "solve stages, as implicit_euler and sdirk2 do");
         if (!own.has_G()) {
             converges_ = !verdict.checked || detail::converges(slope(), own.elements().areas);
@@ -157,7 +156,7 @@ public:
     }
     /// A model of a system without G, for steady rolling alone.
     template <class AnyContact>
-    FrictionModel(const AnyContact& contact, System system, const Friction<Law, Scalar>& friction)
+    FrictionModel(const AnyContact& contact, System system, const Friction<Law>& friction)
         : FrictionModel(contact, std::move(system), StabilityVerdict{}, friction) {}
 
     Eigen::Index size() const { return core_.size(); }  ///< number of unknown elements
@@ -172,7 +171,7 @@ public:
     /// The state at rest under the pressures of the model: no traction, all elements stick, mu = mu_s(0).
     State at_rest() const { return core_.at_rest(); }
     /// The state at rest under a load. Throws std::invalid_argument if the mesh cannot carry the load.
-    State at_rest(const NormalLoad<Scalar>& load) const;
+    State at_rest(const NormalLoad<double>& load) const;
     Workspace workspace() const { return core_.workspace(); }
 
     /// The force of a state [N]. The state must have size() elements.
@@ -186,7 +185,7 @@ public:
     /// The work that the rigid bodies do on the contact, -F times the rigid slip (creepage times the distance rolled),
     /// becomes heat or elastic energy, even while the load or the length of the contact varies: heat = -F slip - dE,
     /// for any scheme. The sum of FrictionStep::slip_work agrees with it to the orders of both in n and dq.
-    Scalar elastic_energy(const State& state) const { return core_.elastic_energy(state); }
+    double elastic_energy(const State& state) const { return core_.elastic_energy(state); }
 
     /// Solves for steady rolling with the creepage [-] at the end of the step's motion, which must not be a shift, at
     /// the speed V > 0 [m/s] of its travel, which a constant coefficient does not need. The search starts from the
@@ -238,14 +237,14 @@ private:
     bool converges_ = true;
 };
 
-template <class Law, int directions, class Scalar>
-auto FrictionModel<Law, directions, Scalar>::at_rest(const NormalLoad<Scalar>& load) const -> State {
+template <class Law, int directions>
+auto FrictionModel<Law, directions>::at_rest(const NormalLoad<double>& load) const -> State {
     State state = at_rest();
     Status possible = load.check(core_.system().element_count());
     if (possible == Status::ok) possible = core_.check_width(state, load);
     const auto given = core_.load_after(state, load);
     if (possible == Status::ok) {
-        possible = detail::check_growth(core_.system(), Scalar(0), core_.axes(given), core_.axes(given));
+        possible = detail::check_growth(core_.system(), 0.0, core_.axes(given), core_.axes(given));
     }
     detail::require(possible == Status::ok, name, "status of the load at rest", rollbem::name(possible),
                     "be ok: pressures of all elements, finite and not negative, on semi-axes that the mesh can follow");
@@ -255,41 +254,41 @@ auto FrictionModel<Law, directions, Scalar>::at_rest(const NormalLoad<Scalar>& l
     return state;
 }
 
-template <class Law, int directions, class Scalar>
-auto FrictionModel<Law, directions, Scalar>::steady(const State& from, const RollingStep& step, State& to,
+template <class Law, int directions>
+auto FrictionModel<Law, directions>::steady(const State& from, const RollingStep& step, State& to,
                                                     Workspace& workspace) const noexcept -> Step {
     Status possible = check_load(from, step);
     if (possible != Status::ok) return detail::failed<Step>(possible);
     const auto asked = request(from, step);
     possible = core_.check(from, to, workspace);
     const auto axes = core_.axes(asked.load);
-    if (possible == Status::ok) possible = detail::check_growth(core_.system(), Scalar(0), axes, axes);
+    if (possible == Status::ok) possible = detail::check_growth(core_.system(), 0.0, axes, axes);
     if (possible != Status::ok) return detail::failed<Step>(possible);
     const Step solved = core_.steady(asked, to, workspace);
     return converges_ ? solved : Core::without_forces(solved);
 }
 
-template <class Law, int directions, class Scalar>
-auto FrictionModel<Law, directions, Scalar>::advance(const State& from, const RollingStep& step, State& to,
+template <class Law, int directions>
+auto FrictionModel<Law, directions>::advance(const State& from, const RollingStep& step, State& to,
                                                      Workspace& workspace) const noexcept -> Step {
     Status possible = check_load(from, step);
     if (possible != Status::ok) return detail::failed<Step>(possible);
     if (!core_.system().has_G()) return detail::failed<Step>(Status::invalid_step);
     const auto asked = request(from, step);
-    const Scalar dq = step.travel.dq / core_.half_length();
+    const double dq = step.travel.dq / core_.half_length();
     possible = detail::check_step(core_.check(from, to, workspace), step.motion, dq, size(), [&] {
         return detail::check_growth(core_.system(), dq, core_.axes(from), core_.axes(asked.load));
     });
     if (possible != Status::ok) return detail::failed<Step>(possible);
-    return core_.roll(*detail::stage_table<Scalar>(integrator_), asked, to, workspace);
+    return core_.roll(*detail::stage_table<double>(integrator_), asked, to, workspace);
 }
 
 // Friction in braces, whose law cannot be deduced, has a constant coefficient.
-template <class AnyContact, class Scalar, int directions, class Law = ConstantFriction<Scalar>>
-FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, const StabilityVerdict&,
-              const Friction<Law, Scalar>&, Integrator = Integrator::sdirk2) -> FrictionModel<Law, directions, Scalar>;
-template <class AnyContact, class Scalar, int directions, class Law = ConstantFriction<Scalar>>
-FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, const Friction<Law, Scalar>&)
-    -> FrictionModel<Law, directions, Scalar>;
+template <class AnyContact, int directions, class Law = ConstantFriction>
+FrictionModel(const AnyContact&, ElementSystem<double, directions>, const StabilityVerdict&,
+              const Friction<Law>&, Integrator = Integrator::sdirk2) -> FrictionModel<Law, directions>;
+template <class AnyContact, int directions, class Law = ConstantFriction>
+FrictionModel(const AnyContact&, ElementSystem<double, directions>, const Friction<Law>&)
+    -> FrictionModel<Law, directions>;
 
 }  // namespace rollbem

@@ -13,11 +13,10 @@ namespace rollbem {
 /// of directions and the same kind of coefficient (constant, or dependent on slip). The factors are kept as long as the
 /// model and the distance rolled stay the same, so contacts that are stepped in turn should each have their own
 /// workspace. Two threads must not use one workspace at the same time.
-template <int directions = 1, class Scalar_ = double>
+template <int directions = 1>
 class FrictionWorkspace {
 public:
-    using Scalar = Scalar_;
-    using Scratch = detail::FrictionScratch<directions, Scalar>;
+    using Scratch = detail::FrictionScratch<directions>;
 
     /// A workspace for n unknown elements.
     explicit FrictionWorkspace(Eigen::Index n, bool slip_dependent = false, bool coupled = false)
@@ -33,12 +32,12 @@ public:
 
     /// Slip of body 1 on body 2 in the last solution, at the collocation point of each element's equation: the distance
     /// slid [m] in a step or a rigid shift, the slip velocity over the rolling velocity, s/V [-], in a steady solution.
-    const ElementVectors<Scalar, directions>& slip() const { return scratch_.slip; }
+    const ElementVectors<directions>& slip() const { return scratch_.slip; }
 
     /// Contribution of each element to FrictionStep::slip_work, whose comment says when a contribution may be negative:
     /// [J], or [J/m] for a steady solution. Divided by the element's area (on a line its width times Contact::width())
     /// it is the work per area of contact, on which wear depends.
-    const VectorX<Scalar>& slip_work() const { return scratch_.work; }
+    const VectorX<double>& slip_work() const { return scratch_.work; }
 
     Scratch& scratch() { return scratch_; }  ///< for the models
     const Scratch& scratch() const { return scratch_; }

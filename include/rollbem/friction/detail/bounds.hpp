@@ -25,10 +25,10 @@
 namespace rollbem::detail {
 
 /// Bounds of one step or steady solution if mu is constant: mu times the pressures.
-template <int directions, class Scalar>
+template <int directions>
 class ConstantBounds {
 public:
-    using Solver = StickSlip<directions, Scalar>;
+    using Solver = StickSlip<directions>;
 
     /// Takes the arguments of SlipDependentBounds and ignores them.
     template <class... Read>
@@ -37,7 +37,7 @@ public:
     /// Called before each stage of a frame is solved.
     template <class Frame>
     void enter(const Frame&) noexcept {}
-    auto solve(Solver& solver, const VectorX<Scalar>& bound, const typename Solver::Start& start) noexcept {
+    auto solve(Solver& solver, const VectorX<double>& bound, const typename Solver::Start& start) noexcept {
         return solver.solve(bound, start);
     }
     /// To be called before respond(). Returns a number that changes whenever the response to a change of c may change;
@@ -51,24 +51,24 @@ public:
     /// Keeps the response of the first of two stages, on which the response of the second depends.
     void carry_response(std::size_t) noexcept {}
     /// Completes the state at the end of the step.
-    void finish(FrictionState<directions, Scalar>&) const noexcept {}
+    void finish(FrictionState<directions>&) const noexcept {}
 };
 
 /// Bounds of one step or steady solution if mu depends on slip; `bound` is then p_n/G. In a step, the equation for
 /// mu is integrated along the path of each particle by the same stages as the tractions, implicit Euler or sdirk2.
-template <int directions, class Scalar>
+template <int directions>
 class SlipDependentBounds {
 public:
-    using Solver = StickSlip<directions, Scalar>;
-    using Vector = VectorX<Scalar>;
-    using Law = AnySlipLaw<Scalar>;
-    using Scratch = SlipDependentScratch<directions, Scalar>;
-    using State = FrictionState<directions, Scalar>;
-    using Frame = StepFrame<CreepageAlong<directions, Scalar>, Scalar>;
+    using Solver = StickSlip<directions>;
+    using Vector = VectorX<double>;
+    using Law = AnySlipLaw;
+    using Scratch = SlipDependentScratch<directions>;
+    using State = FrictionState<directions>;
+    using Frame = StepFrame<CreepageAlong<directions, double>, double>;
 
     /// The points of the elements are used if there is a memory. Keeps references to all arguments but the travel.
-    SlipDependentBounds(const Friction<Law, Scalar>& friction, const Elements<Scalar>& elements, const State& from,
-                        const rollbem::Travel<Scalar>& travel, Scratch& scratch) noexcept
+    SlipDependentBounds(const Friction<Law>& friction, const Elements<double>& elements, const State& from,
+                        const rollbem::Travel<double>& travel, Scratch& scratch) noexcept
         : passage_{friction.law, friction.memory, friction.law(0), scratch.duration},
           elements_(elements),
           start_(from.friction_coefficient),
@@ -91,37 +91,37 @@ public:
         frame_ = &frame;
         passage_.before = frame.stage.steady ? nullptr : &scratch_.before;
         if (frame.stage.steady) {
-            const ArrayX<Scalar>& ways = elements_.intervals.size() > 0 ? elements_.intervals : elements_.areas;
+            const ArrayX<double>& ways = elements_.intervals.size() > 0 ? elements_.intervals : elements_.areas;
             passage_.velocity_per_slip = travel_.speed();
             scratch_.duration = frame.stage.half_length * frame.unit / travel_.speed() * ways.matrix();
             return;
         }
-        const Scalar duration = frame.place.part * travel_.duration;
+        const double duration = frame.place.part * travel_.duration;
         passage_.velocity_per_slip = frame.unit / duration;
         scratch_.duration.setConstant(duration);
         if (!frame.place.is_last() && first_start_ != nullptr) scratch_.friction = first_start_->matrix();
         if (!remembers()) return scratch_.before.setZero(), void();
         per_half_length_ = 1 / frame.start.half_length;
         per_first_ = 1 / rollbem::detail::between(frame.start.half_length, frame.end.half_length, frame.place.part);
-        AlongContact<Scalar> start = at_start();
+        AlongContact<double> start = at_start();
         if (!is_second()) {
             for (Index i = 0; i < size(); ++i) scratch_.before[i] = start(origin(i)).value;
             return;
         }
         scratch_.rise = scratch_.friction - scratch_.before;
         if (is_easy_) scratch_.friction = start_.matrix();
-        AlongContact<Scalar> rise = in_first_stage(scratch_.rise);
+        AlongContact<double> rise = in_first_stage(scratch_.rise);
         for (Index i = 0; i < size(); ++i) {
             // extrapolation may overshoot if much is forgotten in a step
-            const Scalar before = start(origin(i)).value + frame.place.ratio() * rise(between(i)).value;
-            scratch_.before[i] = (std::max)(before, Scalar(0));
+            const double before = start(origin(i)).value + frame.place.ratio() * rise(between(i)).value;
+            scratch_.before[i] = (std::max)(before, 0.0);
         }
     }
 
     typename Solver::Outcome solve(Solver& solver, const Vector& pressure,
                                    const typename Solver::Start& from) noexcept {
         passage_.pressure = &pressure;
-        typename SlipDependentSet<directions, Scalar>::Outcome outcome =
+        typename SlipDependentSet<directions>::Outcome outcome =
             scratch_.set.solve(passage_, from, solver, scratch_.friction);
         outcome.solution.residual = (std::max)(outcome.solution.residual, outcome.change);
         if (!is_finite(outcome.change)) outcome.solution.residual = outcome.change;
@@ -169,22 +169,22 @@ private:
     bool remembers() const { return passage_.memory.distance > 0 && !frame_->stage.steady; }
     bool is_second() const { return frame_->place.is_second; }
 
-    AlongContact<Scalar> at_start() const { return {elements_.x, start_.data(), passage_.at_rest}; }
-    AlongContact<Scalar> in_first_stage(const Vector& change) const { return {elements_.x, change.data(), Scalar(0)}; }
+    AlongContact<double> at_start() const { return {elements_.x, start_.data(), passage_.at_rest}; }
+    AlongContact<double> in_first_stage(const Vector& change) const { return {elements_.x, change.data(), 0.0}; }
     // Position x/a of the particle that arrives at point i, at the start of the step.
-    Scalar origin(Index i) const {
+    double origin(Index i) const {
         return (frame_->stage.half_length * elements_.x[i] + frame_->place.progress * frame_->dq) * per_half_length_;
     }
     // Position x/a of the same particle at the end of the first stage.
-    Scalar between(Index i) const {
+    double between(Index i) const {
         return (frame_->stage.half_length * elements_.x[i] + (1 - frame_->place.part) * frame_->dq) * per_first_;
     }
 
     // Adds the response of the first stage to the change of the initial coefficients of the second.
     void add_carried(std::size_t parameter) {
-        AlongContact<Scalar> change = in_first_stage(scratch_.carried_change[parameter]);
+        AlongContact<double> change = in_first_stage(scratch_.carried_change[parameter]);
         for (Index i = 0; i < size(); ++i) {
-            const Scalar added = frame_->place.ratio() * change(between(i)).value;
+            const double added = frame_->place.ratio() * change(between(i)).value;
             if (scratch_.before[i] > 0) scratch_.before_change[i] += added;
         }
     }
@@ -192,31 +192,31 @@ private:
     // Finds d before / d half-length at the end of the step; the half-length of a stage changes by `progress` times as
     // much.
     void find_path_change() {
-        const StagePlace<Scalar>& place = frame_->place;
-        AlongContact<Scalar> start = at_start(), rise = in_first_stage(scratch_.rise);
+        const StagePlace<double>& place = frame_->place;
+        AlongContact<double> start = at_start(), rise = in_first_stage(scratch_.rise);
         for (Index i = 0; i < size(); ++i) {
-            const Scalar point = elements_.x[i];
-            Scalar& change = scratch_.path_change[i];
+            const double point = elements_.x[i];
+            double& change = scratch_.path_change[i];
             change = start(origin(i)).slope * place.progress * point * per_half_length_;
             if (!is_second()) continue;
-            const Scalar x = between(i), moved = (place.progress * point - place.part * x) * per_first_;
+            const double x = between(i), moved = (place.progress * point - place.part * x) * per_first_;
             change += place.ratio() * rise(x).slope * moved;
             if (!(scratch_.before[i] > 0)) change = 0;
         }
     }
 
-    FrictionPassage<Scalar> passage_;
-    const Elements<Scalar>& elements_;
-    const ArrayX<Scalar>& start_;  // mu when the step begins
-    const ArrayX<Scalar>* first_start_ = nullptr;
-    rollbem::Travel<Scalar> travel_;
+    FrictionPassage passage_;
+    const Elements<double>& elements_;
+    const ArrayX<double>& start_;  // mu when the step begins
+    const ArrayX<double>* first_start_ = nullptr;
+    rollbem::Travel<double> travel_;
     const Frame* frame_ = nullptr;
     // Whether Newton's method has converged after few solutions. A second stage then starts from mu at the start of the
     // step, which is nearer to the solution than mu of the first stage if little changes; after a jump mu of the first
     // stage is nearer.
     bool is_easy_ = false;
     bool moves_paths_ = false;                    // the last tangent was by the half-length
-    Scalar per_half_length_ = 1, per_first_ = 1;  // 1/half-length at the start of the step; after one stage
+    double per_half_length_ = 1, per_first_ = 1;  // 1/half-length at the start of the step; after one stage
     Scratch& scratch_;
 };
 

@@ -22,13 +22,12 @@ namespace rollbem::detail {
 /// C comes from eliminating S or, if few elements do not stick, from the inverse B = M^-1 as C = (B_KK)^-1. Each group
 /// of M has one matrix of its size, whose unknowns are packed: first S, then K, each direction by direction. Results
 /// depend on M and the roles alone, to the last bit. All memory is allocated by the constructor.
-template <class Scalar>
 class CondensedSlip : public RoleLists {
 public:
-    using Vector = VectorX<Scalar>;
-    using Vectors = ElementVectors<Scalar>;
-    using Matrix = MatrixX<Scalar>;
-    using M = SlipMatrix<2, Scalar>;
+    using Vector = VectorX<double>;
+    using Vectors = ElementVectors<2>;
+    using Matrix = MatrixX<double>;
+    using M = SlipMatrix<2>;
 
     /// The contribution of the constants c, for one set of roles.
     struct Base {
@@ -83,7 +82,7 @@ public:
                 by_inverse = -by_inverse;
             }
             pack((by_inverse_ ? base.by_inverse.data() : c->data()) + place(g), 0, packed.data());
-            if (!by_inverse_) eliminate_vector_in_place<Scalar>(table_[g], swaps(g), stuck(), packed);
+            if (!by_inverse_) eliminate_vector_in_place<double>(table_[g], swaps(g), stuck(), packed);
         }
         base.inverse_is_known = base.inverse_is_known || by_inverse_;
     }
@@ -109,7 +108,7 @@ public:
             } else {
                 packed_.head(stuck()).noalias() = table_[g].topRightCorner(stuck(), loose()) * packed_.tail(loose());
                 packed_.head(stuck()) += constant.head(stuck());
-                substitute_in_place<Scalar>(table_[g], stuck(), packed_.head(stuck()));
+                substitute_in_place<double>(table_[g], stuck(), packed_.head(stuck()));
                 packed_.head(stuck()) = -packed_.head(stuck());
             }
             for (Index k = 0; k < stuck(); ++k) p.data()[place(g) + unknown(k)] = packed_[k];
@@ -125,7 +124,7 @@ public:
         };
         const auto x = X.col(0).head(count), y = X.col(1).head(count);
         for (Index l = 0; l < count; ++l) {
-            const Scalar u = Y(l, 0), v = Y(l, 1);
+            const double u = Y(l, 0), v = Y(l, 1);
             if (depth_ == 1) {
                 target.col(l) = u * x.cwiseProduct(part(0, 0, 0, l)) + v * y.cwiseProduct(part(1, 0, 0, l));
             } else {
@@ -144,11 +143,11 @@ private:
     Index* swaps(std::size_t g) { return swaps_.data() + place(g); }
 
     // Copies unknowns into packed order, from the packed one `first` on.
-    void pack(const Scalar* from, Index first, Scalar* to) const {
+    void pack(const double* from, Index first, double* to) const {
         for (Index k = first; k < packed_.size(); ++k) *to++ = from[unknown(k)];
     }
     // Copies the last `count` packed unknowns back to their places.
-    void unpack(const Vector& from, Index count, Scalar* to) const {
+    void unpack(const Vector& from, Index count, double* to) const {
         for (Index k = from.size() - count; k < from.size(); ++k) to[unknown(k)] = from[k];
     }
 
@@ -158,7 +157,7 @@ private:
             for (Index k = 0; k < table.cols(); ++k)
                 pack(matrix.group(g).col(unknown(k)).data(), 0, table.col(k).data());
             for (Index k = 0; shifts && k < stuck(); ++k) table(k, k) += matrix.shift(unknown(k) % size());
-            eliminate_in_place<Scalar>(table, swaps(g), stuck());
+            eliminate_in_place<double>(table, swaps(g), stuck());
             return has_pivots(table, stuck());
         };
         if (factorise(false)) return;
@@ -172,9 +171,9 @@ private:
             pack(matrix.inverse(g).col(unknown(stuck() + k)).data(), stuck(), table.col(k).data());
         }
         auto factors = table.topLeftCorner(loose(), loose());
-        factorise_in_place<Scalar>(factors, swaps(g));
+        factorise_in_place<double>(factors, swaps(g));
         is_regular_ = is_usable_ = is_usable_ && has_pivots(table, loose());
-        invert_factors<Scalar>(factors, swaps(g), table.bottomRightCorner(loose(), loose()));
+        invert_factors<double>(factors, swaps(g), table.bottomRightCorner(loose(), loose()));
     }
 
     // Packs the tractions of K into packed_ and finds the slip of K in slip_.

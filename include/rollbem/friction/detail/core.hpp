@@ -38,33 +38,33 @@ namespace rollbem::detail {
 
 /// The part of a friction model that is independent of the origin of its equations. Dimensionless: tractions in G,
 /// lengths in the contact's half-length a_0.
-template <class Law, int directions_, class Scalar>
+template <class Law, int directions_>
 class FrictionCore {
 public:
     static constexpr int directions = directions_;
-    using State = FrictionState<directions, Scalar>;
-    using Step = FrictionStep<directions, Scalar>;
-    using Workspace = FrictionWorkspace<directions, Scalar>;
+    using State = FrictionState<directions>;
+    using Step = FrictionStep<directions>;
+    using Workspace = FrictionWorkspace<directions>;
     using Force = typename Step::Force;
-    using Value = CreepageAlong<directions, Scalar>;
-    using System = ElementSystem<Scalar, directions>;
+    using Value = CreepageAlong<directions, double>;
+    using System = ElementSystem<double, directions>;
     using Motion = RigidMotion<Value>;
-    using Axes = SemiAxes<Scalar>;
-    using Load = StepLoad<Scalar>;
-    using Vectors = ElementVectors<Scalar, directions>;
+    using Axes = SemiAxes<double>;
+    using Load = StepLoad;
+    using Vectors = ElementVectors<directions>;
     static constexpr bool slip_dependent = !is_constant<Law>;
 
-    using Request = FrictionRequest<directions, Scalar>;
+    using Request = FrictionRequest<directions>;
 
     /// A state is recognised by a fingerprint of G', the areas, the contact and the pressures; factors are recognised
     /// by the fingerprint of the whole system or, without G, of G' and the areas. Throws std::invalid_argument, in the
     /// name of `who`, if the law is invalid.
-    FrictionCore(const char* who, const ContactUnits<Scalar>& units, System system,
-                 const Friction<Law, Scalar>& friction);
+    FrictionCore(const char* who, const ContactUnits<double>& units, System system,
+                 const Friction<Law>& friction);
 
     const System& system() const { return system_; }
     Eigen::Index size() const { return system_.size(); }
-    Scalar half_length() const { return units_.length; }
+    double half_length() const { return units_.length; }
     /// The semi-axes of a state or load over the semi-axes of the contact.
     template <class Loaded>
     Axes axes(const Loaded& loaded) const {
@@ -73,13 +73,13 @@ public:
     static Load load_of(const State& state) { return {state.normal_pressure, state.half_length, state.half_width}; }
     /// The load at the end of a step from `from`: the given load, already checked. A half-width of 0 is replaced by the
     /// half-width of `from`.
-    Load load_after(const State& from, const NormalLoad<Scalar>& load) const {
-        const Scalar b = load.half_width == 0 ? from.half_width : load.half_width;
+    Load load_after(const State& from, const NormalLoad<double>& load) const {
+        const double b = load.half_width == 0 ? from.half_width : load.half_width;
         return {load.normal_pressure, load.half_length, b, &load.pressure_rate};
     }
     /// Whether the half-width of a load is usable: invalid_load if a patch changes its half-length without a new
     /// half-width, needs_fixed_mesh if a line contact changes its half-width, else ok.
-    Status check_width(const State& from, const NormalLoad<Scalar>& load) const noexcept {
+    Status check_width(const State& from, const NormalLoad<double>& load) const noexcept {
         if (load.half_width == 0) {
             return units_.line || load.half_length == from.half_length ? Status::ok : Status::invalid_load;
         }
@@ -91,11 +91,11 @@ public:
     State at_rest() const;
 
     Force force(const State& state) const {
-        return 1 / units_.shear_modulus * force_along<directions, Scalar>(forces_.of(state.traction, axes(state)));
+        return 1 / units_.shear_modulus * force_along<directions, double>(forces_.of(state.traction, axes(state)));
     }
 
     /// The elastic energy [J]; NaN if the system cannot represent the half-length.
-    Scalar elastic_energy(const State& state) const;
+    double elastic_energy(const State& state) const;
 
     /// Whether states and workspace belong to the model, and whether the load in a state is valid.
     Status check(const State& from, const State& to, const Workspace& workspace) const noexcept;
@@ -116,22 +116,22 @@ public:
 
     /// Takes a step by the stages of a table (a rigid shift has one stage), under a load that varies linearly up to the
     /// given load.
-    Step roll(const StageTable<Scalar>& table, const Request& request, State& to, Workspace& workspace) const noexcept;
+    Step roll(const StageTable<double>& table, const Request& request, State& to, Workspace& workspace) const noexcept;
 
 private:
-    using Scratch = FrictionScratch<directions, Scalar>;
+    using Scratch = FrictionScratch<directions>;
     using By = TangentBy<directions>;
     using Bounds =
-        std::conditional_t<slip_dependent, SlipDependentBounds<directions, Scalar>, ConstantBounds<directions, Scalar>>;
-    using Frame = FrictionFrame<directions, Scalar, Bounds>;
+        std::conditional_t<slip_dependent, SlipDependentBounds<directions>, ConstantBounds<directions>>;
+    using Frame = FrictionFrame<directions, Bounds>;
 
-    static bool is_positive(Scalar value) { return is_finite(value) && value > 0; }
+    static bool is_positive(double value) { return is_finite(value) && value > 0; }
     bool wants_tangents(const Frame& frame) const { return frame.tangent_exists && friction_.with_tangents; }
-    static bool are_coefficients(const ArrayX<Scalar>& values) {
+    static bool are_coefficients(const ArrayX<double>& values) {
         return values.size() == 0 || (all_finite(values) && !(values.minCoeff() < 0));
     }
 
-    Scalar bound_per_pressure() const {
+    double bound_per_pressure() const {
         if constexpr (slip_dependent) {
             return 1 / units_.shear_modulus;
         } else {
@@ -139,7 +139,7 @@ private:
         }
     }
     // Unit [J] of the work of tractions in G and displacements in a_0.
-    Scalar energy_unit(const Axes& at) const {
+    double energy_unit(const Axes& at) const {
         return units_.width * units_.length * units_.length * units_.shear_modulus * at.half_length * at.half_width;
     }
     // Whether the rigid slip of a creepage is known.
@@ -153,7 +153,7 @@ private:
     // Sets the bounds of the stage. Bounds that are negligible become 0; with two directions, whose slip is judged by
     // squares, bounds whose squares lose digits.
     void set_bounds(const Frame& frame) const {
-        VectorX<Scalar>& bound = frame.scratch.bound;
+        VectorX<double>& bound = frame.scratch.bound;
         const auto end = frame.request.load.pressure.head(size());
         if (frame.request.load.pressure_rate == nullptr || frame.place.is_last()) {
             bound = bound_per_pressure() * end.matrix();
@@ -161,8 +161,8 @@ private:
             const auto& start = frame.request.from.normal_pressure;
             bound = bound_per_pressure() * (start + frame.place.progress * (end - start)).matrix();
         }
-        const Scalar least = directions == 1 ? negligible<Scalar> : std::sqrt(negligible<Scalar>);
-        bound = (bound.array() < least).select(Scalar(0), bound);
+        const double least = directions == 1 ? negligible<double> : std::sqrt(negligible<double>);
+        bound = (bound.array() < least).select(0.0, bound);
     }
 
     // Solves one step or steady rolling, stage by stage.
@@ -198,7 +198,7 @@ private:
         scratch.solver.want_tangents(friction_.with_tangents || slip_dependent);
     }
 
-    friend class StepFrame<Value, Scalar>;
+    friend class StepFrame<Value, double>;
 
     void solve_stage(Frame& frame) const;
     // Keeps the quantities of this stage from which the next one starts.
@@ -216,9 +216,9 @@ private:
     // at any semi-axes.
     void set_matrix(const Frame& frame) const {
         Scratch& scratch = frame.scratch;
-        using Stage = RollingStage<Scalar>;
+        using Stage = RollingStage<double>;
         const bool is_kept = frame.stage.steady && !changes_shape(system_);
-        const Stage stage = is_kept ? Stage::steadily(contact_axes<Scalar>) : frame.stage;
+        const Stage stage = is_kept ? Stage::steadily(contact_axes<double>) : frame.stage;
         if (scratch.system == of_matrices_ && scratch.stage == stage) return;
         scratch.system = of_matrices_;
         scratch.stage = stage;
@@ -250,22 +250,22 @@ private:
     //
     // A rigid shift is a single stage; the rigid bodies work by the mean of the forces at both ends, so that J is the
     // integral of b s/2.
-    Scalar jump_work(const Frame& frame) const {
+    double jump_work(const Frame& frame) const {
         if (frame.stage.steady || (frame.rolls() && !slip_dependent)) return 0;
         Scratch& scratch = frame.scratch;
         Vectors &change = scratch.change, &displacement = scratch.right[0];
         const auto start = 1 / units_.shear_modulus * frame.request.from.traction;
         const Vectors& end = scratch.solver.traction();
-        const Scalar unit = energy_unit(frame.end), ratio = frame.table.place(1).ratio();
+        const double unit = energy_unit(frame.end), ratio = frame.table.place(1).ratio();
         change = end - start;
         if (!frame.rolls()) return unit * slip_work_.product(change, scratch.slip) / (2 * units_.length);
         const bool two_stages = ratio != 0;
         if (two_stages) scratch.first -= start;
         // the tractions have settled: J is below the rounding of the energies
-        const Scalar least = std::numeric_limits<Scalar>::epsilon() * end.squaredNorm();
+        const double least = std::numeric_limits<double>::epsilon() * end.squaredNorm();
         if (change.squaredNorm() <= least && (!two_stages || scratch.first.squaredNorm() <= least)) return 0;
         find_displacements(system_, frame.end, change, displacement);
-        Scalar sum = slip_work_.product(change, displacement) / 2;
+        double sum = slip_work_.product(change, displacement) / 2;
         if (two_stages) {
             change -= scratch.first;
             find_displacements(system_, frame.end, change, displacement);
@@ -275,32 +275,32 @@ private:
     }
 
     System system_;
-    ContactUnits<Scalar> units_;
-    RigidSlip<directions, Scalar> slip_;
-    ContactForces<directions, Scalar> forces_;
+    ContactUnits<double> units_;
+    RigidSlip<directions, double> slip_;
+    ContactForces<directions, double> forces_;
     bool turns_;
-    SlipWork<Scalar> slip_work_;
-    Friction<Law, Scalar> friction_;
+    SlipWork slip_work_;
+    Friction<Law> friction_;
     std::uint64_t fingerprint_, of_matrices_;
 };
 
-template <class Law, int directions, class Scalar>
-Scalar FrictionCore<Law, directions, Scalar>::elastic_energy(const State& state) const {
+template <class Law, int directions>
+double FrictionCore<Law, directions>::elastic_energy(const State& state) const {
     const Axes present = axes(state);
-    if (!system_.has_G() || check_growth(system_, Scalar(0), present, present) != Status::ok) return unknown<Scalar>;
+    if (!system_.has_G() || check_growth(system_, 0.0, present, present) != Status::ok) return unknown<double>;
     const Vectors traction = state.traction / units_.shear_modulus;
     Vectors displacement = traction;
     find_displacements(system_, present, traction, displacement);
     return energy_unit(present) * slip_work_.product(traction, displacement) / 2;
 }
 
-template <class Law, int directions, class Scalar>
-FrictionCore<Law, directions, Scalar>::FrictionCore(const char* who, const ContactUnits<Scalar>& units, System system,
-                                                    const Friction<Law, Scalar>& friction)
+template <class Law, int directions>
+FrictionCore<Law, directions>::FrictionCore(const char* who, const ContactUnits<double>& units, System system,
+                                                    const Friction<Law>& friction)
     : system_(std::move(system)),
       units_(units),
-      slip_(units, inputs(system_), Scalar(1)),
-      forces_(units, outputs(system_), Scalar(1)),
+      slip_(units, inputs(system_), 1.0),
+      forces_(units, outputs(system_), 1.0),
       turns_(directions == 2 && system_.elements().half_element_ahead),
       slip_work_(system_.elements(), turns_),
       friction_(friction) {
@@ -318,8 +318,8 @@ FrictionCore<Law, directions, Scalar>::FrictionCore(const char* who, const Conta
     fingerprint_ = units.fingerprint ^ own.value() ^ pressures.value();
 }
 
-template <class Law, int directions, class Scalar>
-auto FrictionCore<Law, directions, Scalar>::at_rest() const -> State {
+template <class Law, int directions>
+auto FrictionCore<Law, directions>::at_rest() const -> State {
     State state{.traction = Vectors::Zero(size(), directions),
                 .zones = std::vector<Zone>(static_cast<std::size_t>(size()), Zone::stick),
                 .normal_pressure = friction_.normal_pressure,
@@ -330,15 +330,15 @@ auto FrictionCore<Law, directions, Scalar>::at_rest() const -> State {
                 .solver = {},
                 .plain_traction = {}};
     if constexpr (slip_dependent) {
-        state.friction_coefficient.setConstant(size(), static_cast<Scalar>(friction_.law(Scalar(0))));
+        state.friction_coefficient.setConstant(size(), static_cast<double>(friction_.law(0.0)));
         state.solver.stage_coefficient = state.friction_coefficient;
     }
     if (turns_) state.plain_traction = state.traction;
     return state;
 }
 
-template <class Law, int directions, class Scalar>
-auto FrictionCore<Law, directions, Scalar>::check(const State& from, const State& to,
+template <class Law, int directions>
+auto FrictionCore<Law, directions>::check(const State& from, const State& to,
                                                   const Workspace& workspace) const noexcept -> Status {
     const Eigen::Index n = size();
     const auto sized = [n](const State& state) {
@@ -359,8 +359,8 @@ auto FrictionCore<Law, directions, Scalar>::check(const State& from, const State
     return valid ? Status::ok : Status::invalid_load;
 }
 
-template <class Law, int directions, class Scalar>
-auto FrictionCore<Law, directions, Scalar>::steady(const Request& request, State& to,
+template <class Law, int directions>
+auto FrictionCore<Law, directions>::steady(const Request& request, State& to,
                                                    Workspace& workspace) const noexcept -> Step {
     const auto& [from, travel, creepage, load] = request;
     const Status possible = creepage.is_shift() ? Status::invalid_step : creepage.check_rows(size());
@@ -377,8 +377,8 @@ auto FrictionCore<Law, directions, Scalar>::steady(const Request& request, State
     return solve(frame, to);
 }
 
-template <class Law, int directions, class Scalar>
-auto FrictionCore<Law, directions, Scalar>::roll(const StageTable<Scalar>& table, const Request& request, State& to,
+template <class Law, int directions>
+auto FrictionCore<Law, directions>::roll(const StageTable<double>& table, const Request& request, State& to,
                                                  Workspace& workspace) const noexcept -> Step {
     const auto& [from, travel, motion, load] = request;
     if (slip_dependent && !is_positive(travel.duration)) return failed<Step>(Status::invalid_step);
@@ -396,8 +396,8 @@ auto FrictionCore<Law, directions, Scalar>::roll(const StageTable<Scalar>& table
     return solve(frame, to);
 }
 
-template <class Law, int directions, class Scalar>
-void FrictionCore<Law, directions, Scalar>::solve_stage(Frame& frame) const {
+template <class Law, int directions>
+void FrictionCore<Law, directions>::solve_stage(Frame& frame) const {
     Step& result = frame.result;
     Scratch& scratch = frame.scratch;
     auto& solver = scratch.solver;
@@ -430,15 +430,15 @@ void FrictionCore<Law, directions, Scalar>::solve_stage(Frame& frame) const {
     }
 }
 
-template <class Law, int directions, class Scalar>
-void FrictionCore<Law, directions, Scalar>::finish(Frame& frame, State& to) const {
+template <class Law, int directions>
+void FrictionCore<Law, directions>::finish(Frame& frame, State& to) const {
     Scratch& scratch = frame.scratch;
     Step& result = frame.result;
     const Vectors& traction = scratch.solver.traction();
-    const Scalar slip_unit = frame.stage.steady ? Scalar(1) : units_.length;
+    const double slip_unit = frame.stage.steady ? 1.0 : units_.length;
     slip_work_.end(scratch.work, units_.width * units_.length * units_.shear_modulus * slip_unit);
     scratch.slip *= slip_unit;
-    result.force = force_along<directions, Scalar>(forces_.of(traction, frame.end));
+    result.force = force_along<directions, double>(forces_.of(traction, frame.end));
     result.slip_work = scratch.work.sum();
     if (result.status == Status::not_finite || !is_finite(result.force) || !is_finite(result.slip_work)) {
         frame.tangent_exists = false;

@@ -19,33 +19,32 @@
 namespace rollbem::detail {
 
 /// The load at the end of a step: pressures [Pa] of at least all unknown elements, half-length and half-width [m].
-template <class Scalar>
 struct StepLoad {
-    const ArrayX<Scalar>& pressure;
-    Scalar half_length, half_width;
-    const ArrayX<Scalar>* pressure_rate = nullptr;  ///< d pressure / d load; null without a load of its own
+    const ArrayX<double>& pressure;
+    double half_length, half_width;
+    const ArrayX<double>* pressure_rate = nullptr;  ///< d pressure / d load; null without a load of its own
 };
 
 /// The input of a step or of steady rolling. Its load has been checked and, for a step, its motion.
-template <int directions, class Scalar>
+template <int directions>
 struct FrictionRequest {
-    const FrictionState<directions, Scalar>& from;
-    rollbem::Travel<Scalar> travel;
-    const RigidMotion<CreepageAlong<directions, Scalar>>& motion;
-    StepLoad<Scalar> load;
+    const FrictionState<directions>& from;
+    rollbem::Travel<double> travel;
+    const RigidMotion<CreepageAlong<directions, double>>& motion;
+    StepLoad load;
 };
 
-template <int directions, class Scalar, class Bounds>
-struct FrictionFrame : StepFrame<CreepageAlong<directions, Scalar>, Scalar> {
+template <int directions, class Bounds>
+struct FrictionFrame : StepFrame<CreepageAlong<directions, double>, double> {
     using By = TangentBy<directions>;
-    using Vectors = ElementVectors<Scalar, directions>;
+    using Vectors = ElementVectors<directions>;
 
-    const FrictionRequest<directions, Scalar>& request;
-    const ElementSystem<Scalar, directions>& system;
-    const RigidSlip<directions, Scalar>& slip;
-    FrictionScratch<directions, Scalar>& scratch;
+    const FrictionRequest<directions>& request;
+    const ElementSystem<double, directions>& system;
+    const RigidSlip<directions, double>& slip;
+    FrictionScratch<directions>& scratch;
     Bounds bounds;
-    FrictionStep<directions, Scalar> result{};  ///< sums over all stages so far
+    FrictionStep<directions> result{};  ///< sums over all stages so far
     bool tangent_exists = true;
 
     /// Sets the constants c of a stage: the rigid slip minus `displacement`.
@@ -53,12 +52,12 @@ struct FrictionFrame : StepFrame<CreepageAlong<directions, Scalar>, Scalar> {
         constant = -displacement;
         this->add_motion(slip, constant);
         if (this->motion.has_rows()) {
-            const Scalar share = this->place.progress;
+            const double share = this->place.progress;
             constant += this->factor() * ((1 - share) * this->motion.start_rows() + share * this->motion.end_rows());
         }
         // without creepage tractions decay for ever, but the rounding errors by which solutions are judged underflow
         // first
-        const bool has_decayed = constant.cwiseAbs().maxCoeff() < negligible<Scalar> && all_finite(constant);
+        const bool has_decayed = constant.cwiseAbs().maxCoeff() < negligible<double> && all_finite(constant);
         if (has_decayed) constant.setZero();
     }
 
@@ -69,14 +68,14 @@ struct FrictionFrame : StepFrame<CreepageAlong<directions, Scalar>, Scalar> {
         });
     }
     /// Adds the tangents at the end of the last or only stage to the result.
-    void add_tangents(const ContactForces<directions, Scalar>& forces) {
+    void add_tangents(const ContactForces<directions, double>& forces) {
         const auto& solver = scratch.solver;
         const bool follows = keeps_shape(system);  // the half-width follows the half-length
         this->for_parameters([&](std::size_t parameter) {
             auto& tangent = tangent_by(parameter);
             if (!respond(parameter)) return void(tangent = kept().tangent);
             const auto& dp = solver.response();
-            tangent = force_along<directions, Scalar>(
+            tangent = force_along<directions, double>(
                 By::is_axis(parameter) ? forces.rate(solver.traction(), dp, this->end, By::axis(parameter), follows)
                                        : forces.of(dp, this->end));
             if (is_kept(parameter)) kept().tangent = tangent;
@@ -87,7 +86,7 @@ struct FrictionFrame : StepFrame<CreepageAlong<directions, Scalar>, Scalar> {
     }
 
 private:
-    KeptResponse<directions, Scalar>& kept() {
+    KeptResponse<directions>& kept() {
         return scratch.kept[this->place.is_second ? 2 : this->place.is_last() ? 1 : 0];
     }
     static bool is_kept(std::size_t parameter) { return directions == 1 && parameter == 0; }
@@ -98,7 +97,7 @@ private:
         auto& solver = scratch.solver;
         const auto revision = bounds.linearise(solver);
         if (is_kept(parameter)) {
-            KeptResponse<directions, Scalar>& kept = this->kept();
+            KeptResponse<directions>& kept = this->kept();
             const bool is_known =
                 revision && revision == kept.revision && kept.per_end == this->per_end() && kept.axes == this->end;
             if (is_known) return false;
@@ -106,7 +105,7 @@ private:
             kept.per_end = this->per_end();
             kept.axes = this->end;
         }
-        typename StickSlip<directions, Scalar>::Change change;
+        typename StickSlip<directions>::Change change;
         for (std::size_t which = 0; which < solver.constant_count(); ++which) {
             Vectors& right = scratch.right[which];
             if (this->place.is_second) {
@@ -132,7 +131,7 @@ private:
         const auto& solver = scratch.solver;
         for (std::size_t which = 0; which < solver.constant_count(); ++which) {
             with_equations(system, this->stage, [&](const auto& equations) {
-                StepFrame<CreepageAlong<directions, Scalar>, Scalar>::carry_response(
+                StepFrame<CreepageAlong<directions, double>, double>::carry_response(
                     parameter, equations, solver.traction(which), solver.response(which), scratch.change,
                     scratch.carried[which][parameter]);
             });

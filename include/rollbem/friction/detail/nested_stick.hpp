@@ -25,13 +25,12 @@ namespace rollbem::detail {
 /// moves at the end of the list costs O(n^2) per element, with the same result as a new factorisation. If a pivot is
 /// small or a multiplier large, LU with pivoting takes over. Results depend on M and the roles alone, to the last bit.
 /// All memory is allocated by the constructor.
-template <class Scalar>
 class NestedStick : public RoleLists {
 public:
-    using Vector = VectorX<Scalar>;
-    using Vectors = ElementVectors<Scalar, 1>;
-    using Matrix = MatrixX<Scalar>;
-    using M = SlipMatrix<1, Scalar>;
+    using Vector = VectorX<double>;
+    using Vectors = ElementVectors<1>;
+    using Matrix = MatrixX<double>;
+    using M = SlipMatrix<1>;
 
     /// The constants c themselves; null: zero.
     struct Base {
@@ -113,7 +112,7 @@ private:
         if (count == 0) return;
         for (Index k = 0; k < count; ++k) right_[k] = s[listed(k)];
         if (uses_pivoted_) {
-            solve_in_place<Scalar>(pivoted_.topLeftCorner(count, count), swaps_.data(), right_.head(count));
+            solve_in_place<double>(pivoted_.topLeftCorner(count, count), swaps_.data(), right_.head(count));
         } else {
             multiply<lower>(lower_, count, right_, solution_);
             multiply<upper>(upper_, count, solution_, right_);
@@ -142,7 +141,7 @@ private:
             const Index width = (std::min)(Index(4), count - j), row = triangle == lower ? j : 0;
             const Index height = (triangle == lower ? count : j + width) - row;
             if (width == 4) {
-                y.template segment<4>(j) = dot_four<Scalar>(&A(row, j), A.outerStride(), &x[row], height);
+                y.template segment<4>(j) = dot_four<double>(&A(row, j), A.outerStride(), &x[row], height);
             } else {
                 y.segment(j, width) = A.block(row, j, height, width).transpose().lazyProduct(x.segment(row, height));
             }
@@ -160,7 +159,7 @@ private:
             multiply<lower>(lower_, k, right_, solution_);  // y
             for (Index j = 0; j < k; ++j) right_[j] = A(own, nested_[at(j)]);
             multiply_transposed<upper>(upper_, k, right_, row_);  // z
-            Scalar pivot = A(own, own), scale = std::abs(pivot), multiplier = 0;
+            double pivot = A(own, own), scale = std::abs(pivot), multiplier = 0;
             for (Index j = 0; j < k; ++j) {
                 pivot -= row_[j] * solution_[j];
                 scale = (std::max)(scale, std::abs(right_[j]));
@@ -187,13 +186,13 @@ private:
             for (Index j = 0; j < count; ++j) pivoted_(j, k) = matrix.group(0)(listed(j), listed(k));
             if (shifts) pivoted_(k, k) += matrix.shift(listed(k));
         }
-        factorise_in_place<Scalar>(pivoted_.topLeftCorner(count, count), swaps_.data());
+        factorise_in_place<double>(pivoted_.topLeftCorner(count, count), swaps_.data());
         return has_pivots(pivoted_, count);
     }
 
     // Bounds on the loss of accuracy of elimination without pivoting; its results are also verified against M.
-    static constexpr Scalar least_pivot = Scalar(1e-3);
-    static constexpr Scalar largest_multiplier = 10;
+    static constexpr double least_pivot = 1e-3;
+    static constexpr double largest_multiplier = 10;
 
     Matrix lower_, upper_;  // inverse triangles of the nested factors, zero outside
     Matrix pivoted_;

@@ -20,9 +20,9 @@
 namespace rollbem::detail {
 
 /// Memory for a coefficient that depends on slip. All memory is allocated by the constructor.
-template <int directions, class Scalar>
+template <int directions>
 struct SlipDependentScratch {
-    using Vector = VectorX<Scalar>;
+    using Vector = VectorX<double>;
 
     explicit SlipDependentScratch(Eigen::Index n) : set(n) {
         for (Vector* vector :
@@ -32,7 +32,7 @@ struct SlipDependentScratch {
         carried_change.fill(change);
     }
 
-    SlipDependentSet<directions, Scalar> set;
+    SlipDependentSet<directions> set;
     Vector friction;  // mu in the present stage
     Vector duration, before;
     Vector rise;            // change of mu in the first stage along the paths of the particles
@@ -46,21 +46,21 @@ struct SlipDependentScratch {
 
 /// The last response to the creepage, with one direction. In rolling the next response is often the same; its tangent
 /// or its contribution to the second stage is then known.
-template <int directions, class Scalar>
+template <int directions>
 struct KeptResponse {
     std::optional<std::uint64_t> revision;  // revision of the linear equations; none if nothing is kept
-    Scalar per_end = 0;                     // StepFrame::per_end() of the response
-    SemiAxes<Scalar> axes = contact_axes<Scalar>;
-    ForceAlong<directions, Scalar> tangent{};  // tangent of the force, if the stage was the last
+    double per_end = 0;                     // StepFrame::per_end() of the response
+    SemiAxes<double> axes = contact_axes<double>;
+    ForceAlong<directions, double> tangent{};  // tangent of the force, if the stage was the last
 };
 
 /// The memory of all stages of a step. Dimensionless: tractions in G, lengths in a_0, the contact's half-length. All
 /// memory is allocated by the constructor, for a coefficient that depends on slip only if `slip_dependent`, and for
 /// directions that couple only if `coupled`.
-template <int directions, class Scalar>
+template <int directions>
 struct FrictionScratch {
-    using Vector = VectorX<Scalar>;
-    using Vectors = ElementVectors<Scalar, directions>;
+    using Vector = VectorX<double>;
+    using Vectors = ElementVectors<directions>;
     /// One array for each solution that has constants of its own (StickSlip).
     using OfEach = std::array<Vectors, directions>;
 
@@ -73,10 +73,10 @@ struct FrictionScratch {
         for (Vector* vector : {&work, &bound, &bound_rate, &stage_bound_rate}) vector->setZero(n);
     }
 
-    StickSlip<directions, Scalar> solver;
-    SlipDependentScratch<directions, Scalar> falling;
+    StickSlip<directions> solver;
+    SlipDependentScratch<directions> falling;
     std::uint64_t system = 0;  // system and stage to which the solver's matrices belong
-    std::optional<RollingStage<Scalar>> stage;
+    std::optional<RollingStage<double>> stage;
     Vectors slip;         // sum over all stages so far
     OfEach start;         // tractions from which the search for the present stage starts
     OfEach displacement;  // displacements from which the present stage starts
@@ -89,7 +89,7 @@ struct FrictionScratch {
     // dc of the second stage caused by the first
     std::array<std::array<Vectors, TangentBy<directions>::count>, directions> carried;
 
-    std::array<KeptResponse<directions, Scalar>, 3>
+    std::array<KeptResponse<directions>, 3>
         kept;  // responses of the first of two stages, of a single stage, and of the second stage
 };
 

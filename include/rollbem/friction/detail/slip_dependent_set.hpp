@@ -24,22 +24,21 @@ namespace rollbem::detail {
 
 /// The data that determine the friction coefficient of each element: particles arrive with a coefficient and slip for a
 /// period.
-template <class Scalar>
 struct FrictionPassage {
-    const AnySlipLaw<Scalar>& law;
-    const FrictionMemory<Scalar>& memory;
-    Scalar at_rest;                     ///< mu_s(0)
-    const VectorX<Scalar>& duration;    ///< duration of the period [s]
-    const VectorX<Scalar>* before{};    ///< mu before the period; null in steady rolling: mu of the element ahead
-    const VectorX<Scalar>* pressure{};  ///< p_n/G; without pressure the coefficient is mu_s(0)
-    Scalar velocity_per_slip = 0;       ///< slip velocity [m/s] over the solver's slip
+    const AnySlipLaw& law;
+    const FrictionMemory& memory;
+    double at_rest;                     ///< mu_s(0)
+    const VectorX<double>& duration;    ///< duration of the period [s]
+    const VectorX<double>* before{};    ///< mu before the period; null in steady rolling: mu of the element ahead
+    const VectorX<double>* pressure{};  ///< p_n/G; without pressure the coefficient is mu_s(0)
+    double velocity_per_slip = 0;       ///< slip velocity [m/s] over the solver's slip
 
     bool has_pressure(Eigen::Index i) const { return (*pressure)[i] > 0; }
 
-    Scalar kept(Eigen::Index i, Scalar v) const { return memory.kept(v, duration[i]); }
+    double kept(Eigen::Index i, double v) const { return memory.kept(v, duration[i]); }
     /// mu after the period at a slip velocity v.
-    Scalar after(Eigen::Index i, Scalar mu_before, Scalar v) const {
-        const Scalar share = kept(i, v);
+    double after(Eigen::Index i, double mu_before, double v) const {
+        const double share = kept(i, v);
         return share * mu_before + (1 - share) * (v == 0 ? at_rest : law(v));
     }
 };
@@ -50,20 +49,20 @@ struct FrictionPassage {
 /// stagnates, the solution has usually vanished in a fold and the next one is far away: fixed-point iterations from the
 /// initial mu then pass the bottleneck and approach it, followed by Newton's method. All iterations are bounded. If
 /// several solutions exist, the one found depends on the initial mu.
-template <int directions, class Scalar>
+template <int directions>
 class SlipDependentSet {
 public:
-    using Solver = StickSlip<directions, Scalar>;
-    using Passage = FrictionPassage<Scalar>;
+    using Solver = StickSlip<directions>;
+    using Passage = FrictionPassage;
     using Change = typename Solver::Change;
     using Index = Eigen::Index;
-    using Vector = VectorX<Scalar>;
-    using Matrix = MatrixX<Scalar>;
+    using Vector = VectorX<double>;
+    using Matrix = MatrixX<double>;
 
     struct Outcome {
         typename Solver::Outcome solution;  ///< the last solution, with rounds and path points of all solutions
         int solutions = 0;                  ///< number of solutions for stick and slip
-        Scalar change = 0;                  ///< largest residual of the equation above
+        double change = 0;                  ///< largest residual of the equation above
     };
 
     explicit SlipDependentSet(Index n)
@@ -85,7 +84,7 @@ public:
         start_ = friction;
         solver.begin(start);
         find(search);
-        Scalar scale = residual_.norm();
+        double scale = residual_.norm();
         for (int restart = 0; !newton(search) && restart < most_restarts && is_finite(outcome.change); ++restart) {
             if (restart == 0) friction = start_;
             find(search);
@@ -110,7 +109,7 @@ public:
     void respond(const Passage& passage, Solver& solver, const Change& change, const Vector* before,
                  Vector& friction_change) {
         solver.respond(change, &response_);
-        Scalar ahead = 0;
+        double ahead = 0;
         for (Index i = size() - 1; i >= 0; --i) {
             ahead = slope_[i] * response_[i] + kept_[i] * ahead;
             if (before != nullptr && passage.has_pressure(i)) {
@@ -131,8 +130,8 @@ private:
         const Passage& passage;
         Solver& solver;
         Vector& friction;
-        Scalar largest;      // mu at rest or at the start; a rising law may lead far above it
-        Scalar settled = 0;  // residual that rounding explains
+        double largest;      // mu at rest or at the start; a rising law may lead far above it
+        double settled = 0;  // residual that rounding explains
         Outcome outcome{};
 
         bool has_settled() const { return outcome.change <= settled; }
@@ -151,18 +150,18 @@ private:
         evaluate(search);
         // Eigen's maximum may pass over NaN
         outcome.change =
-            all_finite(residual_) ? residual_.cwiseAbs().maxCoeff() : std::numeric_limits<Scalar>::quiet_NaN();
-        search.settled = 64 * static_cast<Scalar>(size() + 10) * std::numeric_limits<Scalar>::epsilon() *
+            all_finite(residual_) ? residual_.cwiseAbs().maxCoeff() : std::numeric_limits<double>::quiet_NaN();
+        search.settled = 64 * static_cast<double>(size() + 10) * std::numeric_limits<double>::epsilon() *
                          (std::max)(search.largest, search.friction.maxCoeff());
     }
 
     // Finds slip velocities, right-hand side and residual.
     void evaluate(const Search& search) {
         const Passage& passage = search.passage;
-        Scalar ahead = passage.at_rest;
+        double ahead = passage.at_rest;
         for (Index i = size() - 1; i >= 0; --i) {
             velocity_[i] = passage.velocity_per_slip * search.solver.slip_size(i);
-            const Scalar before = passage.before == nullptr ? ahead : (*passage.before)[i];
+            const double before = passage.before == nullptr ? ahead : (*passage.before)[i];
             mu_[i] = ahead = passage.has_pressure(i) ? passage.after(i, before, velocity_[i]) : passage.at_rest;
             residual_[i] = ahead - search.friction[i];
         }
@@ -177,12 +176,12 @@ private:
             factorise(search.passage, search.solver, false);
             step_ = residual_;
             spread(search.solver, step_);
-            const Scalar size = residual_.norm();
+            const double size = residual_.norm();
             bool better = false;
-            Scalar part = 1;
+            double part = 1;
             gain_ = search.friction;
             for (int halving = 0; halving < most_halvings && !better; ++halving, part /= 2) {
-                search.friction = (gain_ + part * step_).cwiseMax(Scalar(0));
+                search.friction = (gain_ + part * step_).cwiseMax(0.0);
                 find(search);
                 better = residual_.norm() < (1 - part / 10) * size || search.has_settled();
             }
@@ -193,19 +192,19 @@ private:
 
     // Fixed-point iterations until the residual has risen and fallen again. In the bottleneck, where it hardly changes,
     // the steps are enlarged; after unsuccessful restarts they are damped.
-    Scalar follow(Search& search, Scalar scale, int restart) {
-        const Scalar part = restart < 2 ? Scalar(1) : restart < 4 ? Scalar(0.4) : Scalar(0.15);
+    double follow(Search& search, double scale, int restart) {
+        const double part = restart < 2 ? 1.0 : restart < 4 ? 0.4 : 0.15;
         const int rounds = restart == 0 ? most_rounds : most_rounds / 3;
-        Scalar before = residual_.norm(), peak = before;
+        double before = residual_.norm(), peak = before;
         int falling = 0, flat = 0;
-        Scalar leap = 10;
+        double leap = 10;
         for (int round = 0; round < rounds; ++round) {
             const bool leaps = flat >= 3;
-            search.friction = (search.friction + (leaps ? leap : part) * residual_).cwiseMax(Scalar(0));
+            search.friction = (search.friction + (leaps ? leap : part) * residual_).cwiseMax(0.0);
             find(search);
-            const Scalar size = residual_.norm();
+            const double size = residual_.norm();
             if (!is_finite(size)) break;
-            leap = leaps ? 2 * leap : flat == 0 ? Scalar(10) : leap;
+            leap = leaps ? 2 * leap : flat == 0 ? 10.0 : leap;
             flat = !leaps && std::abs(size - before) < before / 100 ? flat + 1 : leaps ? 1 : 0;
             falling = size < before ? falling + 1 : 0;
             before = size;
@@ -218,12 +217,12 @@ private:
 
     // Rounds to 30 bits, which is within the accuracy of the difference quotients. While quantities change by round-off
     // only, the derivatives and everything computed from them then stay the same to the last bit.
-    static Scalar rounded(Scalar x) {
-        constexpr int digits = std::numeric_limits<Scalar>::digits;
+    static double rounded(double x) {
+        constexpr int digits = std::numeric_limits<double>::digits;
         if constexpr (digits <= 30) {
             return x;
         } else {
-            const Scalar high = x * static_cast<Scalar>((std::uint64_t(1) << (digits - 30)) + 1);
+            const double high = x * static_cast<double>((std::uint64_t(1) << (digits - 30)) + 1);
             return high - (high - x);
         }
     }
@@ -234,19 +233,19 @@ private:
         const bool steady = passage.before == nullptr;
         // the width of the differences must suit elements that hardly slip, and ignore a least velocity far above any
         // slip
-        const Scalar fastest = rounded(velocity_.maxCoeff());
-        const Scalar unit = (std::min)(passage.memory.least_velocity, fastest) + fastest / 1000;
-        const Scalar share = std::cbrt(std::numeric_limits<Scalar>::epsilon());
+        const double fastest = rounded(velocity_.maxCoeff());
+        const double unit = (std::min)(passage.memory.least_velocity, fastest) + fastest / 1000;
+        const double share = std::cbrt(std::numeric_limits<double>::epsilon());
         for (Index i = 0; i < size(); ++i) {
             slope_[i] = kept_[i] = 0;
             if (!passage.has_pressure(i)) continue;
-            const Scalar v = rounded(velocity_[i]);
+            const double v = rounded(velocity_[i]);
             if (steady) kept_[i] = passage.kept(i, v);
             if (solver.slides()[i] == 0) continue;
-            const Scalar ahead = i + 1 < size() ? mu_[i + 1] : passage.at_rest;
-            const Scalar before = rounded(steady ? ahead : (*passage.before)[i]);
-            const Scalar nearby = share * (v + unit) + (std::numeric_limits<Scalar>::min)();
-            const Scalar low = (std::max)(v - nearby, Scalar(0)), high = v + nearby;
+            const double ahead = i + 1 < size() ? mu_[i + 1] : passage.at_rest;
+            const double before = rounded(steady ? ahead : (*passage.before)[i]);
+            const double nearby = share * (v + unit) + (std::numeric_limits<double>::min)();
+            const double low = (std::max)(v - nearby, 0.0), high = v + nearby;
             slope_[i] = passage.velocity_per_slip *
                         ((passage.after(i, before, high) - passage.after(i, before, low)) / (high - low));
         }
@@ -268,7 +267,7 @@ private:
         newton_gain_ = gain_;
         newton_kept_ = kept_;
         for (Index k = 0; k < count_; ++k) {
-            Scalar leading = 0;
+            double leading = 0;
             Index next = count_ - 1;
             for (Index i = size() - 1; i >= 0; --i) {
                 leading *= kept_[i];
@@ -279,7 +278,7 @@ private:
             }
             for (Index l = 0; l < count_; ++l) newton_(l, k) = (k == l ? 1 : 0) - by_friction_(solver.slipping(l), k);
         }
-        factorise_in_place<Scalar>(newton_.topLeftCorner(count_, count_), swaps_.data());
+        factorise_in_place<double>(newton_.topLeftCorner(count_, count_), swaps_.data());
     }
 
     // Finds in coupling_ the derivatives of the sliding elements' slip by their bounds. If there is no tangent, no
@@ -296,7 +295,7 @@ private:
     // Overwrites direct changes of the coefficients with the total changes that they cause.
     void spread(const Solver& solver, Vector& change) {
         for (Index k = 0; k < count_; ++k) response_[k] = change[solver.slipping(k)];
-        solve_in_place<Scalar>(newton_.topLeftCorner(count_, count_), swaps_.data(), response_.head(count_));
+        solve_in_place<double>(newton_.topLeftCorner(count_, count_), swaps_.data(), response_.head(count_));
         change.noalias() += by_friction_.leftCols(count_) * response_.head(count_);
     }
 

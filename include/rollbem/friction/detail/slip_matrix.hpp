@@ -21,13 +21,13 @@ namespace rollbem::detail {
 /// The matrix M, divided into groups of unknowns that do not couple: with one direction, or with two directions that
 /// couple, one group holds all unknowns, direction by direction; otherwise each direction is a group. All memory is
 /// allocated by the constructor.
-template <int directions, class Scalar>
+template <int directions>
 class SlipMatrix {
 public:
     using Index = Eigen::Index;
-    using Vector = VectorX<Scalar>;
-    using Vectors = ElementVectors<Scalar, directions>;
-    using Matrix = MatrixX<Scalar>;
+    using Vector = VectorX<double>;
+    using Vectors = ElementVectors<directions>;
+    using Matrix = MatrixX<double>;
 
     explicit SlipMatrix(Index n, bool coupled = false) : n_(n), coupled_(directions == 2 && coupled), reach_(n) {
         const bool inverts = directions == 2;
@@ -83,13 +83,13 @@ public:
         for (std::size_t d = 0; d < directions; ++d) {
             for (Index j = 0; j < n_; ++j) reach_ = reach_.cwiseMax(block(d, d).col(j).cwiseAbs());
         }
-        for (Scalar& reach : reach_) reach = reach > 0 ? 1 / reach : Scalar(1);
+        for (double& reach : reach_) reach = reach > 0 ? 1 / reach : 1.0;
         reach_is_known_ = true;
         return reach_;
     }
 
     /// The number to add to an element's influence on itself where M is singular.
-    Scalar shift(Index i) { return std::sqrt(std::numeric_limits<Scalar>::epsilon()) / reach()[i]; }
+    double shift(Index i) { return std::sqrt(std::numeric_limits<double>::epsilon()) / reach()[i]; }
 
     /// Finds B = M^-1 with the help of `scratch`, unless it is known. False if M is too close to singular.
     bool find_inverse(std::array<Matrix, directions>& scratch) {
@@ -97,11 +97,11 @@ public:
         inverse_is_known_ = inverse_exists_ = true;
         for (std::size_t g = 0; g < groups(); ++g) {
             scratch[g] = group_[g];
-            factorise_in_place<Scalar>(scratch[g], swaps_.data());
-            invert_factors<Scalar>(scratch[g], swaps_.data(), inverse_[g]);
-            const Scalar condition = norm_of(group_[g]) * norm_of(inverse_[g]);
+            factorise_in_place<double>(scratch[g], swaps_.data());
+            invert_factors<double>(scratch[g], swaps_.data(), inverse_[g]);
+            const double condition = norm_of(group_[g]) * norm_of(inverse_[g]);
             inverse_exists_ = inverse_exists_ && is_finite(condition) &&
-                              condition * std::numeric_limits<Scalar>::epsilon() < largest_error;
+                              condition * std::numeric_limits<double>::epsilon() < largest_error;
         }
         return inverse_exists_;
     }
@@ -109,13 +109,13 @@ public:
 
     /// Estimates the error M p + c - s: the larger of its two sums over all elements with irregular signs. Costs no
     /// product with M.
-    Scalar error(const Vectors& p, const Vectors& c, const Vectors& s) {
-        Scalar largest = 0;
+    double error(const Vectors& p, const Vectors& c, const Vectors& s) {
+        double largest = 0;
         for (std::size_t k = 0; k < sums_.size(); ++k) {
             for (std::size_t g = 0; g < groups() && !sums_are_known_; ++g) {
                 part(sums_[k], g).noalias() = group_[g].transpose() * part(sign_[k], g);
             }
-            const Scalar sum = sums_[k].cwiseProduct(p).sum() + sign_[k].cwiseProduct(c - s).sum();
+            const double sum = sums_[k].cwiseProduct(p).sum() + sign_[k].cwiseProduct(c - s).sum();
             if (!(std::abs(sum) <= largest)) largest = std::abs(sum);  // also NaN
         }
         sums_are_known_ = true;
@@ -124,9 +124,9 @@ public:
 
 private:
     // A Newton step repairs the errors of the one before, so some digits are enough.
-    static constexpr Scalar largest_error = Scalar(1e-3);
+    static constexpr double largest_error = 1e-3;
 
-    static Scalar norm_of(const Matrix& A) { return A.cwiseAbs().colwise().sum().maxCoeff(); }
+    static double norm_of(const Matrix& A) { return A.cwiseAbs().colwise().sum().maxCoeff(); }
 
     template <class Either>
     static auto block(Either& own, std::size_t d, std::size_t e) {
@@ -139,9 +139,9 @@ private:
     void draw_signs() {
         std::uint64_t state = 1;
         for (Vectors& signs : sign_) {
-            for (Scalar& sign : signs.reshaped()) {
+            for (double& sign : signs.reshaped()) {
                 state = 6364136223846793005u * state + 1442695040888963407u;
-                sign = (state >> 63) != 0 ? Scalar(1) : Scalar(-1);
+                sign = (state >> 63) != 0 ? 1.0 : -1.0;
             }
         }
     }

@@ -27,14 +27,13 @@ namespace rollbem::detail {
 /// stiffness of the element. With C from CondensedSlip, the tractions change by tau t, where
 ///     (w.C t + k) tau = -w.s
 /// All memory is allocated by the constructor.
-template <class Scalar>
 class Sliding {
 public:
     using Index = Eigen::Index;
-    using Vector = VectorX<Scalar>;
-    using Vectors = ElementVectors<Scalar>;
-    using Row = ElementVector<2, Scalar>;
-    using Matrix = MatrixX<Scalar>;
+    using Vector = VectorX<double>;
+    using Vectors = ElementVectors<2>;
+    using Row = ElementVector<2>;
+    using Matrix = MatrixX<double>;
 
     explicit Sliding(Index n)
         : along_(Vectors::Zero(n, 2)),
@@ -59,16 +58,16 @@ public:
             against_.row(l) = against;
             aside_.row(l) << -against[1], against[0];
             // the stiffness stays finite, however small the bound
-            stiffness_[l] = std::clamp(-against.dot(slip.row(i)) / bound[i], Scalar(0),
-                                       (std::numeric_limits<Scalar>::max)() / 1000);
+            stiffness_[l] = std::clamp(-against.dot(slip.row(i)) / bound[i], 0.0,
+                                       (std::numeric_limits<double>::max)() / 1000);
         }
     }
     /// False if the equations are singular to working precision.
-    bool factorise(const SlipMatrix<2, Scalar>& matrix, const CondensedSlip<Scalar>& condensed) {
+    bool factorise(const SlipMatrix<2>& matrix, const CondensedSlip& condensed) {
         auto factors = factors_.topLeftCorner(count_, count_);
         condensed.form(matrix, aside_, across_, factors);
         factors.diagonal() += stiffness_.head(count_);
-        factorise_in_place<Scalar>(factors, swaps_.data());
+        factorise_in_place<double>(factors, swaps_.data());
         return has_pivots(factors_, count_);
     }
 
@@ -79,11 +78,11 @@ public:
     /// Solves for tau at this slip and adds tau t to the tractions.
     void turn(const RoleLists& lists, const Vectors& slip, Vectors& traction) {
         for (Index l = 0; l < count_; ++l) turn_[l] = -aside_.row(l).dot(slip.row(lists.other(l)));
-        solve_in_place<Scalar>(factors_.topLeftCorner(count_, count_), swaps_.data(), turn_.head(count_));
+        solve_in_place<double>(factors_.topLeftCorner(count_, count_), swaps_.data(), turn_.head(count_));
         for (Index l = 0; l < count_; ++l) traction.row(lists.other(l)) += turn_[l] * across_.row(l);
     }
     void solve_columns(Eigen::Ref<Matrix> right) {
-        solve_columns_in_place<Scalar>(factors_.topLeftCorner(count_, count_), swaps_.data(), right);
+        solve_columns_in_place<double>(factors_.topLeftCorner(count_, count_), swaps_.data(), right);
     }
 
 private:
@@ -97,19 +96,19 @@ private:
 /// M, and for each solution the equations that are kept: entry 0 belongs to the solution without turned slip, entry 1
 /// (two directions only) to the solution with turned slip. If both solutions have the same roles, as is usual, they
 /// share the condensed equations. All memory is allocated by the constructor.
-template <int directions, class Scalar>
+template <int directions>
 struct SlipEquations {
-    using Condensed = ByDirections<directions, NestedStick<Scalar>, CondensedSlip<Scalar>>;
+    using Condensed = ByDirections<directions, NestedStick, CondensedSlip>;
     using Base = typename Condensed::Base;
 
     SlipEquations(Eigen::Index n, bool coupled)
         : matrix(n, coupled),
           condensed(directions, Condensed(matrix)),
           base(directions, Base(n)),
-          sliding(directions, Sliding<Scalar>(directions == 1 ? 0 : n)) {}
+          sliding(directions, Sliding(directions == 1 ? 0 : n)) {}
 
     /// Null if the equations of the sticking elements cannot be solved.
-    Condensed* condense(std::size_t which, const Roles<directions, Scalar>& roles) {
+    Condensed* condense(std::size_t which, const Roles<directions>& roles) {
         Condensed *at = &condensed[which], *const other = &condensed[directions - 1 - which];
         if (!at->are_of(matrix, roles.of) && other->are_of(matrix, roles.of)) {
             if (which == 0) std::swap(*at, *other);  // the other one would be overwritten
@@ -118,42 +117,42 @@ struct SlipEquations {
         return at->condense(matrix, roles.of) ? at : nullptr;
     }
 
-    SlipMatrix<directions, Scalar> matrix;
+    SlipMatrix<directions> matrix;
     std::vector<Condensed> condensed;
     std::vector<Base> base;
-    std::vector<Sliding<Scalar>> sliding;  // used with two directions only
+    std::vector<Sliding> sliding;  // used with two directions only
 };
 
 /// A solution, or a point on the way to one.
-template <int directions, class Scalar>
+template <int directions>
 struct SlipPoint {
     explicit SlipPoint(Eigen::Index n)
-        : roles(n), traction(ElementVectors<Scalar, directions>::Zero(n, directions)), slip(traction) {}
+        : roles(n), traction(ElementVectors<directions>::Zero(n, directions)), slip(traction) {}
 
-    Roles<directions, Scalar> roles;
-    ElementVectors<Scalar, directions> traction, slip;
+    Roles<directions> roles;
+    ElementVectors<directions> traction, slip;
 };
 
 /// Tractions p within the bounds b that oppose the slip R (M p + c): |p_i| <= b_i, s_i = 0 where |p_i| < b_i, and
 /// R_i s_i = -v_i p_i, v_i >= 0, where |p_i| = b_i.
-template <int directions, class Scalar>
+template <int directions>
 struct SlipProblem {
-    using Turn = SlipTurn<directions, Scalar>;
+    using Turn = SlipTurn<directions>;
 
-    SlipEquations<directions, Scalar>& equations;
+    SlipEquations<directions>& equations;
     std::size_t which;                                       ///< entry of `equations`
-    typename SlipEquations<directions, Scalar>::Base& base;  ///< contribution of c
-    const ElementVectors<Scalar, directions>& constant;      ///< c
-    const VectorX<Scalar>& bound;
+    typename SlipEquations<directions>::Base& base;  ///< contribution of c
+    const ElementVectors<directions>& constant;      ///< c
+    const VectorX<double>& bound;
     const Turn& turn;              ///< R
-    const VectorX<Scalar>& reach;  ///< rho
-    Scalar imposed;                ///< max |c|
+    const VectorX<double>& reach;  ///< rho
+    double imposed;                ///< max |c|
     Turn* next = nullptr;          ///< turn of the next problem, whose angles come from the solution of this one
     bool has_next = false;         ///< the next problem is solved even if no angle differs from 0
 
     /// Whether another problem, with turned slip, follows this one. Finds its angles, for which a point near a solution
     /// is enough.
-    bool leads_on(const SlipPoint<directions, Scalar>& point) const {
+    bool leads_on(const SlipPoint<directions>& point) const {
         return next != nullptr && (next->find(point.slip, point.roles) || has_next);
     }
 };

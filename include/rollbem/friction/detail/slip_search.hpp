@@ -26,15 +26,15 @@ namespace rollbem::detail {
 /// point near a solution, from which Newton's method finishes. If that fails, too, the result is the best point found.
 /// The result depends on the problem and the starting point alone, to the last bit. All memory is allocated by the
 /// constructor.
-template <int directions, class Scalar>
+template <int directions>
 class SlipSearch {
 public:
     using Index = Eigen::Index;
-    using Vector = VectorX<Scalar>;
-    using Vectors = ElementVectors<Scalar, directions>;
-    using Row = ElementVector<directions, Scalar>;
-    using Problem = SlipProblem<directions, Scalar>;
-    using Point = SlipPoint<directions, Scalar>;
+    using Vector = VectorX<double>;
+    using Vectors = ElementVectors<directions>;
+    using Row = ElementVector<directions>;
+    using Problem = SlipProblem<directions>;
+    using Point = SlipPoint<directions>;
 
     explicit SlipSearch(Index n)
         : trial_(Vectors::Zero(n, directions)),
@@ -49,7 +49,7 @@ public:
     /// point near a solution is enough if another problem follows (SlipProblem::leads_on). False if no solution is
     /// found.
     bool find(const Problem& problem, Point& point) {
-        least_ = (std::numeric_limits<Scalar>::max)();
+        least_ = (std::numeric_limits<double>::max)();
         const bool found = look(problem, point);
         if (!found) return_to_best(problem, point);
         for (Index i = 0; i < point.roles.size(); ++i) {
@@ -62,20 +62,20 @@ public:
     int steps = 0, path_points = 0;
 
     /// The error M p + c - s of the last point found; an estimate with two directions.
-    Scalar error() const { return error_; }
+    double error() const { return error_; }
 
-    static Scalar rounding(Index n) { return static_cast<Scalar>(n + 10) * epsilon; }
+    static double rounding(Index n) { return static_cast<double>(n + 10) * epsilon; }
 
 private:
     static constexpr int longest = 60;    // most Newton steps of a search
     static constexpr int from_path = 20;  // most Newton steps from a point of the path
     static constexpr int most_paths = 3, most_refinements = 3;
-    static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
+    static constexpr double epsilon = std::numeric_limits<double>::epsilon();
     // Share of its bound from which an element slides after full adhesion, which underestimates the zone of slip.
-    static constexpr Scalar eager = Scalar(0.7);
+    static constexpr double eager = 0.7;
 
     // Residual over the sum of bounds below which another step would not change the angles of turned slip.
-    inline static const Scalar nearly = std::cbrt(epsilon) * std::cbrt(epsilon);
+    inline static const double nearly = std::cbrt(epsilon) * std::cbrt(epsilon);
 
     bool look(const Problem& problem, Point& point) {
         if (settle(problem, longest, true, point)) return true;
@@ -111,17 +111,17 @@ private:
     }
 
     // Sets the roles of a point by the natural map, where an element slides from `share` of its bound on.
-    static void place(const Problem& problem, Scalar share, Point& point) {
-        const Scalar factor = share * (1 + 4 * rounding(point.roles.size()));
+    static void place(const Problem& problem, double share, Point& point) {
+        const double factor = share * (1 + 4 * rounding(point.roles.size()));
         for (Index i = 0; i < point.roles.size(); ++i) {
-            const Scalar bound = problem.bound[i];
+            const double bound = problem.bound[i];
             if (bound == 0) {
                 point.roles.release(i);
                 continue;
             }
             const Row slip = point.slip.row(i);
             const Row x = point.traction.row(i) - problem.reach[i] * problem.turn.turned(i, slip);
-            const Scalar size = length(x);
+            const double size = length(x);
             size > factor* bound ? point.roles.slide(i, x, size) : point.roles.stick(i);
         }
     }
@@ -140,13 +140,13 @@ private:
     }
 
     void return_to_best(const Problem& problem, Point& point) {
-        if (least_ < (std::numeric_limits<Scalar>::max)()) point.traction = best_;
+        if (least_ < (std::numeric_limits<double>::max)()) point.traction = best_;
         find_slip(problem, point);
         place(problem, 1, point);
         for (Index i = 0; i < point.roles.size(); ++i) {
-            const Scalar size = length(Row(point.traction.row(i)));
+            const double size = length(Row(point.traction.row(i)));
             if (!(size > problem.bound[i]) && point.roles[i] != Role::slides) continue;
-            point.traction.row(i) *= size > 0 ? problem.bound[i] / size : Scalar(0);
+            point.traction.row(i) *= size > 0 ? problem.bound[i] / size : 0.0;
         }
         find_slip(problem, point);
         error_ = 0;
@@ -170,7 +170,7 @@ private:
     template <class Condensed>
     bool turn(const Problem& problem, Condensed& at, const Point& point) {
         auto& matrix = problem.equations.matrix;
-        Sliding<Scalar>& sliding = problem.equations.sliding[problem.which];
+        Sliding& sliding = problem.equations.sliding[problem.which];
         at.find_slip(matrix, problem.base, trial_, trial_slip_);
         sliding.aim(at, point.roles.direction, trial_slip_, problem.bound, problem.turn);
         if (!sliding.factorise(matrix, at)) return false;
@@ -184,21 +184,21 @@ private:
 
     // How far the trial is from a solution.
     struct Fit {
-        Scalar residual = 0;  // residual of the natural map: sum of |p - P(p - rho R s)|
-        Scalar excess = 0;    // largest excess of sticking tractions, relative to their bounds
-        Scalar creep = 0;     // largest slip across tractions, or along them
+        double residual = 0;  // residual of the natural map: sum of |p - P(p - rho R s)|
+        double excess = 0;    // largest excess of sticking tractions, relative to their bounds
+        double creep = 0;     // largest slip across tractions, or along them
     };
     // Measures the trial, and clears the slip of sticking elements; with one direction that slip is the error.
     Fit measure(const Problem& problem, const Point& point) {
         Fit fit;
-        Scalar largest = 0;  // largest component of M p
-        Scalar error = 0;
+        double largest = 0;  // largest component of M p
+        double error = 0;
         for (Index i = 0; i < point.roles.size(); ++i) {
             const Row p = trial_.row(i), slip = trial_slip_.row(i);
-            const Scalar bound = problem.bound[i];
+            const double bound = problem.bound[i];
             const Role role = point.roles[i];
             if (role == Role::sticks) {
-                const Scalar size = length(p);
+                const double size = length(p);
                 if (!(size <= bound)) {  // also NaN
                     fit.residual += size - bound;
                     fit.excess = (std::max)(fit.excess, size / bound - 1);
@@ -211,7 +211,7 @@ private:
             if (role == Role::is_free) continue;
             // the product of tiny tractions and slips would vanish
             const Row turned = problem.turn.turned(i, slip), along = p / bound;
-            const Scalar across = std::abs(cross<directions, Scalar>(along, turned));
+            const double across = std::abs(cross<directions>(along, turned));
             fit.creep = (std::max)({fit.creep, along.dot(turned), across});
             fit.residual += rest(p, turned, problem.reach[i], bound);
         }
@@ -220,23 +220,23 @@ private:
         return fit;
     }
     // |p - P(p - rho s)| of an element.
-    static Scalar rest(const Row& p, const Row& turned_slip, Scalar reach, Scalar bound) {
+    static double rest(const Row& p, const Row& turned_slip, double reach, double bound) {
         const Row x = p - reach * turned_slip;
-        const Scalar size = length(x);
-        return length(Row(p - (size > bound ? bound / size : Scalar(1)) * x));
+        const double size = length(x);
+        return length(Row(p - (size > bound ? bound / size : 1.0) * x));
     }
     // Whether the trial is a solution for the assumed roles, to `factor` times round-off.
-    bool holds(const Fit& fit, Scalar factor) const {
+    bool holds(const Fit& fit, double factor) const {
         return fit.excess <= 4 * factor * rounding(trial_.rows()) && fit.creep <= 4 * factor * slip_scale_;
     }
 
     // Halves the step until the residual is below the previous one, or the step is as short as it may get. Tractions
     // and slip are affine in its length.
-    Scalar shorten(const Problem& problem, const Point& point, Scalar before) {
+    double shorten(const Problem& problem, const Point& point, double before) {
         change_ = trial_ - point.traction;
         slip_change_ = trial_slip_ - point.slip;
-        Scalar residual = before;
-        for (Scalar part = Scalar(0.5); part > Scalar(1) / 300; part /= 2) {
+        double residual = before;
+        for (double part = 0.5; part > 1.0 / 300; part /= 2) {
             trial_ = point.traction + part * change_;
             trial_slip_ = point.slip + part * slip_change_;
             residual = 0;
@@ -245,7 +245,7 @@ private:
                 const Row turned = problem.turn.turned(i, Row(trial_slip_.row(i)));
                 residual += rest(trial_.row(i), turned, problem.reach[i], problem.bound[i]);
             }
-            if (residual <= (1 - Scalar(1e-4) * part) * before) break;
+            if (residual <= (1 - 1e-4 * part) * before) break;
         }
         return residual;
     }
@@ -276,7 +276,7 @@ private:
         return true;
     }
 
-    void note(const Vectors& p, Scalar residual) {
+    void note(const Vectors& p, double residual) {
         if (!(residual < least_)) return;
         least_ = residual;
         best_ = p;
@@ -284,17 +284,17 @@ private:
 
     Vectors trial_, trial_slip_, change_, slip_change_, best_;
     Vectors refined_;  // c'
-    SlipPath<directions, Scalar> path_;
-    Scalar slip_scale_ = 0;  // rounding of the slip
-    Scalar error_ = 0;
-    Scalar least_ = 0;  // residual of the natural map at best_
+    SlipPath<directions> path_;
+    double slip_scale_ = 0;  // rounding of the slip
+    double error_ = 0;
+    double least_ = 0;  // residual of the natural map at best_
     int refinements_ = 0;
 };
 
-template <int directions, class Scalar>
-bool SlipSearch<directions, Scalar>::iterate(const Problem& problem, int most_steps, bool eagerly, Point& point) {
+template <int directions>
+bool SlipSearch<directions>::iterate(const Problem& problem, int most_steps, bool eagerly, Point& point) {
     auto& equations = problem.equations;
-    Scalar before = (std::numeric_limits<Scalar>::max)();
+    double before = (std::numeric_limits<double>::max)();
     for (int step = 0; step < most_steps; ++step) {
         auto* at = equations.condense(problem.which, point.roles);
         if (at == nullptr) return false;
@@ -302,7 +302,7 @@ bool SlipSearch<directions, Scalar>::iterate(const Problem& problem, int most_st
         ++steps;
         if (!take_step(problem, *at, point)) return false;
         const Fit fit = measure(problem, point);
-        Scalar residual = fit.residual;
+        double residual = fit.residual;
         const bool stalls = !(residual < before), done = holds(fit, stalls ? 1000 : 1);
         if (!done && stalls) residual = shorten(problem, point, before);
         if (!is_finite(residual)) return false;
@@ -312,11 +312,11 @@ bool SlipSearch<directions, Scalar>::iterate(const Problem& problem, int most_st
         if (done) {
             if (verify(problem, point)) return true;
             if (!refine(problem, point)) return false;
-            before = (std::numeric_limits<Scalar>::max)();
+            before = (std::numeric_limits<double>::max)();
             continue;
         }
         if (residual < nearly * problem.bound.sum() && problem.leads_on(point)) return true;
-        place(problem, eagerly && step == 0 && !point.roles.any_slides() ? eager : Scalar(1), point);
+        place(problem, eagerly && step == 0 && !point.roles.any_slides() ? eager : 1.0, point);
         before = residual;
     }
     return false;

@@ -33,16 +33,15 @@ namespace rollbem::detail {
 ///
 /// The result depends on M, c, the bounds and the starting point alone, to the last bit, and not on earlier solutions.
 /// All memory is allocated by the constructor.
-template <int directions_, class Scalar_>
+template <int directions_>
 class StickSlip {
 public:
     static constexpr int directions = directions_;
-    using Scalar = Scalar_;
     using Index = Eigen::Index;
-    using Vector = VectorX<Scalar>;
-    using Vectors = ElementVectors<Scalar, directions>;
-    using Matrix = MatrixX<Scalar>;
-    using Start = SolutionStart<directions, Scalar>;
+    using Vector = VectorX<double>;
+    using Vectors = ElementVectors<directions>;
+    using Matrix = MatrixX<double>;
+    using Start = SolutionStart<directions>;
 
     struct Outcome {
         int rounds = 0;       ///< Newton steps
@@ -50,7 +49,7 @@ public:
         /// Largest violation of the conditions. Tractions, over the largest bound: |p| above its bound, or below it
         /// where an element slides. Slip, over the largest |c|: slip of a sticking element, across the traction or
         /// along it, and the estimated error of s = M p + c.
-        Scalar residual = 0;
+        double residual = 0;
         bool tangent_exists = false;
         Status status = Status::not_finite;
     };
@@ -84,7 +83,7 @@ public:
     bool coupled() const { return equations_.matrix.coupled(); }
     /// Sets the interpolation to the centres; slip is turned to its values from now on. Null, as after construction:
     /// slip is not turned. Keeps the pointer.
-    void turn_slip(const CentreValues<Scalar>* centres) { turn_.turn_to(centres); }
+    void turn_slip(const CentreValues<double>* centres) { turn_.turn_to(centres); }
     /// Says whether respond() will be called; if not, no tangent exists.
     void want_tangents(bool wanted) { wants_tangents_ = wanted; }
 
@@ -114,7 +113,7 @@ public:
     /// others.
     const Vectors& against_slip() const { return against_slip_; }
     /// |s| of an element.
-    Scalar slip_size(Index i) const { return length(Row(slip().row(i))); }
+    double slip_size(Index i) const { return length(Row(slip().row(i))); }
 
     /// Begins to solve for the present c. `start` holds tractions and zones of a solution for other c and bounds.
     void begin(const Start& start) noexcept {
@@ -128,7 +127,7 @@ public:
         Point& point = points_[0];
         for (Index i = 0; i < size(); ++i) {
             const int zone = static_cast<signed char>(start.zones[static_cast<std::size_t>(i)]);
-            Row along = directions == 1 ? Row(Row::Constant(static_cast<Scalar>(-zone))) : Row(start.traction.row(i));
+            Row along = directions == 1 ? Row(Row::Constant(static_cast<double>(-zone))) : Row(start.traction.row(i));
             if (!(length(along) > 0)) along = -constant_[0].row(i);
             zone == 0 ? point.roles.stick(i) : point.roles.slide(i, along);
         }
@@ -190,12 +189,12 @@ public:
     std::uint64_t roles_revision() const { return equations_.condensed[at_].revision(); }
 
 private:
-    using Row = ElementVector<directions, Scalar>;
-    using Equations = SlipEquations<directions, Scalar>;
+    using Row = ElementVector<directions>;
+    using Equations = SlipEquations<directions>;
     using Condensed = typename Equations::Condensed;
-    using Problem = SlipProblem<directions, Scalar>;
-    using Point = SlipPoint<directions, Scalar>;
-    using Search = SlipSearch<directions, Scalar>;
+    using Problem = SlipProblem<directions>;
+    using Point = SlipPoint<directions>;
+    using Search = SlipSearch<directions>;
 
     static constexpr int most_halvings = 3;
 
@@ -203,7 +202,7 @@ private:
     bool keeps_plain() const { return is_apart_ || turn_.follows(); }
     // Index of a solution's constants: 0 if all solutions have the same.
     std::size_t own(std::size_t which) const { return has_two_ ? which : 0; }
-    const SlipTurn<directions, Scalar>& turn_of(std::size_t which) const { return which == 0 ? unturned_ : turn_; }
+    const SlipTurn<directions>& turn_of(std::size_t which) const { return which == 0 ? unturned_ : turn_; }
 
     Problem problem(std::size_t which, const Vector& bound) {
         return {equations_,
@@ -217,9 +216,9 @@ private:
                 which == 0 ? &turn_ : nullptr,
                 has_two_};
     }
-    static Scalar largest(const Vectors& vectors) {
+    static double largest(const Vectors& vectors) {
         if constexpr (directions == 1) return vectors.cwiseAbs().maxCoeff();
-        Scalar result = 0;
+        double result = 0;
         for (Index i = 0; i < vectors.rows(); ++i) result = (std::max)(result, length(Row(vectors.row(i))));
         return result;
     }
@@ -261,7 +260,7 @@ private:
         return settled;
     }
 
-    Scalar publish(const Vector& bound);
+    double publish(const Vector& bound);
     // Factorises the equations that tangents need, for each solution. False if they are singular to working precision.
     bool factorise(const Vector& bound) {
         bool is_regular = true;
@@ -271,7 +270,7 @@ private:
             if (at == nullptr || !at->is_regular()) return false;
             at_ = static_cast<std::size_t>(at - equations_.condensed.data());
             if constexpr (directions == 2) {
-                Sliding<Scalar>& sliding = equations_.sliding[which];
+                Sliding& sliding = equations_.sliding[which];
                 sliding.aim(*at, point.roles.direction, point.slip, bound, turn_of(which));
                 is_regular = is_regular && sliding.factorise(equations_.matrix, *at);
             }
@@ -309,7 +308,7 @@ private:
     Equations equations_;
     Search search_;
     std::vector<Point> points_;  // solution without turned slip; with turned slip
-    SlipTurn<directions, Scalar> turn_, unturned_{0};
+    SlipTurn<directions> turn_, unturned_{0};
     std::vector<Zone> zones_;
     Vector slides_;
     std::vector<Vectors> constant_, response_;
@@ -318,7 +317,7 @@ private:
     Vector angle_change_, right_, unit_;
     typename Condensed::Base response_base_;
     std::size_t at_ = 0;                        // index of the condensed equations of the last solution
-    std::array<Scalar, directions> imposed_{};  // max |c| of each solution
+    std::array<double, directions> imposed_{};  // max |c| of each solution
     std::uint64_t revision_ = 0, roles_revision_ = 0;
     Index stick_count_ = 0;
     bool has_two_ = false;     // both solutions have constants of their own
@@ -328,21 +327,21 @@ private:
 };
 
 // Sets the zones, clears slip of round-off and returns the largest violation of the conditions.
-template <int directions, class Scalar>
-auto StickSlip<directions, Scalar>::publish(const Vector& bound) -> Scalar {
+template <int directions>
+auto StickSlip<directions>::publish(const Vector& bound) -> double {
     Point& point = points_[last()];
-    const SlipTurn<directions, Scalar>& turn = turn_of(last());
-    Scalar slip = search_.error(), excess = 0;
+    const SlipTurn<directions>& turn = turn_of(last());
+    double slip = search_.error(), excess = 0;
     bool is_same = directions == 1;
     const bool finite = is_finite(slip) && all_finite(point.traction) && all_finite(point.slip);
     Index stick_count = 0;
     for (Index i = 0; i < size(); ++i) {
         const Row p = point.traction.row(i), s = turn.turned(i, Row(point.slip.row(i)));
-        const Scalar norm = length(p);
+        const double norm = length(p);
         const Role role = point.roles[i];
         excess = (std::max)(excess, norm - bound[i]);
         against_slip_.row(i).setZero();
-        slides_[i] = role == Role::slides ? Scalar(1) : Scalar(0);
+        slides_[i] = role == Role::slides ? 1.0 : 0.0;
         Zone zone = role == Role::sticks ? Zone::stick : Zone::slip;
         if (role == Role::sticks) {
             ++stick_count;
@@ -350,11 +349,11 @@ auto StickSlip<directions, Scalar>::publish(const Vector& bound) -> Scalar {
             point.slip.row(i).setZero();
         } else if (role == Role::slides) {
             const Row along = point.roles.direction.row(i);
-            const Scalar forward = along.dot(s);
+            const double forward = along.dot(s);
             excess = (std::max)(excess, bound[i] - norm);
-            slip = (std::max)({slip, std::abs(cross<directions, Scalar>(along, s)), forward});
+            slip = (std::max)({slip, std::abs(cross<directions>(along, s)), forward});
             against_slip_.row(i) = turn.turned_back(i, along);
-            point.slip.row(i) = (std::min)(forward, Scalar(0)) * against_slip_.row(i);
+            point.slip.row(i) = (std::min)(forward, 0.0) * against_slip_.row(i);
         }
         if (directions == 1 && zone == Zone::slip && (role == Role::slides ? p[0] > 0 : s[0] < 0)) {
             zone = Zone::slip_negative;
@@ -365,20 +364,20 @@ auto StickSlip<directions, Scalar>::publish(const Vector& bound) -> Scalar {
     }
     stick_count_ = stick_count;
     if (!is_same) ++revision_;
-    if (!finite) return std::numeric_limits<Scalar>::quiet_NaN();
-    const Scalar most = bound.maxCoeff(), imposed = imposed_[own(last())];
+    if (!finite) return std::numeric_limits<double>::quiet_NaN();
+    const double most = bound.maxCoeff(), imposed = imposed_[own(last())];
     return (std::max)(imposed > 0 ? slip / imposed : slip, most > 0 ? excess / most : excess);
 }
 
 // Finds dp, and the response of the slip in slip_response_.
-template <int directions, class Scalar>
-void StickSlip<directions, Scalar>::answer(std::size_t which, const Cause& cause, Vectors& dp) {
+template <int directions>
+void StickSlip<directions>::answer(std::size_t which, const Cause& cause, Vectors& dp) {
     const Point& point = points_[which];
     Condensed& at = *equations_.condense(which, point.roles);
     at.find_base(equations_.matrix, cause.constant, response_base_);
     for (Index k = 0; k < at.others(); ++k) {
         const Index i = at.other(k);
-        dp.row(i) = (cause.bound == nullptr ? Scalar(0) : (*cause.bound)[i]) * point.roles.direction.row(i);
+        dp.row(i) = (cause.bound == nullptr ? 0.0 : (*cause.bound)[i]) * point.roles.direction.row(i);
     }
     if constexpr (directions == 2) {
         if (at.sliding() > 0) {
@@ -394,8 +393,8 @@ void StickSlip<directions, Scalar>::answer(std::size_t which, const Cause& cause
     at.complete(equations_.matrix, response_base_, dp, slip_response_);
 }
 
-template <int directions, class Scalar>
-void StickSlip<directions, Scalar>::couple(bool exact, Matrix& coupling, Matrix& across, Matrix& aside) {
+template <int directions>
+void StickSlip<directions>::couple(bool exact, Matrix& coupling, Matrix& across, Matrix& aside) {
     const Index count = slipping_count();
     Condensed& at = equations_.condensed[at_];
     auto result = coupling.topLeftCorner(count, count);
@@ -403,7 +402,7 @@ void StickSlip<directions, Scalar>::couple(bool exact, Matrix& coupling, Matrix&
         for (Index k = 0; k < count; ++k) right_[k] = points_[0].roles.direction(slipping(k), 0);
         at.form(equations_.matrix, right_, right_, result);
     } else {
-        Sliding<Scalar>& sliding = equations_.sliding[last()];
+        Sliding& sliding = equations_.sliding[last()];
         auto by_turn = across.topLeftCorner(count, count), turn = aside.topLeftCorner(count, count);
         at.form(equations_.matrix, sliding.against(), sliding.along(), result);
         at.form(equations_.matrix, sliding.against(), sliding.across(), by_turn);
