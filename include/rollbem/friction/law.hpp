@@ -7,6 +7,7 @@
 #include <concepts>
 #include <functional>
 #include <type_traits>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -81,6 +82,23 @@ template <class Law, class... More>
 requires(!std::is_arithmetic_v<Law>) Friction(Law, ArrayX<double>, More...)
 ->Friction<Law>;
 
+/// Any law of friction: mu [-], constant or a function of the slip velocity [m/s].
+class FrictionLaw {
+public:
+    FrictionLaw(double mu) : at_rest_(mu) {}  // NOLINT: implicit on purpose
+    template <SlipLaw Law>
+    FrictionLaw(Law law)  // NOLINT: implicit on purpose
+        : of_slip_([own = std::move(law)](double v) -> double { return own(v); }), at_rest_(of_slip_(0)) {}
+
+    bool is_constant() const { return !of_slip_; }
+    double at_rest() const { return at_rest_; }                                   ///< mu(0)
+    const std::function<double(double)>& of_slip() const { return of_slip_; }  ///< mu(v); empty if it is constant
+
+private:
+    std::function<double(double)> of_slip_;
+    double at_rest_;
+};
+
 namespace detail {
 
 template <class Law>
@@ -88,28 +106,32 @@ inline constexpr bool is_constant = false;
 template <>
 inline constexpr bool is_constant<ConstantFriction> = true;
 
-/// One type for all laws that depend on slip, so that their solver is compiled once.
-using AnySlipLaw = std::function<double(double)>;
+/// Friction by any law.
+struct AnyFriction {
+    template <class Law>
+    explicit AnyFriction(const Friction<Law>& of)
+        : law(any(of.law)), normal_pressure(of.normal_pressure), memory(of.memory), with_tangents(of.with_tangents) {}
 
-template <class Law>
-using UniformLaw = std::conditional_t<is_constant<Law>, Law, AnySlipLaw>;
-template <class Law>
-Friction<UniformLaw<Law>> with_uniform_law(const Friction<Law>& of) {
-    if constexpr (std::is_same_v<UniformLaw<Law>, Law>) {
-        return of;
-    } else {  // the law is called as const because threads may share a model
-        return {[law = of.law](double v) -> double { return law(v); }, of.normal_pressure, of.memory, of.with_tangents};
+    FrictionLaw law;
+    ArrayX<double> normal_pressure;
+    FrictionMemory memory;
+    bool with_tangents;
+
+private:
+    static FrictionLaw any(const ConstantFriction& law) { return law.coefficient; }
+    template <class Law>
+    static FrictionLaw any(const Law& law) {
+        return law;
     }
-}
+};
 
-/// Throws std::invalid_argument, in the name of `who`, unless the law is valid for a mesh of `mesh_size` elements, the
+/// Throws std::invalid_argument, in the name of `who`, unless friction is valid for a mesh of `mesh_size` elements, the
 /// first `count` of which are unknown.
-template <class Law>
-void require_valid(const char* who, const Friction<Law>& friction, Eigen::Index mesh_size, Eigen::Index count) {
+inline void require_valid(const char* who, const AnyFriction& friction, Eigen::Index mesh_size, Eigen::Index count) {
     require(count >= 1, who, "number of unknown elements", count, "be at least 1");
-    const auto at_rest = static_cast<double>(friction.law(0.0));
+    const double at_rest = friction.law.at_rest();
     require(is_finite(at_rest) && at_rest >= 0, who,
-            is_constant<Law> ? "friction_coefficient" : "friction coefficient at rest", at_rest,
+            friction.law.is_constant() ? "friction_coefficient" : "friction coefficient at rest", at_rest,
             "be finite and not negative");
     const FrictionMemory& memory = friction.memory;
     require_not_negative(who, "distance of the memory", memory.distance);

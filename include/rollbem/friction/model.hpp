@@ -2,10 +2,12 @@
 // direction of creepage or two. The slip s is s/V = xi - G' p + G dp/dq, Eq. (1), with q = V t the distance rolled.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -21,7 +23,7 @@
 #include "../system/element_blocks.hpp"
 #include "../system/stability_verdict.hpp"
 #include "../system/time_domain.hpp"
-#include "detail/core.hpp"
+#include "detail/rolling_friction.hpp"
 #include "law.hpp"
 #include "state.hpp"
 #include "workspace.hpp"
@@ -105,16 +107,12 @@ public:
     static constexpr int directions = directions_;
     static_assert(SlipLaw<Law>);
 
-private:
-    using Core = detail::FrictionCore<detail::UniformLaw<Law>, directions>;
-
-public:
     using State = FrictionState<directions>;
     using Step = FrictionStep<directions>;
     using Workspace = FrictionWorkspace<directions>;
     using System = ElementSystem<double, directions>;
     using Force = typename Step::Force;  ///< a number, or TangentialForce with two directions
-    using Value = typename Core::Value;  ///< a creepage: a number, or Creepage with two directions
+    using Value = detail::CreepageAlong<directions, double>;  ///< a creepage: a number, or Creepage with two directions
     using Motion = RigidMotion<Value>;
     /// The load is a NormalLoad or, if none is given, the load of the state; travel needs a duration if mu depends on
     /// slip.
@@ -133,8 +131,8 @@ public:
     template <class AnyContact>
     FrictionModel(const AnyContact& contact, System system, const StabilityVerdict& verdict,
                   const Friction<Law>& friction, Integrator integrator = Integrator::sdirk2)
-        : core_(name, contact, std::move(system), detail::with_uniform_law(friction)), integrator_(integrator) {
-        const System& own = core_.system();
+        : contact_(name, contact, std::move(system), detail::AnyFriction(friction)), integrator_(integrator) {
+        const System& own = contact_.system;
         if constexpr (std::is_same_v<AnyContact, Contact<double>>) {
             detail::require_same_aspect(name, contact, own);
         } else {
@@ -159,23 +157,26 @@ public:
     FrictionModel(const AnyContact& contact, System system, const Friction<Law>& friction)
         : FrictionModel(contact, std::move(system), StabilityVerdict{}, friction) {}
 
-    Eigen::Index size() const { return core_.size(); }  ///< number of unknown elements
+    Eigen::Index size() const { return contact_.size(); }  ///< number of unknown elements
     /// Fingerprint of G', the areas of the elements, the contact and the pressures; G and the law do not enter. To
     /// continue a state under another load, pass the load to a step; a model with other pressures refuses the state.
-    std::uint64_t fingerprint() const { return core_.fingerprint(); }
+    std::uint64_t fingerprint() const { return contact_.fingerprint; }
     Integrator integrator() const { return integrator_; }
     /// Whether the scheme converges to full adhesion. Only a model of a system without G can return false, and none
     /// that is made `unchecked`.
     bool converges() const { return converges_; }
 
     /// The state at rest under the pressures of the model: no traction, all elements stick, mu = mu_s(0).
-    State at_rest() const { return core_.at_rest(); }
+    State at_rest() const;
     /// The state at rest under a load. Throws std::invalid_argument if the mesh cannot carry the load.
     State at_rest(const NormalLoad<double>& load) const;
-    Workspace workspace() const { return core_.workspace(); }
+    Workspace workspace() const { return Workspace(size(), contact_.varies(), detail::is_coupled(contact_.system)); }
 
     /// The force of a state [N]. The state must have size() elements.
-    Force force(const State& state) const { return core_.force(state); }
+    Force force(const State& state) const {
+        const auto forces = contact_.forces.of(state.traction, axes(state));
+        return 1 / contact_.units.shear_modulus * detail::force_along<directions, double>(forces);
+    }
 
     /// Elastic energy of the tangential tractions in both bodies, E = 1/2 int p u dA [J], summed over the
     /// directions. Positive, except for tractions that alternate from element to element; of
@@ -185,7 +186,7 @@ public:
     /// The work that the rigid bodies do on the contact, -F times the rigid slip (creepage times the distance rolled),
     /// becomes heat or elastic energy, even while the load or the length of the contact varies: heat = -F slip - dE,
     /// for any scheme. The sum of FrictionStep::slip_work agrees with it to the orders of both in n and dq.
-    double elastic_energy(const State& state) const { return core_.elastic_energy(state); }
+    double elastic_energy(const State& state) const;
 
     /// Solves for steady rolling with the creepage [-] at the end of the step's motion, which must not be a shift, at
     /// the speed V > 0 [m/s] of its travel, which a constant coefficient does not need. The search starts from the
@@ -216,36 +217,79 @@ private:
 
     const auto& slope() const {
         if constexpr (directions == 1) {
-            return core_.system().G_prime();
+            return contact_.system.G_prime();
         } else {
-            return core_.system().G_prime_blocks();
+            return contact_.system.G_prime_blocks();
         }
     }
-
-    // Whether the load of a step can follow a state: ok, invalid_load or needs_fixed_mesh.
-    Status check_load(const State& from, const RollingStep& step) const noexcept {
-        if (!step.load) return Status::ok;
-        const Status possible = step.load->check(core_.system().element_count());
-        return possible == Status::ok ? core_.check_width(from, *step.load) : possible;
+    template <class Loaded>
+    SemiAxes<double> axes(const Loaded& loaded) const {
+        return contact_.units.axes(loaded);
     }
-    typename Core::Request request(const State& from, const RollingStep& step) const noexcept {
-        return {from, step.travel, step.motion, step.load ? core_.load_after(from, *step.load) : Core::load_of(from)};
+    static bool are_coefficients(const ArrayX<double>& values) {
+        return values.size() == 0 || (detail::all_finite(values) && !(values.minCoeff() < 0));
     }
 
-    Core core_;
+    // Whether the load of a step can follow a state: ok; invalid_load, also if a patch changes its half-length without
+    // a new half-width; needs_fixed_mesh if a line contact changes its half-width.
+    Status check_load(const State& from, const NormalLoad<double>& load) const noexcept;
+    // The load at the end of a step. A half-width of 0 is replaced by the half-width of `from`.
+    detail::LoadAtEnd load_after(const State& from, const NormalLoad<double>* load) const noexcept {
+        if (load == nullptr) return {from.normal_pressure, from.half_length, from.half_width};
+        const double b = load->half_width == 0 ? from.half_width : load->half_width;
+        return {load->normal_pressure, load->half_length, b, &load->pressure_rate};
+    }
+    detail::LoadAtEnd load_after(const State& from, const RollingStep& step) const noexcept {
+        return load_after(from, step.load ? &*step.load : nullptr);
+    }
+    // Whether states and workspace belong to the model, and whether the load in a state is valid.
+    Status check(const State& from, const State& to, const Workspace& workspace) const noexcept;
+    // Whether the rigid slip of a creepage is known.
+    bool can_impose([[maybe_unused]] const Value& creepage) const noexcept {
+        if constexpr (directions == 2) return creepage.spin == 0 || contact_.system.elements().places_are_known();
+        return true;
+    }
+    // The result of a scheme that does not converge: residual and counts, but NaN for forces, tangents and works.
+    static Step without_forces(const Step& solved) noexcept {
+        if (solved.status != Status::ok && solved.status != Status::no_solution) return solved;
+        Step step = detail::failed<Step>(Status::assists_creepage);
+        step.complementarity_residual = solved.complementarity_residual;
+        step.stick_count = solved.stick_count;
+        step.rounds = solved.rounds;
+        step.path_points = solved.path_points;
+        return step;
+    }
+
+    detail::ContactData<directions> contact_;
     Integrator integrator_;
     bool converges_ = true;
 };
 
 template <class Law, int directions>
+auto FrictionModel<Law, directions>::at_rest() const -> State {
+    State state{.traction = ElementVectors<directions>::Zero(size(), directions),
+                .zones = std::vector<Zone>(static_cast<std::size_t>(size()), Zone::stick),
+                .normal_pressure = contact_.normal_pressure,
+                .half_length = contact_.units.length,
+                .half_width = contact_.units.half_width,
+                .system = contact_.fingerprint,
+                .friction_coefficient = {},
+                .solver = {},
+                .plain_traction = {}};
+    if (contact_.varies()) {
+        state.friction_coefficient.setConstant(size(), contact_.law.at_rest());
+        state.solver.stage_coefficient = state.friction_coefficient;
+    }
+    if (contact_.rotates) state.plain_traction = state.traction;
+    return state;
+}
+
+template <class Law, int directions>
 auto FrictionModel<Law, directions>::at_rest(const NormalLoad<double>& load) const -> State {
     State state = at_rest();
-    Status possible = load.check(core_.system().element_count());
-    if (possible == Status::ok) possible = core_.check_width(state, load);
-    const auto given = core_.load_after(state, load);
-    if (possible == Status::ok) {
-        possible = detail::check_growth(core_.system(), 0.0, core_.axes(given), core_.axes(given));
-    }
+    Status possible = check_load(state, load);
+    const detail::LoadAtEnd given = load_after(state, &load);
+    if (possible == Status::ok) possible = detail::check_growth(contact_.system, 0.0, axes(given), axes(given));
     detail::require(possible == Status::ok, name, "status of the load at rest", rollbem::name(possible),
                     "be ok: pressures of all elements, finite and not negative, on semi-axes that the mesh can follow");
     state.normal_pressure = given.pressure.head(size());
@@ -255,32 +299,93 @@ auto FrictionModel<Law, directions>::at_rest(const NormalLoad<double>& load) con
 }
 
 template <class Law, int directions>
+double FrictionModel<Law, directions>::elastic_energy(const State& state) const {
+    const SemiAxes<double> present = axes(state);
+    const System& system = contact_.system;
+    if (!system.has_G() || detail::check_growth(system, 0.0, present, present) != Status::ok) {
+        return detail::unknown<double>;
+    }
+    const ElementVectors<directions> traction = state.traction / contact_.units.shear_modulus;
+    ElementVectors<directions> displacement = traction;
+    detail::find_displacements(system, present, traction, displacement);
+    return contact_.energy_unit(present) * contact_.work.product(traction, displacement) / 2;
+}
+
+template <class Law, int directions>
+Status FrictionModel<Law, directions>::check_load(const State& from, const NormalLoad<double>& load) const noexcept {
+    const Status possible = load.check(contact_.system.element_count());
+    if (possible != Status::ok) return possible;
+    const auto& units = contact_.units;
+    if (load.half_width == 0) {
+        return units.line || load.half_length == from.half_length ? Status::ok : Status::invalid_load;
+    }
+    return units.line && load.half_width != units.half_width ? Status::needs_fixed_mesh : Status::ok;
+}
+
+template <class Law, int directions>
+Status FrictionModel<Law, directions>::check(const State& from, const State& to,
+                                             const Workspace& workspace) const noexcept {
+    const Eigen::Index n = size();
+    const bool varies = contact_.varies();
+    const auto sized = [&](const State& state) {
+        return state.traction.rows() == n && (state.plain_traction.size() == 0 || state.plain_traction.rows() == n) &&
+               state.zones.size() == static_cast<std::size_t>(n) && state.normal_pressure.size() == n &&
+               state.friction_coefficient.size() == (varies ? n : 0);
+    };
+    const bool belongs = &from != &to && from.system == contact_.fingerprint && sized(from) && sized(to) &&
+                         workspace.fits(n, varies, detail::is_coupled(contact_.system));
+    const Eigen::Index kept = from.solver.stage_coefficient.size();
+    if (!belongs || (kept != 0 && kept != from.friction_coefficient.size()) ||
+        !are_coefficients(from.friction_coefficient) || !are_coefficients(from.solver.stage_coefficient)) {
+        return Status::wrong_state;
+    }
+    const bool valid = detail::is_finite(from.half_length) && from.half_length > 0 &&
+                       (contact_.units.line || (detail::is_finite(from.half_width) && from.half_width > 0)) &&
+                       detail::all_pressures(from.normal_pressure);
+    return valid ? Status::ok : Status::invalid_load;
+}
+
+template <class Law, int directions>
 auto FrictionModel<Law, directions>::steady(const State& from, const RollingStep& step, State& to,
-                                                    Workspace& workspace) const noexcept -> Step {
-    Status possible = check_load(from, step);
+                                            Workspace& workspace) const noexcept -> Step {
+    Status possible = step.load ? check_load(from, *step.load) : Status::ok;
     if (possible != Status::ok) return detail::failed<Step>(possible);
-    const auto asked = request(from, step);
-    possible = core_.check(from, to, workspace);
-    const auto axes = core_.axes(asked.load);
-    if (possible == Status::ok) possible = detail::check_growth(core_.system(), 0.0, axes, axes);
+    const detail::LoadAtEnd load = load_after(from, step);
+    const SemiAxes<double> at = axes(load);
+    possible = check(from, to, workspace);
+    if (possible == Status::ok) possible = detail::check_growth(contact_.system, 0.0, at, at);
+    if (possible == Status::ok) possible = step.motion.is_shift() ? Status::invalid_step : step.motion.check_rows(size());
+    if (possible == Status::ok && !can_impose(step.motion.end())) possible = Status::needs_places;
+    const double speed = step.travel.speed();
+    if (possible == Status::ok && contact_.varies() && !(detail::is_finite(speed) && speed > 0)) possible = Status::invalid_step;
     if (possible != Status::ok) return detail::failed<Step>(possible);
-    const Step solved = core_.steady(asked, to, workspace);
-    return converges_ ? solved : Core::without_forces(solved);
+    detail::TimeStep<directions, double> rolled{step.motion, contact_.units.length, at, at};
+    rolled.steady = true;
+    rolled.speed = speed;
+    const Step solved = detail::solve<directions>({contact_, rolled, from, load, workspace.scratch()}, to);
+    return converges_ ? solved : without_forces(solved);
 }
 
 template <class Law, int directions>
 auto FrictionModel<Law, directions>::advance(const State& from, const RollingStep& step, State& to,
-                                                     Workspace& workspace) const noexcept -> Step {
-    Status possible = check_load(from, step);
+                                             Workspace& workspace) const noexcept -> Step {
+    Status possible = step.load ? check_load(from, *step.load) : Status::ok;
+    if (possible == Status::ok && !contact_.system.has_G()) possible = Status::invalid_step;
     if (possible != Status::ok) return detail::failed<Step>(possible);
-    if (!core_.system().has_G()) return detail::failed<Step>(Status::invalid_step);
-    const auto asked = request(from, step);
-    const double dq = step.travel.dq / core_.half_length();
-    possible = detail::check_step(core_.check(from, to, workspace), step.motion, dq, size(), [&] {
-        return detail::check_growth(core_.system(), dq, core_.axes(from), core_.axes(asked.load));
+    const detail::LoadAtEnd load = load_after(from, step);
+    const double dq = step.travel.dq / contact_.units.length;
+    possible = detail::check_step(check(from, to, workspace), step.motion, dq, size(), [&] {
+        return detail::check_growth(contact_.system, dq, axes(from), axes(load));
     });
+    const double duration = step.travel.duration;
+    if (possible == Status::ok && contact_.varies() && !(detail::is_finite(duration) && duration > 0)) possible = Status::invalid_step;
+    const bool can_roll = can_impose(step.motion.start()) && can_impose(step.motion.end());
+    if (possible == Status::ok && !can_roll) possible = Status::needs_places;
     if (possible != Status::ok) return detail::failed<Step>(possible);
-    return core_.roll(*detail::stage_table<double>(integrator_), asked, to, workspace);
+    detail::TimeStep<directions, double> rolled{step.motion, contact_.units.length, axes(from),
+                                                axes(load),  dq,                    *detail::stage_table<double>(integrator_)};
+    rolled.duration = duration;
+    return detail::solve<directions>({contact_, rolled, from, load, workspace.scratch()}, to);
 }
 
 // Friction in braces, whose law cannot be deduced, has a constant coefficient.

@@ -59,16 +59,6 @@ struct FrictionState {
 
 namespace detail {
 
-/// The point from which a search for a solution starts: tractions in G and their zones; with one direction only the
-/// zones are read. `turned_traction` starts the second solution, for turned slip; null if both solutions have the same
-/// equations.
-template <int directions>
-struct SolutionStart {
-    const ElementVectors<directions>& traction;
-    const std::vector<Zone>& zones;
-    const ElementVectors<directions>* turned_traction = nullptr;
-};
-
 /// Whether both components are finite; the moment may be unknown.
 inline bool is_finite(const TangentialForce<double>& force) {
     return is_finite(force.longitudinal) && is_finite(force.lateral);
@@ -109,7 +99,7 @@ struct FrictionStep {
     ///
     ///     work of the rigid bodies = slip work + jump work + change of elastic energy
     ///
-    /// It turns into heat during a slip that is too short for the step to resolve (see detail::FrictionCore for the
+    /// It turns into heat during a slip that is too short for the step to resolve (see detail::jump_work() for the
     /// expression). Without jumps it tends to 0 with dq, from either side; with constant friction rolling has no jumps,
     /// and it is 0. For a rigid shift it is the slip work by the mean tractions of both ends minus the slip work by the
     /// tractions at the end; the balance then holds with the work of the rigid bodies by the mean force. For a steady

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 
 #include "../types.hpp"
-#include "detail/scratch.hpp"
+#include "detail/rolling_friction.hpp"
 #include "state.hpp"
 
 namespace rollbem {
@@ -16,18 +16,18 @@ namespace rollbem {
 template <int directions = 1>
 class FrictionWorkspace {
 public:
-    using Scratch = detail::FrictionScratch<directions>;
+    using Scratch = detail::StepScratch<directions>;
 
     /// A workspace for n unknown elements.
     explicit FrictionWorkspace(Eigen::Index n, bool slip_dependent = false, bool coupled = false)
-        : scratch_(n, slip_dependent, coupled) {}
+        : scratch_(n, coupled, slip_dependent) {}
 
     Eigen::Index size() const { return scratch_.slip.rows(); }
     bool fits(Eigen::Index n, bool slip_dependent, bool coupled) const {
         if constexpr (directions == 2) {
-            if (scratch_.solver.coupled() != coupled) return false;
+            if (scratch_.solver.matrix.coupled() != coupled) return false;
         }
-        return size() == n && scratch_.falling.set.size() == (slip_dependent ? n : 0);
+        return size() == n && scratch_.mu.iteration.size() == (slip_dependent ? n : 0);
     }
 
     /// Slip of body 1 on body 2 in the last solution, at the collocation point of each element's equation: the distance

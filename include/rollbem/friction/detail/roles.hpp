@@ -22,6 +22,11 @@ enum class Role : unsigned char {
     is_free,  ///< p_i = 0 because b_i = 0; any slip is allowed
 };
 
+using Index = Eigen::Index;
+using Vector = VectorX<double>;
+/// Tractions or slip of the elements, a row each.
+template <int directions>
+using Vectors = Eigen::Matrix<double, Eigen::Dynamic, directions>;
 /// The traction or slip of one element.
 template <int directions>
 using ElementVector = Eigen::Matrix<double, 1, directions>;
@@ -41,12 +46,11 @@ double cross(const Eigen::Matrix<double, 1, directions>& from, const Eigen::Matr
 
 template <int directions>
 struct Roles {
-    using Index = Eigen::Index;
     using Row = ElementVector<directions>;
 
     explicit Roles(Index n)
         : of(static_cast<std::size_t>(n), Role::sticks),
-          direction(ElementVectors<directions>::Zero(n, directions)) {}
+          direction(Vectors<directions>::Zero(n, directions)) {}
 
     Index size() const { return direction.rows(); }
     Role operator[](Index i) const { return of[static_cast<std::size_t>(i)]; }
@@ -59,7 +63,7 @@ struct Roles {
     }
     void slide(Index i, const Row& along) { slide(i, along, length(along)); }
     /// Turns the direction of an element that slides, unless the vector vanishes.
-    void follow(Index i, const Row& along) {
+    void align(Index i, const Row& along) {
         const double norm = length(along);
         if (norm > 0) direction.row(i) = along / norm;
     }
@@ -67,7 +71,7 @@ struct Roles {
 
     std::vector<Role> of;
     /// Unit vectors along the tractions of elements that slide; 0 for others.
-    ElementVectors<directions> direction;
+    Vectors<directions> direction;
 
 private:
     void set(Index i, Role role, const Row& along) {
@@ -80,7 +84,6 @@ private:
 /// equations whose sticking elements have been eliminated, for one M and one set of roles.
 class RoleLists {
 public:
-    using Index = Eigen::Index;
 
     explicit RoleLists(Index n) : elements_(static_cast<std::size_t>(n)), of_(elements_.size()) {}
 

@@ -29,7 +29,7 @@ public:
     using Vectors = ElementVectors<directions>;
     using Matrix = MatrixX<double>;
 
-    explicit SlipMatrix(Index n, bool coupled = false) : n_(n), coupled_(directions == 2 && coupled), reach_(n) {
+    explicit SlipMatrix(Index n, bool coupled = false) : n_(n), coupled_(directions == 2 && coupled), projection_step_(n) {
         const bool inverts = directions == 2;
         for (std::size_t g = 0; g < groups(); ++g) {
             group_[g].setZero(group_size(), group_size());
@@ -59,7 +59,7 @@ public:
     /// whenever M changes.
     auto renew(std::size_t d, std::size_t e) {
         ++revision_;
-        reach_is_known_ = inverse_is_known_ = sums_are_known_ = false;
+        projection_step_is_known_ = inverse_is_known_ = sums_are_known_ = false;
         return block(*this, d, e);
     }
     auto block(std::size_t d, std::size_t e) const { return block(*this, d, e); }
@@ -77,19 +77,19 @@ public:
     }
 
     /// rho of each element: 1 over the largest influence on it, because its own influence may vanish.
-    const Vector& reach() {
-        if (reach_is_known_) return reach_;
-        reach_.setZero();
+    const Vector& projection_step() {
+        if (projection_step_is_known_) return projection_step_;
+        projection_step_.setZero();
         for (std::size_t d = 0; d < directions; ++d) {
-            for (Index j = 0; j < n_; ++j) reach_ = reach_.cwiseMax(block(d, d).col(j).cwiseAbs());
+            for (Index j = 0; j < n_; ++j) projection_step_ = projection_step_.cwiseMax(block(d, d).col(j).cwiseAbs());
         }
-        for (double& reach : reach_) reach = reach > 0 ? 1 / reach : 1.0;
-        reach_is_known_ = true;
-        return reach_;
+        for (double& projection_step : projection_step_) projection_step = projection_step > 0 ? 1 / projection_step : 1.0;
+        projection_step_is_known_ = true;
+        return projection_step_;
     }
 
     /// The number to add to an element's influence on itself where M is singular.
-    double shift(Index i) { return std::sqrt(std::numeric_limits<double>::epsilon()) / reach()[i]; }
+    double shift(Index i) { return std::sqrt(std::numeric_limits<double>::epsilon()) / projection_step()[i]; }
 
     /// Finds B = M^-1 with the help of `scratch`, unless it is known. False if M is too close to singular.
     bool find_inverse(std::array<Matrix, directions>& scratch) {
@@ -151,10 +151,10 @@ private:
     std::array<Matrix, directions> group_, inverse_;
     std::vector<Index> swaps_;
     std::array<Vectors, 2> sign_, sums_;  // u and M^T u
-    Vector reach_;
+    Vector projection_step_;
     std::uint64_t revision_ = 1, serial_ = 0;
     bool serves_once_ = false;
-    bool reach_is_known_ = false, inverse_is_known_ = false, inverse_exists_ = false, sums_are_known_ = false;
+    bool projection_step_is_known_ = false, inverse_is_known_ = false, inverse_exists_ = false, sums_are_known_ = false;
 };
 
 }  // namespace rollbem::detail

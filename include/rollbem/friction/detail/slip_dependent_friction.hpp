@@ -3,9 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -23,21 +25,21 @@
 namespace rollbem::detail {
 
 /// The data that determine the friction coefficient of each element: particles arrive with a coefficient and slip for a
-/// period.
-struct FrictionPassage {
-    const AnySlipLaw& law;
+/// period. References to values of the caller, made on the stack for one call.
+struct FrictionEvolution {
+    const std::function<double(double)>& law;
     const FrictionMemory& memory;
-    double at_rest;                     ///< mu_s(0)
-    const VectorX<double>& duration;    ///< duration of the period [s]
-    const VectorX<double>* before{};    ///< mu before the period; null in steady rolling: mu of the element ahead
-    const VectorX<double>* pressure{};  ///< p_n/G; without pressure the coefficient is mu_s(0)
-    double velocity_per_slip = 0;       ///< slip velocity [m/s] over the solver's slip
+    double at_rest;            ///< mu_s(0)
+    const Vector& duration;    ///< of the period [s]
+    const Vector* before;      ///< mu before the period; null in steady rolling: mu of the element ahead
+    const Vector& pressure;    ///< p_n/G; without pressure the coefficient is mu_s(0)
+    double velocity_per_slip;  ///< slip velocity [m/s] over the solver's slip
 
-    bool has_pressure(Eigen::Index i) const { return (*pressure)[i] > 0; }
+    bool has_pressure(Index i) const { return pressure[i] > 0; }
 
-    double kept(Eigen::Index i, double v) const { return memory.kept(v, duration[i]); }
+    double kept(Index i, double v) const { return memory.kept(v, duration[i]); }
     /// mu after the period at a slip velocity v.
-    double after(Eigen::Index i, double mu_before, double v) const {
+    double after(Index i, double mu_before, double v) const {
         const double share = kept(i, v);
         return share * mu_before + (1 - share) * (v == 0 ? at_rest : law(v));
     }
@@ -50,22 +52,18 @@ struct FrictionPassage {
 /// initial mu then pass the bottleneck and approach it, followed by Newton's method. All iterations are bounded. If
 /// several solutions exist, the one found depends on the initial mu.
 template <int directions>
-class SlipDependentSet {
+class SlipDependentFriction {
 public:
-    using Solver = StickSlip<directions>;
-    using Passage = FrictionPassage;
-    using Change = typename Solver::Change;
-    using Index = Eigen::Index;
-    using Vector = VectorX<double>;
+    using Stage = StageView<directions>;
+    using Solution = StageSolution<directions>;
     using Matrix = MatrixX<double>;
 
     struct Outcome {
-        typename Solver::Outcome solution;  ///< the last solution, with rounds and path points of all solutions
-        int solutions = 0;                  ///< number of solutions for stick and slip
-        double change = 0;                  ///< largest residual of the equation above
+        int solutions = 0;  ///< number of solutions for stick and slip
+        double change = 0;  ///< largest residual of the equation above
     };
 
-    explicit SlipDependentSet(Index n)
+    explicit SlipDependentFriction(Index n)
         : coupling_(n, n), by_friction_(n, n), newton_(n, n), swaps_(static_cast<std::size_t>(n)) {
         for (Vector* vector : {&start_, &mu_, &residual_, &tried_, &step_, &velocity_, &slope_, &kept_, &response_,
                                &gain_, &newton_slope_, &newton_gain_, &newton_kept_}) {
@@ -75,94 +73,98 @@ public:
 
     Index size() const { return start_.size(); }
 
-    /// Starts from `start` and `friction`, finite and not negative, and overwrites `friction` with the result. Matrices
-    /// and constants of the solver must be set.
-    Outcome solve(const Passage& passage, const typename Solver::Start& start, Solver& solver,
-                  Vector& friction) noexcept {
-        Search search{passage, solver, friction, (std::max)(passage.at_rest, friction.maxCoeff())};
+    /// Starts from `friction`, finite and not negative, and overwrites it with the result, and the bounds of the problem.
+    /// StickSlipSolver::start() comes first.
+    Outcome solve(const FrictionEvolution& evolution, const Stage& stage, Vector& friction) noexcept {
+        Search search{evolution, stage, friction, (std::max)(evolution.at_rest, friction.maxCoeff())};
         Outcome& outcome = search.outcome;
+        Solution& solution = stage.solution;
         start_ = friction;
-        solver.begin(start);
         find(search);
         double scale = residual_.norm();
         for (int restart = 0; !newton(search) && restart < most_restarts && is_finite(outcome.change); ++restart) {
             if (restart == 0) friction = start_;
             find(search);
-            scale = follow(search, scale, restart);
+            scale = iterate_fixed_point(search, scale, restart);
         }
-        if (!search.has_settled()) {
-            outcome.solution.status = is_finite(outcome.change) ? Status::no_solution : Status::not_finite;
-            outcome.solution.tangent_exists = false;
+        if (!search.has_converged()) {
+            solution.status = is_finite(outcome.change) ? Status::no_solution : Status::not_finite;
+            solution.has_tangent = false;
         }
+        solution.rounds = search.rounds;
+        solution.path_points = search.path_points;
+        solution.residual = is_finite(outcome.change) ? (std::max)(solution.residual, outcome.change) : outcome.change;
         return outcome;
     }
 
     /// To be called before respond(). Returns a number that changes whenever the response to the same change may
     /// change.
-    std::uint64_t linearise(const Passage& passage, Solver& solver) {
-        factorise(passage, solver, true);
+    std::uint64_t linearise(const FrictionEvolution& evolution, const Stage& stage) {
+        factorise(evolution, stage, true);
         return revision_;
     }
-    /// Finds the response of the last solution while no element changes its zone: dp, which the solver holds, and d mu
-    /// in `friction_change`. The causes are a change of the problem at constant mu and, unless null, the change
-    /// `before` of each particle's mu_before. `friction_change` must differ from all vectors of the causes.
-    void respond(const Passage& passage, Solver& solver, const Change& change, const Vector* before,
-                 Vector& friction_change) {
-        solver.respond(change, &response_);
+    /// Finds the response of the last solution while no element changes its zone: dp of each pass, and d mu in
+    /// `friction_change`. The causes are a change of the problem at constant mu and, unless null, the change `before`
+    /// of each particle's mu_before. `friction_change` must differ from all vectors of the causes.
+    void respond(const FrictionEvolution& evolution, const Stage& stage, const ProblemChange<directions>& change,
+                 const Vector* before, Vector& friction_change, std::array<Vectors<directions>, directions>& dp) {
+        auto& solver = stage.solver;
+        solver.respond(stage.problem, stage.solution, change, stage.centres, dp, &response_);
         double ahead = 0;
         for (Index i = size() - 1; i >= 0; --i) {
             ahead = slope_[i] * response_[i] + kept_[i] * ahead;
-            if (before != nullptr && passage.has_pressure(i)) {
-                ahead += passage.kept(i, rounded(velocity_[i])) * (*before)[i];
+            if (before != nullptr && evolution.has_pressure(i)) {
+                ahead += evolution.kept(i, rounded(velocity_[i])) * (*before)[i];
             }
             friction_change[i] = ahead;
         }
-        spread(solver, friction_change);
-        tried_ = friction_change.cwiseProduct(*passage.pressure);
+        find_total_change(solver, friction_change);
+        tried_ = friction_change.cwiseProduct(evolution.pressure);
         if (change.bound != nullptr) tried_ += *change.bound;
-        solver.respond({change.constant, &tried_});
+        solver.respond(stage.problem, stage.solution, {change.constant, &tried_}, stage.centres, dp);
     }
 
 private:
     static constexpr int most_steps = 30, most_halvings = 8, most_restarts = 6, most_rounds = 600;
 
     struct Search {
-        const Passage& passage;
-        Solver& solver;
+        const FrictionEvolution& evolution;
+        const Stage& stage;
         Vector& friction;
-        double largest;      // mu at rest or at the start; a rising law may lead far above it
-        double settled = 0;  // residual that rounding explains
+        double largest;       // mu at rest or at the start; a rising law may lead far above it
+        double tolerance = 0;  // residual that rounding explains
+        int rounds = 0, path_points = 0;
         Outcome outcome{};
 
-        bool has_settled() const { return outcome.change <= settled; }
+        bool has_converged() const { return outcome.change <= tolerance; }
     };
 
     // Solves for the bounds of the present mu.
     void find(Search& search) {
+        const auto& [problem, centres, solver, solution] = search.stage;
         Outcome& outcome = search.outcome;
-        tried_ = search.friction.cwiseProduct(*search.passage.pressure);
-        typename Solver::Outcome found = search.solver.solve(tried_);
-        found.rounds += outcome.solution.rounds;
-        found.path_points += outcome.solution.path_points;
-        outcome.solution = found;
-        is_regular_ = found.tangent_exists;
+        problem.bound = search.friction.cwiseProduct(search.evolution.pressure);
+        solver.solve(problem, centres, true, solution);
+        search.rounds += solution.rounds;
+        search.path_points += solution.path_points;
+        is_regular_ = solution.has_tangent;
         ++outcome.solutions;
         evaluate(search);
         // Eigen's maximum may pass over NaN
         outcome.change =
             all_finite(residual_) ? residual_.cwiseAbs().maxCoeff() : std::numeric_limits<double>::quiet_NaN();
-        search.settled = 64 * static_cast<double>(size() + 10) * std::numeric_limits<double>::epsilon() *
-                         (std::max)(search.largest, search.friction.maxCoeff());
+        search.tolerance = 64 * static_cast<double>(size() + 10) * std::numeric_limits<double>::epsilon() *
+                           (std::max)(search.largest, search.friction.maxCoeff());
     }
 
     // Finds slip velocities, right-hand side and residual.
     void evaluate(const Search& search) {
-        const Passage& passage = search.passage;
-        double ahead = passage.at_rest;
+        const FrictionEvolution& evolution = search.evolution;
+        double ahead = evolution.at_rest;
         for (Index i = size() - 1; i >= 0; --i) {
-            velocity_[i] = passage.velocity_per_slip * search.solver.slip_size(i);
-            const double before = passage.before == nullptr ? ahead : (*passage.before)[i];
-            mu_[i] = ahead = passage.has_pressure(i) ? passage.after(i, before, velocity_[i]) : passage.at_rest;
+            velocity_[i] = evolution.velocity_per_slip * search.stage.solution.slip_size(i);
+            const double before = evolution.before == nullptr ? ahead : (*evolution.before)[i];
+            mu_[i] = ahead = evolution.has_pressure(i) ? evolution.after(i, before, velocity_[i]) : evolution.at_rest;
             residual_[i] = ahead - search.friction[i];
         }
     }
@@ -171,11 +173,11 @@ private:
     // step = residual. The coefficients of sticking elements have no influence.
     bool newton(Search& search) {
         for (int step = 0; step < most_steps; ++step) {
-            if (search.has_settled()) return true;
+            if (search.has_converged()) return true;
             if (!is_finite(search.outcome.change)) return false;
-            factorise(search.passage, search.solver, false);
+            factorise(search.evolution, search.stage, false);
             step_ = residual_;
-            spread(search.solver, step_);
+            find_total_change(search.stage.solver, step_);
             const double size = residual_.norm();
             bool better = false;
             double part = 1;
@@ -183,16 +185,16 @@ private:
             for (int halving = 0; halving < most_halvings && !better; ++halving, part /= 2) {
                 search.friction = (gain_ + part * step_).cwiseMax(0.0);
                 find(search);
-                better = residual_.norm() < (1 - part / 10) * size || search.has_settled();
+                better = residual_.norm() < (1 - part / 10) * size || search.has_converged();
             }
             if (!better) return false;
         }
-        return search.has_settled();
+        return search.has_converged();
     }
 
     // Fixed-point iterations until the residual has risen and fallen again. In the bottleneck, where it hardly changes,
     // the steps are enlarged; after unsuccessful restarts they are damped.
-    double follow(Search& search, double scale, int restart) {
+    double iterate_fixed_point(Search& search, double scale, int restart) {
         const double part = restart < 2 ? 1.0 : restart < 4 ? 0.4 : 0.15;
         const int rounds = restart == 0 ? most_rounds : most_rounds / 3;
         double before = residual_.norm(), peak = before;
@@ -210,7 +212,7 @@ private:
             before = size;
             peak = (std::max)(peak, size);
             const bool passed = peak > 50 * scale && falling >= 25 && size < peak / 5;
-            if (size <= search.settled || passed) break;
+            if (size <= search.tolerance || passed) break;
         }
         return (std::max)(scale, peak / 50);
     }
@@ -218,45 +220,41 @@ private:
     // Rounds to 30 bits, which is within the accuracy of the difference quotients. While quantities change by round-off
     // only, the derivatives and everything computed from them then stay the same to the last bit.
     static double rounded(double x) {
-        constexpr int digits = std::numeric_limits<double>::digits;
-        if constexpr (digits <= 30) {
-            return x;
-        } else {
-            const double high = x * static_cast<double>((std::uint64_t(1) << (digits - 30)) + 1);
-            return high - (high - x);
-        }
+        const double high = x * static_cast<double>((std::uint64_t(1) << 23) + 1);
+        return high - (high - x);
     }
 
     // Finds the derivatives of the last solution's right-hand side by the slip and, in steady rolling, by the
     // coefficient of the element ahead. The slip of sticking elements remains zero.
-    void differentiate(const Passage& passage, const Solver& solver) {
-        const bool steady = passage.before == nullptr;
+    void differentiate(const FrictionEvolution& evolution, const Solution& solution) {
+        const bool steady = evolution.before == nullptr;
         // the width of the differences must suit elements that hardly slip, and ignore a least velocity far above any
         // slip
         const double fastest = rounded(velocity_.maxCoeff());
-        const double unit = (std::min)(passage.memory.least_velocity, fastest) + fastest / 1000;
+        const double unit = (std::min)(evolution.memory.least_velocity, fastest) + fastest / 1000;
         const double share = std::cbrt(std::numeric_limits<double>::epsilon());
         for (Index i = 0; i < size(); ++i) {
             slope_[i] = kept_[i] = 0;
-            if (!passage.has_pressure(i)) continue;
+            if (!evolution.has_pressure(i)) continue;
             const double v = rounded(velocity_[i]);
-            if (steady) kept_[i] = passage.kept(i, v);
-            if (solver.slides()[i] == 0) continue;
-            const double ahead = i + 1 < size() ? mu_[i + 1] : passage.at_rest;
-            const double before = rounded(steady ? ahead : (*passage.before)[i]);
+            if (steady) kept_[i] = evolution.kept(i, v);
+            if (solution.slides[i] == 0) continue;
+            const double ahead = i + 1 < size() ? mu_[i + 1] : evolution.at_rest;
+            const double before = rounded(steady ? ahead : (*evolution.before)[i]);
             const double nearby = share * (v + unit) + (std::numeric_limits<double>::min)();
             const double low = (std::max)(v - nearby, 0.0), high = v + nearby;
-            slope_[i] = passage.velocity_per_slip *
-                        ((passage.after(i, before, high) - passage.after(i, before, low)) / (high - low));
+            slope_[i] = evolution.velocity_per_slip *
+                        ((evolution.after(i, before, high) - evolution.after(i, before, low)) / (high - low));
         }
     }
 
     // Factorises Newton's matrix, if it has changed. Tangents need the `exact` derivatives; Newton's method leaves out
     // the derivatives of the angles of turned slip.
-    void factorise(const Passage& passage, Solver& solver, bool exact) {
-        couple(solver, exact);
-        differentiate(passage, solver);
-        gain_ = -solver.slides().cwiseProduct(*passage.pressure);
+    void factorise(const FrictionEvolution& evolution, const Stage& stage, bool exact) {
+        const auto& solver = stage.solver;
+        find_coupling(stage, exact);
+        differentiate(evolution, stage.solution);
+        gain_ = -stage.solution.slides.cwiseProduct(evolution.pressure);
         if (newton_revision_ == coupling_revision_ && same_bits(newton_slope_, slope_) &&
             same_bits(newton_gain_, gain_) && same_bits(newton_kept_, kept_)) {
             return;
@@ -271,30 +269,31 @@ private:
             Index next = count_ - 1;
             for (Index i = size() - 1; i >= 0; --i) {
                 leading *= kept_[i];
-                if (next >= 0 && solver.slipping(next) == i) {
-                    leading += slope_[i] * gain_[solver.slipping(k)] * coupling_(next--, k);
+                if (next >= 0 && solver.sliding(next) == i) {
+                    leading += slope_[i] * gain_[solver.sliding(k)] * coupling_(next--, k);
                 }
                 by_friction_(i, k) = leading;
             }
-            for (Index l = 0; l < count_; ++l) newton_(l, k) = (k == l ? 1 : 0) - by_friction_(solver.slipping(l), k);
+            for (Index l = 0; l < count_; ++l) newton_(l, k) = (k == l ? 1 : 0) - by_friction_(solver.sliding(l), k);
         }
         factorise_in_place<double>(newton_.topLeftCorner(count_, count_), swaps_.data());
     }
 
     // Finds in coupling_ the derivatives of the sliding elements' slip by their bounds. If there is no tangent, no
     // element counts as sliding. `exact` includes the angles of turned slip.
-    void couple(Solver& solver, bool exact) {
-        const std::uint64_t kind = is_regular_ ? exact && solver.angles_follow() ? 2 : 1 : 0;
-        const std::uint64_t revision = 3 * solver.revision() + kind;
+    void find_coupling(const Stage& stage, bool exact) {
+        const auto& [problem, centres, solver, solution] = stage;
+        const std::uint64_t kind = is_regular_ ? exact && solution.rotation.follows() ? 2 : 1 : 0;
+        const std::uint64_t revision = 3 * solution.revision + kind;
         if (coupling_revision_ == revision) return;
         coupling_revision_ = revision;
-        count_ = is_regular_ ? solver.slipping_count() : 0;
-        if (is_regular_) solver.couple(exact, coupling_, newton_, by_friction_);
+        count_ = is_regular_ ? solver.sliding_count() : 0;
+        if (is_regular_) solver.find_slip_by_bounds(solution, centres, exact, coupling_, newton_, by_friction_);
     }
 
     // Overwrites direct changes of the coefficients with the total changes that they cause.
-    void spread(const Solver& solver, Vector& change) {
-        for (Index k = 0; k < count_; ++k) response_[k] = change[solver.slipping(k)];
+    void find_total_change(const StickSlipSolver<directions>& solver, Vector& change) {
+        for (Index k = 0; k < count_; ++k) response_[k] = change[solver.sliding(k)];
         solve_in_place<double>(newton_.topLeftCorner(count_, count_), swaps_.data(), response_.head(count_));
         change.noalias() += by_friction_.leftCols(count_) * response_.head(count_);
     }

@@ -24,37 +24,28 @@ namespace rollbem::detail {
 /// Angles are at most 60 degrees, and 0 where an element does not slip, or s_i or m_i vanishes. With one direction
 /// nothing turns. All memory is allocated by the constructor.
 template <int directions>
-class SlipTurn {
+class SlipRotation {
 public:
-    using Index = Eigen::Index;
-    using Vectors = ElementVectors<directions>;
     using Row = ElementVector<directions>;
 
-    explicit SlipTurn(Index n)
-        : rotation_(Vectors::Zero(n, directions)),
+    explicit SlipRotation(Index n)
+        : rotation_(Vectors<directions>::Zero(n, directions)),
           along_slip_(rotation_),
           along_centre_(rotation_),
-          rate_(VectorX<double>::Zero(n)) {}
+          rate_(Vector::Zero(n)) {}
 
-    /// Sets the interpolation to the centres; slip is turned to its values from now on. Null: slip is not turned. Keeps
-    /// the pointer.
-    void turn_to(const CentreValues<double>* centres) {
-        centres_ = centres;
-        stop();
-    }
 
     bool turns() const { return turns_; }
     /// Whether any angle changes with the slip that find() was called with.
     bool follows() const { return follows_; }
     void stop() { turns_ = follows_ = false; }
     /// Finds the angles of a solution whose slip has not been turned. False if there is nothing to turn.
-    bool find(const Vectors& slip, const Roles<directions>& roles) {
+    bool find(const CentreValues<double>& centres, const Vectors<directions>& slip, const Roles<directions>& roles) {
         stop();
-        if (centres_ == nullptr) return false;
         rate_.setZero();
         for (Index i = 0; i < rate_.size(); ++i) {
             set(i, 1, 0);
-            if (roles[i] == Role::slides) find_angle(i, slip);
+            if (roles[i] == Role::slides) find_angle(centres, i, slip);
         }
         return turns_;
     }
@@ -69,11 +60,11 @@ public:
     }
 
     /// Finds the changes of the angles caused by a change of the slip that find() was called with.
-    void follow(const Vectors& slip_change, VectorX<double>& angle_change) const {
+    void find_angle_change(const CentreValues<double>& centres, const Vectors<directions>& slip_change, Vector& angle_change) const {
         angle_change.setZero();
         for (Index i = 0; i < rate_.size(); ++i) {
             if (rate_[i] == 0) continue;
-            const Row centre = at_centre(i, slip_change), own = slip_change.row(i);
+            const Row centre = at_centre(centres, i, slip_change), own = slip_change.row(i);
             angle_change[i] = rate_[i] * (cross<directions>(along_centre_.row(i), centre) -
                                           cross<directions>(along_slip_.row(i), own));
         }
@@ -99,8 +90,8 @@ private:
     }
 
     // The angle from s_i to m_i.
-    void find_angle(Index i, const Vectors& slip) {
-        const Row own = slip.row(i), centre = at_centre(i, slip);
+    void find_angle(const CentreValues<double>& centres, Index i, const Vectors<directions>& slip) {
+        const Row own = slip.row(i), centre = at_centre(centres, i, slip);
         const double size = length(own), centre_size = length(centre);
         if (!(size > 0) || !(centre_size > 0)) return;
         // unit vectors, as products of large slips overflow
@@ -118,16 +109,15 @@ private:
     }
 
     // m_i
-    Row at_centre(Index i, const Vectors& slip) const {
+    Row at_centre(const CentreValues<double>& centres, Index i, const Vectors<directions>& slip) const {
         Row centre;
-        for (Index d = 0; d < directions; ++d) centre[d] = centres_->at(i, slip.col(d));
+        for (Index d = 0; d < directions; ++d) centre[d] = centres.at(i, slip.col(d));
         return centre;
     }
 
-    const CentreValues<double>* centres_ = nullptr;
-    Vectors rotation_;                   // cosine and sine of the angles
-    Vectors along_slip_, along_centre_;  // s_i and m_i of the angles, each over the square of its length
-    VectorX<double> rate_;               // 1 for angles that follow the slip, halved with them; 0 for others
+    Vectors<directions> rotation_;                   // cosine and sine of the angles
+    Vectors<directions> along_slip_, along_centre_;  // s_i and m_i of the angles, each over the square of its length
+    Vector rate_;               // 1 for angles that follow the slip, halved with them; 0 for others
     bool turns_ = false, follows_ = false;
 };
 

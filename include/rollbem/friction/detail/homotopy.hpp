@@ -14,7 +14,7 @@
 #include "../../types.hpp"
 #include "../state.hpp"
 #include "roles.hpp"
-#include "slip_problem.hpp"
+#include "problem_view.hpp"
 
 namespace rollbem::detail {
 
@@ -29,15 +29,12 @@ namespace rollbem::detail {
 /// the elements' areas is positive definite, each t has one solution, and the path does not turn back. d points in
 /// directions that differ by an irrational angle from element to element. All memory is allocated by the constructor.
 template <int directions>
-class SlipPath {
+class Homotopy {
 public:
-    using Index = Eigen::Index;
-    using Vector = VectorX<double>;
-    using Vectors = ElementVectors<directions>;
     using Row = ElementVector<directions>;
-    using Problem = SlipProblem<directions>;
+    using Problem = ProblemView<directions>;
 
-    explicit SlipPath(Index n)
+    explicit Homotopy(Index n)
         : matrix_(directions * n + 1, directions * n + 1),
           swaps_(static_cast<std::size_t>(directions * n + 1)),
           at_(directions * n + 1),
@@ -61,7 +58,7 @@ public:
         }
         column_ = problem.constant + offset_;
         for (Index i = 0; i < n; ++i) {
-            const Row z = -problem.reach[i] * problem.turn.turned(i, Row(column_.row(i)));
+            const Row z = -problem.projection_step[i] * problem.rotation.turned(i, Row(column_.row(i)));
             scale_[i] = std::sqrt(static_cast<double>(n)) * (problem.bound[i] + length(z));
             if (!(scale_[i] > 0)) scale_[i] = 1;
             rows(trial_.data()).row(i) = z / scale_[i];
@@ -102,7 +99,7 @@ public:
     }
 
     /// P_1(z) after advance(): near a solution if 1 - t is small.
-    const Vectors& traction() const { return traction_; }
+    const Vectors<directions>& traction() const { return traction_; }
     int points() const { return points_; }  ///< number of points so far
 
 private:
@@ -148,12 +145,12 @@ private:
     }
 
     // The elements' part of all unknowns, the last of which is t.
-    auto rows(double* unknowns) const { return Eigen::Map<Vectors>(unknowns, scale_.size(), directions); }
+    auto rows(double* unknowns) const { return Eigen::Map<Vectors<directions>>(unknowns, scale_.size(), directions); }
 
     // Writes rho R times the vectors in column_, over the elements' scales, and 0 for t.
     void put(const Problem& problem, double* target) const {
         for (Index i = 0; i < scale_.size(); ++i) {
-            rows(target).row(i) = problem.reach[i] / scale_[i] * problem.turn.turned(i, Row(column_.row(i)));
+            rows(target).row(i) = problem.projection_step[i] / scale_[i] * problem.rotation.turned(i, Row(column_.row(i)));
         }
         target[column_.size()] = 0;
     }
@@ -163,11 +160,11 @@ private:
         const Index n = scale_.size(), last = directions * n;
         const auto scale = scale_.array().template replicate<1, directions>();
         find_tractions(problem);
-        problem.equations.matrix.multiply(traction_, column_);
+        problem.matrix.multiply(traction_, column_);
         column_ += problem.constant + (1 - trial_[last]) * offset_;
         put(problem, change_.data());
         rows(change_.data()) += rows(trial_.data()) - (traction_.array() / scale).matrix();
-        problem.equations.matrix.multiply(growth_, column_);
+        problem.matrix.multiply(growth_, column_);
         column_ -= offset_;
         put(problem, matrix_.col(last).data());
         rows(matrix_.col(last).data()).array() -= growth_.array() / scale;
@@ -178,7 +175,7 @@ private:
     }
     // Writes the derivatives by z of element i in direction e.
     void set_up_column(const Problem& problem, Index e, Index i) {
-        const SlipMatrix<directions>& M = problem.equations.matrix;
+        const SlipMatrix<directions>& M = problem.matrix;
         const Row slope = slope_.row(i).template segment<directions>(directions * e);
         for (Index d = 0; d < directions; ++d) {
             const auto own = static_cast<std::size_t>(d);
@@ -226,9 +223,9 @@ private:
     std::vector<Index> swaps_;
     Vector at_, forward_, trial_, change_;  // z over scale_, direction by direction; t
     Vector scale_;
-    Vectors offset_;             // d
-    Vectors traction_, growth_;  // p, dp/dt
-    Vectors column_;
+    Vectors<directions> offset_;             // d
+    Vectors<directions> traction_, growth_;  // p, dp/dt
+    Vectors<directions> column_;
     Eigen::Matrix<double, Eigen::Dynamic, directions * directions> slope_;  // dp/dz
     double length_ = 0;                                                     // length of the next step
     double rest_ = 0;                                                       // value of 1 - t where advance() stops
