@@ -33,9 +33,9 @@ std::pair<VectorXd, VectorXd> stage_by_stage(const VectorXd& from, const Motion&
     detail::StageFactors<double> factors(from.size());
     const SemiAxes<double> start{a_1 / a, 1}, end{a_3 / a, 1};
     const detail::RigidSlip<1, double> slip(contact, along.inputs(), G);
-    detail::AdhesionFrame<1, double> frame{{motion, dq, a, halves, start, end}, 1, from, slip, factors};
-    stages.solve(frame, [](const detail::RollingStage<double>& stage, const auto& use) {
-        use(detail::LineEquations<RollingSystem<double>>(along, stage));
+    const detail::TimeStep<1, double> step{motion, a, start, end, dq / a, halves};
+    stages.solve(step, {1, from, slip, factors}, [](const detail::RollingStage<double>& geometry, const auto& use) {
+        use(detail::LineEquations<RollingSystem<double>>(along, geometry));
     });
     return {from + stages.change(), stages.response(0)};
 }
@@ -83,12 +83,11 @@ void compare(const ElementSystem<double, directions>& system, const Law& law,
              const typename FrictionModel<Law, directions>::Value& start,
              const typename FrictionModel<Law, directions>::Value& middle,
              const typename FrictionModel<Law, directions>::Value& end, double growth) {
-    using Core = detail::FrictionCore<detail::UniformLaw<Law, double>, directions, double>;
-    using Moved = RigidMotion<typename Core::Value>;
+    using Moved = typename FrictionModel<Law, directions>::Motion;
     const Friction friction{law, ArrayX<double>(p_0 * mean_hertz_pressure(mesh))};
     const FrictionModel model(contact, system, unchecked, friction, Integrator::implicit_euler);
-    const Core core("test", contact, system, detail::with_uniform_law(friction));
-    auto workspace = model.workspace(), own = core.workspace();
+    const detail::ContactData<directions> data("test", contact, system, detail::AnyFriction(friction));
+    auto workspace = model.workspace(), own = workspace;
     auto from = model.at_rest(), half = from, to = from, found = from;
     REQUIRE(model.steady(model.at_rest(), {Travel<>::at_speed(20), start}, from, workspace).status == Status::ok);
     const auto load = [&](double way) {
@@ -99,8 +98,12 @@ void compare(const ElementSystem<double, directions>& system, const Law& law,
     const NormalLoad<double> two = load(0.5), three = load(1);
     const auto first = model.advance(from, {part, Moved::linear(start, middle), two}, half, workspace);
     const auto second = model.advance(half, {part, Moved::linear(middle, end), three}, to, workspace);
-    const auto motion = Moved::linear(start, end);
-    const auto step = core.roll(halves, {from, whole, motion, core.load_after(from, three)}, found, own);
+    const auto axes = [&](const auto& loaded) { return data.units.axes(loaded); };
+    detail::TimeStep<directions, double> rolled{
+        Moved::linear(start, end), a, axes(from), axes(three), whole.dq / a, halves};
+    rolled.duration = whole.duration;
+    const detail::LoadAtEnd end_load{three.normal_pressure, three.half_length, from.half_width, &three.pressure_rate};
+    const auto step = detail::solve<directions>({data, rolled, from, end_load, own.scratch()}, found);
     REQUIRE(second.status == Status::ok);
     REQUIRE(step.status == Status::ok);
     CHECK(found.zones == to.zones);

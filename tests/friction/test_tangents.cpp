@@ -173,9 +173,9 @@ TEST_CASE("Tangents in both directions are derivatives", "[friction]") {
                     const Body body = is_patch ? patch(draw.decades(-0.3, 0.3)) : line();
                     const ExponentialFall law{mu, 0.2, V * body.creepage};
                     const FrictionMemory memory{falls == 2 ? a_0 * body.creepage : 0, 0.01 * V * body.creepage};
-                    const Error error =
-                        falls > 0 ? error_of<ExponentialFall>(body, {law, body.pressure, memory}, way, draw)
-                                  : error_of<ConstantFriction>(body, {{mu}, body.pressure}, way, draw);
+                    const Error error = falls > 0
+                                            ? error_of<ExponentialFall>(body, {law, body.pressure, memory}, way, draw)
+                                            : error_of<ConstantFriction>(body, {{mu}, body.pressure}, way, draw);
                     errors.push_back(error.largest);
                     kinks += error.kink ? 1 : 0;
                     beyond += error.largest <= 1e-6 ? 0 : 1;

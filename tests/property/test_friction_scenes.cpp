@@ -50,10 +50,9 @@ Scalar carried(const ArrayX<Scalar>& points, const ArrayX<Scalar>& mu, Scalar x,
 /// (in a, as imposed slip and slip) from `before`, with slip that is not turned. `duration` [s] is the time of the
 /// step, or of the passage of one half-length. A state without coefficients has the constant one of `law`.
 template <class Scalar, class Law>
-Violation<Scalar> violation(const Law& law, const FrictionMemory& memory,
-                            const ElementSystem<Scalar, 2>& system, Scalar half_length, Scalar shear_modulus,
-                            Scalar way, const std::array<Scalar, 2>& imposed, Scalar duration,
-                            const FrictionState<2>* before, const FrictionState<2>& after) {
+Violation<Scalar> violation(const Law& law, const FrictionMemory& memory, const ElementSystem<Scalar, 2>& system,
+                            Scalar half_length, Scalar shear_modulus, Scalar way, const std::array<Scalar, 2>& imposed,
+                            Scalar duration, const FrictionState<2>* before, const FrictionState<2>& after) {
     using std::abs;
     const Eigen::Index n = after.traction.rows();
     const Scalar rounding = 200 * static_cast<Scalar>(n + 10) * std::numeric_limits<Scalar>::epsilon();

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <vector>
 
 #include "../assembly/patch_system.hpp"
@@ -43,20 +42,18 @@ extern template ArrayX<double> hertz_pressures<double>(const PatchContact<double
 extern template MatrixX<double> detail::rigid_slip<double>(const Elements<double>&);
 extern template MatrixX<double> detail::force_weights<double>(const Elements<double>&);
 extern template class ElementSystem<double, 2>;
-extern template class detail::SlipPath<1>;
-extern template class detail::SlipPath<2>;
-extern template class detail::StickSlip<1>;
-extern template class detail::StickSlip<2>;
-extern template class detail::SlipDependentSet<1>;
-extern template class detail::SlipDependentSet<2>;
-extern template struct detail::SlipDependentScratch<1>;
-extern template struct detail::SlipDependentScratch<2>;
-extern template struct detail::FrictionScratch<1>;
-extern template struct detail::FrictionScratch<2>;
-extern template class detail::FrictionCore<ConstantFriction, 1>;
-extern template class detail::FrictionCore<ConstantFriction, 2>;
-extern template class detail::FrictionCore<std::function<double(double)>, 1>;
-extern template class detail::FrictionCore<std::function<double(double)>, 2>;
+extern template class detail::Homotopy<1>;
+extern template class detail::Homotopy<2>;
+extern template class detail::StickSlipSolver<1>;
+extern template class detail::StickSlipSolver<2>;
+extern template class detail::SlipDependentFriction<1>;
+extern template class detail::SlipDependentFriction<2>;
+extern template struct detail::StepScratch<1>;
+extern template struct detail::StepScratch<2>;
+extern template struct detail::ContactData<1>;
+extern template struct detail::ContactData<2>;
+extern template FrictionStep<1> detail::solve<1>(const detail::StepView<1>&, FrictionState<1>&) noexcept;
+extern template FrictionStep<2> detail::solve<2>(const detail::StepView<2>&, FrictionState<2>&) noexcept;
 extern template FrictionContact::FrictionContact(FrictionModel<ConstantFriction, 1>, Eigen::Index);
 extern template FrictionContact::FrictionContact(FrictionModel<ConstantFriction, 2>, Eigen::Index);
 

@@ -91,7 +91,7 @@ public:
         : of_slip_([own = std::move(law)](double v) -> double { return own(v); }), at_rest_(of_slip_(0)) {}
 
     bool is_constant() const { return !of_slip_; }
-    double at_rest() const { return at_rest_; }                                   ///< mu(0)
+    double at_rest() const { return at_rest_; }                                ///< mu(0)
     const std::function<double(double)>& of_slip() const { return of_slip_; }  ///< mu(v); empty if it is constant
 
 private:

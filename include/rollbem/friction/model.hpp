@@ -111,7 +111,7 @@ public:
     using Step = FrictionStep<directions>;
     using Workspace = FrictionWorkspace<directions>;
     using System = ElementSystem<double, directions>;
-    using Force = typename Step::Force;  ///< a number, or TangentialForce with two directions
+    using Force = typename Step::Force;                       ///< a number, or TangentialForce with two directions
     using Value = detail::CreepageAlong<directions, double>;  ///< a creepage: a number, or Creepage with two directions
     using Motion = RigidMotion<Value>;
     /// The load is a NormalLoad or, if none is given, the load of the state; travel needs a duration if mu depends on
@@ -354,10 +354,12 @@ auto FrictionModel<Law, directions>::steady(const State& from, const RollingStep
     const SemiAxes<double> at = axes(load);
     possible = check(from, to, workspace);
     if (possible == Status::ok) possible = detail::check_growth(contact_.system, 0.0, at, at);
-    if (possible == Status::ok) possible = step.motion.is_shift() ? Status::invalid_step : step.motion.check_rows(size());
+    if (possible == Status::ok)
+        possible = step.motion.is_shift() ? Status::invalid_step : step.motion.check_rows(size());
     if (possible == Status::ok && !can_impose(step.motion.end())) possible = Status::needs_places;
     const double speed = step.travel.speed();
-    if (possible == Status::ok && contact_.varies() && !(detail::is_finite(speed) && speed > 0)) possible = Status::invalid_step;
+    if (possible == Status::ok && contact_.varies() && !(detail::is_finite(speed) && speed > 0))
+        possible = Status::invalid_step;
     if (possible != Status::ok) return detail::failed<Step>(possible);
     detail::TimeStep<directions, double> rolled{step.motion, contact_.units.length, at, at};
     rolled.steady = true;
@@ -374,24 +376,24 @@ auto FrictionModel<Law, directions>::advance(const State& from, const RollingSte
     if (possible != Status::ok) return detail::failed<Step>(possible);
     const detail::LoadAtEnd load = load_after(from, step);
     const double dq = step.travel.dq / contact_.units.length;
-    possible = detail::check_step(check(from, to, workspace), step.motion, dq, size(), [&] {
-        return detail::check_growth(contact_.system, dq, axes(from), axes(load));
-    });
+    possible = detail::check_step(check(from, to, workspace), step.motion, dq, size(),
+                                  [&] { return detail::check_growth(contact_.system, dq, axes(from), axes(load)); });
     const double duration = step.travel.duration;
-    if (possible == Status::ok && contact_.varies() && !(detail::is_finite(duration) && duration > 0)) possible = Status::invalid_step;
+    if (possible == Status::ok && contact_.varies() && !(detail::is_finite(duration) && duration > 0))
+        possible = Status::invalid_step;
     const bool can_roll = can_impose(step.motion.start()) && can_impose(step.motion.end());
     if (possible == Status::ok && !can_roll) possible = Status::needs_places;
     if (possible != Status::ok) return detail::failed<Step>(possible);
-    detail::TimeStep<directions, double> rolled{step.motion, contact_.units.length, axes(from),
-                                                axes(load),  dq,                    *detail::stage_table<double>(integrator_)};
+    detail::TimeStep<directions, double> rolled{
+        step.motion, contact_.units.length, axes(from), axes(load), dq, *detail::stage_table<double>(integrator_)};
     rolled.duration = duration;
     return detail::solve<directions>({contact_, rolled, from, load, workspace.scratch()}, to);
 }
 
 // Friction in braces, whose law cannot be deduced, has a constant coefficient.
 template <class AnyContact, int directions, class Law = ConstantFriction>
-FrictionModel(const AnyContact&, ElementSystem<double, directions>, const StabilityVerdict&,
-              const Friction<Law>&, Integrator = Integrator::sdirk2) -> FrictionModel<Law, directions>;
+FrictionModel(const AnyContact&, ElementSystem<double, directions>, const StabilityVerdict&, const Friction<Law>&,
+              Integrator = Integrator::sdirk2) -> FrictionModel<Law, directions>;
 template <class AnyContact, int directions, class Law = ConstantFriction>
 FrictionModel(const AnyContact&, ElementSystem<double, directions>, const Friction<Law>&)
     -> FrictionModel<Law, directions>;

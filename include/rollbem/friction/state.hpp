@@ -38,7 +38,6 @@ struct SolverRecord {
 /// file and read back continues identically to the last bit.
 template <int directions = 1>
 struct FrictionState {
-
     /// Traction p on body 1 of each unknown element [Pa], from the trailing to the leading edge.
     ElementVectors<directions> traction;
     std::vector<Zone> zones;  ///< stick or slip of each element, at the end of the step

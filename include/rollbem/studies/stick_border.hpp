@@ -115,15 +115,13 @@ void solve_on_elements(const Contact<double>& contact, const Kernel& kernel, dou
                        const Pressure& pressure, double creepage, Eigen::Index count,
                        studies::StickBorderSolution<double>& result) {
     const Mesh<double> mesh = cosine_mesh<double>(count);
-    const FrictionModel model(
-        contact, steady_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel),
-        Friction<>{.law = {friction_coefficient}, .normal_pressure = pressure(mesh)});
+    const FrictionModel model(contact, steady_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel),
+                              Friction<>{.law = {friction_coefficient}, .normal_pressure = pressure(mesh)});
     const FrictionState<> rest = model.at_rest();
     FrictionState<> state = rest;
     FrictionWorkspace<> workspace = model.workspace();
     const FrictionStep<> step = model.steady(rest, {.motion = creepage}, state, workspace);
-    result.elements.emplace(
-        studies::StickBorderSolution<double>::OnElements{mesh, state.traction, workspace.slip()});
+    result.elements.emplace(studies::StickBorderSolution<double>::OnElements{mesh, state.traction, workspace.slip()});
     result.force_per_width = step.force / contact.width();
     result.tangent_per_width = step.tangent / contact.width();
     result.complementarity_residual = step.complementarity_residual;
@@ -191,8 +189,7 @@ StickBorderSolution<double> solve_stick_border(const Contact<double>& contact, c
         result.smooth_slope = [kernel](double x) { return kernel.smooth_slope(x); };
         result.status = Status::ok;
     } else {
-        detail::solve_on_elements(contact, kernel, friction_coefficient, pressure, creepage, fallback_elements,
-                                          result);
+        detail::solve_on_elements(contact, kernel, friction_coefficient, pressure, creepage, fallback_elements, result);
     }
     result.slip_work_per_width = -result.force_per_width * creepage;
     return result;

@@ -24,22 +24,23 @@ namespace rollbem::detail {
 template <int directions>
 struct CoefficientScratch {
     explicit CoefficientScratch(Index n) : iteration(n) {
-        for (Vector* vector : {&friction, &pressure, &duration, &before, &increment, &first, &change, &bound,
-                               &path_change, &before_change}) {
+        for (VectorX<double>* vector : {&friction, &pressure, &duration, &before, &increment, &first, &change, &bound,
+                                        &path_change, &before_change}) {
             vector->setZero(n);
         }
         carried.fill(change);
     }
 
     SlipDependentFriction<directions> iteration;
-    Vector friction, pressure;  ///< mu and p_n/G of the stage
-    Vector duration, before;    ///< of the stage; mu of each particle before it
-    Vector increment, first;    ///< change of mu along the paths of particles in the first of two stages; mu after it
-    Vector change;              ///< d mu of the last tangent
-    Vector bound;               ///< d bound of the last tangent at constant mu
-    Vector path_change;         ///< d before by the half-length, on which the paths of the particles depend
-    Vector before_change;       ///< d before of the last tangent
-    std::array<Vector, Parameters<directions>::count> carried;  ///< d increment of each tangent
+    VectorX<double> friction, pressure;  ///< mu and p_n/G of the stage
+    VectorX<double> duration, before;    ///< of the stage; mu of each particle before it
+    VectorX<double> increment,
+        first;                    ///< change of mu along the paths of particles in the first of two stages; mu after it
+    VectorX<double> change;       ///< d mu of the last tangent
+    VectorX<double> bound;        ///< d bound of the last tangent at constant mu
+    VectorX<double> path_change;  ///< d before by the half-length, on which the paths of the particles depend
+    VectorX<double> before_change;                                       ///< d before of the last tangent
+    std::array<VectorX<double>, Parameters<directions>::count> carried;  ///< d increment of each tangent
     /// Whether Newton's method has converged after few solutions. A second stage then starts from mu at the start of
     /// the step, which is nearer to the solution than mu of the first stage if little changes; after a jump mu of the
     /// first stage is nearer.
@@ -110,7 +111,7 @@ struct Coefficients {
     void respond(const Stage& now, std::size_t parameter, const ProblemChange<directions>& change,
                  const StageView<directions>& stage, std::array<Vectors<directions>, directions>& dp) {
         ProblemChange<directions> direct = change;
-        const Vector* before = nullptr;
+        const VectorX<double>* before = nullptr;
         own.moves_paths = remembers() && parameter == Parameters<directions>::half_length;
         if (own.moves_paths || (remembers() && now.place.is_second)) {
             own.moves_paths ? find_path_change(now) : void(own.path_change.setZero());
@@ -136,12 +137,12 @@ private:
 
     FrictionEvolution evolution(const Stage& now) const {
         const double per_slip = step.steady ? step.speed : step.unit / (now.place.part * step.duration);
-        return {law.of_slip(), memory, law.at_rest(), own.duration, step.steady ? nullptr : &own.before,
+        return {law.of_slip(), memory,  law.at_rest(), own.duration, step.steady ? nullptr : &own.before,
                 own.pressure,  per_slip};
     }
 
     AlongContact<double> along_start() const { return {elements.x, start.data(), law.at_rest()}; }
-    AlongContact<double> along_first(const Vector& change) const { return {elements.x, change.data(), 0.0}; }
+    AlongContact<double> along_first(const VectorX<double>& change) const { return {elements.x, change.data(), 0.0}; }
     // Position x/a of the particle that arrives at point i, at the start of the step.
     double origin(const Stage& now, Index i) const {
         return (now.geometry.half_length * elements.x[i] + now.place.progress * step.dq) * per_half_length();
@@ -173,7 +174,8 @@ private:
             double& change = own.path_change[i];
             change = at_start(origin(now, i)).slope * now.place.progress * point * per_half_length();
             if (!now.place.is_second) continue;
-            const double x = between(now, i), moved = (now.place.progress * point - now.place.part * x) * per_first(now);
+            const double x = between(now, i),
+                         moved = (now.place.progress * point - now.place.part * x) * per_first(now);
             change += now.place.ratio() * increment(x).slope * moved;
             if (!(own.before[i] > 0)) change = 0;
         }

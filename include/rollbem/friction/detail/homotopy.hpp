@@ -13,8 +13,8 @@
 #include "../../detail/length.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
-#include "roles.hpp"
 #include "problem_view.hpp"
+#include "roles.hpp"
 
 namespace rollbem::detail {
 
@@ -24,10 +24,11 @@ namespace rollbem::detail {
 /// intervals) with radii of t times the bounds and is rounded off in proportion to 1 - t, so that it is smooth below
 /// t = 1.
 ///
-/// Since p is bounded, for almost every d the path is one smooth curve that ends at t = 1, whatever M (Chow, Mallet-Paret
-/// and Yorke 1978). It may turn back in t, and is therefore followed by its length. Where M with its rows weighted by
-/// the elements' areas is positive definite, each t has one solution, and the path does not turn back. d points in
-/// directions that differ by an irrational angle from element to element. All memory is allocated by the constructor.
+/// Since p is bounded, for almost every d the path is one smooth curve that ends at t = 1, whatever M (Chow,
+/// Mallet-Paret and Yorke 1978). It may turn back in t, and is therefore followed by its length. Where M with its rows
+/// weighted by the elements' areas is positive definite, each t has one solution, and the path does not turn back. d
+/// points in directions that differ by an irrational angle from element to element. All memory is allocated by the
+/// constructor.
 template <int directions>
 class Homotopy {
 public:
@@ -150,7 +151,8 @@ private:
     // Writes rho R times the vectors in column_, over the elements' scales, and 0 for t.
     void put(const Problem& problem, double* target) const {
         for (Index i = 0; i < scale_.size(); ++i) {
-            rows(target).row(i) = problem.projection_step[i] / scale_[i] * problem.rotation.turned(i, Row(column_.row(i)));
+            rows(target).row(i) =
+                problem.projection_step[i] / scale_[i] * problem.rotation.turned(i, Row(column_.row(i)));
         }
         target[column_.size()] = 0;
     }
@@ -221,8 +223,8 @@ private:
 
     MatrixX<double> matrix_;
     std::vector<Index> swaps_;
-    Vector at_, forward_, trial_, change_;  // z over scale_, direction by direction; t
-    Vector scale_;
+    VectorX<double> at_, forward_, trial_, change_;  // z over scale_, direction by direction; t
+    VectorX<double> scale_;
     Vectors<directions> offset_;             // d
     Vectors<directions> traction_, growth_;  // p, dp/dt
     Vectors<directions> column_;

@@ -14,9 +14,9 @@ template <int directions>
 struct ProblemView {
     SlipMatrix<directions>& matrix;            ///< A
     const Vectors<directions>& constant;       ///< c
-    const Vector& bound;                       ///< b
+    const VectorX<double>& bound;              ///< b
     const SlipRotation<directions>& rotation;  ///< R
-    const Vector& projection_step;             ///< rho, step of the projection
+    const VectorX<double>& projection_step;    ///< rho, step of the projection
     double imposed;                            ///< max |c_i|
     std::size_t history;                       ///< index of c in StageProblem::constant
 };

@@ -23,7 +23,6 @@ enum class Role : unsigned char {
 };
 
 using Index = Eigen::Index;
-using Vector = VectorX<double>;
 /// Tractions or slip of the elements, a row each.
 template <int directions>
 using Vectors = Eigen::Matrix<double, Eigen::Dynamic, directions>;
@@ -31,12 +30,8 @@ using Vectors = Eigen::Matrix<double, Eigen::Dynamic, directions>;
 template <int directions>
 using ElementVector = Eigen::Matrix<double, 1, directions>;
 
-inline double length(const ElementVector<1>& v) {
-    return std::abs(v[0]);
-}
-inline double length(const ElementVector<2>& v) {
-    return length(v[0], v[1]);
-}
+inline double length(const ElementVector<1>& v) { return std::abs(v[0]); }
+inline double length(const ElementVector<2>& v) { return length(v[0], v[1]); }
 
 /// The sine of the angle from one vector to another, times both lengths; 0 with one direction.
 template <int directions>
@@ -49,8 +44,7 @@ struct Roles {
     using Row = ElementVector<directions>;
 
     explicit Roles(Index n)
-        : of(static_cast<std::size_t>(n), Role::sticks),
-          direction(Vectors<directions>::Zero(n, directions)) {}
+        : of(static_cast<std::size_t>(n), Role::sticks), direction(Vectors<directions>::Zero(n, directions)) {}
 
     Index size() const { return direction.rows(); }
     Role operator[](Index i) const { return of[static_cast<std::size_t>(i)]; }
@@ -84,7 +78,6 @@ private:
 /// equations whose sticking elements have been eliminated, for one M and one set of roles.
 class RoleLists {
 public:
-
     explicit RoleLists(Index n) : elements_(static_cast<std::size_t>(n)), of_(elements_.size()) {}
 
     Index size() const { return static_cast<Index>(elements_.size()); }

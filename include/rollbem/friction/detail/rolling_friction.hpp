@@ -50,8 +50,8 @@ struct ContactData {
     FrictionMemory memory;
     ArrayX<double> normal_pressure;  ///< of the unknown elements [Pa]
     bool with_tangents;
-    /// By the former a solver recognises its matrices; by the latter, of G', the areas, the contact and the pressures, a
-    /// model its states.
+    /// By the former a solver recognises its matrices; by the latter, of G', the areas, the contact and the pressures,
+    /// a model its states.
     std::uint64_t matrices, fingerprint;
 
     Index size() const { return system.size(); }
@@ -106,7 +106,9 @@ struct TangentScratch {
     using OfHistories = std::array<Vectors<directions>, directions>;
 
     explicit TangentScratch(Index n)
-        : rate(Vectors<directions>::Zero(n, directions)), bound_rate(Vector::Zero(n)), stage_bound_rate(bound_rate) {
+        : rate(Vectors<directions>::Zero(n, directions)),
+          bound_rate(VectorX<double>::Zero(n)),
+          stage_bound_rate(bound_rate) {
         right.fill(rate);
         response.fill(rate);
         for (OfHistories& each : carried) each.fill(rate);
@@ -114,9 +116,9 @@ struct TangentScratch {
 
     std::array<bool, By::count> asked{};  ///< parameters of the wanted tangents
     Vectors<directions> rate;
-    OfHistories right, response;                 ///< dc and dp of a tangent
-    std::array<OfHistories, By::count> carried;  ///< dc of the second stage caused by the first
-    Vector bound_rate, stage_bound_rate;         ///< d bound / d load at the end of the step; in the stage
+    OfHistories right, response;                   ///< dc and dp of a tangent
+    std::array<OfHistories, By::count> carried;    ///< dc of the second stage caused by the first
+    VectorX<double> bound_rate, stage_bound_rate;  ///< d bound / d load at the end of the step; in the stage
     /// The last response to the creepage with one direction. In rolling the next is often the same; its tangent or its
     /// contribution to the second stage is then known.
     struct Memo {
@@ -142,7 +144,7 @@ struct StepScratch {
           first(Vectors<directions>::Zero(n, directions)),
           change(first),
           slip(first),
-          work(Vector::Zero(n)) {
+          work(VectorX<double>::Zero(n)) {
         start.fill(first);
         displacement.fill(first);
     }
@@ -159,7 +161,7 @@ struct StepScratch {
     Vectors<directions> first;        ///< tractions after the first of two stages
     Vectors<directions> change;       ///< slip of the stage, weighted
     Vectors<directions> slip;         ///< summed over the stages
-    Vector work;                      ///< summed over the stages
+    VectorX<double> work;             ///< summed over the stages
 };
 
 /// What a step is solved from, and its memory: references to values of the caller, made on the stack for one step.
@@ -177,8 +179,13 @@ struct StepView {
         return {scratch.problem, contact.centres(), scratch.solver, scratch.solution};
     }
     Coefficients<directions> coefficients() const {
-        return {contact.law, contact.memory,           contact.system.elements(),     step,
-                from.friction_coefficient, from.solver.stage_coefficient, scratch.mu};
+        return {contact.law,
+                contact.memory,
+                contact.system.elements(),
+                step,
+                from.friction_coefficient,
+                from.solver.stage_coefficient,
+                scratch.mu};
     }
     std::size_t histories() const { return scratch.problem.two_histories ? 2 : 1; }
 };
@@ -199,7 +206,8 @@ void begin(const StepView<directions>& view) {
         asked[2] = contact.system.elements().places_are_known();
         asked[By::half_width] = asked[By::half_length] && changes_shape(contact.system);
     }
-    if (asked[By::load]) scratch.tangents.bound_rate = contact.bound_per_pressure() * rate->head(contact.size()).matrix();
+    if (asked[By::load])
+        scratch.tangents.bound_rate = contact.bound_per_pressure() * rate->head(contact.size()).matrix();
 
     scratch.slip.setZero();
     scratch.work.setZero();
@@ -236,13 +244,13 @@ void set_matrix(const ContactData<directions>& contact, const Stage<directions, 
     });
 }
 
-/// Sets the bounds of a stage, or p_n/G if mu depends on slip. Bounds that are negligible become 0; with two directions,
-/// whose slip is judged by squares, bounds whose squares lose digits.
+/// Sets the bounds of a stage, or p_n/G if mu depends on slip. Bounds that are negligible become 0; with two
+/// directions, whose slip is judged by squares, bounds whose squares lose digits.
 template <int directions>
 void set_bounds(const StepView<directions>& view, const Stage<directions, double>& now) {
     const auto& [contact, step, from, load, scratch] = view;
     if (now.place.is_second && load.pressure_rate == nullptr) return;
-    Vector& bound = contact.varies() ? scratch.mu.pressure : scratch.problem.bound;
+    VectorX<double>& bound = contact.varies() ? scratch.mu.pressure : scratch.problem.bound;
     const auto end = load.pressure.head(contact.size());
     if (load.pressure_rate == nullptr || now.place.is_last()) {
         bound = contact.bound_per_pressure() * end.matrix();

@@ -29,11 +29,11 @@ namespace rollbem::detail {
 struct FrictionEvolution {
     const std::function<double(double)>& law;
     const FrictionMemory& memory;
-    double at_rest;            ///< mu_s(0)
-    const Vector& duration;    ///< of the period [s]
-    const Vector* before;      ///< mu before the period; null in steady rolling: mu of the element ahead
-    const Vector& pressure;    ///< p_n/G; without pressure the coefficient is mu_s(0)
-    double velocity_per_slip;  ///< slip velocity [m/s] over the solver's slip
+    double at_rest;                   ///< mu_s(0)
+    const VectorX<double>& duration;  ///< of the period [s]
+    const VectorX<double>* before;    ///< mu before the period; null in steady rolling: mu of the element ahead
+    const VectorX<double>& pressure;  ///< p_n/G; without pressure the coefficient is mu_s(0)
+    double velocity_per_slip;         ///< slip velocity [m/s] over the solver's slip
 
     bool has_pressure(Index i) const { return pressure[i] > 0; }
 
@@ -65,17 +65,17 @@ public:
 
     explicit SlipDependentFriction(Index n)
         : coupling_(n, n), by_friction_(n, n), newton_(n, n), swaps_(static_cast<std::size_t>(n)) {
-        for (Vector* vector : {&start_, &mu_, &residual_, &tried_, &step_, &velocity_, &slope_, &kept_, &response_,
-                               &gain_, &newton_slope_, &newton_gain_, &newton_kept_}) {
+        for (VectorX<double>* vector : {&start_, &mu_, &residual_, &tried_, &step_, &velocity_, &slope_, &kept_,
+                                        &response_, &gain_, &newton_slope_, &newton_gain_, &newton_kept_}) {
             vector->setZero(n);
         }
     }
 
     Index size() const { return start_.size(); }
 
-    /// Starts from `friction`, finite and not negative, and overwrites it with the result, and the bounds of the problem.
-    /// StickSlipSolver::start() comes first.
-    Outcome solve(const FrictionEvolution& evolution, const Stage& stage, Vector& friction) noexcept {
+    /// Starts from `friction`, finite and not negative, and overwrites it with the result, and the bounds of the
+    /// problem. StickSlipSolver::start() comes first.
+    Outcome solve(const FrictionEvolution& evolution, const Stage& stage, VectorX<double>& friction) noexcept {
         Search search{evolution, stage, friction, (std::max)(evolution.at_rest, friction.maxCoeff())};
         Outcome& outcome = search.outcome;
         Solution& solution = stage.solution;
@@ -107,7 +107,8 @@ public:
     /// `friction_change`. The causes are a change of the problem at constant mu and, unless null, the change `before`
     /// of each particle's mu_before. `friction_change` must differ from all vectors of the causes.
     void respond(const FrictionEvolution& evolution, const Stage& stage, const ProblemChange<directions>& change,
-                 const Vector* before, Vector& friction_change, std::array<Vectors<directions>, directions>& dp) {
+                 const VectorX<double>* before, VectorX<double>& friction_change,
+                 std::array<Vectors<directions>, directions>& dp) {
         auto& solver = stage.solver;
         solver.respond(stage.problem, stage.solution, change, stage.centres, dp, &response_);
         double ahead = 0;
@@ -130,8 +131,8 @@ private:
     struct Search {
         const FrictionEvolution& evolution;
         const Stage& stage;
-        Vector& friction;
-        double largest;       // mu at rest or at the start; a rising law may lead far above it
+        VectorX<double>& friction;
+        double largest;        // mu at rest or at the start; a rising law may lead far above it
         double tolerance = 0;  // residual that rounding explains
         int rounds = 0, path_points = 0;
         Outcome outcome{};
@@ -292,7 +293,7 @@ private:
     }
 
     // Overwrites direct changes of the coefficients with the total changes that they cause.
-    void find_total_change(const StickSlipSolver<directions>& solver, Vector& change) {
+    void find_total_change(const StickSlipSolver<directions>& solver, VectorX<double>& change) {
         for (Index k = 0; k < count_; ++k) response_[k] = change[solver.sliding(k)];
         solve_in_place<double>(newton_.topLeftCorner(count_, count_), swaps_.data(), response_.head(count_));
         change.noalias() += by_friction_.leftCols(count_) * response_.head(count_);
@@ -300,11 +301,11 @@ private:
 
     static constexpr std::uint64_t never = (std::numeric_limits<std::uint64_t>::max)();
 
-    Vector start_, mu_, residual_, tried_, step_;
-    Vector velocity_, slope_, kept_;  // v; d right-hand side / d slip and / d mu of the element ahead
-    Vector response_, gain_;
+    VectorX<double> start_, mu_, residual_, tried_, step_;
+    VectorX<double> velocity_, slope_, kept_;  // v; d right-hand side / d slip and / d mu of the element ahead
+    VectorX<double> response_, gain_;
     Matrix coupling_, by_friction_, newton_;
-    Vector newton_slope_, newton_gain_, newton_kept_;  // data of the present by_friction_ and newton_
+    VectorX<double> newton_slope_, newton_gain_, newton_kept_;  // data of the present by_friction_ and newton_
     std::uint64_t coupling_revision_ = never, newton_revision_ = never, revision_ = 0;
     Index count_ = 0;  // number of elements that slide
     bool is_regular_ = false;

@@ -39,7 +39,7 @@ public:
 
     /// Sets the directions and the stiffness of each sliding element.
     template <class Rotation>
-    void aim(const RoleLists& lists, const Vectors<2>& direction, const Vectors<2>& slip, const Vector& bound,
+    void aim(const RoleLists& lists, const Vectors<2>& direction, const Vectors<2>& slip, const VectorX<double>& bound,
              const Rotation& rotation) {
         count_ = lists.sliding();
         for (Index l = 0; l < count_; ++l) {
@@ -50,8 +50,8 @@ public:
             against_.row(l) = against;
             aside_.row(l) << -against[1], against[0];
             // the stiffness stays finite, however small the bound
-            stiffness_[l] = std::clamp(-against.dot(slip.row(i)) / bound[i], 0.0,
-                                       (std::numeric_limits<double>::max)() / 1000);
+            stiffness_[l] =
+                std::clamp(-against.dot(slip.row(i)) / bound[i], 0.0, (std::numeric_limits<double>::max)() / 1000);
         }
     }
     /// False if the equations are singular to working precision.
@@ -79,7 +79,7 @@ public:
 
 private:
     Vectors<2> along_, across_, against_, aside_;
-    Vector stiffness_, turn_;
+    VectorX<double> stiffness_, turn_;
     MatrixX<double> factors_;
     std::vector<Index> swaps_;
     Index count_ = 0;

@@ -15,6 +15,7 @@
 #include "../../detail/in_place_lu.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
+#include "roles.hpp"
 
 namespace rollbem::detail {
 
@@ -24,12 +25,12 @@ namespace rollbem::detail {
 template <int directions>
 class SlipMatrix {
 public:
-    using Index = Eigen::Index;
     using Vector = VectorX<double>;
     using Vectors = ElementVectors<directions>;
     using Matrix = MatrixX<double>;
 
-    explicit SlipMatrix(Index n, bool coupled = false) : n_(n), coupled_(directions == 2 && coupled), projection_step_(n) {
+    explicit SlipMatrix(Index n, bool coupled = false)
+        : n_(n), coupled_(directions == 2 && coupled), projection_step_(n) {
         const bool inverts = directions == 2;
         for (std::size_t g = 0; g < groups(); ++g) {
             group_[g].setZero(group_size(), group_size());
@@ -83,7 +84,8 @@ public:
         for (std::size_t d = 0; d < directions; ++d) {
             for (Index j = 0; j < n_; ++j) projection_step_ = projection_step_.cwiseMax(block(d, d).col(j).cwiseAbs());
         }
-        for (double& projection_step : projection_step_) projection_step = projection_step > 0 ? 1 / projection_step : 1.0;
+        for (double& projection_step : projection_step_)
+            projection_step = projection_step > 0 ? 1 / projection_step : 1.0;
         projection_step_is_known_ = true;
         return projection_step_;
     }

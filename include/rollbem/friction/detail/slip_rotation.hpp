@@ -32,8 +32,7 @@ public:
         : rotation_(Vectors<directions>::Zero(n, directions)),
           along_slip_(rotation_),
           along_centre_(rotation_),
-          rate_(Vector::Zero(n)) {}
-
+          rate_(VectorX<double>::Zero(n)) {}
 
     bool turns() const { return turns_; }
     /// Whether any angle changes with the slip that find() was called with.
@@ -60,7 +59,8 @@ public:
     }
 
     /// Finds the changes of the angles caused by a change of the slip that find() was called with.
-    void find_angle_change(const CentreValues<double>& centres, const Vectors<directions>& slip_change, Vector& angle_change) const {
+    void find_angle_change(const CentreValues<double>& centres, const Vectors<directions>& slip_change,
+                           VectorX<double>& angle_change) const {
         angle_change.setZero();
         for (Index i = 0; i < rate_.size(); ++i) {
             if (rate_[i] == 0) continue;
@@ -117,7 +117,7 @@ private:
 
     Vectors<directions> rotation_;                   // cosine and sine of the angles
     Vectors<directions> along_slip_, along_centre_;  // s_i and m_i of the angles, each over the square of its length
-    Vector rate_;               // 1 for angles that follow the slip, halved with them; 0 for others
+    VectorX<double> rate_;  // 1 for angles that follow the slip, halved with them; 0 for others
     bool turns_ = false, follows_ = false;
 };
 

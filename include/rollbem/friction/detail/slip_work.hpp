@@ -9,6 +9,7 @@
 #include "../../system/elements.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
+#include "roles.hpp"
 
 namespace rollbem::detail {
 
@@ -67,8 +68,6 @@ public:
     }
 
 private:
-    using Index = Eigen::Index;
-
     ArrayX<double> widths_;
     CentreValues<double> centres_;
     bool turned_;

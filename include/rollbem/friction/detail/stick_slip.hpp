@@ -34,10 +34,12 @@ namespace rollbem::detail {
 /// The problem of one stage, except for A, which the solver holds.
 template <int directions>
 struct StageProblem {
-    explicit StageProblem(Index n) : bound(Vector::Zero(n)) { constant.fill(Vectors<directions>::Zero(n, directions)); }
+    explicit StageProblem(Index n) : bound(VectorX<double>::Zero(n)) {
+        constant.fill(Vectors<directions>::Zero(n, directions));
+    }
 
     std::array<Vectors<directions>, directions> constant;  ///< c of the unrotated and of the rotated pass
-    Vector bound;                                          ///< b, finite and not negative
+    VectorX<double> bound;                                 ///< b, finite and not negative
     bool two_histories = false;                            ///< else both passes have the c of the first
 };
 
@@ -59,7 +61,7 @@ struct StageSolution {
         : pass(directions, Pass<directions>(n)),
           rotation(n),
           against_slip(Vectors<directions>::Zero(n, directions)),
-          slides(Vector::Zero(n)),
+          slides(VectorX<double>::Zero(n)),
           zones(static_cast<std::size_t>(n), Zone::stick) {}
 
     const Vectors<directions>& traction() const { return pass[last].traction; }
@@ -70,11 +72,11 @@ struct StageSolution {
     double slip_size(Index i) const { return length(ElementVector<directions>(slip().row(i))); }
 
     std::vector<Pass<directions>> pass;
-    std::size_t last = 0;              ///< index of the last pass
-    bool has_rotated = false;          ///< there has been a second pass since StickSlipSolver::start()
+    std::size_t last = 0;      ///< index of the last pass
+    bool has_rotated = false;  ///< there has been a second pass since StickSlipSolver::start()
     SlipRotation<directions> rotation;
     Vectors<directions> against_slip;  ///< unit vector against the slip of each sliding element; 0 for others
-    Vector slides;                     ///< 1 for each sliding element, 0 for others
+    VectorX<double> slides;            ///< 1 for each sliding element, 0 for others
     std::vector<Zone> zones;
     Index stick_count = 0;
     std::uint64_t revision = 0;  ///< changes whenever the result of find_slip_by_bounds() may change
@@ -89,7 +91,7 @@ struct StageSolution {
 template <int directions>
 struct ProblemChange {
     std::array<const Vectors<directions>*, directions> constant{};
-    const Vector* bound = nullptr;
+    const VectorX<double>* bound = nullptr;
 };
 
 template <int directions>
@@ -107,11 +109,11 @@ struct StageView {
 
 /// Solves a StageProblem. A solution exists for every A (a continuous variational inequality on a compact set: Hartman
 /// and Stampacchia 1966). Newton's method on the natural map p_i = P(p_i - rho_i R_i s_i), P the projection onto the
-/// ball of the bound, looks for it (semismooth: Qi and Sun 1993; for friction Alart and Curnier 1991; with one direction
-/// a primal-dual active set). An element with |p - rho R s| within its bound sticks in the next step, without any slip;
-/// any other keeps its traction at the bound and turns it. A step is halved while the residual of the map would grow. If
-/// Newton's method gets stuck, it starts once more from full sliding, then from points of a Homotopy. If that fails,
-/// too, the result is the best point found.
+/// ball of the bound, looks for it (semismooth: Qi and Sun 1993; for friction Alart and Curnier 1991; with one
+/// direction a primal-dual active set). An element with |p - rho R s| within its bound sticks in the next step, without
+/// any slip; any other keeps its traction at the bound and turns it. A step is halved while the residual of the map
+/// would grow. If Newton's method gets stuck, it starts once more from full sliding, then from points of a Homotopy. If
+/// that fails, too, the result is the best point found.
 ///
 /// Where centres are given, a second pass with rotated slip follows, which starts from the first. Sticking still means
 /// s_i = 0. If the second pass finds no solution, all angles are halved.
@@ -141,7 +143,7 @@ public:
           difference_(trial_),
           slip_response_(trial_),
           unit_response_(trial_),
-          angle_change_(Vector::Zero(n)),
+          angle_change_(VectorX<double>::Zero(n)),
           unit_(angle_change_),
           homotopy_(n) {}
 
@@ -192,9 +194,9 @@ public:
     /// change of |s|. The angles of rotated slip change with the first pass. To be called only if solution.has_tangent.
     void respond(const Problem& problem, const Solution& solution, const ProblemChange<directions>& change,
                  const Centres* centres, std::array<Vectors<directions>, directions>& dp,
-                 Vector* size_change = nullptr) {
+                 VectorX<double>* size_change = nullptr) {
         const auto *first = change.constant[0], *last = change.constant[problem.two_histories ? directions - 1 : 0];
-        const Vector* angles = nullptr;
+        const VectorX<double>* angles = nullptr;
         response_base_.forget();
         if (solution.last == 1 || solution.rotation.follows()) {
             respond(solution, 0, {first, change.bound}, dp[0]);
@@ -238,8 +240,8 @@ private:
     // dc and the changes of bounds and angles; null: none. `of_slip_alone`: tractions of stick are not wanted.
     struct Cause {
         const Vectors<directions>* constant;
-        const Vector* bound;
-        const Vector* angle = nullptr;
+        const VectorX<double>* bound;
+        const VectorX<double>* angle = nullptr;
         bool of_slip_alone = false;
     };
 
@@ -276,7 +278,7 @@ private:
     }
 
     // Adapts the roles of a pass to other bounds.
-    static void adapt(const Vector& bound, Pass<directions>& pass) {
+    static void adapt(const VectorX<double>& bound, Pass<directions>& pass) {
         for (Index i = 0; i < bound.size(); ++i) {
             if (bound[i] == 0) {
                 pass.roles.release(i);
@@ -438,7 +440,7 @@ private:
         search.pass().slip += search.problem.constant;
     }
     void return_to_best(const Search& search) {
-        const Vector& bound = search.problem.bound;
+        const VectorX<double>& bound = search.problem.bound;
         Pass<directions>& pass = search.pass();
         if (least_ < huge) pass.traction = best_;
         find_slip(search);
@@ -482,7 +484,7 @@ private:
     Vectors<directions> refined_;     // c'
     Vectors<directions> difference_;  // starting tractions of the second pass minus those of the first
     Vectors<directions> slip_response_, unit_response_;
-    Vector angle_change_, unit_;
+    VectorX<double> angle_change_, unit_;
     SlipRotation<directions> unrotated_{0};
     Homotopy<directions> homotopy_;
     double excess_ = 0;      // largest excess of sticking tractions over their bounds, relative
@@ -597,7 +599,7 @@ template <int directions>
 void StickSlipSolver<directions>::check(const Problem& problem, Solution& solution) {
     Pass<directions>& pass = solution.pass[solution.last];
     const auto& rotation = solution.last == 0 ? unrotated_ : solution.rotation;
-    const Vector& bound = problem.bound;
+    const VectorX<double>& bound = problem.bound;
     double slip = error_, excess = 0;
     const bool finite = is_finite(slip) && all_finite(pass.traction) && all_finite(pass.slip);
     bool is_same = directions == 1;
