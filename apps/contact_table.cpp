@@ -21,8 +21,9 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/wheelset.hpp>
+#include <rollbem/vehicle/contact_table.hpp>
 #include <rollbem/vehicle/make_contact_table.hpp>
+#include <rollbem/vehicle/wheelset_forces.hpp>
 
 #include "contact/contact.hpp"
 #include "support/csv.hpp"

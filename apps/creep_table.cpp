@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/creep_force_table.hpp>
 #include <rollbem/compiled/patch.hpp>
+#include <rollbem/vehicle/creep_force_table.hpp>
 #include <rollbem/vehicle/make_creep_force_table.hpp>
 
 #include "support/csv.hpp"

@@ -12,9 +12,10 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/compiled/wheelset.hpp>
+#include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/vehicle/patch_stress.hpp>
 #include <rollbem/vehicle/wear.hpp>
+#include <rollbem/vehicle/wheelset_forces.hpp>
 
 #include "profile/profile.hpp"
 #include "support/csv.hpp"

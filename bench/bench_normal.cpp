@@ -9,10 +9,13 @@
 
 #include <benchmark/benchmark.h>
 
-#include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/normal_contact.hpp>
+#include <rollbem/normal/standard_profiles.hpp>
 #include <rollbem/normal/virtual_penetration.hpp>
+#include <rollbem/normal/wheel_on_rail.hpp>
+#include <rollbem/vehicle/contact_table.hpp>
+#include <rollbem/vehicle/creep_force_table.hpp>
 
 namespace {
 

@@ -21,9 +21,9 @@
 #include <benchmark/benchmark.h>
 
 #include <rollbem/assembly/patch_shapes.hpp>
-#include <rollbem/compiled/creep_force_table.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
+#include <rollbem/vehicle/creep_force_table.hpp>
 #include <rollbem/vehicle/simplified_theory.hpp>
 
 namespace {

@@ -2,12 +2,13 @@
 # check_includes.sh INCLUDE_DIR: checks the #include lines of the headers in INCLUDE_DIR/rollbem.
 # Folders are stages: a header includes only its own stage and earlier ones, and there is no cycle. The kernels do not
 # depend on meshes, systems on neither, nor the reference on the assembly; only reference/ needs GSL, the time stepper
-# includes no eigenvalue headers, only compiled/ needs a compiled library, and refers to its alignment, nothing prints,
-# and all reach the check of the language.
+# includes no eigenvalue headers, nothing prints, and all reach the check of the language.
+# Bodies, impl/NAME.ipp and .tpp, include their face NAME.hpp first, and nothing but it includes them, last and unless
+# ROLLBEM_COMPILED is defined, which stands nowhere else; a face with bodies includes nothing internal.
 set -eu
 cd "$1"
 
-find rollbem -name '*.hpp' | LC_ALL=C sort | xargs awk '
+find rollbem -name '*.hpp' -o -name '*.ipp' -o -name '*.tpp' | LC_ALL=C sort | xargs awk '
 function complain(text) { print text; ++complaints }
 function stage(file,  parts) {
     return split(file, parts, "/") > 2 ? parts[2] : parts[2] == "rollbem.hpp" ? "umbrella" : "root"
@@ -26,13 +27,13 @@ function resolve(directory, target,  parts, count, kept, i, path) {
     return path
 }
 
-# Depth-first search: 1 while a header is open, 2 when it is done.
+# Depth-first search: 1 while a header is open, 2 when it is done. Where a face includes its bodies, it is complete.
 function find_cycle(file, trail,  list, count, i) {
     state[file] = 1
     count = split(includes[file], list, " ")
     for (i = 1; i <= count; ++i) {
-        if (state[list[i]] == 1) complain("include cycle: " trail " -> " list[i])
-        else if (!state[list[i]] && list[i] in known) find_cycle(list[i], trail " -> " list[i])
+        if (state[list[i]] == 1 && list[i] !~ /\.ipp$/) complain("include cycle: " trail " -> " list[i])
+        else if (!state[list[i]] && list[i] in known && list[i] !~ /\.ipp$/) find_cycle(list[i], trail " -> " list[i])
     }
     state[file] = 2
 }
@@ -70,6 +71,22 @@ FNR == 1 {
     known[FILENAME] = 1
     directory = FILENAME
     sub(/\/[^\/]*$/, "", directory)
+    name = substr(FILENAME, length(directory) + 2)
+    sub(/\.[a-z]*$/, "", name)
+    bodies = directory ~ /\/impl$/
+    face = bodies ? substr(directory, 1, length(directory) - 4) name ".hpp" : ""
+    tail = ""
+}
+
+FILENAME != "rollbem/detail/decl.hpp" {
+    if (/ROLLBEM_COMPILED/) {
+        if ($0 != "#ifndef ROLLBEM_COMPILED" || tail) complain(FILENAME ":" FNR ": ROLLBEM_COMPILED beside the tail of a face")
+        tail = "opened"
+    } else if (tail == "opened") {
+        if ($0 != "#include \"impl/" name ".ipp\"") complain(FILENAME ":" FNR ": not the bodies of " name ".hpp")
+        tail = "included"
+    } else if (tail == "closed") complain(FILENAME ":" FNR ": code after the bodies")
+    if (tail == "included" && /^#endif/) tail = "closed"
 }
 
 /^[ \t]*#[ \t]*include/ {
@@ -80,6 +97,17 @@ FNR == 1 {
     sub(/^["<]/, "", target)
     sub(/[">].*$/, "", target)
     if (quoted) target = resolve(directory, target)
+    if (bodies && !(FILENAME in begun)) {
+        begun[FILENAME] = 1
+        if (target == face) {
+            faces[FILENAME] = face
+            next
+        }
+        complain(FILENAME " does not include " face " first")
+    }
+    if (target ~ /\.[it]pp$/ && target != directory "/impl/" name substr(target, length(target) - 3))
+        complain(FILENAME " includes bodies of another face: " target)
+    else if (target ~ /\.ipp$/ && tail == "") complain(FILENAME " includes its bodies under ROLLBEM_COMPILED, too")
     includes[FILENAME] = includes[FILENAME] " " target
 }
 
@@ -88,10 +116,14 @@ END {
         from = stage(file)
         if (!(from in rank)) complain(file ": folder " from " is none of the stages")
         count = split(includes[file], list, " ")
-        if (file != "rollbem/detail/language.hpp" && includes[file] !~ / rollbem\//)
+        if (file in faces && index(includes[faces[file]] " ", " " file " ") == 0)
+            complain(faces[file] " does not include its bodies")
+        if (file != "rollbem/detail/language.hpp" && includes[file] !~ / rollbem\// && !(file in faces))
             complain(file " does not check the language")
         for (i = 1; i <= count; ++i) {
             target = list[i]
+            if (includes[file] ~ /\.ipp( |$)/ && target ~ /\/detail\// && target !~ /\/(decl|hidden|language)\.hpp$/)
+                complain(file " shows what is internal: " target)
             if (target ~ /^rollbem\//) {
                 if (!(target in known)) complain(file " includes " target ", which does not exist")
                 else if (stage(target) == "umbrella") complain(file " includes the umbrella header")
@@ -111,8 +143,7 @@ END {
         if (from == "umbrella")
             forbid(file, "^(gsl|rollbem/reference|rollbem/studies)/", "the umbrella needs GSL, or studies")
         if (from == "compiled")
-            require(file, "rollbem/compiled/detail/alignment.hpp",
-                "does not refer to the alignment of rollbem::compiled")
+            require(file, "rollbem/detail/decl.hpp", "does not refer to the alignment of rollbem::compiled")
         if (from != "compiled") forbid(file, "^rollbem/compiled/", "needs the library rollbem::compiled")
         if (file ~ /\/(transient|friction\/model)\.hpp$/)
             forbid(file, "^Eigen/(Eigenvalues|Dense|Eigen)$", "the time stepper includes eigenvalues")

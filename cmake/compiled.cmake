@@ -1,9 +1,8 @@
-# rollbem::compiled: the library's largest templates compiled once for double, so that a program that includes
-# rollbem/compiled/*.hpp instead of the headers themselves need not compile them. Optional: the headers suffice.
-# Each of these headers lists templates as `extern template ...;`; its source, made here, is the same list without
-# `extern`. It spares a unit the members that are defined outside their class: those inside are inline, and compilers
-# instantiate them in every unit that calls them. Whatever a plain inline function calls is instantiated even where
-# nobody calls the function: that is why functions of double alone are templates of `std::same_as<double>`.
+# rollbem::compiled: bodies of headers, and the library's largest templates for double, compiled once. Optional: the
+# headers suffice. A program that links it defines ROLLBEM_COMPILED and includes the same headers: those that end with
+# impl/NAME.ipp then leave their bodies to the library, cmake/units/*.cpp.
+# The templates of other headers are compiled for a program that includes rollbem/compiled/*.hpp in their place. Each of
+# these headers lists templates as `extern template ...;`; its source, made here, is the same list without `extern`.
 # compile_header(name) makes compiled/name.cpp of it and sets name_source.
 function(compile_header name)
     set(header "${PROJECT_SOURCE_DIR}/include/rollbem/compiled/${name}.hpp")
@@ -17,34 +16,30 @@ function(compile_header name)
     file(CONFIGURE OUTPUT "${source}" CONTENT "${text}" @ONLY)
     set(${name}_source "${source}" PARENT_SCOPE)
 endfunction()
-foreach(name IN ITEMS steady adhesion stability friction patch creep_force_table wheelset studies)
+foreach(name IN ITEMS steady adhesion stability friction patch studies)
     compile_header(${name})
 endforeach()
 
-# The function by which the linker refuses units with another alignment, see the header.
-set(alignment_source "${PROJECT_BINARY_DIR}/compiled/alignment.cpp")
-set(same_alignment rollbem_compiled_has_another_eigen_alignment_compile_both_with_the_same_m_flags)
-file(CONFIGURE OUTPUT "${alignment_source}" @ONLY CONTENT
-"#include <rollbem/compiled/detail/alignment.hpp>
-
-template <int largest, int largest_static>
-int rollbem::@same_alignment@() {
-    return largest;
-}
-template int rollbem::@same_alignment@<EIGEN_MAX_ALIGN_BYTES, EIGEN_MAX_STATIC_ALIGN_BYTES>();
-")
+# The linker names the version that a unit was compiled for, see decl.hpp.
+set(decl "${PROJECT_SOURCE_DIR}/include/rollbem/detail/decl.hpp")
+file(STRINGS "${decl}" named REGEX "^int rollbem_compiled_${PROJECT_VERSION_MAJOR}_${PROJECT_VERSION_MINOR}_is_missing")
+if(NOT named)
+    message(FATAL_ERROR "${decl} and cmake/units/alignment.cpp name another version than ${PROJECT_VERSION}.")
+endif()
 
 # Objects of their own: what steady rolling needs, and the rest. steady_study links only the former.
-add_library(rollbem_compiled_steady OBJECT "${steady_source}" "${alignment_source}")
+set(units "${PROJECT_SOURCE_DIR}/cmake/units")
+add_library(rollbem_compiled_steady OBJECT "${steady_source}" "${units}/alignment.cpp")
 add_library(rollbem_compiled STATIC
-    "${adhesion_source}" "${stability_source}" "${friction_source}" "${patch_source}" "${creep_force_table_source}"
-    "${wheelset_source}" "${studies_source}"
+    "${adhesion_source}" "${stability_source}" "${friction_source}" "${patch_source}" "${studies_source}"
+    "${units}/contacts.cpp" "${units}/tables.cpp" "${units}/wheelset.cpp"
     $<TARGET_OBJECTS:rollbem_compiled_steady>)
 add_library(rollbem::compiled ALIAS rollbem_compiled)
 set_target_properties(rollbem_compiled PROPERTIES EXPORT_NAME compiled)
 foreach(target IN ITEMS rollbem_compiled_steady rollbem_compiled)
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     target_link_libraries(${target} PUBLIC rollbem)
+    target_compile_definitions(${target} PUBLIC ROLLBEM_COMPILED)
     if(TARGET rollbem_warnings)
         # not linked, so that the exported target does not name it
         target_compile_options(${target} PRIVATE $<TARGET_PROPERTY:rollbem_warnings,INTERFACE_COMPILE_OPTIONS>)

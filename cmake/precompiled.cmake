@@ -25,4 +25,5 @@ endfunction()
 
 set(rollbem_precompiled_headers
     <algorithm> <cmath> <complex> <cstddef> <functional> <limits> <map> <memory> <numbers> <optional> <string> <utility>
-    <variant> <vector> <rollbem/compiled/all.hpp> <rollbem/compiled/studies.hpp> <rollbem/compiled/wheelset.hpp>)
+    <variant> <vector> <rollbem/compiled/all.hpp> <rollbem/compiled/studies.hpp>
+    <rollbem/vehicle/contact_table.hpp> <rollbem/vehicle/wheelset_forces.hpp>)

@@ -15,18 +15,20 @@
 #include <Eigen/Core>
 #include <rollbem.h>
 
-#include <rollbem/compiled/creep_force_table.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/detail/require.hpp>
 #include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/load.hpp>
 #include <rollbem/normal/profile.hpp>
+#include <rollbem/normal/standard_profiles.hpp>
 #include <rollbem/normal/surface_file.hpp>
+#include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/rolling/run.hpp>
+#include <rollbem/vehicle/contact_table.hpp>
+#include <rollbem/vehicle/creep_force_table.hpp>
 
 using namespace rollbem;
 

@@ -10,7 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/wheelset.hpp>
+#include <rollbem/normal/wheel_on_rail.hpp>
+#include <rollbem/vehicle/contact_table.hpp>
+#include <rollbem/vehicle/creep_force_table.hpp>
+#include <rollbem/vehicle/wheelset_on_track.hpp>
 
 #include "contact.hpp"
 #include "profile/profile.hpp"

@@ -21,7 +21,11 @@
 #include <Eigen/Eigenvalues>
 
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/wheelset.hpp>
+#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/wheel_on_rail.hpp>
+#include <rollbem/vehicle/contact_table.hpp>
+#include <rollbem/vehicle/creep_force_table.hpp>
+#include <rollbem/vehicle/wheelset_forces.hpp>
 
 namespace {
 

@@ -11,7 +11,8 @@
 
 #include <Eigen/Dense>
 
-#include <rollbem/compiled/wheelset.hpp>
+#include <rollbem/vehicle/contact_table.hpp>
+#include <rollbem/vehicle/creep_force_table.hpp>
 
 namespace {
 

@@ -19,9 +19,12 @@
 
 #include <Eigen/Dense>
 
-#include <rollbem/compiled/wheelset.hpp>
+#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
+#include <rollbem/vehicle/creep_force_table.hpp>
 #include <rollbem/vehicle/wear.hpp>
+#include <rollbem/vehicle/wheelset_forces.hpp>
 
 namespace {
 

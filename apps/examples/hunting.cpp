@@ -19,7 +19,8 @@
 
 #include <Eigen/Eigenvalues>
 
-#include <rollbem/compiled/wheelset.hpp>
+#include <rollbem/vehicle/contact_table.hpp>
+#include <rollbem/vehicle/creep_force_table.hpp>
 
 namespace {
 

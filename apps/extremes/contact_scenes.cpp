@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/wheel_on_rail.hpp>
 
 #include "cases.hpp"
 #include "deformed_gap.hpp"

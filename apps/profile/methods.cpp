@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/normal/virtual_penetration.hpp>
+#include <rollbem/normal/wheel_on_rail.hpp>
 
 #include "profile.hpp"
 #include "support/sheet.hpp"

@@ -18,8 +18,9 @@
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/steady.hpp>
-#include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/normal/hertz_patch_load.hpp>
+#include <rollbem/vehicle/contact_table.hpp>
+#include <rollbem/vehicle/creep_force_table.hpp>
 
 #include "extremes/drawn.hpp"
 #include "friction/any_model.hpp"

@@ -1,4 +1,4 @@
-// What every header of rollbem::compiled includes, in a unit with another alignment, which the linker refuses.
-#include <rollbem/compiled/detail/alignment.hpp>
+// A header whose bodies are in rollbem::compiled, in a unit with another alignment, which the linker refuses.
+#include <rollbem/normal/standard_profiles.hpp>
 
 int main() {}

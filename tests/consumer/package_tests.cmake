@@ -31,13 +31,14 @@ endfunction()
 set(no_gsl -DCMAKE_DISABLE_FIND_PACKAGE_GSL=ON)
 add_consumer_test(find_package smallest "-DCMAKE_PREFIX_PATH=${prefix}" ${no_gsl})
 add_consumer_test(reference exact "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=reference)
+add_consumer_test(faces faces "-DCMAKE_PREFIX_PATH=${prefix}" ${no_gsl})
 add_consumer_test(compiled compiled "-DCMAKE_PREFIX_PATH=${prefix}" -DCOMPONENT=compiled ${no_gsl})
 # A unit with another alignment is not linked, and the linker says why.
 add_test(NAME package.other_alignment
     COMMAND ${CMAKE_COMMAND} --build "${CMAKE_CURRENT_BINARY_DIR}/consumer/compiled" --target other_alignment)
 set_tests_properties(package.compiled PROPERTIES FIXTURES_SETUP rollbem_compiled_consumer)
 set_tests_properties(package.other_alignment PROPERTIES LABELS package FIXTURES_REQUIRED rollbem_compiled_consumer
-    PASS_REGULAR_EXPRESSION "rollbem_compiled_has_another_eigen_alignment_compile_both_with_the_same_m_flags<128")
+    PASS_REGULAR_EXPRESSION "rollbem_compiled_0_4_is_missing_or_has_another_eigen_alignment_use_the_same_m_flags<128")
 add_consumer_test(subdirectory smallest -DROLLBEM_FROM=subdirectory ${no_gsl})
 add_consumer_test(fetch_content smallest -DROLLBEM_FROM=fetch ${no_gsl})
 add_consumer_test(pkg_config smallest "-DCMAKE_PREFIX_PATH=${prefix}" -DROLLBEM_FROM=pkg-config)

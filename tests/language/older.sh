@@ -9,7 +9,7 @@ trap 'rm -rf "$folder"' EXIT
 
 count=0
 alone=$(cd "$include" && find rollbem -name '*.hpp' | LC_ALL=C sort | while read -r header; do
-    grep '^#include "' "$header" | grep -qv 'language\.hpp"' || echo "$header"
+    grep '^#include "' "$header" | grep -qvE '(language|decl)\.hpp"|"impl/' || echo "$header"
 done)
 for header in rollbem/rollbem.hpp $alone; do
     echo "#include <$header>" > "$folder/unit.cpp"

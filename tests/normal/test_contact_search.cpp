@@ -11,7 +11,8 @@
 
 #include <Eigen/Core>
 
-#include <rollbem/compiled/wheelset.hpp>
+#include <rollbem/normal/detail/patch_shape.hpp>
+#include <rollbem/normal/detail/region_solver.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/standard_profiles.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
@@ -461,14 +462,14 @@ TEST_CASE("contact_search: a contact that another one lifts is none", "[profiles
     const Profile crowns =
         piece(-0.05, 0.05, 401, [](double y) { return std::pow(std::abs(y) - 0.03, 2) / 0.6 + (y > 0 ? 6e-5 : 0); });
     const WheelOnRail wheel(cylinder(), crowns, above);
-    detail::ContactParts<> parts;
-    REQUIRE(parts.locate(wheel.geometry(), {}, coarse_cells) == Status::ok);
-    const double touching = parts.touch() + 9e-5, lifted = parts.touch() + 6.05e-5;
-    parts.divide(touching);
+    detail::RegionSolver solver;
+    REQUIRE(solver.locate(wheel.geometry(), {}, coarse_cells) == Status::ok);
+    const double touching = solver.touch() + 9e-5, lifted = solver.touch() + 6.05e-5;
+    solver.divide(touching);
     for (const int round : {0, 1, 2}) {
-        parts.refine(lifted, round, false, true);
-        parts.settle(0, 1e-6, false);
-        CHECK(parts.patches(0).size() == 1);
+        solver.refine(lifted, round, false, true);
+        solver.settle(0, 1e-6, false);
+        CHECK(solver.patches(0).size() == 1);
     }
 }
 
@@ -513,7 +514,7 @@ TEST_CASE("contact_search: interaction is within 0.1 of finite elements, and nev
     }
 }
 
-TEST_CASE("contact_search: pieces are chains of rows that touch, at corners, too, by the heavier branch",
+TEST_CASE("contact_search: patches are chains of rows that touch, at corners, too, by the heavier branch",
           "[profiles]") {
     Eigen::ArrayXXd p = Eigen::ArrayXXd::Zero(8, 4);  // columns are rows y = const
     p.col(0).segment(3, 2) = 4;                       // two branches, both beside corners of the next row
@@ -522,7 +523,7 @@ TEST_CASE("contact_search: pieces are chains of rows that touch, at corners, too
     p.col(2).segment(3, 2) = 2;  // two branches again
     p.col(2).segment(7, 1) = 9;
     p.col(3).segment(0, 2) = 1;  // a cell away
-    const std::vector<Eigen::ArrayXXd> found = detail::pieces(p);
+    const std::vector<Eigen::ArrayXXd> found = detail::split_into_patches(p);
     REQUIRE(found.size() == 4);
     for (const auto& [k, sum] : {std::pair{0, 10 + 6 + 9}, {1, 8}, {2, 4}, {3, 2}})
         CHECK(found[std::size_t(k)].sum() == sum);

@@ -272,7 +272,7 @@ TEST_CASE("patch_shape: pieces that rows cut once", "[normal]") {
                                3, 1, 4, 0, 0,                           //
                                0, 0, 0, 0, 5)
                                   .finished();
-    const std::vector<Eigen::ArrayXXd> found = detail::pieces(p);
+    const std::vector<Eigen::ArrayXXd> found = detail::split_into_patches(p);
     Eigen::ArrayXXd sum = Eigen::ArrayXXd::Zero(7, 5);
     std::vector<double> loads;
     for (const Eigen::ArrayXXd& piece : found) {

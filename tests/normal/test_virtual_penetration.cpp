@@ -7,11 +7,13 @@
 #include <numbers>
 #include <vector>
 
-#include <rollbem/compiled/wheelset.hpp>
+#include <rollbem/normal/detail/contact_region.hpp>
+#include <rollbem/normal/detail/rail_samples.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/rigid_contact.hpp>
 #include <rollbem/normal/standard_profiles.hpp>
 #include <rollbem/normal/virtual_penetration.hpp>
+#include <rollbem/normal/wheel_on_rail.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"
@@ -198,13 +200,13 @@ TEST_CASE("virtual_penetration: deepest places aside from the middle lie on the 
         for (const VirtualPenetration& found :
              virtual_penetration(wheel, {.lateral = lateral, .height = touch + 1.2e-4})) {
             REQUIRE(found.status == Status::ok);
-            const auto samples = geometry.rail_samples(0);
+            const auto samples = detail::rail_samples(geometry, 0);
             const auto nearest =
                 std::min_element(samples.begin(), samples.end(), [&](const auto& one, const auto& two) {
                     return std::hypot(one.y - found.y, one.z - found.z) < std::hypot(two.y - found.y, two.z - found.z);
                 });
             CAPTURE(lateral, found.y, found.z);
-            CHECK(std::abs(detail::foot_on_rail(geometry, 0, nearest->s, 0, found.y, found.z).depth) < 1e-7);
+            CHECK(std::abs(detail::closest_on_rail(geometry, 0, nearest->s, 0, found.y, found.z).depth) < 1e-7);
         }
     }
 }

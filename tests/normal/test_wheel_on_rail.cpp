@@ -12,10 +12,12 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/wheelset.hpp>
+#include <rollbem/compiled/friction.hpp>
+#include <rollbem/elasticity/rectangle_kernel.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/standard_profiles.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
+#include <rollbem/vehicle/detail/wheelset_velocity.hpp>
 #include <rollbem/vehicle/wear.hpp>
 #include <rollbem/vehicle/wheelset_forces.hpp>
 

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include <rollbem/compiled/adhesion.hpp>
-#include <rollbem/compiled/creep_force_table.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/rolling/run.hpp>
+#include <rollbem/vehicle/contact_table.hpp>
+#include <rollbem/vehicle/creep_force_table.hpp>
 #include <rollbem/vehicle/reduced_friction.hpp>
 
 #include "support/catch.hpp"

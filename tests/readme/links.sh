@@ -53,7 +53,7 @@ trap 'rm -f "$names"' EXIT
 sources=$(find include apps tests bench cmake CMakeLists.txt -type f -not -path '*/corpus/*' -not -path '*/results/*')
 { echo "$sources"; echo "$sources" | xargs sed 's,//.*,,'; } | grep -aoE '[A-Za-z_][A-Za-z0-9_]*' | sort -u >"$names"
 unknown=$({
-    find include -name '*.hpp' -exec grep -hE '^ */// {4,}' {} + | sed 's,///,,; s,//.*,,'
+    find include -name '*.[hit]pp' -exec grep -hE '^ */// {4,}' {} + | sed 's,///,,; s,//.*,,'
     find docs -name '*.md' -not -name fmu.md -exec grep -hoE '`[^`]*`' README.md CONTRIBUTING.md {} + # FMUs: by parts
 } | grep -oE '\b[a-z]{3,}(_[a-z]{2,})+\b' | sort -u | comm -23 - "$names")
 [ -z "$unknown" ] || { echo "names that no code has: $unknown"; exit 1; }

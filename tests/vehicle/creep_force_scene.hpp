@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <rollbem/compiled/creep_force_table.hpp>
+#include <rollbem/vehicle/creep_force_table.hpp>
 
 namespace creep_forces {
 

@@ -5,11 +5,13 @@
 #include <numbers>
 #include <optional>
 
-#include <rollbem/compiled/wheelset.hpp>
 #include <rollbem/detail/gauss_legendre.hpp>
+#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/vehicle/flash_temperature.hpp>
 #include <rollbem/vehicle/patch_force.hpp>
 #include <rollbem/vehicle/rail_friction.hpp>
+#include <rollbem/vehicle/wheelset_on_track.hpp>
 
 #include "support/catch.hpp"
 #include "support/refusal.hpp"

@@ -6,7 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include <rollbem/compiled/wheelset.hpp>
+#include <rollbem/normal/standard_profiles.hpp>
+#include <rollbem/normal/wheel_on_rail.hpp>
 #include <rollbem/scene/mirror.hpp>
 #include <rollbem/vehicle/patch_elements.hpp>
 #include <rollbem/vehicle/patch_force.hpp>

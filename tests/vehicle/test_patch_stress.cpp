@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include <rollbem/compiled/wheelset.hpp>
+#include <rollbem/vehicle/patch_force.hpp>
 #include <rollbem/vehicle/patch_stress.hpp>
 
 #include "support/catch.hpp"

@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 
-#include <rollbem/compiled/creep_force_table.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
+#include <rollbem/vehicle/creep_force_table.hpp>
 #include <rollbem/vehicle/reduced_friction.hpp>
 
 #include "extremes/drawn.hpp"

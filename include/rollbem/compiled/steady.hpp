@@ -5,6 +5,8 @@
 // program must be built with the same options that affect the layout of Eigen's objects (-march and the like).
 #pragma once
 
+#include "../detail/decl.hpp"
+
 #include <cstddef>
 
 #include <Eigen/LU>
@@ -17,7 +19,6 @@
 #include "../elasticity/any_kernel.hpp"
 #include "../spectral/chebyshev.hpp"
 #include "../steady/steady.hpp"
-#include "detail/alignment.hpp"
 
 namespace Eigen {
 

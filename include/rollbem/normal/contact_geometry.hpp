@@ -1,16 +1,13 @@
 // A wheel and a rail in place: surfaces, dimensions of the track, origins. SI units.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
+#include "../detail/decl.hpp"
+
 #include <cstddef>
+#include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
-#include "../detail/require.hpp"
-#include "detail/curve_index.hpp"
-#include "profile_check.hpp"
 #include "surface.hpp"
 
 namespace rollbem {
@@ -35,34 +32,7 @@ struct TrackDimensions {
 
 namespace detail {
 
-/// The place of the rail in the track: the gauge is measured where the rail's inner side is narrowest down to
-/// gauge_depth below its top; the top is at z = 0 (EN 13848-1).
-inline TrackDimensions::Origin origin_by_gauge(const Profile& rail, const TrackDimensions& d) {
-    const auto root = [](double low, double high, const auto& rises) {
-        for (int k = 0; k < 60; ++k) (rises((low + high) / 2) ? low : high) = (low + high) / 2;
-        return low;
-    };
-    Eigen::Index top = 0;
-    rail.z().minCoeff(&top);
-    const double z_top = rail.at(highest_place(rail)).z;
-    // from the top inwards, as far as the depth
-    Eigen::Index below = top;
-    while (below > 0 && rail.z()[below] - z_top < d.gauge_depth) --below;
-    require(rail.z()[below] - z_top >= d.gauge_depth, "WheelOnRail", "depth of the rail's inner side",
-            rail.z()[below] - z_top, "be at least the gauge_depth; without an inner side give rail_origin");
-    const double deepest =
-        root(rail.s()[below], rail.s()[below + 1], [&](double s) { return rail.at(s).z - z_top >= d.gauge_depth; });
-    double narrowest = rail.at(deepest).y;
-    for (Eigen::Index i = below; i < top; ++i) {
-        const double from = (std::max)(rail.s()[i], deepest), to = rail.s()[i + 1];
-        if (rail.at(from).slope[0] < 0 && rail.at(to).slope[0] > 0) {
-            narrowest =
-                (std::min)(narrowest, rail.at(root(from, to, [&](double s) { return rail.at(s).slope[0] < 0; })).y);
-        }
-        narrowest = (std::min)(narrowest, rail.at(to).y);
-    }
-    return {d.gauge / 2 - narrowest, -z_top};
-}
+class CurveIndex;
 
 }  // namespace detail
 
@@ -72,32 +42,7 @@ public:
     /// Throws std::invalid_argument unless dimensions are positive and finite, 0 <= nu <= 0.5, profiles that are no
     /// pieces look like a wheel and a rail (require_wheel, require_rail), and the rail's place is given by rail_origin
     /// or, of a straight rail, by its inner side.
-    ContactGeometry(WheelSurface wheel, RailSurface rail, const TrackDimensions& dimensions)
-        : wheel_(std::move(wheel)), rail_(std::move(rail)), dimensions_(dimensions) {
-        constexpr const char* who = "WheelOnRail";
-        const TrackDimensions& d = dimensions_;
-        detail::require_positive(who, "gauge", d.gauge);
-        detail::require_positive(who, "gauge_depth", d.gauge_depth);
-        detail::require_finite(who, "flange_back", d.flange_back);
-        detail::require_finite(who, "tape_offset", d.tape_offset);
-        detail::require_positive(who, "radius", d.radius);
-        detail::require_positive(who, "shear_modulus", d.shear_modulus);
-        detail::require_poisson_ratio(who, d.poisson_ratio);
-        detail::require_positive(who, "compliance (1 - poisson_ratio) / shear_modulus", compliance());
-        if (wheel_.is_round()) require_wheel(wheel_.profile(), d.tape_offset);
-        if (!rail_.has_sections()) require_rail(rail_.profile());
-        if (d.rail_origin) {
-            detail::require_finite(who, "rail_origin.y", d.rail_origin->y);
-            detail::require_finite(who, "rail_origin.z", d.rail_origin->z);
-            origin_ = *d.rail_origin;
-        } else {
-            detail::require(rail_.is_straight(), who, "rail_origin", "not given",
-                            "be given for a roller and for a rail that changes along the track");
-            origin_ = detail::origin_by_gauge(rail_.profile(), d);
-        }
-        wheel_origin_ = d.flange_back / 2 + d.tape_offset;
-        if (is_plain()) index_.build(rail_samples(0));
-    }
+    ContactGeometry(WheelSurface wheel, RailSurface rail, const TrackDimensions& dimensions);
 
     const WheelSurface& wheel() const { return wheel_; }
     const RailSurface& rail() const { return rail_; }
@@ -112,35 +57,12 @@ public:
     /// Whether neither the wheel nor the rail changes along the way: contacts are then found on the wheel's silhouette.
     bool is_plain() const { return wheel_.is_round() && rail_.is_straight(); }
     /// The rail's points, where is_plain().
-    const detail::CurveIndex& index() const { return index_; }
+    const detail::CurveIndex& index() const { return *index_; }
 
     PlacedWheel placed(const WheelsetPosition& at) const { return {wheel_, wheel_origin_, dimensions_.radius, at}; }
 
     /// A point of the rail in track axes; x [m] along the track.
-    CurvePoint rail_at(std::size_t part, double s, double x) const {
-        CurvePoint p = rail_.at(part, s, x);
-        p.y += origin_.y;
-        p.z += origin_.z;
-        return p;
-    }
-
-    /// Points of the rail's curves at x, a quarter of a millimetre apart.
-    std::vector<detail::SurfaceSample> rail_samples(double x) const {
-        constexpr double distance = 2.5e-4;
-        std::vector<detail::SurfaceSample> samples;
-        for (std::size_t part = 0; part < rail_.parts(); ++part) {
-            if (!rail_.covers(part, x)) continue;
-            const double length = rail_.length(part);
-            const auto count = static_cast<std::size_t>(std::ceil(length / distance));
-            for (std::size_t k = 0; k <= count; ++k) {
-                const double s = length * double(k) / double(count);
-                const CurvePoint p = rail_at(part, s, x);
-                const double size = std::hypot(p.slope[0], p.slope[1]);
-                if (p.defined) samples.push_back({p.y, p.z, -p.slope[1] / size, p.slope[0] / size, part, s});
-            }
-        }
-        return samples;
-    }
+    CurvePoint rail_at(std::size_t part, double s, double x) const;
 
 private:
     WheelSurface wheel_;
@@ -148,7 +70,11 @@ private:
     TrackDimensions dimensions_;
     TrackDimensions::Origin origin_{};
     double wheel_origin_ = 0;
-    detail::CurveIndex index_;
+    std::shared_ptr<const detail::CurveIndex> index_;  ///< shared by copies; none unless is_plain()
 };
 
 }  // namespace rollbem
+
+#ifndef ROLLBEM_COMPILED
+#include "impl/contact_geometry.ipp"
+#endif

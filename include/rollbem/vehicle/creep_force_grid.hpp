@@ -1,17 +1,14 @@
 // The grid of a table of steady creep forces: the ellipses, creepages and spins at which forces must be known.
 #pragma once
 
-#include "../detail/language.hpp"
+#include "../detail/decl.hpp"
 
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "../detail/finite.hpp"
-#include "../detail/require.hpp"
 #include "../scene/creep_coefficients.hpp"
 #include "../scene/creepage.hpp"
 
@@ -56,42 +53,7 @@ public:
     /// `coefficients` belong to the ellipses a_over_b_of(i, ...), whose number is their count; `levels` nodes lie
     /// between no creepage and full sliding. Throws std::invalid_argument if the invariant is broken.
     CreepForceGrid(double poisson_ratio, double smallest_a_over_b, double largest_a_over_b, int levels,
-                   std::vector<CreepCoefficients<double>> coefficients)
-        : nu_(poisson_ratio),
-          smallest_(smallest_a_over_b),
-          largest_(largest_a_over_b),
-          levels_(levels),
-          coefficients_(std::move(coefficients)) {
-        detail::require(detail::is_finite(nu_) && nu_ >= 0 && nu_ <= 0.5, name, "poisson_ratio", nu_,
-                        "lie in [0, 0.5]");
-        detail::require(detail::is_finite(smallest_) && smallest_ > 0, name, "smallest_a_over_b", smallest_,
-                        "be positive and finite");
-        detail::require(detail::is_finite(largest_) && largest_ > smallest_, name, "largest_a_over_b", largest_,
-                        "be finite and above the smallest");
-        detail::require(levels_ >= 4 && levels_ <= 64, name, "levels", levels_, "lie in [4, 64]");
-        detail::require(shapes() >= 4 && shapes() <= 1000, name, "number of ellipses", shapes(), "lie in [4, 1000]");
-        const Eigen::Index count = coefficient_count(levels_, shapes());
-        detail::require(count <= most_coefficients, name,
-                        "number of coefficients (levels + 3)^2 (2 levels + 3) (shapes + 2)", count,
-                        "be at most 10000000");
-        scales_.resize(4, shapes());
-        for (Eigen::Index i = 0; i < shapes(); ++i) {
-            const CreepCoefficients<double>& c = coefficients_[static_cast<std::size_t>(i)];
-            for (const double one : {c.c11, c.c22, c.c23, -c.c32, c.c33}) {
-                detail::require(detail::is_finite(one) && one > 0, name, "creep coefficient (c32: its negative)", one,
-                                "be positive and finite");
-            }
-            scales_.col(i) << c.c11, c.c22, c.c23, std::sqrt(c.c11 * c.c22);
-        }
-        for (int i = 0; i < levels_; ++i) {
-            for (int j = -levels_ + 1; j < levels_; ++j) {
-                for (int k = j < 0 ? 1 : 0; k < levels_; ++k) {
-                    const int square = i * i + j * j + k * k;
-                    if (square > 0 && square < levels_ * levels_) nodes_.push_back({i, j, k});
-                }
-            }
-        }
-    }
+                   std::vector<CreepCoefficients<double>> coefficients);
 
     double poisson_ratio() const { return nu_; }
     double smallest_a_over_b() const { return smallest_; }
@@ -144,16 +106,7 @@ public:
         Eigen::Index shape, first, last;
     };
     /// All slabs, in the order of the nodes.
-    std::vector<Slab> slabs() const {
-        std::vector<Slab> slabs;
-        for (Eigen::Index shape = 0; shape < shapes(); ++shape) {
-            for (Eigen::Index node = 0; node < nodes(); ++node) {
-                if (node == 0 || place(node).x != place(node - 1).x) slabs.push_back({shape, node, node});
-                ++slabs.back().last;
-            }
-        }
-        return slabs;
-    }
+    std::vector<Slab> slabs() const;
 
     /// A point in coordinates of the lattice.
     struct Place {
@@ -172,3 +125,7 @@ private:
 };
 
 }  // namespace rollbem
+
+#ifndef ROLLBEM_COMPILED
+#include "impl/creep_force_grid.ipp"
+#endif

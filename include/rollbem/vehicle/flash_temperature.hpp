@@ -1,11 +1,10 @@
 // The flash temperature of a rolling contact: the heating of surfaces by friction in one passage.
 #pragma once
 
-#include "../detail/language.hpp"
+#include "../detail/decl.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include <Eigen/Core>
@@ -38,17 +37,11 @@ struct Heating {
 /// per area q [W/m^2] that is uniform in each element. `edges` ascend from the trailing to the leading edge [m], one
 /// more than `heat`; V [m/s] must be positive. Heat flows straight down, as in a half-space that passes fast (Carslaw
 /// and Jaeger 1959; Heating::passes_fast).
-inline Eigen::ArrayXd flash_temperature(const Eigen::ArrayXd& edges, const Eigen::ArrayXd& heat,
-                                        const Eigen::ArrayXd& at, double speed, const Heating& heating) {
-    const double factor = std::sqrt(heating.diffusivity() / (std::numbers::pi * speed)) / heating.conductivity;
-    const auto root = [](double x) { return std::sqrt((std::max)(x, 0.0)); };
-    Eigen::ArrayXd found = Eigen::ArrayXd::Zero(at.size());
-    for (Eigen::Index k = 0; k < at.size(); ++k) {
-        for (Eigen::Index i = 0; i < heat.size(); ++i) {
-            found[k] += heat[i] * (root(edges[i + 1] - at[k]) - root(edges[i] - at[k]));  // 2 of the root, q/2
-        }
-    }
-    return factor * found;
-}
+Eigen::ArrayXd flash_temperature(const Eigen::ArrayXd& edges, const Eigen::ArrayXd& heat, const Eigen::ArrayXd& at,
+                                 double speed, const Heating& heating);
 
 }  // namespace rollbem
+
+#ifndef ROLLBEM_COMPILED
+#include "impl/flash_temperature.ipp"
+#endif

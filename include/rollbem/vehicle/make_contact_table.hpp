@@ -18,6 +18,7 @@
 #include "../detail/require.hpp"
 #include "contact_table.hpp"
 #include "creep_force_table.hpp"
+#include "detail/free_pitch_rate.hpp"
 #include "detail/wheel_node.hpp"
 #include "wheelset_forces.hpp"
 

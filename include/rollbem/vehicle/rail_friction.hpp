@@ -1,14 +1,11 @@
 // Friction of a rail that varies over the rail's surface: a lubricated gauge face, a treated top.
 #pragma once
 
-#include <algorithm>
+#include "../detail/decl.hpp"
+
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
-
-#include "../detail/finite.hpp"
-#include "../detail/require.hpp"
 
 namespace rollbem {
 
@@ -21,34 +18,10 @@ public:
 
     /// Throws std::invalid_argument unless there is a node, nodes ascend, angles lie within a quarter turn and y within
     /// +-1 m, and coefficients are finite and not negative.
-    RailFriction(Over over, std::vector<double> nodes, std::vector<double> coefficients)
-        : over_(over), nodes_(std::move(nodes)), coefficients_(std::move(coefficients)) {
-        constexpr const char* name = "RailFriction";
-        detail::require(!nodes_.empty(), name, "number of nodes", nodes_.size(), "be at least 1");
-        detail::require(nodes_.size() == coefficients_.size(), name, "number of coefficients", coefficients_.size(),
-                        "be the number of nodes");
-        for (std::size_t k = 0; k < nodes_.size(); ++k) {
-            detail::require(detail::is_finite(nodes_[k]) && (k == 0 || nodes_[k] > nodes_[k - 1]), name, "node",
-                            nodes_[k], "be finite and above the one before");
-            constexpr double quarter = 1.5708;
-            detail::require(std::abs(nodes_[k]) <= (over == Over::angle ? quarter : 1), name, "node", nodes_[k],
-                            over == Over::angle ? "lie within a quarter turn: angles are in rad"
-                                                : "lie within +-1: places are in m");
-            detail::require(detail::is_finite(coefficients_[k]) && coefficients_[k] >= 0, name, "coefficient",
-                            coefficients_[k], "be finite and not negative");
-        }
-    }
+    RailFriction(Over over, std::vector<double> nodes, std::vector<double> coefficients);
 
     /// mu [-] where the surface has the angle [rad] and lies at y [m].
-    double at(double angle, double y) const {
-        const double place = over_ == Over::angle ? angle : y;
-        const auto above = std::upper_bound(nodes_.begin(), nodes_.end(), place);
-        if (above == nodes_.begin()) return coefficients_.front();
-        if (above == nodes_.end()) return coefficients_.back();
-        const auto k = static_cast<std::size_t>(above - nodes_.begin());
-        const double share = (place - nodes_[k - 1]) / (nodes_[k] - nodes_[k - 1]);
-        return coefficients_[k - 1] + share * (coefficients_[k] - coefficients_[k - 1]);
-    }
+    double at(double angle, double y) const;
 
 private:
     Over over_;
@@ -56,3 +29,7 @@ private:
 };
 
 }  // namespace rollbem
+
+#ifndef ROLLBEM_COMPILED
+#include "impl/rail_friction.ipp"
+#endif

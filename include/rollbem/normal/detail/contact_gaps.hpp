@@ -25,7 +25,6 @@ struct Gaps {
 };
 
 /// Finds gaps by Newton's method, each cell from its neighbour; keeps memory from one grid to the next.
-template <std::same_as<double> Real = double>
 class GapFinder {
 public:
     /// `track_x`: the place along the track of the rail's curve at x = 0; the wheel stands at `height`.

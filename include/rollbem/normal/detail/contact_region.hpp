@@ -13,44 +13,45 @@
 
 namespace rollbem::detail {
 
-/// The point of the rail nearest to a point of the wheel.
-struct Foot {
+/// The point of the rail closest to a point of the wheel.
+struct ClosestPoint {
     double s, y, z;
     double depth;                 ///< depth of the wheel's point below the rail's surface, along the surface's normal
                                   ///< [m]
-    std::array<double, 2> slope;  ///< slope of the curve at the foot
+    std::array<double, 2> slope;  ///< slope of the curve there
     bool inside;                  ///< false beyond an end of the curve
 
     double angle() const { return std::atan2(slope[1], slope[0]); }  ///< angle of the surface [rad]
 };
 
-/// Finds the foot from a first guess of its place; `x` along the track.
-inline Foot foot_on_rail(const ContactGeometry& geometry, std::size_t part, double s, double x, double y, double z) {
+/// Finds the closest point from a first guess of its place; `x` along the track.
+inline ClosestPoint closest_on_rail(const ContactGeometry& geometry, std::size_t part, double s, double x, double y,
+                                    double z) {
     const double length = geometry.rail().length(part);
     constexpr double enough = 1e-7;  // error of the place; the error of the depth is of second order in it
-    Foot foot{.s = s, .y = 0, .z = 0, .depth = 0, .slope = {1, 0}, .inside = true};
+    ClosestPoint closest{.s = s, .y = 0, .z = 0, .depth = 0, .slope = {1, 0}, .inside = true};
     for (int k = 0; k < 10; ++k) {
-        const CurvePoint p = geometry.rail_at(part, foot.s, x);
+        const CurvePoint p = geometry.rail_at(part, closest.s, x);
         const double square = p.slope[0] * p.slope[0] + p.slope[1] * p.slope[1],
                      step = ((y - p.y) * p.slope[0] + (z - p.z) * p.slope[1]) / square;
-        foot = {foot.s,  p.y,      p.z, ((z - p.z) * p.slope[0] - (y - p.y) * p.slope[1]) / std::sqrt(square),
-                p.slope, p.defined};
+        closest = {closest.s, p.y,      p.z, ((z - p.z) * p.slope[0] - (y - p.y) * p.slope[1]) / std::sqrt(square),
+                   p.slope,   p.defined};
         if (std::abs(step) < enough) break;
-        const double next = std::clamp(foot.s + step, 0.0, length);
-        if (next == foot.s) {  // the curve ends before the normal through the point
-            foot.inside = false;
+        const double next = std::clamp(closest.s + step, 0.0, length);
+        if (next == closest.s) {  // the curve ends before the normal through the point
+            closest.inside = false;
             break;
         }
-        foot.s = next;
+        closest.s = next;
     }
-    return foot;
+    return closest;
 }
 
-/// A point of the wheel and its foot on the rail.
-struct SurfaceCut {
+/// A point of the wheel and the closest point of the rail.
+struct PenetrationSample {
     double wheel_s, x, y, z;
-    Foot foot;
-    double width;  ///< the cut's share of the track's y [m], times its share of x between slices
+    ClosestPoint closest;
+    double width;  ///< share of the track's y [m], times the share of x between slices
 };
 
 /// Ends of a stretch of the rail's curve [m].
@@ -60,13 +61,13 @@ struct RailStretch {
     bool contains(double s) const { return s >= low && s < high; }
 };
 
-/// Cuts of one region; cuts beside the rail's surface have a depth of 0.
+/// A region where the wheel lies below the rail, by samples; those beside the rail's surface have a depth of 0.
 struct Region {
     std::size_t wheel_part = 0, rail_part = 0;
-    std::vector<SurfaceCut> cuts;
+    std::vector<PenetrationSample> samples;
     double x_low = 0, x_high = 0;  ///< ends of the overlap along x [m]
-    double power = 2.5;            ///< power of the depth in the weights of cuts
-    RailStretch rail{};            ///< the region's stretch; cuts beyond it belong to other regions
+    double power = 2.5;            ///< power of the depth in the weights of samples
+    RailStretch rail{};            ///< the region's stretch; samples beyond it belong to other regions
 };
 
 /// The plane of contact: its origin on the rail, s along y turned by the angle, n into the rail; and the region in it.
@@ -85,23 +86,24 @@ struct ContactPlane {
     double distance(const ContactPlane& other) const { return std::hypot(x - other.x, y - other.y, z - other.z); }
 };
 
-/// The point of the rail's surface below a cut that serves as reference point: z and angle at the cut's y; on a wall,
-/// at the cut's foot.
-struct Below {
+/// The point of the rail's surface below a sample that serves as reference point: z and angle at the sample's y; on a
+/// wall, at its closest point.
+struct RailPointBelow {
     double depth, angle, s;
 };
-inline Below below(const ContactGeometry& geometry, const Region& region, const SurfaceCut& cut, double track_x) {
+inline RailPointBelow rail_below(const ContactGeometry& geometry, const Region& region, const PenetrationSample& sample,
+                                 double track_x) {
     constexpr double wall = 0.03;  // dy/ds
-    const Below at_foot{cut.foot.depth, cut.foot.angle(), cut.foot.s};
-    double s = cut.foot.s;
+    const RailPointBelow at_closest{sample.closest.depth, sample.closest.angle(), sample.closest.s};
+    double s = sample.closest.s;
     for (int k = 0; k < 12; ++k) {
-        const CurvePoint p = geometry.rail_at(region.rail_part, s, track_x + cut.x);
-        if (!(p.slope[0] > wall)) return at_foot;
-        const double step = std::clamp((cut.y - p.y) / p.slope[0], -1e-3, 1e-3);
-        if (std::abs(step) < 1e-7) return {(std::max)(cut.z - p.z, 0.0), std::atan2(p.slope[1], p.slope[0]), s};
+        const CurvePoint p = geometry.rail_at(region.rail_part, s, track_x + sample.x);
+        if (!(p.slope[0] > wall)) return at_closest;
+        const double step = std::clamp((sample.y - p.y) / p.slope[0], -1e-3, 1e-3);
+        if (std::abs(step) < 1e-7) return {(std::max)(sample.z - p.z, 0.0), std::atan2(p.slope[1], p.slope[0]), s};
         s += step;
     }
-    return at_foot;
+    return at_closest;
 }
 
 /// The plane of a region, by means over the region, weighted by widths along the track's y and powers of the depth;
@@ -110,17 +112,17 @@ inline ContactPlane plane_of(const ContactGeometry& geometry, const Region& regi
     ContactPlane plane;
     double sum = 0, rail_s = 0;
     const auto add = [&](bool by_width) {
-        for (const SurfaceCut& cut : region.cuts) {
-            if (!(cut.foot.depth > 0)) continue;
-            const Below rail = below(geometry, region, cut, track_x);
-            const double weight = (by_width ? cut.width : 1) * std::pow(rail.depth, region.power);
+        for (const PenetrationSample& sample : region.samples) {
+            if (!(sample.closest.depth > 0)) continue;
+            const RailPointBelow rail = rail_below(geometry, region, sample, track_x);
+            const double weight = (by_width ? sample.width : 1) * std::pow(rail.depth, region.power);
             sum += weight;
-            plane.x += weight * cut.x;
-            plane.y += weight * cut.y;
+            plane.x += weight * sample.x;
+            plane.y += weight * sample.y;
             plane.angle += weight * rail.angle;
-            plane.wheel_s += weight * cut.wheel_s;
+            plane.wheel_s += weight * sample.wheel_s;
             rail_s += weight * rail.s;
-            plane.deepest = (std::max)(plane.deepest, cut.foot.depth);
+            plane.deepest = (std::max)(plane.deepest, sample.closest.depth);
         }
     };
     add(true);
@@ -143,9 +145,9 @@ inline ContactPlane plane_of(const ContactGeometry& geometry, const Region& regi
     plane.y = on_rail.y;
     plane.z = on_rail.z;
     bool first = true;
-    for (const SurfaceCut& cut : region.cuts) {
-        if (!(cut.foot.depth > 0)) continue;
-        const double s = plane.s(cut.foot.y, cut.foot.z);
+    for (const PenetrationSample& sample : region.samples) {
+        if (!(sample.closest.depth > 0)) continue;
+        const double s = plane.s(sample.closest.y, sample.closest.z);
         plane.low = first ? s : (std::min)(plane.low, s);
         plane.high = first ? s : (std::max)(plane.high, s);
         first = false;
@@ -159,36 +161,37 @@ inline ContactPlane plane_of(const ContactGeometry& geometry, const Region& regi
 /// 20 degrees.
 constexpr double joined_distance = 4e-3, joined_angle = 20 * std::numbers::pi / 180;
 
-/// The mean angle of the rail's surface at the feet of cuts or samples [rad], weighted by a power of their depths.
+/// The mean angle of the rail's surface at the points closest to samples [rad], weighted by a power of their depths.
 template <class Iterator>
 double mean_angle(Iterator first, Iterator last, double power) {
     double sum = 0, angle = 0;
     for (; first != last; ++first) {
-        const double weight = std::pow((std::max)(first->foot.depth, 0.0), power);
+        const double weight = std::pow((std::max)(first->closest.depth, 0.0), power);
         sum += weight;
-        angle += weight * first->foot.angle();
+        angle += weight * first->closest.angle();
     }
     return sum > 0 ? angle / sum : 0;
 }
 
-/// The place where a run of depths, of cuts or samples in the order of the wheel's curve, parts into two contacts;
-/// `last` if it holds one. It parts at the minimum between two maxima whose surroundings have different normals, if the
+/// The sample at which samples in the order of the wheel's curve split into two regions; `last` if they belong to one.
+/// They split at the minimum between two maxima whose surroundings have different normals, if the
 /// depth there is less than the share `edge` of both. Where a wheel yaws, contacts with different normals lie far apart
-/// along x, but one run holds them.
+/// along x, but the samples below the rail follow one another.
 template <class Iterator>
-Iterator parting(Iterator first, Iterator last) {
+Iterator find_split(Iterator first, Iterator last) {
     // depth over the largest depth at the long edges of an ellipse twelve times as long as wide, as on flanges
     constexpr double edge = 0.75;
-    const auto deeper = [](const auto& one, const auto& other) { return one.foot.depth < other.foot.depth; };
+    const auto deeper = [](const auto& one, const auto& other) { return one.closest.depth < other.closest.depth; };
     const double power = Region{}.power;
     Iterator found = last;
     if (last - first < 3) return found;
-    double before = first->foot.depth;
+    double before = first->closest.depth;
     for (Iterator at = first + 1; at + 1 != last; ++at) {
-        const double depth = at->foot.depth;
-        const bool lowest = depth < (at - 1)->foot.depth && depth <= (at + 1)->foot.depth && depth < edge * before;
-        if (lowest && (found == last || depth < found->foot.depth) &&
-            depth < edge * std::max_element(at, last, deeper)->foot.depth &&
+        const double depth = at->closest.depth;
+        const bool lowest =
+            depth < (at - 1)->closest.depth && depth <= (at + 1)->closest.depth && depth < edge * before;
+        if (lowest && (found == last || depth < found->closest.depth) &&
+            depth < edge * std::max_element(at, last, deeper)->closest.depth &&
             std::abs(mean_angle(first, at, power) - mean_angle(at, last, power)) >= joined_angle) {
             found = at;
         }
@@ -198,14 +201,14 @@ Iterator parting(Iterator first, Iterator last) {
 }
 
 /// The height at which the wheel's deepest point lies on the rail's surface, from a first guess; deepest(height)
-/// returns the point's foot, or nullptr if no point is near the rail, where the search ends.
+/// returns the rail's point closest to it, or nullptr if no point is near the rail, where the search ends.
 template <class Deepest>
 double touching_height(double height, const Deepest& deepest) {
     constexpr double enough = 1e-8, steepest = 0.05;
     for (int k = 0; k < 20; ++k) {
-        const Foot* const foot = deepest(height);
-        if (foot == nullptr) break;
-        const double change = foot->depth / (std::max)(std::cos(foot->angle()), steepest);
+        const ClosestPoint* const closest = deepest(height);
+        if (closest == nullptr) break;
+        const double change = closest->depth / (std::max)(std::cos(closest->angle()), steepest);
         height -= change;
         if (std::abs(change) < enough) break;
     }

@@ -16,7 +16,6 @@ namespace rollbem::detail {
 /// U p of nx x ny cells of size dx x dy, pressure constant in each: u at the centres times pi E*, with
 /// 1/E* = (1-nu_1)/(2 G_1) + (1-nu_2)/(2 G_2), is the alternating sum of x asinh(y/|x|) + y asinh(x/|y|) over the
 /// corners. The transforms are of twice the size, at least, so that nothing wraps around.
-template <std::same_as<double> Real = double>
 class GridConvolution {
 public:
     using Grid = Eigen::ArrayXXd;

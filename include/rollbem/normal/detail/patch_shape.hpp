@@ -29,7 +29,6 @@ struct Edge {
 
 /// A polynomial by least squares at the centres of cells with pressure along a line, counted from its edge inwards: the
 /// factors common to all lines with the same number of cells.
-template <std::same_as<double> Real = double>
 struct EdgeFit {
     using Vector = Eigen::Matrix<double, 5, 1>;
     using Matrix = Eigen::Matrix<double, 5, 5>;
@@ -84,10 +83,9 @@ struct EdgeFit {
 };
 
 /// Fits of lines on usual grids.
-template <std::same_as<double> Real = double>
-const std::vector<EdgeFit<>>& usual_edge_fits() {
-    static const std::vector<EdgeFit<>> fits = [] {
-        std::vector<EdgeFit<>> made;
+inline const std::vector<EdgeFit>& usual_edge_fits() {
+    static const std::vector<EdgeFit> fits = [] {
+        std::vector<EdgeFit> made;
         for (Eigen::Index count = 0; count <= 64; ++count) made.emplace_back(count);
         return made;
     }();
@@ -103,13 +101,13 @@ const std::vector<EdgeFit<>>& usual_edge_fits() {
 template <class Squares>
 Edge edge_distance(const Squares& squares, Eigen::Index count) {
     constexpr double inside = -0.5, outside = 1;
-    const std::vector<EdgeFit<>>& usual = usual_edge_fits();
-    std::optional<EdgeFit<>> other;
+    const std::vector<EdgeFit>& usual = usual_edge_fits();
+    std::optional<EdgeFit> other;
     const bool is_usual = std::size_t(count) < usual.size();
-    const EdgeFit<>& fit = is_usual ? usual[std::size_t(count)] : other.emplace(count);
+    const EdgeFit& fit = is_usual ? usual[std::size_t(count)] : other.emplace(count);
     if (!fit.is_known()) return {0.5, false};
     const double middle = fit.middle, scale = fit.scale;
-    EdgeFit<>::Vector c = fit.polynomial(squares);
+    EdgeFit::Vector c = fit.polynomial(squares);
     const auto value = [&](double from) {  // value of the polynomial at the distance `from` behind the centre of cell 0
         const double t = (-from - middle) / scale;
         return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4])));
@@ -155,18 +153,15 @@ std::vector<Interval> intervals(const Pressures& p, Eigen::Index count) {
     }
     return found;
 }
-template <std::same_as<double> Real = double>
-std::vector<Interval> row_intervals(const Eigen::ArrayXXd& p, Eigen::Index j) {
+inline std::vector<Interval> row_intervals(const Eigen::ArrayXXd& p, Eigen::Index j) {
     return intervals([&](Eigen::Index i) { return p(i, j); }, p.rows());
 }
-template <std::same_as<double> Real = double>
-std::vector<Interval> column_intervals(const Eigen::ArrayXXd& p, Eigen::Index i) {
+inline std::vector<Interval> column_intervals(const Eigen::ArrayXXd& p, Eigen::Index i) {
     return intervals([&](Eigen::Index j) { return p(i, j); }, p.cols());
 }
 
 /// The rectangle around all pressures: x from and to, y from and to.
-template <std::same_as<double> Real = double>
-std::array<double, 4> extents(const CellGrid& grid, const Eigen::ArrayXXd& p) {
+inline std::array<double, 4> extents(const CellGrid& grid, const Eigen::ArrayXXd& p) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     double left = infinite, right = -left, bottom = infinite, top = -bottom;
     for (Eigen::Index j = 0; j < grid.ny; ++j) {
@@ -221,10 +216,9 @@ private:
     std::vector<double> x_, y_, slope_;
 };
 
-/// Divides pressures into pieces that every row y = const cuts in one interval, heaviest first: each piece is the chain
+/// Splits pressures into patches that every row y = const cuts in one interval, heaviest first: each patch is the chain
 /// of touching intervals in neighbouring rows that carries most of the remaining load.
-template <std::same_as<double> Real = double>
-std::vector<Eigen::ArrayXXd> pieces(Eigen::ArrayXXd p) {
+inline std::vector<Eigen::ArrayXXd> split_into_patches(Eigen::ArrayXXd p) {
     struct Cut {
         Eigen::Index row, first, last;
         double load;
@@ -253,20 +247,19 @@ std::vector<Eigen::ArrayXXd> pieces(Eigen::ArrayXXd p) {
         auto at = std::max_element(all.begin(), all.end(),
                                    [](const Cut& one, const Cut& two) { return one.load < two.load; }) -
                   all.begin();
-        Eigen::ArrayXXd& piece = found.emplace_back(Eigen::ArrayXXd::Zero(p.rows(), p.cols()));
+        Eigen::ArrayXXd& patch = found.emplace_back(Eigen::ArrayXXd::Zero(p.rows(), p.cols()));
         for (; at >= 0; at = all[std::size_t(at)].before) {
-            const Cut& part = all[std::size_t(at)];
-            piece.col(part.row).segment(part.first, part.last - part.first + 1) =
-                p.col(part.row).segment(part.first, part.last - part.first + 1);
+            const Cut& cut = all[std::size_t(at)];
+            patch.col(cut.row).segment(cut.first, cut.last - cut.first + 1) =
+                p.col(cut.row).segment(cut.first, cut.last - cut.first + 1);
         }
-        p -= piece;
+        p -= patch;
     }
 }
 
 /// Outline of the cells with pressure, which every row y = const must cut in one interval; nothing otherwise, or if
 /// fewer than 3 rows have any. Where the border runs along the rows, it is determined by columns.
-template <std::same_as<double> Real = double>
-std::optional<Outline<double>> contact_outline(const CellGrid& grid, const Eigen::ArrayXXd& p) {
+inline std::optional<Outline<double>> contact_outline(const CellGrid& grid, const Eigen::ArrayXXd& p) {
     std::vector<std::vector<Interval>> columns;
     for (Eigen::Index i = 0; i < grid.nx; ++i) columns.push_back(column_intervals(p, i));
     // the interval of column i that touches the cells first ... last, preferably one that contains cell j
@@ -359,8 +352,7 @@ std::optional<Outline<double>> contact_outline(const CellGrid& grid, const Eigen
 }
 
 /// The largest pressure: the square of the pressure is nearly quadratic about its largest cell.
-template <std::same_as<double> Real = double>
-double peak_pressure(const Eigen::ArrayXXd& p) {
+inline double peak_pressure(const Eigen::ArrayXXd& p) {
     Eigen::Index i, j;
     const double largest = p.maxCoeff(&i, &j), square = largest * largest;
     double peak = square;

@@ -107,9 +107,8 @@ inline Eigen::ArrayXd spline_bends(const Eigen::ArrayXd& s, const Eigen::ArrayXd
 /// The curve f(s) between corners that minimises the sum of w_i (f(s_i) - f_i)^2 and lambda times the integral of
 /// f''^2, for each of both coordinates, at the points (Reinsch 1967). w_i is the length that belongs to a point, and
 /// lambda = (wave_length/2 pi)^4, so that waves of this length are halved.
-template <std::same_as<double> Real = double>
-std::array<Eigen::ArrayXd, 2> smooth_curve(const Eigen::ArrayXd& s, const std::vector<Eigen::Index>& corners,
-                                           const std::array<Eigen::ArrayXd, 2>& curve, double wave_length) {
+inline std::array<Eigen::ArrayXd, 2> smooth_curve(const Eigen::ArrayXd& s, const std::vector<Eigen::Index>& corners,
+                                                  const std::array<Eigen::ArrayXd, 2>& curve, double wave_length) {
     using Sparse = Eigen::SparseMatrix<double>;
     const Eigen::Index n = s.size();
     const double lambda = std::pow(wave_length / (2 * std::numbers::pi), 4);

@@ -12,11 +12,11 @@
 
 #include "../../status.hpp"
 #include "contact_region.hpp"
+#include "curve_index.hpp"
 
 namespace rollbem::detail {
 
 /// A search at one lateral position, roll and yaw: locate() first, then regions() at any height near the touching one.
-template <std::same_as<double> Real = double>
 class SilhouetteSearch {
 public:
     /// Finds the height at which the wheel, lowered, touches first.
@@ -35,9 +35,9 @@ public:
         if (lowest->at_border) return Status::undefined_section;
         // the highest points of the rail are known with the resolution of its samples
         touch_ = touching_height(touch_, [this](double height) {
-            find_feet(height);
+            find_closest_points(height);
             const Sample* const sample = deepest();
-            return sample == nullptr ? nullptr : &sample->foot;
+            return sample == nullptr ? nullptr : &sample->closest;
         });
         return Status::ok;
     }
@@ -46,19 +46,19 @@ public:
 
     /// The point of first touch: a point of the wheel at that height, and of the rail; nothing where a curve ends
     /// there. Follows locate().
-    std::optional<SurfaceCut> first_point() const {
+    std::optional<PenetrationSample> first_point() const {
         const Sample* const sample = deepest();
         if (sample == nullptr || sample == &samples_.front() || sample == &samples_.back()) return std::nullopt;
         double low = (sample - 1)->s, high = (sample + 1)->s;
-        SurfaceCut cut{};
+        PenetrationSample point{};
         for (int k = 0; k < 45; ++k) {
-            cut.wheel_s = (low + high) / 2;
-            const double steeper = place(cut, sample->foot.s);
+            point.wheel_s = (low + high) / 2;
+            const double steeper = place(point, sample->closest.s);
             if (!is_finite(steeper)) return std::nullopt;
-            (steeper > 0 ? high : low) = cut.wheel_s;
+            (steeper > 0 ? high : low) = point.wheel_s;
         }
-        if (!cut.foot.inside) return std::nullopt;
-        return cut;
+        if (!point.closest.inside) return std::nullopt;
+        return point;
     }
 
     /// Whether the wheel at the height of the last regions lies more than a millimetre within the rail somewhere.
@@ -66,44 +66,45 @@ public:
         constexpr double most = 1e-3;
         return std::any_of(samples_.begin(), samples_.end(), [this](const Sample& sample) {
             const double below = sample.z + height_ - geometry_->index().top(sample.y);
-            return below > most && (!sample.close || sample.foot.depth > most);
+            return below > most && (!sample.close || sample.closest.depth > most);
         });
     }
 
     /// The regions at a height, in the order of the wheel's curve.
     std::vector<Region> regions(double height) {
-        find_feet(height);
-        std::vector<Run> runs;
+        find_closest_points(height);
+        std::vector<SampleRange> ranges;
         for (std::size_t i = 0; i < samples_.size(); ++i) {
             const Sample& sample = samples_[i];
-            if (!sample.close || !sample.foot.inside || !(sample.foot.depth > 0)) continue;
-            const bool goes_on = !runs.empty() && runs.back().last + 1 == i &&
-                                 std::abs(sample.foot.s - samples_[i - 1].foot.s) < joined_distance;
+            if (!sample.close || !sample.closest.inside || !(sample.closest.depth > 0)) continue;
+            const bool goes_on = !ranges.empty() && ranges.back().last + 1 == i &&
+                                 std::abs(sample.closest.s - samples_[i - 1].closest.s) < joined_distance;
             if (goes_on) {
-                runs.back().last = i;
+                ranges.back().last = i;
             } else {
-                runs.push_back({.first = i, .last = i});
+                ranges.push_back({.first = i, .last = i});
             }
         }
-        part(runs);
-        join(runs);
+        split(ranges);
+        join(ranges);
         std::vector<Region> found;
-        for (const Run& run : runs) found.push_back(region(run, height));
+        for (const SampleRange& range : ranges) found.push_back(region(range, height));
         std::erase_if(found, [](const Region& region) {
-            return std::none_of(region.cuts.begin(), region.cuts.end(),
-                                [](const SurfaceCut& cut) { return cut.foot.depth > 0; });
+            return std::none_of(region.samples.begin(), region.samples.end(),
+                                [](const PenetrationSample& of) { return of.closest.depth > 0; });
         });
         return found;
     }
 
 private:
-    // A point of the wheel's silhouette at height 0 and, if near, its foot at the last height asked for.
+    // A point of the wheel's silhouette at height 0 and, if near, the rail's closest point at the last height searched.
     struct Sample {
         double s, y, z, normal_y, normal_z;
         bool at_border, close;
-        Foot foot;
+        ClosestPoint closest;
     };
-    struct Run {
+    // Numbers of the first and the last sample of a region.
+    struct SampleRange {
         std::size_t first, last;
         RailStretch rail{};
     };
@@ -138,27 +139,27 @@ private:
     const Sample* deepest() const {
         const Sample* found = nullptr;
         for (const Sample& sample : samples_) {
-            if (sample.close && (found == nullptr || sample.foot.depth > found->foot.depth)) found = &sample;
+            if (sample.close && (found == nullptr || sample.closest.depth > found->closest.depth)) found = &sample;
         }
         return found;
     }
 
-    // Sets both points of a cut at the touching height; returns a number with the sign of the rail's slope minus the
+    // Sets both points of a sample at the touching height; returns a number with the sign of the rail's slope minus the
     // wheel's, NaN where the silhouette is not defined.
-    double place(SurfaceCut& cut, double rail_s) const {
+    double place(PenetrationSample& of, double rail_s) const {
         constexpr double beside = 1e-7;  // [m]
-        const PlacedWheel::Place one = placed_->silhouette(cut.wheel_s - beside),
-                                 two = placed_->silhouette(cut.wheel_s + beside);
+        const PlacedWheel::Place one = placed_->silhouette(of.wheel_s - beside),
+                                 two = placed_->silhouette(of.wheel_s + beside);
         if (!one.defined || !two.defined) return std::numeric_limits<double>::quiet_NaN();
         const double dy = two.y - one.y, dz = two.z - one.z;
-        cut.x = (one.x + two.x) / 2;
-        cut.y = (one.y + two.y) / 2;
-        cut.z = (one.z + two.z) / 2 + touch_;
-        cut.foot = foot_on_rail(*geometry_, 0, rail_s, 0, cut.y, cut.z);
-        return dy * cut.foot.slope[1] - dz * cut.foot.slope[0];
+        of.x = (one.x + two.x) / 2;
+        of.y = (one.y + two.y) / 2;
+        of.z = (one.z + two.z) / 2 + touch_;
+        of.closest = closest_on_rail(*geometry_, 0, rail_s, 0, of.y, of.z);
+        return dy * of.closest.slope[1] - dz * of.closest.slope[0];
     }
 
-    void find_feet(double height) {
+    void find_closest_points(double height) {
         height_ = height;
         // Samples that were far above the rail remain so while the height changes by less than this.
         constexpr double out_of_reach = 4e-4;
@@ -169,82 +170,82 @@ private:
             if (anew) {
                 const SurfaceSample* rail = geometry_->index().facing(sample.y, z, sample.normal_y, sample.normal_z);
                 sample.close = rail != nullptr;
-                if (sample.close) sample.foot.s = rail->s;
+                if (sample.close) sample.closest.s = rail->s;
             }
-            if (sample.close) sample.foot = foot_on_rail(*geometry_, 0, sample.foot.s, 0, sample.y, z);
-            if (anew) sample.close = sample.close && sample.foot.depth > -out_of_reach;
+            if (sample.close) sample.closest = closest_on_rail(*geometry_, 0, sample.closest.s, 0, sample.y, z);
+            if (anew) sample.close = sample.close && sample.closest.depth > -out_of_reach;
         }
     }
 
-    double mean_angle_of(const Run& run) const {
-        return mean_angle(samples_.begin() + std::ptrdiff_t(run.first), samples_.begin() + std::ptrdiff_t(run.last) + 1,
-                          Region{}.power);
+    double mean_angle_of(const SampleRange& range) const {
+        return mean_angle(samples_.begin() + std::ptrdiff_t(range.first),
+                          samples_.begin() + std::ptrdiff_t(range.last) + 1, Region{}.power);
     }
 
-    void part(std::vector<Run>& runs) const {
-        for (std::size_t k = 0; k < runs.size();) {
-            const auto last = samples_.begin() + std::ptrdiff_t(runs[k].last) + 1,
-                       at = parting(samples_.begin() + std::ptrdiff_t(runs[k].first), last);
+    void split(std::vector<SampleRange>& ranges) const {
+        for (std::size_t k = 0; k < ranges.size();) {
+            const auto last = samples_.begin() + std::ptrdiff_t(ranges[k].last) + 1,
+                       at = find_split(samples_.begin() + std::ptrdiff_t(ranges[k].first), last);
             if (at == last) {
                 ++k;
                 continue;
             }
-            Run beyond = runs[k];
+            SampleRange beyond = ranges[k];
             beyond.first = std::size_t(at - samples_.begin());
-            beyond.rail.low = at->foot.s;
-            runs[k].last = beyond.first - 1;
-            runs[k].rail.high = beyond.rail.low;
-            runs.insert(runs.begin() + std::ptrdiff_t(k) + 1, beyond);
+            beyond.rail.low = at->closest.s;
+            ranges[k].last = beyond.first - 1;
+            ranges[k].rail.high = beyond.rail.low;
+            ranges.insert(ranges.begin() + std::ptrdiff_t(k) + 1, beyond);
         }
     }
 
-    void join(std::vector<Run>& runs) const {
-        for (std::size_t k = 1; k < runs.size();) {
-            const Sample &here = samples_[runs[k - 1].last], &next = samples_[runs[k].first];
+    void join(std::vector<SampleRange>& ranges) const {
+        for (std::size_t k = 1; k < ranges.size();) {
+            const Sample &here = samples_[ranges[k - 1].last], &next = samples_[ranges[k].first];
             const bool close =
-                next.s - here.s < joined_distance && std::abs(next.foot.s - here.foot.s) < joined_distance;
-            if (close && std::abs(mean_angle_of(runs[k]) - mean_angle_of(runs[k - 1])) < joined_angle) {
-                runs[k - 1].last = runs[k].last;
-                runs[k - 1].rail.high = runs[k].rail.high;
-                runs.erase(runs.begin() + std::ptrdiff_t(k));
+                next.s - here.s < joined_distance && std::abs(next.closest.s - here.closest.s) < joined_distance;
+            if (close && std::abs(mean_angle_of(ranges[k]) - mean_angle_of(ranges[k - 1])) < joined_angle) {
+                ranges[k - 1].last = ranges[k].last;
+                ranges[k - 1].rail.high = ranges[k].rail.high;
+                ranges.erase(ranges.begin() + std::ptrdiff_t(k));
             } else {
                 ++k;
             }
         }
     }
 
-    // Extent along x of the wheel's part below the rail about a point of the silhouette.
-    double reach_along(const Foot& foot) const {
+    // Extent along x of the overlap about a point of the silhouette.
+    double reach_along(const ClosestPoint& closest) const {
         constexpr double steepest = 0.05;
-        return std::sqrt(2 * foot.depth * placed_->radius() / (std::max)(std::cos(foot.angle()), steepest));
+        return std::sqrt(2 * closest.depth * placed_->radius() / (std::max)(std::cos(closest.angle()), steepest));
     }
 
-    Region region(const Run& run, double height) const {
-        const Sample &one = samples_[run.first > 0 ? run.first - 1 : 0],
-                     &two = samples_[(std::min)(run.last + 1, samples_.size() - 1)];
+    Region region(const SampleRange& range, double height) const {
+        const Sample &one = samples_[range.first > 0 ? range.first - 1 : 0],
+                     &two = samples_[(std::min)(range.last + 1, samples_.size() - 1)];
         constexpr int count = 160;
         Region region;
-        region.rail = run.rail;
+        region.rail = range.rail;
         region.x_low = std::numeric_limits<double>::infinity();
         region.x_high = -region.x_low;
-        double rail_s = samples_[run.first].foot.s;
+        double rail_s = samples_[range.first].closest.s;
         for (int k = 0; k <= count; ++k) {
             const double s = one.s + (two.s - one.s) * k / count;
             const PlacedWheel::Place p = placed_->silhouette(s);
             if (!p.defined) continue;
-            const Foot foot = foot_on_rail(*geometry_, 0, rail_s, 0, p.y, p.z + height);
-            rail_s = foot.s;
-            region.cuts.push_back({s, p.x, p.y, p.z + height, foot, 0});
-            if (!foot.inside) region.cuts.back().foot.depth = 0;
-            if (!(region.cuts.back().foot.depth > 0)) continue;
-            const double reach = reach_along(foot);
+            const ClosestPoint closest = closest_on_rail(*geometry_, 0, rail_s, 0, p.y, p.z + height);
+            rail_s = closest.s;
+            region.samples.push_back({s, p.x, p.y, p.z + height, closest, 0});
+            if (!closest.inside) region.samples.back().closest.depth = 0;
+            if (!(region.samples.back().closest.depth > 0)) continue;
+            const double reach = reach_along(closest);
             region.x_low = (std::min)(region.x_low, p.x - reach);
             region.x_high = (std::max)(region.x_high, p.x + reach);
         }
-        for (std::size_t k = 0; k < region.cuts.size(); ++k) {
-            const SurfaceCut &before = region.cuts[k > 0 ? k - 1 : 0],
-                             &after = region.cuts[(std::min)(k + 1, region.cuts.size() - 1)];
-            region.cuts[k].width = (std::max)(after.y - before.y, 0.0);
+        for (std::size_t k = 0; k < region.samples.size(); ++k) {
+            const PenetrationSample &before = region.samples[k > 0 ? k - 1 : 0],
+                                    &after = region.samples[(std::min)(k + 1, region.samples.size() - 1)];
+            region.samples[k].width = (std::max)(after.y - before.y, 0.0);
         }
         return region;
     }

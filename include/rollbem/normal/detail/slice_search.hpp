@@ -14,11 +14,12 @@
 
 #include "../../status.hpp"
 #include "contact_region.hpp"
+#include "curve_index.hpp"
+#include "rail_samples.hpp"
 
 namespace rollbem::detail {
 
 /// A search at one lateral position, roll, yaw, pitch and place along the track; used as SilhouetteSearch.
-template <std::same_as<double> Real = double>
 class SliceSearch {
 public:
     Status locate(const ContactGeometry& geometry, const WheelsetPosition& at) {
@@ -33,13 +34,13 @@ public:
             }
         }
         if (!is_finite(touch_)) return Status::no_contact;
-        find_valleys(touch_);
+        find_deepest_points(touch_);
         bool found = false;
         touch_ = touching_height(touch_, [&](double height) {
-            const Foot* deepest = nullptr;
-            for (Point& valley : valleys_) {
-                descend(valley, height);
-                if (deepest == nullptr || valley.foot.depth > deepest->depth) deepest = &valley.foot;
+            const ClosestPoint* deepest = nullptr;
+            for (Point& point : deepest_points_) {
+                descend(point, height);
+                if (deepest == nullptr || point.closest.depth > deepest->depth) deepest = &point.closest;
             }
             found = deepest != nullptr && is_finite(deepest->depth);
             return found ? deepest : nullptr;
@@ -59,7 +60,7 @@ public:
                 if (!(below > most)) continue;
                 const SurfaceSample* rail = slice.rail.facing(sample.y, z, sample.normal_y, sample.normal_z);
                 if (rail == nullptr) return true;
-                if (foot_on_rail(*geometry_, rail->part, rail->s, track_x_ + slice.x, sample.y, z).depth > most) {
+                if (closest_on_rail(*geometry_, rail->part, rail->s, track_x_ + slice.x, sample.y, z).depth > most) {
                     return true;
                 }
             }
@@ -69,17 +70,17 @@ public:
 
     std::vector<Region> regions(double height) {
         height_ = height;
-        // points that lay too high above the rail to be valleys may touch now
-        if (height - valleys_at_ > seen_above / 2) {
-            find_valleys(height);
-            for (Point& valley : valleys_) descend(valley, height);
+        // points that lay too high above the rail may touch now
+        if (height - deepest_at_ > seen_above / 2) {
+            find_deepest_points(height);
+            for (Point& point : deepest_points_) descend(point, height);
             keep_different();
         }
         std::vector<Region> found;
-        for (const Point& valley : valleys_) {
-            Point seed = valley;
+        for (const Point& point : deepest_points_) {
+            Point seed = point;
             descend(seed, height);
-            if (!(seed.foot.depth > 0) || lies_in(found, seed)) continue;
+            if (!(seed.closest.depth > 0) || lies_in(found, seed)) continue;
             for (Region& region : explore(seed, height)) join(found, std::move(region));
         }
         return found;
@@ -87,18 +88,18 @@ public:
 
 private:
     static constexpr double slice_distance = 4e-3;  // along x [m]
-    static constexpr double seen_above = 1e-3;      // largest height of valleys above the rail [m]
+    static constexpr double seen_above = 1e-3;      // largest height of points above the rail [m]
 
     struct Slice {
         double x;
         CurveIndex rail;
         std::vector<SurfaceSample> wheel;
     };
-    // A point of the wheel and its foot on the rail.
+    // A point of the wheel and the closest point of the rail.
     struct Point {
         std::size_t part, rail_part;
         double x, s, y, z;
-        Foot foot;
+        ClosestPoint closest;
         bool defined;
     };
 
@@ -110,7 +111,7 @@ private:
         for (int k = -half; k <= half; ++k) {
             Slice& slice = slices_[std::size_t(k + half)];
             slice.x = placed_->middle_x() + k * slice_distance;
-            slice.rail.build(geometry_->rail_samples(track_x_ + slice.x));
+            slice.rail.build(rail_samples(*geometry_, track_x_ + slice.x));
             slice.wheel.clear();
             for (std::size_t part = 0; part < wheel.parts(); ++part) {
                 const auto count = static_cast<std::size_t>(std::ceil(wheel.length(part) / distance));
@@ -126,58 +127,58 @@ private:
 
     // Finds points of slices that lie at least as deep as their neighbours on the wheel and in both adjacent slices,
     // and less than a millimetre above the rail at this height.
-    void find_valleys(double height) {
+    void find_deepest_points(double height) {
         constexpr double none = -std::numeric_limits<double>::infinity();
-        valleys_at_ = height;
+        deepest_at_ = height;
         std::vector<std::vector<Point>> points(slices_.size());
         for (std::size_t k = 0; k < slices_.size(); ++k) {
             const Slice& slice = slices_[k];
             for (const SurfaceSample& sample : slice.wheel) {
                 const double z = sample.z + height;
                 Point& p = points[k].emplace_back(Point{sample.part, 0, slice.x, sample.s, sample.y, z, {}, true});
-                p.foot.depth = none;
+                p.closest.depth = none;
                 if (z - slice.rail.top(sample.y) < -seen_above - CurveIndex::reach) continue;
                 const SurfaceSample* rail = slice.rail.facing(sample.y, z, sample.normal_y, sample.normal_z);
                 if (rail == nullptr) continue;
                 p.rail_part = rail->part;
-                p.foot = foot_on_rail(*geometry_, rail->part, rail->s, track_x_ + slice.x, sample.y, z);
-                if (!p.foot.inside) p.foot.depth = none;
+                p.closest = closest_on_rail(*geometry_, rail->part, rail->s, track_x_ + slice.x, sample.y, z);
+                if (!p.closest.inside) p.closest.depth = none;
             }
         }
-        valleys_.clear();
+        deepest_points_.clear();
         for (std::size_t k = 0; k < points.size(); ++k) {
             for (std::size_t i = 0; i < points[k].size(); ++i) {
                 const Point& p = points[k][i];
-                if (!(p.foot.depth > -seen_above)) continue;
+                if (!(p.closest.depth > -seen_above)) continue;
                 // on a plateau, the first point
                 const auto deeper = [&](const Point& other) {
                     const bool first = other.x < p.x || (other.x == p.x && other.s < p.s);
-                    return other.foot.depth > p.foot.depth + (first ? -1e-12 : 1e-12) &&
+                    return other.closest.depth > p.closest.depth + (first ? -1e-12 : 1e-12) &&
                            std::hypot(other.y - p.y, other.z - p.z) < 1e-3;
                 };
-                bool is_valley =
+                bool is_deepest =
                     !(i > 0 && deeper(points[k][i - 1])) && !(i + 1 < points[k].size() && deeper(points[k][i + 1]));
                 for (const std::size_t beside : {k - 1, k + 1}) {
-                    if (!is_valley || beside >= points.size()) continue;
-                    is_valley = std::none_of(points[beside].begin(), points[beside].end(), deeper);
+                    if (!is_deepest || beside >= points.size()) continue;
+                    is_deepest = std::none_of(points[beside].begin(), points[beside].end(), deeper);
                 }
-                if (is_valley) valleys_.push_back(p);
+                if (is_deepest) deepest_points_.push_back(p);
             }
         }
-        std::sort(valleys_.begin(), valleys_.end(),
-                  [](const Point& one, const Point& two) { return one.foot.depth > two.foot.depth; });
+        std::sort(deepest_points_.begin(), deepest_points_.end(),
+                  [](const Point& one, const Point& two) { return one.closest.depth > two.closest.depth; });
     }
 
-    // Keeps one of the valleys that have met.
+    // Keeps one of the deepest points that have met.
     void keep_different() {
         std::vector<Point> kept;
-        for (const Point& valley : valleys_) {
+        for (const Point& point : deepest_points_) {
             const bool known = std::any_of(kept.begin(), kept.end(), [&](const Point& other) {
-                return std::hypot(valley.x - other.x, valley.y - other.y, valley.z - other.z) < 2e-4;
+                return std::hypot(point.x - other.x, point.y - other.y, point.z - other.z) < 2e-4;
             });
-            if (!known && is_finite(valley.foot.depth)) kept.push_back(valley);
+            if (!known && is_finite(point.closest.depth)) kept.push_back(point);
         }
-        valleys_ = std::move(kept);
+        deepest_points_ = std::move(kept);
     }
 
     Point point_at(const Point& from, double x, double s, double height) const {
@@ -190,8 +191,8 @@ private:
         p.defined = on_wheel.defined && s >= 0 && s <= placed_->surface().length(p.part) &&
                     geometry_->rail().covers(p.rail_part, track_x_ + x);
         if (!p.defined) return p;
-        p.foot = foot_on_rail(*geometry_, p.rail_part, from.foot.s, track_x_ + x, p.y, p.z);
-        p.defined = p.foot.inside;
+        p.closest = closest_on_rail(*geometry_, p.rail_part, from.closest.s, track_x_ + x, p.y, p.z);
+        p.defined = p.closest.inside;
         return p;
     }
 
@@ -209,14 +210,15 @@ private:
                 const Point one = beside(-step), two = beside(step);
                 Point best = p;
                 if (one.defined && two.defined && p.defined) {
-                    const double bend = one.foot.depth - 2 * p.foot.depth + two.foot.depth,
-                                 to = bend < 0 ? std::clamp((one.foot.depth - two.foot.depth) / (2 * bend), -1.0, 1.0)
-                                               : 0;
+                    const double bend = one.closest.depth - 2 * p.closest.depth + two.closest.depth,
+                                 to = bend < 0
+                                          ? std::clamp((one.closest.depth - two.closest.depth) / (2 * bend), -1.0, 1.0)
+                                          : 0;
                     const Point vertex = beside(to * step);
-                    if (vertex.defined && vertex.foot.depth > best.foot.depth) best = vertex;
+                    if (vertex.defined && vertex.closest.depth > best.closest.depth) best = vertex;
                 }
                 for (const Point& other : {one, two}) {
-                    if (other.defined && (!best.defined || other.foot.depth > best.foot.depth)) best = other;
+                    if (other.defined && (!best.defined || other.closest.depth > best.closest.depth)) best = other;
                 }
                 p = best;
             }
@@ -225,14 +227,14 @@ private:
                 step_x /= 3;
             }
         }
-        if (!p.defined) p.foot.depth = -std::numeric_limits<double>::infinity();
+        if (!p.defined) p.closest.depth = -std::numeric_limits<double>::infinity();
     }
 
     static bool lies_in(const std::vector<Region>& found, const Point& p) {
         for (const Region& region : found) {
-            for (const SurfaceCut& cut : region.cuts) {
-                if (cut.foot.depth > 0 && std::hypot(cut.x - p.x, cut.y - p.y, cut.z - p.z) < 1.5e-3 &&
-                    std::abs(cut.foot.angle() - p.foot.angle()) < joined_angle) {
+            for (const PenetrationSample& sample : region.samples) {
+                if (sample.closest.depth > 0 && std::hypot(sample.x - p.x, sample.y - p.y, sample.z - p.z) < 1.5e-3 &&
+                    std::abs(sample.closest.angle() - p.closest.angle()) < joined_angle) {
                     return true;
                 }
             }
@@ -240,27 +242,27 @@ private:
         return false;
     }
 
-    // Adds the cuts at x about a point of the region, outwards along the wheel, until the wheel stays above the rail
-    // for a while, or the part below the rail beyond a gap has another normal. Returns the ends of the part below the
-    // rail on the wheel's curve, nothing if there is none. `step` [m] is the distance between cuts.
-    std::optional<std::array<double, 2>> cut_slice(const Point& about, double step, double height,
-                                                   std::vector<SurfaceCut>& cuts) const {
+    // Adds the samples at x about a point of the region, outwards along the wheel, until the wheel stays above the rail
+    // for a while, or what lies below the rail beyond a gap has another normal. Returns the ends of the overlap on the
+    // wheel's curve, nothing if there is none. `step` [m] is the distance between samples.
+    std::optional<std::array<double, 2>> sample_slice(const Point& about, double step, double height,
+                                                      std::vector<PenetrationSample>& samples) const {
         const double length = placed_->surface().length(about.part);
-        std::vector<SurfaceCut> slice;
+        std::vector<PenetrationSample> slice;
         for (const int direction : {-1, 1}) {
             Point p = about;
-            double last = p.s, stride = step, angle = p.foot.angle();
+            double last = p.s, stride = step, angle = p.closest.angle();
             bool gap = false;
             if (direction > 0) p = point_at(p, p.x, p.s + stride, height);
             while (std::abs(p.s - last) < joined_distance / 2 && p.s >= 0 && p.s <= length) {
-                const bool below = p.defined && p.foot.depth > 0;
-                if (below && gap && std::abs(p.foot.angle() - angle) >= joined_angle) break;
+                const bool below = p.defined && p.closest.depth > 0;
+                if (below && gap && std::abs(p.closest.angle() - angle) >= joined_angle) break;
                 gap = !below;
-                slice.push_back({p.s, p.x, p.y, p.z, p.foot, 0});
-                if (!below) slice.back().foot.depth = 0;
+                slice.push_back({p.s, p.x, p.y, p.z, p.closest, 0});
+                if (!below) slice.back().closest.depth = 0;
                 if (below) {
                     last = p.s;
-                    angle = p.foot.angle();
+                    angle = p.closest.angle();
                 }
                 stride = below ? step : (std::max)(step, (std::min)(1.2 * stride, 1e-4));
                 p = point_at(p, p.x, p.s + direction * stride, height);
@@ -269,26 +271,27 @@ private:
         }
         std::optional<std::array<double, 2>> range;
         for (std::size_t k = 0; k < slice.size(); ++k) {
-            const SurfaceCut &before = slice[k > 0 ? k - 1 : 0], &after = slice[(std::min)(k + 1, slice.size() - 1)];
-            if (!(slice[k].foot.depth > 0)) continue;
+            const PenetrationSample &before = slice[k > 0 ? k - 1 : 0],
+                                    &after = slice[(std::min)(k + 1, slice.size() - 1)];
+            if (!(slice[k].closest.depth > 0)) continue;
             slice[k].width = (std::max)(after.y - before.y, 0.0);
             if (!range) range = {slice[k].wheel_s, slice[k].wheel_s};
             (*range)[1] = slice[k].wheel_s;
-            cuts.push_back(slice[k]);
+            samples.push_back(slice[k]);
         }
         return range;
     }
 
     // The regions about a point: one, or one for each of several contacts.
     std::vector<Region> explore(const Point& seed, double height) const {
-        Region region{.wheel_part = seed.part, .rail_part = seed.rail_part, .cuts = {}, .x_low = 0, .x_high = 0};
+        Region region{.wheel_part = seed.part, .rail_part = seed.rail_part, .samples = {}, .x_low = 0, .x_high = 0};
         region.power = 2;
         // A tenth of the half-length, as estimated from the wheel's radius, and a fortieth of the width.
-        const double step_x = std::clamp(std::sqrt(2 * seed.foot.depth * placed_->radius()) / 10, 2e-6, 1e-3);
+        const double step_x = std::clamp(std::sqrt(2 * seed.closest.depth * placed_->radius()) / 10, 2e-6, 1e-3);
         double step_s = 5e-5;
         for (int k = 0; k < 2; ++k) {
-            region.cuts.clear();
-            const auto range = cut_slice(seed, step_s, height, region.cuts);
+            region.samples.clear();
+            const auto range = sample_slice(seed, step_s, height, region.samples);
             if (!range) return {};
             step_s = std::clamp(((*range)[1] - (*range)[0]) / 40, 1e-6, 2.5e-4);
         }
@@ -297,54 +300,57 @@ private:
             for (int k = 1; k < 400; ++k) {
                 const double x = seed.x + direction * k * step_x;
                 about = point_at(about, x, about.s, height);
-                const auto range = cut_slice(about, step_s, height, region.cuts);
+                const auto range = sample_slice(about, step_s, height, region.samples);
                 if (!range) break;
                 about = point_at(about, x, ((*range)[0] + (*range)[1]) / 2, height);
             }
         }
-        for (SurfaceCut& cut : region.cuts) cut.width *= step_x;
-        std::vector<Region> parts;
-        part(std::move(region), step_x, parts);
-        return parts;
+        for (PenetrationSample& sample : region.samples) sample.width *= step_x;
+        std::vector<Region> regions;
+        split(std::move(region), step_x, regions);
+        return regions;
     }
 
-    // Parts a region; `step_x` [m] is the distance between cuts.
-    static void part(Region region, double step_x, std::vector<Region>& parts) {
-        const std::vector<SurfaceCut> ridge = ridge_of(region.cuts);
-        const auto at = parting(ridge.begin(), ridge.end());
+    // Splits a region at changes of its normal; `step_x` [m] is the distance between slices.
+    static void split(Region region, double step_x, std::vector<Region>& regions) {
+        const std::vector<PenetrationSample> ridge = ridge_of(region.samples);
+        const auto at = find_split(ridge.begin(), ridge.end());
         if (at != ridge.end()) {
             Region beyond = region;
-            std::erase_if(beyond.cuts, [&](const SurfaceCut& cut) { return cut.wheel_s < at->wheel_s; });
-            std::erase_if(region.cuts, [&](const SurfaceCut& cut) { return cut.wheel_s >= at->wheel_s; });
-            region.rail.high = beyond.rail.low = at->foot.s;
-            part(std::move(region), step_x, parts);
-            part(std::move(beyond), step_x, parts);
+            std::erase_if(beyond.samples,
+                          [&](const PenetrationSample& sample) { return sample.wheel_s < at->wheel_s; });
+            std::erase_if(region.samples,
+                          [&](const PenetrationSample& sample) { return sample.wheel_s >= at->wheel_s; });
+            region.rail.high = beyond.rail.low = at->closest.s;
+            split(std::move(region), step_x, regions);
+            split(std::move(beyond), step_x, regions);
             return;
         }
-        const auto [low, high] =
-            std::minmax_element(region.cuts.begin(), region.cuts.end(),
-                                [](const SurfaceCut& one, const SurfaceCut& other) { return one.x < other.x; });
+        const auto [low, high] = std::minmax_element(
+            region.samples.begin(), region.samples.end(),
+            [](const PenetrationSample& one, const PenetrationSample& other) { return one.x < other.x; });
         region.x_low = low->x - step_x;
         region.x_high = high->x + step_x;
-        parts.push_back(std::move(region));
+        regions.push_back(std::move(region));
     }
 
-    // The deepest cut of each tenth of a millimetre along the wheel's curve.
-    static std::vector<SurfaceCut> ridge_of(std::vector<SurfaceCut> cuts) {
+    // The deepest sample of each tenth of a millimetre along the wheel's curve.
+    static std::vector<PenetrationSample> ridge_of(std::vector<PenetrationSample> samples) {
         constexpr double distance = 1e-4;
-        const auto place = [](const SurfaceCut& cut) { return std::floor(cut.wheel_s / distance); };
-        std::sort(cuts.begin(), cuts.end(), [&](const SurfaceCut& one, const SurfaceCut& other) {
-            return std::pair(place(one), -one.foot.depth) < std::pair(place(other), -other.foot.depth);
+        const auto place = [](const PenetrationSample& sample) { return std::floor(sample.wheel_s / distance); };
+        std::sort(samples.begin(), samples.end(), [&](const PenetrationSample& one, const PenetrationSample& other) {
+            return std::pair(place(one), -one.closest.depth) < std::pair(place(other), -other.closest.depth);
         });
-        cuts.erase(
-            std::unique(cuts.begin(), cuts.end(),
-                        [&](const SurfaceCut& one, const SurfaceCut& other) { return place(one) == place(other); }),
-            cuts.end());
-        return cuts;
+        samples.erase(std::unique(samples.begin(), samples.end(),
+                                  [&](const PenetrationSample& one, const PenetrationSample& other) {
+                                      return place(one) == place(other);
+                                  }),
+                      samples.end());
+        return samples;
     }
 
     static double angle_of(const Region& region) {
-        return mean_angle(region.cuts.begin(), region.cuts.end(), region.power);
+        return mean_angle(region.samples.begin(), region.samples.end(), region.power);
     }
 
     // Joins a region to one that is near and has nearly the same normal, or adds it.
@@ -352,14 +358,14 @@ private:
         for (Region& other : found) {
             if (other.wheel_part != region.wheel_part || other.rail_part != region.rail_part) continue;
             double least = std::numeric_limits<double>::infinity();
-            for (const SurfaceCut& one : other.cuts) {
-                for (const SurfaceCut& two : region.cuts) {
+            for (const PenetrationSample& one : other.samples) {
+                for (const PenetrationSample& two : region.samples) {
                     if (std::abs(one.wheel_s - two.wheel_s) > joined_distance) continue;
                     least = (std::min)(least, std::hypot(one.x - two.x, one.y - two.y, one.z - two.z));
                 }
             }
             if (least >= joined_distance || std::abs(angle_of(other) - angle_of(region)) >= joined_angle) continue;
-            other.cuts.insert(other.cuts.end(), region.cuts.begin(), region.cuts.end());
+            other.samples.insert(other.samples.end(), region.samples.begin(), region.samples.end());
             other.x_low = (std::min)(other.x_low, region.x_low);
             other.x_high = (std::max)(other.x_high, region.x_high);
             return;
@@ -370,9 +376,9 @@ private:
     const ContactGeometry* geometry_ = nullptr;
     std::optional<PlacedWheel> placed_;
     double track_x_ = 0, touch_ = 0, height_ = 0;
-    double valleys_at_ = 0;  // height at which valleys were searched
+    double deepest_at_ = 0;  // height at which deepest points were searched
     std::vector<Slice> slices_;
-    std::vector<Point> valleys_;
+    std::vector<Point> deepest_points_;
 };
 
 }  // namespace rollbem::detail

@@ -13,13 +13,13 @@
 #include <Eigen/Core>
 #include <unsupported/Eigen/AutoDiff>
 
-#include "contact_table.hpp"
+#include "../contact_table.hpp"
+#include "contact_table_interpolation.hpp"
 #include "wheelset_velocity.hpp"
 
 namespace rollbem::detail {
 
 /// One look-up. Lengths and loads refer to the right wheel; a left wheel, and rolling backwards, are mirror images.
-template <std::same_as<double> Real = double>
 class WheelLookUp {
 public:
     /// The look-up writes into `result`, whose numbers must have the values of an empty WheelForces.
@@ -131,7 +131,7 @@ private:
         shift_ = {.value = inputs_[WheelForces::lateral]};
         if (has_roll_) {
             // a roll beyond the roll of equal loads moves the wheel's profile on the rail
-            const auto equal = table_
+            const auto equal = nodes_
                                    .wheel_on_rails(*side_, inputs_[WheelForces::lateral], inputs_[WheelForces::yaw],
                                                    inputs_[WheelForces::load])
                                    .roll;
@@ -142,10 +142,10 @@ private:
                       .by_roll = -radius};
             if (!table_.covers(shift_.value, inputs_[WheelForces::yaw])) return Status::wrong_table;
         }
-        cell_ = table_.cell(shift_.value, inputs_[WheelForces::yaw]);
+        cell_ = nodes_.cell(shift_.value, inputs_[WheelForces::yaw]);
         loads_ = table_.grid_.loads.size();
         for (std::size_t l = 0; l < loads_ && !has_roll_; ++l) {
-            rolls_[l] = table_.sample<1>(cell_, side_->given.on_rails, side_->on_rails_slopes, 1, table_.first_node(l));
+            rolls_[l] = nodes_.sample<1>(cell_, side_->given.on_rails, side_->on_rails_slopes, 1, nodes_.first_node(l));
         }
         const Eigen::Index zones = side_->given.zones.count();
         for (Eigen::Index zone = 0; zone < zones; ++zone) {
@@ -157,8 +157,8 @@ private:
             Zone& of = zones_[std::size_t(zone)];
             if (!std::exchange(of.carries, false)) continue;
             for (std::size_t l = 0; l < loads_; ++l) {
-                const Eigen::Index first = zone * table_.grid_.nodes() + table_.first_node(l);
-                of.share[l] = table_.sample<1>(cell_, side_->points, side_->slopes, ContactRow::share, first);
+                const Eigen::Index first = zone * table_.grid_.nodes() + nodes_.first_node(l);
+                of.share[l] = nodes_.sample<1>(cell_, side_->points, side_->slopes, ContactRow::share, first);
                 of.carries = of.carries || of.share[l].value[0] > 0;
             }
         }
@@ -171,11 +171,11 @@ private:
     struct Zone {
         bool carries = false;
         std::array<bool, ContactTable::most_loads> is_sampled{};
-        std::array<ContactTable::Sample<1>, ContactTable::most_loads> share;
-        std::array<ContactTable::LoadedRows, ContactTable::most_loads> rows;
+        std::array<ContactTable::Interpolation::Sample<1>, ContactTable::most_loads> share;
+        std::array<ContactTable::Interpolation::LoadedRows, ContactTable::most_loads> rows;
         // rows and their derivatives at the present sum of loads
-        decltype(ContactTable::LoadedRows::value) value, by_sum;
-        decltype(ContactTable::LoadedRows::by_shift) by_shift, by_yaw;
+        decltype(ContactTable::Interpolation::LoadedRows::value) value, by_sum;
+        decltype(ContactTable::Interpolation::LoadedRows::by_shift) by_shift, by_yaw;
     };
 
     std::ptrdiff_t carry_count() const {
@@ -193,15 +193,15 @@ private:
         };
         for (std::size_t l = weights.first; l < weights.last; ++l) {
             if (std::exchange(of.is_sampled[l], true)) continue;
-            tangents_ ? table_.sample_rows<true>(cell_, *side_, zone, l, of.rows[l])
-                      : table_.sample_rows<false>(cell_, *side_, zone, l, of.rows[l]);
+            tangents_ ? nodes_.sample_rows<true>(cell_, *side_, zone, l, of.rows[l])
+                      : nodes_.sample_rows<false>(cell_, *side_, zone, l, of.rows[l]);
         }
         const auto at_load = [&](const auto& weight, auto part) {
             auto sum = (weight[weights.first] * (of.rows[weights.first].*part)).eval();
             for (std::size_t l = weights.first + 1; l < weights.last; ++l) sum += weight[l] * (of.rows[l].*part);
             return sum;
         };
-        using Rows = ContactTable::LoadedRows;
+        using Rows = ContactTable::Interpolation::LoadedRows;
         of.value = at_load(weights.value, &Rows::value);
         of.value.template head<ContactRow::rows>() += side_->means;
         if constexpr (has_slopes<Number>) {
@@ -443,7 +443,7 @@ private:
         if (has_roll_) return variable<Number>(input(WheelForces::roll), by_roll);
         Number found = constant<Number>(0);
         for (std::size_t l = weights.first; l < weights.last; ++l) {
-            const ContactTable::Sample<1>& own = rolls_[l];
+            const ContactTable::Interpolation::Sample<1>& own = rolls_[l];
             if constexpr (has_slopes<Number>) {
                 found.value() += weights.value[l] * own.value[0];
                 found.derivatives() +=
@@ -654,6 +654,7 @@ private:
     }
 
     const ContactTable& table_;
+    const ContactTable::Interpolation nodes_{table_};
     const CreepForceTable& creep_;
     const WheelFriction& friction_;
     const ContactTable::Stored* side_ = nullptr;
@@ -666,32 +667,10 @@ private:
     };
     Shift shift_;
     SineCosine<double> yawed_{0, 1};
-    ContactTable::Cell cell_{0, {0, 0, 1}, {}};
+    ContactTable::Interpolation::Cell cell_{0, {0, 0, 1}, {}};
     std::size_t loads_ = 0;
-    std::array<ContactTable::Sample<1>, ContactTable::most_loads> rolls_;  // rolls of equal loads
+    std::array<ContactTable::Interpolation::Sample<1>, ContactTable::most_loads> rolls_;  // rolls of equal loads
     std::array<Zone, ContactZones::most> zones_;
 };
 
 }  // namespace rollbem::detail
-
-namespace rollbem {
-
-template <std::same_as<double> Scalar>
-WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
-                                  const WheelsetSpeeds& speeds, const WheelLoad& load,
-                                  const WheelFriction& friction) const noexcept {
-    WheelForces result;
-    detail::WheelLookUp<Scalar>(*this, creep, friction, result)(side, position, speeds, load, true);
-    return result;
-}
-
-template <std::same_as<double> Scalar>
-WheelForces ContactTable::forces(const CreepForceTable& creep, WheelsetSide side, const WheelsetPosition& position,
-                                 const WheelsetSpeeds& speeds, const WheelLoad& load,
-                                 const WheelFriction& friction) const noexcept {
-    WheelForces result;
-    detail::WheelLookUp<Scalar>(*this, creep, friction, result)(side, position, speeds, load, false);
-    return result;
-}
-
-}  // namespace rollbem

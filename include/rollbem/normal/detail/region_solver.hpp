@@ -1,5 +1,5 @@
-// The parts of one contact: regions, each with a plane, a grid over the cells that may touch and gaps that hold for a
-// height, and their pressures with the wheel a little lower or higher than that height.
+// The regions of one contact, each with a plane, a grid over the cells that may touch and gaps that hold for a height,
+// and their pressures with the wheel a little lower or higher than that height.
 #pragma once
 
 #include <algorithm>
@@ -18,6 +18,7 @@
 #include "../rail_patch.hpp"
 #include "contact_gaps.hpp"
 #include "contact_region.hpp"
+#include "plane_patches.hpp"
 #include "silhouette_search.hpp"
 #include "slice_search.hpp"
 
@@ -34,8 +35,8 @@ struct ContactSettings {
     bool interaction;
 };
 
-/// One region with its plane.
-struct ContactPart {
+/// One region with its plane and its pressures.
+struct SolvedRegion {
     ContactPlane plane{};
     CellGrid grid{};
     Gaps gaps{};  // gaps at the height of the plane
@@ -43,8 +44,7 @@ struct ContactPart {
     double vertical = 0;  // vertical load of the pressures [N]
 };
 
-template <std::same_as<double> Real = double>
-class ContactParts {
+class RegionSolver {
 public:
     /// Starts a contact at a position, without its height.
     Status locate(const ContactGeometry& geometry, const WheelsetPosition& at, const ContactSettings& settings) {
@@ -63,65 +63,65 @@ public:
     /// Multiplies the usual number of cells in both directions by this factor, from the next refine() on.
     void set_cells(Eigen::Index times) { cells_ = times; }
 
-    /// Divides the contact into parts at a height, and finds their loads on coarse grids.
+    /// Finds the regions of the contact at a height, and their loads on coarse grids.
     void divide(double height) {
         at_.height = height;
-        parts_.clear();
-        for (const Region& region : regions(height)) {
-            ContactPart& part = parts_.emplace_back();
-            part.plane = plane_of(*geometry_, region, at_.along);
-            part.grid = first_grid(part.plane);
-            find_gaps(part);
+        regions_.clear();
+        for (const Region& found : find_regions(height)) {
+            SolvedRegion& region = regions_.emplace_back();
+            region.plane = plane_of(*geometry_, found, at_.along);
+            region.grid = first_grid(region.plane);
+            find_gaps(region);
         }
-        while (normal_.size() < parts_.size()) normal_.emplace_back(geometry_->compliance());
+        while (normal_.size() < regions_.size()) normal_.emplace_back(geometry_->compliance());
         settle(0, 1e-3, false);
     }
 
     /// Makes fine grids over the cells that may touch, and planes, at a height. Rounds: the first follows divide(), and
-    /// the first two make grids anew. If regions have joined or parted meanwhile and `divides` is set, parts are
-    /// divided again; returns the resulting number of the round.
+    /// the first two make grids anew. If regions have joined or split meanwhile and `divides` is set, they are
+    /// found anew; returns the resulting number of the round.
     int refine(double height, int round, bool divides, bool anew) {
-        std::vector<Region> found = regions(height);
-        if (found.size() != parts_.size() && divides) {
+        std::vector<Region> found = find_regions(height);
+        if (found.size() != regions_.size() && divides) {
             divide(height);
             round = 0;
         }
         const double fallen = height - at_.height;
         at_.height = height;
         if (round == 0) keep_touching();
-        const bool same = round > 0 && found.size() == parts_.size();
+        const bool same = round > 0 && found.size() == regions_.size();
         if (same) match(found);
-        for (std::size_t k = 0; k < parts_.size(); ++k) {
-            ContactPart& part = parts_[k];
-            const bool touches = part.solution.load > 0;
-            if (touches && (round < 2 || anew || outgrown(k))) part.grid = finer(k);
+        for (std::size_t k = 0; k < regions_.size(); ++k) {
+            SolvedRegion& region = regions_[k];
+            const bool touches = region.solution.load > 0;
+            if (touches && (round < 2 || anew || outgrown(k))) region.grid = finer(k);
             if (same) {
-                const ContactPlane before = std::exchange(part.plane, plane_of(*geometry_, found[k], at_.along));
-                part.grid.x_0 += before.x - part.plane.x;  // the grid stays where it is
-                part.grid.y_0 -= before.s(part.plane.y, part.plane.z);
+                const ContactPlane before = std::exchange(region.plane, plane_of(*geometry_, found[k], at_.along));
+                region.grid.x_0 += before.x - region.plane.x;  // the grid stays where it is
+                region.grid.y_0 -= before.s(region.plane.y, region.plane.z);
             } else if (round > 0) {
-                part.plane.deepest += fallen * part.plane.cosine;
+                region.plane.deepest += fallen * region.plane.cosine;
             }
             if (settings_.cell_size > 0) {
-                part.grid.x_0 = part.grid.dx * std::round(part.grid.x_0 / part.grid.dx);
-                part.grid.y_0 = part.grid.dy * std::round(part.grid.y_0 / part.grid.dy);
+                region.grid.x_0 = region.grid.dx * std::round(region.grid.x_0 / region.grid.dx);
+                region.grid.y_0 = region.grid.dy * std::round(region.grid.y_0 / region.grid.dy);
             }
-            find_gaps(part);
+            find_gaps(region);
         }
         return round;
     }
 
-    /// Finds loads with the wheel lower than its gaps assume, in rounds, as each part displaces the surface below the
+    /// Finds loads with the wheel lower than its gaps assume, in rounds, as each region displaces the surface below the
     /// others.
     void settle(double lower, double tolerance, bool warm) {
-        const int rounds = parts_.size() > 1 && settings_.interaction ? 4 : 1;
+        const int rounds = regions_.size() > 1 && settings_.interaction ? 4 : 1;
         for (int round = 0; round < rounds; ++round) {
-            for (std::size_t k = 0; k < parts_.size(); ++k) {
-                ContactPart& part = parts_[k];
-                const double depth = lower * part.plane.cosine;
-                const NormalContact::Grid& h = rounds > 1 ? displaced(k) : part.gaps.h;
-                part.solution = normal_[k].approach(part.grid, h, depth, tolerance, warm || round > 0);
-                part.vertical = vertical_load(k);
+            for (std::size_t k = 0; k < regions_.size(); ++k) {
+                SolvedRegion& region = regions_[k];
+                const double depth = lower * region.plane.cosine;
+                const NormalContact::Grid& h = rounds > 1 ? displaced(k) : region.gaps.h;
+                region.solution = normal_[k].approach(region.grid, h, depth, tolerance, warm || round > 0);
+                region.vertical = vertical_load(k);
             }
         }
     }
@@ -129,24 +129,24 @@ public:
     /// The distance by which the wheel must be lower than its gaps assume to carry a vertical load [N]; nothing if it
     /// was not found.
     std::optional<double> lower_until(double load) {
-        if (parts_.empty()) return std::nullopt;
-        if (parts_.size() == 1) {
+        if (regions_.empty()) return std::nullopt;
+        if (regions_.size() == 1) {
             constexpr double wall = 1e-3;  // a cosine: surfaces as steep as this carry nothing
-            ContactPart& part = parts_[0];
-            if (!(part.plane.cosine > wall)) return std::nullopt;
+            SolvedRegion& region = regions_[0];
+            if (!(region.plane.cosine > wall)) return std::nullopt;
             // normals turn across the patch, so that the vertical share of the pressures depends a little on the load
-            const double share = part.vertical > 0 ? part.vertical / part.solution.load : part.plane.cosine;
+            const double share = region.vertical > 0 ? region.vertical / region.solution.load : region.plane.cosine;
             double normal = load / share, last = 0, before = 0, rate = 1;
             for (int k = 0; k < 12; ++k) {
-                part.solution = normal_[0].carry(part.grid, part.gaps.h, normal, settings_.tolerance, true);
-                part.vertical = vertical_load(0);
-                const double missing = std::log(load / part.vertical);
+                region.solution = normal_[0].carry(region.grid, region.gaps.h, normal, settings_.tolerance, true);
+                region.vertical = vertical_load(0);
+                const double missing = std::log(load / region.vertical);
                 if (!is_finite(missing) || std::abs(missing) < settings_.tolerance) break;
                 if (k > 0) rate = std::clamp((before - missing) / std::log(normal / last), 0.3, 3.0);
                 before = missing;
                 last = std::exchange(normal, normal * std::exp(missing / rate));
             }
-            return part.solution.approach / part.plane.cosine;
+            return region.solution.approach / region.plane.cosine;
         }
         // the power 2/3 of a load grows nearly linearly
         const auto root = [](double of) { return std::cbrt(of * of); };
@@ -167,21 +167,21 @@ public:
         return std::nullopt;
     }
 
-    /// The vertical load of all parts [N].
+    /// The vertical load of all regions [N].
     double carried() const {
         double sum = 0;
-        for (const ContactPart& part : parts_) sum += part.vertical;
+        for (const SolvedRegion& region : regions_) sum += region.vertical;
         return sum;
     }
     double deepest() const {
         double most = 0;
-        for (const ContactPart& part : parts_) most = (std::max)(most, part.plane.deepest);
+        for (const SolvedRegion& region : regions_) most = (std::max)(most, region.plane.deepest);
         return most;
     }
 
     /// Whether pressure reaches the border of a grid.
     bool outgrown() const {
-        for (std::size_t k = 0; k < parts_.size(); ++k) {
+        for (std::size_t k = 0; k < regions_.size(); ++k) {
             if (outgrown(k)) return true;
         }
         return false;
@@ -189,17 +189,17 @@ public:
 
     /// Patches by decreasing load, with the wheel lower than its gaps assume.
     std::vector<RailPatch> patches(double lower) const {
-        constexpr double crumb = 1e-3;  // share of the normal forces
+        constexpr double negligible_load_share = 1e-3;  // of the normal forces
         double load = 0;
-        for (const ContactPart& part : parts_) load += part.solution.load;
+        for (const SolvedRegion& region : regions_) load += region.solution.load;
         std::vector<RailPatch> found;
-        for (std::size_t k = 0; k < parts_.size(); ++k) {
-            const ContactPart& part = parts_[k];
-            if (!(part.solution.load > 0)) continue;
-            add_patches(
-                *geometry_, at_,
-                {part.plane, part.grid, part.gaps, part.solution, normal_[k].pressure(), lower * part.plane.cosine},
-                crumb * load, found);
+        for (std::size_t k = 0; k < regions_.size(); ++k) {
+            const SolvedRegion& region = regions_[k];
+            if (!(region.solution.load > 0)) continue;
+            add_patches(*geometry_, at_,
+                        {region.plane, region.grid, region.gaps, region.solution, normal_[k].pressure(),
+                         lower * region.plane.cosine},
+                        negligible_load_share * load, found);
         }
         std::stable_sort(found.begin(), found.end(),
                          [](const RailPatch& one, const RailPatch& other) { return one.load > other.load; });
@@ -207,34 +207,35 @@ public:
     }
 
 private:
-    std::vector<Region> regions(double height) {
+    std::vector<Region> find_regions(double height) {
         return geometry_->is_plain() ? silhouette_.regions(height) : slices_.regions(height);
     }
 
     double vertical_load(std::size_t k) const {
-        const ContactPart& part = parts_[k];
-        if (!(part.solution.load > 0)) return 0;
-        return detail::vertical_load(normal_[k].pressure(), part.grid, part.gaps.rail_slope, part.plane.angle);
+        const SolvedRegion& region = regions_[k];
+        if (!(region.solution.load > 0)) return 0;
+        return detail::vertical_load(normal_[k].pressure(), region.grid, region.gaps.rail_slope, region.plane.angle);
     }
 
-    void find_gaps(ContactPart& part) {
-        finder_.find(*geometry_, *placed_, at_.height, at_.along, part.plane, part.grid, part.gaps);
+    void find_gaps(SolvedRegion& region) {
+        finder_.find(*geometry_, *placed_, at_.height, at_.along, region.plane, region.grid, region.gaps);
     }
 
-    // The gaps of part k plus displacements by the loads of the other parts, as if each acted at its plane's origin.
+    // The gaps of region k plus displacements by the loads of the others, as if each acted at its plane's origin.
     const NormalContact::Grid& displaced(std::size_t k) {
-        const ContactPart& part = parts_[k];
-        const ContactPlane& here = part.plane;
-        displaced_ = part.gaps.h;
-        for (std::size_t other = 0; other < parts_.size(); ++other) {
-            const ContactPlane& there = parts_[other].plane;
-            const double size = parts_[other].solution.load * interaction(here.angle - there.angle) *
+        const SolvedRegion& region = regions_[k];
+        const ContactPlane& here = region.plane;
+        displaced_ = region.gaps.h;
+        for (std::size_t other = 0; other < regions_.size(); ++other) {
+            const ContactPlane& there = regions_[other].plane;
+            const double size = regions_[other].solution.load * interaction(here.angle - there.angle) *
                                 geometry_->compliance() / std::numbers::pi;
             if (other == k || size == 0) continue;
             const double x = here.x - there.x, s = -here.s(there.y, there.z), n = here.n(there.y, there.z);
-            for (Eigen::Index j = 0; j < part.grid.ny; ++j) {
-                for (Eigen::Index i = 0; i < part.grid.nx; ++i) {
-                    displaced_(i, j) += size / (std::max)(std::hypot(x + part.grid.x(i), s + part.grid.y(j), n), 1e-6);
+            for (Eigen::Index j = 0; j < region.grid.ny; ++j) {
+                for (Eigen::Index i = 0; i < region.grid.nx; ++i) {
+                    displaced_(i, j) +=
+                        size / (std::max)(std::hypot(x + region.grid.x(i), s + region.grid.y(j), n), 1e-6);
                 }
             }
         }
@@ -252,7 +253,7 @@ private:
 
     // Grid over the cells that may touch, with a margin of two cells.
     CellGrid finer(std::size_t k) {
-        const auto [left, right, bottom, top] = extents(parts_[k].grid, normal_[k].pressure());
+        const auto [left, right, bottom, top] = extents(regions_[k].grid, normal_[k].pressure());
         constexpr Eigen::Index margin = 2, most = 60;
         if (const double size = settings_.cell_size / double(cells_); size > 0) {
             const auto count = [=](double length) { return Eigen::Index(std::ceil(length / size)) + 2 * margin + 2; };
@@ -265,8 +266,8 @@ private:
         }
         // lines across the track end where profiles have edges
         constexpr double line = 10;
-        const bool lobes = top - bottom > line * (right - left) || has_lobes(parts_[k].plane);
-        // pieces with too few cells are cut by few lines across the track
+        const bool lobes = top - bottom > line * (right - left) || has_lobes(regions_[k].plane);
+        // patches with too few cells are cut by few lines across the track
         const Eigen::Index cells_x = settings_.cells_x * cells_, nx = lobes ? (std::max)(cells_x, most) : cells_x,
                            ny = (lobes ? (std::max)(settings_.cells_s, most) : settings_.cells_s) * cells_;
         const double dx = (right - left) / double(nx - 2 * margin), dy = (top - bottom) / double(ny - 2 * margin);
@@ -288,7 +289,7 @@ private:
         while (low > 0 && h[low - 1] < 0.75 * least) --low;
         while (high + 1 < count && h[high + 1] < 0.75 * least) ++high;
         if (double(high - low + 1) / count * 2 * double(settings_.cells_s * cells_) < least_cells) return true;
-        // another valley, deeper than the ridge between the two
+        // another lobe, deeper than the ridge between the two
         for (const Eigen::Index step : {-1, 1}) {
             double ridge = least;
             for (Eigen::Index j = deepest + step; j >= 0 && j < count; j += step) {
@@ -299,24 +300,24 @@ private:
         return false;
     }
 
-    // Keeps only parts with a load, and the memory of their pressures.
+    // Keeps only regions with a load, and the memory of their pressures.
     void keep_touching() {
-        std::vector<ContactPart> touching;
-        for (std::size_t k = 0; k < parts_.size(); ++k) {
-            if (!(parts_[k].solution.load > 0)) continue;
+        std::vector<SolvedRegion> touching;
+        for (std::size_t k = 0; k < regions_.size(); ++k) {
+            if (!(regions_[k].solution.load > 0)) continue;
             std::swap(normal_[touching.size()], normal_[k]);
-            touching.push_back(std::move(parts_[k]));
+            touching.push_back(std::move(regions_[k]));
         }
-        parts_ = std::move(touching);
+        regions_ = std::move(touching);
     }
 
-    // Sorts regions in the order of the parts nearest to them.
+    // Sorts found regions in the order of the present ones nearest to them.
     void match(std::vector<Region>& found) const {
-        for (std::size_t k = 0; k + 1 < parts_.size(); ++k) {
+        for (std::size_t k = 0; k + 1 < regions_.size(); ++k) {
             std::size_t nearest = k;
             double least = std::numeric_limits<double>::infinity();
             for (std::size_t i = k; i < found.size(); ++i) {
-                const double distance = plane_of(*geometry_, found[i], at_.along).distance(parts_[k].plane);
+                const double distance = plane_of(*geometry_, found[i], at_.along).distance(regions_[k].plane);
                 if (distance < least) nearest = i;
                 least = (std::min)(least, distance);
             }
@@ -335,13 +336,13 @@ private:
     ContactSettings settings_{};
     WheelsetPosition at_;
     std::optional<PlacedWheel> placed_;
-    SilhouetteSearch<> silhouette_;
-    SliceSearch<> slices_;
-    GapFinder<> finder_;
+    SilhouetteSearch silhouette_;
+    SliceSearch slices_;
+    GapFinder finder_;
     Gaps row_;
     NormalContact::Grid displaced_;
-    std::vector<ContactPart> parts_;
-    std::vector<NormalContact> normal_;  // normal problems of the parts
+    std::vector<SolvedRegion> regions_;
+    std::vector<NormalContact> normal_;  // normal problems of the regions
     Eigen::Index cells_ = 1;
 };
 

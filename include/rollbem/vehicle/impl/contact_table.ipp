@@ -1,0 +1,349 @@
+// Bodies of contact_table.hpp. Internal.
+#pragma once
+
+#include "../contact_table.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <istream>
+#include <ostream>
+#include <string>
+#include <utility>
+
+#include "../../detail/checked_stream.hpp"
+#include "../../detail/finite.hpp"
+#include "../../detail/require.hpp"
+#include "../detail/contact_table_interpolation.hpp"
+#include "../detail/wheel_look_up.hpp"
+
+namespace rollbem {
+
+ROLLBEM_DECL ContactTable::ContactTable(Grid grid, Material material, std::vector<Side> sides)
+    : grid_(std::move(grid)), material_(material) {
+    const auto require_nodes = [](const char* what, const std::vector<double>& nodes, std::size_t least,
+                                  std::size_t most) {
+        const std::string rule = "be " + std::to_string(least) + " to " + std::to_string(most);
+        detail::require(nodes.size() >= least && nodes.size() <= most, Interpolation::name, what, nodes.size(),
+                        rule.c_str());
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            detail::require(detail::is_finite(nodes[k]) && (k == 0 || nodes[k] > nodes[k - 1]), Interpolation::name,
+                            what, nodes[k], "ascend");
+        }
+    };
+    require_nodes("number of shifts", grid_.shifts, 5, 10001);
+    require_nodes("number of yaws", grid_.yaws, 2, most_yaws);
+    require_nodes("number of loads", grid_.loads, 1, most_loads);
+    for (std::size_t i = 0; i < grid_.shifts.size(); ++i) {
+        const double opposite = -grid_.shifts[grid_.shifts.size() - 1 - i];
+        detail::require(std::abs(grid_.shifts[i] - opposite) <= 1e-12, Interpolation::name, "shift", grid_.shifts[i],
+                        "have its opposite among the shifts");
+    }
+    detail::require(grid_.yaws[0] == 0, Interpolation::name, "first yaw", grid_.yaws[0], "be 0");
+    detail::require_positive(Interpolation::name, "first load", grid_.loads[0]);
+    detail::require_positive(Interpolation::name, "shear_modulus", material_.shear_modulus);
+    detail::require_poisson_ratio(Interpolation::name, material_.poisson_ratio);
+    detail::require(sides.size() == 1 || sides.size() == 2, Interpolation::name, "number of sides", sides.size(),
+                    "be 1 or 2");
+    for (const double load : grid_.loads) roots_.push_back(std::cbrt(load));
+    for (Side& side : sides) {
+        detail::require_positive(Interpolation::name, "radius", side.radius);
+        detail::require(side.on_rails.rows() == 2 && side.on_rails.cols() == grid_.nodes(), Interpolation::name,
+                        "number of heights", side.on_rails.cols(), "be the number of the grid's nodes");
+        detail::require(
+            side.points.rows() == ContactRow::rows && side.points.cols() == grid_.nodes() * side.zones.count(),
+            Interpolation::name, "number of points", side.points.cols(),
+            "be the number of the grid's nodes times the number of zones");
+        detail::require(side.on_rails.isFinite().all() && side.points.isFinite().all(), Interpolation::name, "values",
+                        "not finite", "be finite");
+        sides_.push_back(Interpolation{*this}.stored(std::move(side)));
+    }
+}
+
+namespace detail {
+
+/// Where a zone carries nothing, its rows except the share are copied from the nearest node on its line that carries;
+/// lines without such a node are copied from the nearest line. `points` are the nodes of one zone.
+inline void fill_zone(const ContactTable::Grid& grid, Eigen::Ref<Eigen::ArrayXXd> points) {
+    const auto shifts = Eigen::Index(grid.shifts.size()), yaws = Eigen::Index(grid.yaws.size()),
+               loads = Eigen::Index(grid.loads.size());
+    const auto carries = [&](Eigen::Index node) { return points(ContactRow::share, node) > 0; };
+    const auto copy = [&](Eigen::Index to, Eigen::Index from) {
+        const double share = points(ContactRow::share, to);
+        points.col(to) = points.col(from);
+        points(ContactRow::share, to) = share;
+    };
+    std::vector<bool> known(std::size_t(yaws * loads));
+    for (Eigen::Index line = 0; line < yaws * loads; ++line) {
+        std::vector<Eigen::Index> with;
+        for (Eigen::Index i = 0; i < shifts; ++i) {
+            if (carries(line * shifts + i)) with.push_back(i);
+        }
+        known[std::size_t(line)] = !with.empty();
+        for (Eigen::Index i = 0; i < shifts && !with.empty(); ++i) {
+            const auto nearer = [&](Eigen::Index one, Eigen::Index two) {
+                return std::abs(grid.shifts[std::size_t(one)] - grid.shifts[std::size_t(i)]) <
+                       std::abs(grid.shifts[std::size_t(two)] - grid.shifts[std::size_t(i)]);
+            };
+            if (!carries(line * shifts + i))
+                copy(line * shifts + i, line * shifts + *std::min_element(with.begin(), with.end(), nearer));
+        }
+    }
+    const std::vector<bool> first = known;
+    for (Eigen::Index line = 0; line < yaws * loads; ++line) {
+        if (first[std::size_t(line)]) continue;
+        Eigen::Index nearest = -1;
+        const auto apart = [&](Eigen::Index other) {  // a nearer load is preferred
+            return std::abs(other / yaws - line / yaws) + yaws * std::abs(other % yaws - line % yaws);
+        };
+        for (Eigen::Index other = 0; other < yaws * loads; ++other) {
+            if (first[std::size_t(other)] && (nearest < 0 || apart(other) < apart(nearest))) nearest = other;
+        }
+        for (Eigen::Index i = 0; i < shifts && nearest >= 0; ++i) copy(line * shifts + i, nearest * shifts + i);
+    }
+}
+
+/// Slopes by the shift of each row of each line; the slopes of row 0, the share, are limited where `limit` is set.
+inline Eigen::ArrayXXd slopes_of(const ContactTable::Grid& grid, const Eigen::ArrayXXd& values, bool limit) {
+    const auto shifts = Eigen::Index(grid.shifts.size());
+    Eigen::ArrayXXd slopes(values.rows(), values.cols());
+    for (Eigen::Index node = 0; node < values.cols(); ++node) {
+        const Eigen::Index i = node % shifts;
+        const auto step = [&](Eigen::Index k) { return grid.shifts[std::size_t(k + 1)] - grid.shifts[std::size_t(k)]; };
+        const auto difference = [&](Eigen::Index k) -> Eigen::ArrayXd {  // from node k of the line
+            return (values.col(node - i + k + 1) - values.col(node - i + k)) / step(k);
+        };
+        if (i == 0 || i + 1 == shifts) {
+            slopes.col(node) = difference(i == 0 ? 0 : i - 1);
+            continue;
+        }
+        const Eigen::ArrayXd before = difference(i - 1), after = difference(i);
+        slopes.col(node) = slope_between(before, step(i - 1), after, step(i));
+        if (limit) slopes(0, node) = limited(slopes(0, node), before[0], after[0]);
+    }
+    return slopes;
+}
+
+}  // namespace detail
+
+inline auto ContactTable::Interpolation::stored(Side side) const -> Stored {
+    Stored made{.given = {},
+                .means = ContactRow::Values::Zero(),
+                .points = {},
+                .slopes = {},
+                .on_rails_slopes = {},
+                .carrying = {}};
+    for (Eigen::Index zone = 0; zone < side.zones.count(); ++zone) {
+        detail::fill_zone(table.grid_, side.points.middleCols(zone * table.grid_.nodes(), table.grid_.nodes()));
+    }
+    made.means = side.points.rowwise().mean();
+    made.means[ContactRow::share] = 0;
+    made.points.setZero(packed_rows, side.points.cols());
+    made.slopes = made.points;
+    made.points.topRows<ContactRow::rows>() = (side.points.colwise() - Eigen::ArrayXd(made.means)).cast<float>();
+    side.points = made.points.topRows<ContactRow::rows>().cast<double>().colwise() + Eigen::ArrayXd(made.means);
+    made.slopes.topRows<ContactRow::rows>() = detail::slopes_of(table.grid_, side.points, true).cast<float>();
+    made.on_rails_slopes = detail::slopes_of(table.grid_, side.on_rails, false);
+    const auto shifts = Eigen::Index(table.grid_.shifts.size()), lines = table.grid_.nodes() / shifts;
+    for (Eigen::Index zone = 0; zone < side.zones.count(); ++zone) {
+        const Eigen::Map<const Eigen::ArrayXXf, 0, Eigen::Stride<Eigen::Dynamic, Eigen::Dynamic>> shares(
+            made.points.col(zone * table.grid_.nodes()).data() + ContactRow::share, shifts, lines,
+            {shifts * packed_rows, Eigen::Index(packed_rows)});
+        for (Eigen::Index i = 0; i + 1 < shifts; ++i) {
+            made.carrying.push_back((shares.middleRows(i, 2) > 0).any() ? 1 : 0);
+        }
+    }
+    made.given = std::move(side);
+    return made;
+}
+
+ROLLBEM_DECL auto ContactTable::on_rails(double lateral, double yaw, const std::array<double, 2>& loads) const noexcept
+    -> OnRails {
+    // heights of both wheels at the roll of unequal loads: profiles meet the rails as at another shift
+    struct Wheel {
+        double height, by_lateral, by_yaw, by_load, by_roll;
+    };
+    const auto wheel = [&](WheelsetSide side, double roll) -> Wheel {
+        const double mirror = side == WheelsetSide::left ? -1 : 1, load = loads[std::size_t(side)];
+        const Stored& own = sides_[index_of(side)];
+        const double u = mirror * lateral, psi = mirror * yaw, radius = own.given.radius;
+        const auto table = Interpolation{*this}.wheel_on_rails(own, u, psi, load).roll;
+        const double limit = largest_shift();
+        const double moved = std::clamp(u - radius * (mirror * roll - table[0]), -limit, limit);
+        const auto height = Interpolation{*this}.wheel_on_rails(own, moved, psi, load).height;
+        return {height[0], mirror * height[1] * (1 + radius * table[1]),
+                mirror * (height[2] + height[1] * radius * table[2]), height[3] + height[1] * radius * table[3],
+                -mirror * radius * height[1]};
+    };
+    double roll =
+        Interpolation{*this}.wheel_on_rails(sides_[index_of(WheelsetSide::right)], lateral, yaw, loads[1]).roll[0];
+    OnRails found;
+    for (int round = 0; round < 4; ++round) {
+        const Wheel left = wheel(WheelsetSide::left, roll), right = wheel(WheelsetSide::right, roll);
+        const double slope = 2 * support_y - (right.by_roll - left.by_roll);
+        const double excess = 2 * support_y * roll - (right.height - left.height);
+        found = {.height = (left.height + right.height) / 2,
+                 .roll = roll,
+                 .roll_by_lateral = (right.by_lateral - left.by_lateral) / slope,
+                 .roll_by_yaw = (right.by_yaw - left.by_yaw) / slope,
+                 .roll_by_load = {-left.by_load / slope, right.by_load / slope}};
+        const double by_roll = (left.by_roll + right.by_roll) / 2;
+        found.height_by_lateral = (left.by_lateral + right.by_lateral) / 2 + by_roll * found.roll_by_lateral;
+        found.height_by_yaw = (left.by_yaw + right.by_yaw) / 2 + by_roll * found.roll_by_yaw;
+        found.height_by_load = {left.by_load / 2 + by_roll * found.roll_by_load[0],
+                                right.by_load / 2 + by_roll * found.roll_by_load[1]};
+        if (std::abs(excess) < 1e-14) break;
+        roll -= excess / slope;
+    }
+    return found;
+}
+
+ROLLBEM_DECL auto ContactTable::support(WheelsetSide side, double lateral, double yaw, double height) const noexcept
+    -> Support {
+    const double mirror = side == WheelsetSide::left ? -1 : 1;
+    const Stored& own = sides_[index_of(side)];
+    if (!detail::is_finite(lateral) || !detail::is_finite(yaw) || !detail::is_finite(height)) return {};
+    if (!covers(lateral, yaw) || grid_.loads.size() < 2) return {.status = Status::wrong_table};
+    const auto at = [&](double load) {
+        return Interpolation{*this}.wheel_on_rails(own, mirror * lateral, mirror * yaw, load).height;
+    };
+    const auto result = [&](double load, double by_load, double by_lateral, double by_yaw) -> Support {
+        return {load, 1 / by_load, -mirror * by_lateral / by_load, -mirror * by_yaw / by_load, Status::ok};
+    };
+    // below the first load the height depends on the square of the load's cube root, starting where the wheel touches
+    const double least = grid_.loads.front();
+    const auto first = at(least);
+    if (height < first[0]) {
+        const double inside = at(least * (1 + 1e-9))[3];
+        const double share = inside > 0 ? 3 * inside * least / 2 : 0, touch = first[0] - share;
+        if (!(height > touch)) return {.load = 0, .status = Status::ok};
+        const double load = least * std::pow((height - touch) / share, 1.5);
+        return result(load, 2 * (height - touch) / (3 * load), first[1], first[2]);
+    }
+    double low = least, high = grid_.loads.back();
+    if (height >= at(high)[0]) {  // beyond the last load, the stiffness at the last load
+        const auto last = at(high * (1 - 1e-9));
+        return result(high + (height - last[0]) / last[3], last[3], last[1], last[2]);
+    }
+    double load = (low + high) / 2;
+    for (int round = 0; round < 60; ++round) {
+        const auto here = at(load);
+        (here[0] < height ? low : high) = load;
+        const double next = load - (here[0] - height) / here[3];
+        const double change = next > low && next < high ? next - load : (low + high) / 2 - load;
+        load += change;
+        if (std::abs(change) <= 1e-14 * load) break;
+    }
+    const auto here = at(load);
+    return result(load, here[3], here[1], here[2]);
+}
+
+ROLLBEM_DECL void ContactTable::write(std::ostream& stream) const {
+    detail::CheckedWriter writer(stream, Interpolation::magic);
+    for (const std::size_t count : {std::size_t(Interpolation::version), grid_.shifts.size(), grid_.yaws.size(),
+                                    grid_.loads.size(), sides_.size()}) {
+        writer.integer(static_cast<std::uint32_t>(count));
+    }
+    for (const auto* nodes : {&grid_.shifts, &grid_.yaws, &grid_.loads}) {
+        for (const double node : *nodes) writer.number(node);
+    }
+    writer.number(material_.shear_modulus);
+    writer.number(material_.poisson_ratio);
+    for (const Stored& side : sides_) {
+        const Side& given = side.given;
+        writer.integer(static_cast<std::uint32_t>(given.zones.cuts().size()));
+        writer.number(given.radius);
+        for (const ContactZones::Cut& cut : given.zones.cuts()) {
+            writer.number(cut.y);
+            writer.number(cut.half_width);
+        }
+        for (const double mean : side.means) writer.number(mean);
+        for (Eigen::Index node = 0; node < grid_.nodes(); ++node) {
+            for (const double value : given.on_rails.col(node)) writer.number(value);
+            std::uint32_t carrying = 0;
+            for (Eigen::Index zone = 0; zone < given.zones.count(); ++zone) {
+                if (side.points(ContactRow::share, zone * grid_.nodes() + node) > 0) carrying |= 1U << unsigned(zone);
+            }
+            writer.integer(carrying);
+            for (Eigen::Index zone = 0; zone < given.zones.count(); ++zone) {
+                if ((carrying >> unsigned(zone) & 1U) == 0) continue;
+                for (const float value : side.points.col(zone * grid_.nodes() + node).head<ContactRow::rows>()) {
+                    writer.number(value);
+                }
+            }
+        }
+    }
+    writer.finish();
+}
+
+ROLLBEM_DECL ContactTable ContactTable::read(std::istream& stream) {
+    detail::CheckedReader reader(stream, Interpolation::name, Interpolation::magic);
+    const auto found = reader.integer<std::uint32_t>();
+    detail::require(found == Interpolation::version, Interpolation::name, "version", found,
+                    "be 2: make the table again with contact_table");
+    std::array<std::size_t, 4> counts;
+    for (auto [count, most] : {std::pair(&counts[0], 10001U),
+                               {&counts[1], unsigned(most_yaws)},
+                               {&counts[2], unsigned(most_loads)},
+                               {&counts[3], 2U}}) {
+        *count = reader.integer<std::uint32_t>();
+        detail::require(*count >= 1 && *count <= most, Interpolation::name, "number of nodes", *count,
+                        "be at least 1 and at most the largest number of a table");
+    }
+    Grid grid{std::vector<double>(counts[0]), std::vector<double>(counts[1]), std::vector<double>(counts[2])};
+    for (auto* nodes : {&grid.shifts, &grid.yaws, &grid.loads}) {
+        for (double& node : *nodes) node = reader.number();
+    }
+    detail::require(grid.nodes() <= 200000, Interpolation::name, "number of nodes", grid.nodes(), "be at most 200000");
+    const double G = reader.number(), nu = reader.number();
+    std::vector<Side> sides(counts[3]);
+    for (Side& side : sides) {
+        const auto cut_count = reader.integer<std::uint32_t>();
+        detail::require(cut_count < ContactZones::most, Interpolation::name, "number of cuts", cut_count,
+                        "be at most 3");
+        std::vector<ContactZones::Cut> cuts(cut_count);
+        side.radius = reader.number();
+        for (ContactZones::Cut& cut : cuts) {
+            cut.y = reader.number();
+            cut.half_width = reader.number();
+        }
+        side.zones = ContactZones(std::move(cuts));
+        ContactRow::Values means;
+        for (double& mean : means) mean = reader.number();
+        side.on_rails.resize(2, grid.nodes());
+        side.points.setZero(ContactRow::rows, grid.nodes() * side.zones.count());
+        for (Eigen::Index node = 0; node < grid.nodes(); ++node) {
+            for (Eigen::Index row = 0; row < 2; ++row) side.on_rails(row, node) = reader.number();
+            const auto carrying = reader.integer<std::uint32_t>();
+            for (Eigen::Index zone = 0; zone < side.zones.count(); ++zone) {
+                if ((carrying >> unsigned(zone) & 1U) == 0) continue;
+                for (Eigen::Index row = 0; row < ContactRow::rows; ++row) {
+                    side.points(row, zone * grid.nodes() + node) = means[row] + double(reader.single());
+                }
+            }
+        }
+    }
+    reader.finish();
+    return {std::move(grid), {G, nu}, std::move(sides)};
+}
+
+ROLLBEM_DECL ContactTable ContactTable::read(const std::filesystem::path& path) {
+    return detail::read_file<ContactTable>(path, Interpolation::name);
+}
+
+ROLLBEM_DECL WheelForces ContactTable::look_up(const CreepForceTable& creep, WheelsetSide side,
+                                               const WheelsetPosition& position, const WheelsetSpeeds& speeds,
+                                               const WheelLoad& load, const WheelFriction& friction) const noexcept {
+    WheelForces result;
+    detail::WheelLookUp(*this, creep, friction, result)(side, position, speeds, load, true);
+    return result;
+}
+
+ROLLBEM_DECL WheelForces ContactTable::forces(const CreepForceTable& creep, WheelsetSide side,
+                                              const WheelsetPosition& position, const WheelsetSpeeds& speeds,
+                                              const WheelLoad& load, const WheelFriction& friction) const noexcept {
+    WheelForces result;
+    detail::WheelLookUp(*this, creep, friction, result)(side, position, speeds, load, false);
+    return result;
+}
+
+}  // namespace rollbem
