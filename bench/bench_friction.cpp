@@ -20,9 +20,12 @@ using namespace rollbem::studies;
 constexpr double poisson_ratio = 0.25;
 constexpr double peak = 1e-3;  // mu p0 / G
 
-double creepage(double ratio) { return 2 * (1 - poisson_ratio) * peak * ratio; }
+double creepage_size(double ratio) { return 2 * (1 - poisson_ratio) * peak * ratio; }
+Creepage<double> creepage(double ratio) { return {creepage_size(ratio)}; }
 constexpr double aspect = 1000;
-double force_ratio(const FrictionStep<>& step) { return -step.force / (2 * aspect * peak * std::numbers::pi / 2); }
+double force_ratio(const FrictionStep& step) {
+    return -step.force.longitudinal / (2 * aspect * peak * std::numbers::pi / 2);
+}
 
 struct Scene {
     explicit Scene(Eigen::Index n) : mesh(cosine_mesh<double>(n)), friction{1, peak * mean_hertz_pressure(mesh)} {}
@@ -31,13 +34,13 @@ struct Scene {
     StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
     StripKernel<double> lateral = StripKernel<double>::lateral(contact);
     Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
-    FrictionModel<> model(Integrator integrator) const {
+    FrictionModel model(Integrator integrator) const {
         return {contact, rolling_system(mesh, scheme, kernel), unchecked, friction, integrator};
     }
-    FrictionModel<> steady_model() const { return {contact, steady_system(mesh, scheme, kernel), friction}; }
+    FrictionModel steady_model() const { return {contact, steady_system(mesh, scheme, kernel), friction}; }
 
     Mesh<double> mesh;
-    Friction<> friction;
+    Friction friction;
 };
 
 /// advance(now, next, workspace) from rest, `before` times and then in every iteration. Returns the last step; counts
@@ -113,7 +116,7 @@ void exact_border(benchmark::State& state) {
     const double ratio = static_cast<double>(state.range(0)) / 100;
     StickBorderSolution<double> solution;
     for (auto _ : state) {
-        solution = solve_stick_border(contact, kernel, 1.0, pressure, creepage(ratio));
+        solution = solve_stick_border(contact, kernel, 1.0, pressure, creepage_size(ratio));
         benchmark::ClobberMemory();
     }
     const double force = solution.force_per_width;
@@ -128,8 +131,8 @@ BENCHMARK(BM_StickBorderStrip)->Arg(40);
 // Steps at constant creepage in the steady state, where no element changes its zone. Implicit Euler solves once per
 // step for stick and slip, sdirk2 twice.
 void steps_unchanged(benchmark::State& state, Integrator integrator) {
-    const FrictionModel<> model = Scene(state.range(0)).model(integrator);
-    const FrictionStep<> step = roll(state, model, 800, [&](const auto& now, auto& next, auto& workspace) {
+    const FrictionModel model = Scene(state.range(0)).model(integrator);
+    const FrictionStep step = roll(state, model, 800, [&](const auto& now, auto& next, auto& workspace) {
         return model.advance(now, {0.05, creepage(0.5)}, next, workspace);
     });
     state.counters["relative_error"] = force_ratio(step) / carter_force_ratio(0.5) - 1;
@@ -147,13 +150,13 @@ void falling_steps_unchanged(benchmark::State& state, bool with_tangents,
     const Mesh<double> mesh = cosine_mesh<double>(state.range(0));
     const Contact<double> contact(
         {.half_length = a, .half_width = 1000 * a, .shear_modulus = 82e9, .poisson_ratio = 0.28});
-    const Friction<ExponentialFall> friction{
-        {0.3, 0.18, 0.1}, 495.169e6 * mean_hertz_pressure(mesh), {10e-6, 1e-3}, with_tangents};
-    const FrictionModel<ExponentialFall> model(
-        contact, rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(contact)), unchecked,
-        friction, integrator);
+    const Friction friction{
+        ExponentialFall{0.3, 0.18, 0.1}, 495.169e6 * mean_hertz_pressure(mesh), {10e-6, 1e-3}, with_tangents};
+    const FrictionModel model(contact,
+                              rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(contact)),
+                              unchecked, friction, integrator);
     roll(state, model, 2000, [&](const auto& now, auto& next, auto& workspace) {
-        return model.advance(now, {{0.05 * a, 0.05 * a / speed}, 1e-3}, next, workspace);
+        return model.advance(now, {{0.05 * a, 0.05 * a / speed}, Creepage<double>{1e-3}}, next, workspace);
     });
 }
 void BM_FrictionStepFalling(benchmark::State& state) { falling_steps_unchanged(state, false); }
@@ -167,14 +170,14 @@ BENCHMARK(BM_FrictionStepFallingSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
 // A cycle of sinusoidal creepage. Counters: rounds per step, and the share of steps in which elements change zones.
 void steps_changing(benchmark::State& state, Integrator integrator) {
-    const FrictionModel<> model = Scene(state.range(0)).model(integrator);
+    const FrictionModel model = Scene(state.range(0)).model(integrator);
     const int solutions = integrator == Integrator::sdirk2 ? 2 : 1;
     double q = 0, changing = 0;
     roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
-        const double before = creepage(0.9 * std::sin(q));
+        const Creepage<double> before = creepage(0.9 * std::sin(q));
         q += 0.05;
-        const auto motion = RigidMotion<double>::linear(before, creepage(0.9 * std::sin(q)));
-        const FrictionStep<> step = model.advance(now, {0.05, motion}, next, workspace);
+        const auto motion = FrictionModel::Motion::linear(before, creepage(0.9 * std::sin(q)));
+        const FrictionStep step = model.advance(now, {0.05, motion}, next, workspace);
         changing += step.rounds > solutions ? 1 : 0;
         return step;
     });
@@ -188,13 +191,13 @@ BENCHMARK(BM_FrictionStepChangingSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 // A step of a new distance each time, as by an integrator with variable step size. Argument: n. Compare with
 // BM_LuSolve.
 void steps_of_new_length(benchmark::State& state, Integrator integrator) {
-    const FrictionModel<> model = Scene(state.range(0)).model(integrator);
+    const FrictionModel model = Scene(state.range(0)).model(integrator);
     double q = 0, dq = 0.05;
     roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
-        const double before = creepage(0.9 * std::sin(q));
+        const Creepage<double> before = creepage(0.9 * std::sin(q));
         dq = dq == 0.05 ? 0.0501 : 0.05;
         q += dq;
-        const auto motion = RigidMotion<double>::linear(before, creepage(0.9 * std::sin(q)));
+        const auto motion = FrictionModel::Motion::linear(before, creepage(0.9 * std::sin(q)));
         return model.advance(now, {dq, motion}, next, workspace);
     });
 }
@@ -215,7 +218,7 @@ void steps_under_load(benchmark::State& state, Integrator integrator, bool breat
     const HertzLoad<double> hertz =
         breathing ? HertzLoad<double>::breathing(line, mesh) : HertzLoad<double>::fixed(line, mesh, a);
     NormalLoad<double> load = hertz.at(line.load_per_width());
-    const FrictionModel<> model(
+    const FrictionModel model(
         contact,
         rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, PlaneKernel<double>::longitudinal(contact)),
         unchecked, {0.3, load.normal_pressure}, integrator);
@@ -225,9 +228,9 @@ void steps_under_load(benchmark::State& state, Integrator integrator, bool breat
         q += 0.05;
         if (hertz.set(line.load_per_width() * (1 + 0.5 * std::sin(2 * std::numbers::pi * q / 8)), load) != Status::ok) {
             state.SkipWithError("load");
-            return FrictionStep<>{};
+            return FrictionStep{};
         }
-        return model.advance(now, {dq, 5e-4, load}, next, workspace);
+        return model.advance(now, {dq, Creepage<double>{5e-4}, load}, next, workspace);
     });
 }
 void BM_FrictionStepBreathing(benchmark::State& state) { steps_under_load(state, Integrator::implicit_euler, true); }
@@ -240,14 +243,14 @@ void BM_FrictionStepFixedMeshSdirk2(benchmark::State& state) { steps_under_load(
 BENCHMARK(BM_FrictionStepFixedMeshSdirk2)->Arg(20)->Arg(30)->Arg(40)->Arg(80);
 
 void BM_FrictionSteady(benchmark::State& state) {
-    const FrictionStep<> step = solve_afresh(state, Scene(state.range(0)).steady_model(), creepage(0.5));
+    const FrictionStep step = solve_afresh(state, Scene(state.range(0)).steady_model(), creepage(0.5));
     state.counters["relative_error"] = force_ratio(step) / carter_force_ratio(0.5) - 1;
 }
 BENCHMARK(BM_FrictionSteady)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
 // One point of 100 along the curve from 0.01 to 1.
 void BM_FrictionSteadyWarm(benchmark::State& state) {
-    const FrictionModel<> model = Scene(state.range(0)).steady_model();
+    const FrictionModel model = Scene(state.range(0)).steady_model();
     int point = 0;
     roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
         const int phase = point++ % 200;
@@ -276,7 +279,7 @@ void BM_CombinedLuSolve(benchmark::State& state) {
 }
 BENCHMARK(BM_CombinedLuSolve)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
-FrictionModel<ConstantFriction, 2> combined_steady_model(const Scene& scene) {
+FrictionModel combined_steady_model(const Scene& scene) {
     return {
         scene.contact,
         {steady_system(scene.mesh, scene.scheme, scene.kernel), steady_system(scene.mesh, scene.scheme, scene.lateral)},
@@ -284,7 +287,7 @@ FrictionModel<ConstantFriction, 2> combined_steady_model(const Scene& scene) {
 }
 Creepage<double> creepage(double ratio, double degrees) {
     const double angle = degrees * std::numbers::pi / 180;
-    return {creepage(ratio) * std::cos(angle), creepage(ratio) * std::sin(angle)};
+    return {creepage_size(ratio) * std::cos(angle), creepage_size(ratio) * std::sin(angle)};
 }
 
 // A solution from rest in the most expensive case, oblique creepage where stick ends.
@@ -314,7 +317,7 @@ void combined_steps(benchmark::State& state, Integrator integrator) {
     roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
         const Creepage<double> before = creepage(0.9 * std::sin(q), 20 * q);
         q += 0.05;
-        const auto motion = RigidMotion<Creepage<double>>::linear(before, creepage(0.9 * std::sin(q), 20 * q));
+        const auto motion = FrictionModel::Motion::linear(before, creepage(0.9 * std::sin(q), 20 * q));
         return model.advance(now, {0.05, motion}, next, workspace);
     });
 }
@@ -353,9 +356,8 @@ void BM_CombinedStepUnchanged(benchmark::State& state) {
 }
 BENCHMARK(BM_CombinedStepUnchanged)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 void combined_falling_steps(benchmark::State& state, bool with_tangents) {
-    using Law = ExponentialFall;
     const CombinedWheel wheel(state.range(0));
-    const Friction<Law> friction{{0.3, 0.18, 0.1}, wheel.pressure, {10e-6, 1e-3}, with_tangents};
+    const Friction friction{ExponentialFall{0.3, 0.18, 0.1}, wheel.pressure, {10e-6, 1e-3}, with_tangents};
     const FrictionModel model(wheel.contact, wheel.system(), unchecked, friction, Integrator::implicit_euler);
     roll(state, model, 2500, [&](const auto& from, auto& to, auto& workspace) {
         return model.advance(from, {{wheel.dq, wheel.duration}, wheel.creepage}, to, workspace);

@@ -61,7 +61,7 @@ rollbem::ElementSystem<double> slopes(const Scene& scene, const Kernel& kernel) 
     return steady_system(*scene.mesh, scene.scheme, kernel);
 }
 
-rollbem::Friction<> friction(const Scene& scene) { return {1, peak * rollbem::mean_hertz_pressure(*scene.mesh)}; }
+rollbem::Friction friction(const Scene& scene) { return {1, peak * rollbem::mean_hertz_pressure(*scene.mesh)}; }
 
 /// The solution of steady rolling on one mesh or by states.
 rollbem::Response<double> steady(const Scene& scene) {
@@ -90,15 +90,15 @@ Values step_forces(const Scene& scene, const Settings& settings) {
 
 /// -F/(mu N) at the creepage ratio.
 Values friction_force(const Scene& scene, const Settings& settings) {
-    const rollbem::FrictionModel<> model(scene.contact, slopes(scene, scene.kernel), friction(scene));
-    const auto step = rollbem::Run(model).steady({.motion = creepage(scene, settings)});
-    return {step.status == Status::ok ? -step.force / full(scene) : nan};
+    const rollbem::FrictionModel model(scene.contact, slopes(scene, scene.kernel), friction(scene));
+    const auto step = rollbem::Run(model).steady({.motion = rollbem::Creepage{creepage(scene, settings)}});
+    return {step.status == Status::ok ? -step.force.longitudinal / full(scene) : nan};
 }
 
 /// The forces along and across with the creepage at 45 degrees.
 Values combined_forces(const Scene& scene, const Settings& settings) {
     // the model is made from kernels, as only then it knows where the equations hold and turns the slip
-    const rollbem::FrictionModel<rollbem::ConstantFriction, 2> model(
+    const rollbem::FrictionModel model(
         scene.contact,
         {slopes(scene, scene.kernel), slopes(scene, Kernel::lateral(scene.kernel.model(), scene.contact))},
         friction(scene));
@@ -131,8 +131,8 @@ Values load_forces(const Scene& scene, const Settings& settings) {
     };
     rollbem::NormalLoad<double> load = hertz.at(load_at(load_length / 4));
     const auto system = rolling_system(*scene.mesh, scene.scheme, Kernel::longitudinal(scene.kernel.model(), covered));
-    const rollbem::FrictionModel<> model(covered, system, rollbem::unchecked, {1, load.normal_pressure});
-    const double xi = creepage(scene, settings);
+    const rollbem::FrictionModel model(covered, system, rollbem::unchecked, {1, load.normal_pressure});
+    const rollbem::Creepage xi{creepage(scene, settings)};
     rollbem::Run contact(model);
     hertz.set(load_at(0), load);
     Status status = contact.steady({.motion = xi, .load = load}).status;

@@ -6,6 +6,7 @@
 #include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/stability.hpp>
+#include <rollbem/friction/detail/rolling_friction.hpp>
 
 #include "support/catch.hpp"
 
@@ -78,16 +79,15 @@ TEST_CASE("In full adhesion a row of the table is all of a scheme", "[stages]") 
 namespace {
 
 /// A step of the row against two of implicit Euler, from steady rolling, while the load grows: all that it returns.
-template <int directions, class Law>
-void compare(const ElementSystem<double, directions>& system, const Law& law,
-             const typename FrictionModel<Law, directions>::Value& start,
-             const typename FrictionModel<Law, directions>::Value& middle,
-             const typename FrictionModel<Law, directions>::Value& end, double growth) {
-    using Moved = typename FrictionModel<Law, directions>::Motion;
+template <int directions>
+void compare(const ElementSystem<double, directions>& system, const FrictionLaw& law, const Creepage<double>& start,
+             const Creepage<double>& middle, const Creepage<double>& end, double growth) {
+    using Moved = FrictionModel::Motion;
     const Friction friction{law, ArrayX<double>(p_0 * mean_hertz_pressure(mesh))};
     const FrictionModel model(contact, system, unchecked, friction, Integrator::implicit_euler);
-    const detail::ContactData<directions> data("test", contact, system, detail::AnyFriction(friction));
-    auto workspace = model.workspace(), own = workspace;
+    const detail::ContactData<directions> data("test", contact, system, friction);
+    detail::StepScratch<directions> own(data.size(), false, data.varies());
+    auto workspace = model.workspace();
     auto from = model.at_rest(), half = from, to = from, found = from;
     REQUIRE(model.steady(model.at_rest(), {Travel<>::at_speed(20), start}, from, workspace).status == Status::ok);
     const auto load = [&](double way) {
@@ -103,7 +103,7 @@ void compare(const ElementSystem<double, directions>& system, const Law& law,
         Moved::linear(start, end), a, axes(from), axes(three), whole.dq / a, halves};
     rolled.duration = whole.duration;
     const detail::LoadAtEnd end_load{three.normal_pressure, three.half_length, from.half_width, &three.pressure_rate};
-    const auto step = detail::solve<directions>({data, rolled, from, end_load, own.scratch()}, found);
+    const auto step = detail::solve<directions>({data, rolled, from, end_load, own}, found);
     REQUIRE(second.status == Status::ok);
     REQUIRE(step.status == Status::ok);
     CHECK(found.zones == to.zones);
@@ -122,9 +122,9 @@ TEST_CASE("With friction a row of the table is all of a scheme", "[stages][frict
     const ExponentialFall falling{0.3, 0.18, 0.1};
     const ElementSystem<double, 2> both(along, across);
     for (const double growth : {0.0, 0.05}) {
-        compare<1>(along, ConstantFriction{0.3}, 1e-3, 2e-3, 3e-3, growth);
-        compare<1>(along, falling, 1e-3, 2e-3, 3e-3, growth);
-        compare<2>(both, ConstantFriction{0.3}, {1e-3, 5e-4, 0}, {2e-3, -5e-4, 0}, {3e-3, -1.5e-3, 0}, growth);
+        compare<1>(along, 0.3, {1e-3}, {2e-3}, {3e-3}, growth);
+        compare<1>(along, falling, {1e-3}, {2e-3}, {3e-3}, growth);
+        compare<2>(both, 0.3, {1e-3, 5e-4, 0}, {2e-3, -5e-4, 0}, {3e-3, -1.5e-3, 0}, growth);
         compare<2>(both, falling, {1e-3, 5e-4, 0}, {2e-3, -5e-4, 0}, {3e-3, -1.5e-3, 0}, growth);
     }
 }

@@ -18,6 +18,7 @@
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/steady.hpp>
+#include <rollbem/friction/detail/stick_slip.hpp>
 #include <rollbem/normal/hertz_patch_load.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
@@ -285,7 +286,7 @@ TEST_CASE("A step of a patch of varying size and shape does not allocate", "[fri
             const FrictionModel model(contact, moves ? shapes.system(1) : rolling_system(mesh, scheme, kernel),
                                       unchecked, {0.3, load.normal_pressure}, integrator);
             const AdhesionModel<2> adhesion(contact, shapes.system(1), unchecked, integrator);
-            FrictionState<2> now = model.at_rest(), next = now;
+            FrictionState now = model.at_rest(), next = now;
             AdhesionState<> stuck = adhesion.at_rest(), stuck_next = stuck;
             auto workspace = model.workspace();
             auto stuck_workspace = adhesion.workspace();
@@ -320,8 +321,8 @@ TEST_CASE("The combined solver does not allocate, whether it follows a path or f
     detail::StageSolution<2> solution(n);
     const auto centres = detail::CentreValues<double>::in_strips({-1, 0, 1, -1, 3, 4});
     const std::vector<Zone> zones(n, Zone::stick);
-    const ElementVectors<> rest = ElementVectors<>::Zero(n, 2);
-    const std::array<ElementVectors<>, 2> start{rest, rest};
+    const ElementVectors rest = ElementVectors::Zero(n, 2);
+    const std::array<ElementVectors, 2> start{rest, rest};
     drawn::Draw draw(11);
     int followed = 0, unsolved = 0;
     for (int trial = 0; trial < 300; ++trial) {

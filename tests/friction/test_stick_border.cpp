@@ -73,8 +73,8 @@ struct Plane {
 
 double plain_force(const Contact<double>& contact, const auto& kernel, const Mesh<double>& mesh, const auto& pressure,
                    double xi) {
-    const FrictionModel<> model(contact, steady_system(mesh, half, kernel), {1, pressure(mesh)});
-    return from_scratch(model, xi).force / contact.width();
+    const FrictionModel model(contact, steady_system(mesh, half, kernel), {1, pressure(mesh)});
+    return from_scratch(model, xi).force.longitudinal / contact.width();
 }
 
 TEST_CASE("The exact border gives Carter's solution", "[friction]") {

@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include <rollbem/compiled/friction.hpp>
+#include <rollbem/friction/detail/stick_slip.hpp>
 
 #include "extremes/drawn.hpp"
 #include "support/catch.hpp"
@@ -27,7 +28,7 @@ std::vector<Zone> all_stick(Eigen::Index n) { return std::vector<Zone>(static_ca
 /// A solver with its problem and its solution.
 template <int directions>
 struct Solver {
-    using Vectors = ElementVectors<directions>;
+    using Vectors = detail::Vectors<directions>;
 
     explicit Solver(Eigen::Index n, bool coupled = false) : solver(n, coupled), problem(n), solution(n) {
         response.fill(Vectors::Zero(n, directions));
@@ -58,7 +59,7 @@ struct Solver {
 template <int directions>
 struct Problem {
     using Solver = stick_slip_tests::Solver<directions>;
-    using Vectors = ElementVectors<directions>;
+    using Vectors = detail::Vectors<directions>;
 
     Eigen::Index size() const { return bound.size(); }
     MatrixX<double> block(Eigen::Index d, Eigen::Index e) const {
@@ -131,7 +132,7 @@ Problem<directions> random_problem(drawn::Draw& draw, Eigen::Index n, Kind kind,
 }
 
 TEMPLATE_TEST_CASE_SIG("A solution is found whatever the matrix", "[friction]", ((int directions), directions), 1, 2) {
-    using Vectors = ElementVectors<directions>;
+    using Vectors = detail::Vectors<directions>;
     drawn::Draw draw(11);
     int followed = 0, tangents = 0;
     for (int trial = 0; trial < 3000; ++trial) {
@@ -229,14 +230,14 @@ TEST_CASE("What cannot be solved is said, and stays within the bounds", "[fricti
 
 TEST_CASE("A leading element without influence on its own slip is solved", "[friction]") {
     // central differences about the element's own centre: its diagonal vanishes, so sticking alone it is singular
-    Problem<2> problem{false, MatrixX<double>::Zero(4, 4), ElementVectors<>(2, 2), VectorX<double>{{1, 3}}};
+    Problem<2> problem{false, MatrixX<double>::Zero(4, 4), ElementVectors(2, 2), VectorX<double>{{1, 3}}};
     problem.matrix.topLeftCorner(2, 2) << 1, 0.5, -0.5, 0;
     problem.matrix.bottomRightCorner(2, 2) << 1.2, 0.6, -0.6, 0;
     problem.constant << 0.9, 0.7, 0.45, 0.36;
     Problem<2>::Solver solver(2);
     problem.put_into(solver);
     const std::vector<Zone> zones{Zone::slip, Zone::stick};
-    ElementVectors<> start(2, 2);
+    ElementVectors start(2, 2);
     start << -0.8, -0.6, 0, 0;
     CHECK(solver.solve(problem.bound, start, zones).status == Status::ok);
     CHECK(problem.violation(solver.solution.traction()) < 1e-13);
@@ -283,7 +284,7 @@ std::vector<Eigen::Index> strips(Eigen::Index n) {
 }
 
 // Angles from s to its sum with the slip of the row behind, from the definition; `slip` is 0 where elements stick.
-VectorX<double> angles(const ElementVectors<>& slip, const std::vector<Eigen::Index>& behind) {
+VectorX<double> angles(const ElementVectors& slip, const std::vector<Eigen::Index>& behind) {
     VectorX<double> result = VectorX<double>::Zero(slip.rows());
     for (Eigen::Index i = 0; i < slip.rows(); ++i) {
         const Eigen::Index before = behind[static_cast<std::size_t>(i)];
@@ -322,8 +323,8 @@ TEST_CASE("Rotated slip opposes the traction, at the angles of the pass with sli
         // an arbitrary matrix turned by arbitrary angles need not have a solution
         if (outcome.status != Status::ok) continue;
         ++solved;
-        const ElementVectors<>& p = solver.solution.traction();
-        const ElementVectors<> s = problem.slip(p);
+        const ElementVectors& p = solver.solution.traction();
+        const ElementVectors s = problem.slip(p);
         const VectorX<double> angle = angles(plain.solution.slip(), behind);
         for (Eigen::Index i = 0; i < n; ++i) {
             CAPTURE(i, angle[i]);

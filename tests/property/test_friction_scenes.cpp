@@ -52,17 +52,17 @@ Scalar carried(const ArrayX<Scalar>& points, const ArrayX<Scalar>& mu, Scalar x,
 template <class Scalar, class Law>
 Violation<Scalar> violation(const Law& law, const FrictionMemory& memory, const ElementSystem<Scalar, 2>& system,
                             Scalar half_length, Scalar shear_modulus, Scalar way, const std::array<Scalar, 2>& imposed,
-                            Scalar duration, const FrictionState<2>* before, const FrictionState<2>& after) {
+                            Scalar duration, const FrictionState* before, const FrictionState& after) {
     using std::abs;
     const Eigen::Index n = after.traction.rows();
     const Scalar rounding = 200 * static_cast<Scalar>(n + 10) * std::numeric_limits<Scalar>::epsilon();
     const Scalar at_rest = law(Scalar(0));
-    const auto coefficients = [&](const FrictionState<2>& state) -> ArrayX<Scalar> {
+    const auto coefficients = [&](const FrictionState& state) -> ArrayX<Scalar> {
         if (state.friction_coefficient.size() == 0) return ArrayX<Scalar>::Constant(n, at_rest);
         return state.friction_coefficient;
     };
     const ArrayX<Scalar> mus = coefficients(after), mus_before = coefficients(before ? *before : after);
-    ElementVectors<> slip(n, 2);
+    ElementVectors slip(n, 2);
     Scalar scale = 0;
     for (std::size_t d = 0; d < 2; ++d) {
         const auto col = static_cast<Eigen::Index>(d);

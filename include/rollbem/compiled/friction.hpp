@@ -1,12 +1,11 @@
-// Friction compiled for double, with a constant coefficient and with any that depends on slip, FrictionContact of the
-// former, and the makers of systems and pressures; link rollbem::compiled.
+// The makers of systems and pressures compiled for double, and friction; link rollbem::compiled.
 #pragma once
 
 #include <array>
 #include <vector>
 
 #include "../assembly/patch_system.hpp"
-#include "../friction/friction_contact.hpp"
+#include "../detail/in_place_lu.hpp"
 #include "../friction/law.hpp"
 #include "../friction/model.hpp"
 #include "../normal/hertz.hpp"
@@ -15,6 +14,7 @@
 #include "../normal/load.hpp"
 #include "../normal/pressure_grid.hpp"
 #include "../normal/pressure_table.hpp"
+#include "../system/time_domain.hpp"
 #include "steady.hpp"
 
 namespace rollbem {
@@ -42,19 +42,5 @@ extern template ArrayX<double> hertz_pressures<double>(const PatchContact<double
 extern template MatrixX<double> detail::rigid_slip<double>(const Elements<double>&);
 extern template MatrixX<double> detail::force_weights<double>(const Elements<double>&);
 extern template class ElementSystem<double, 2>;
-extern template class detail::Homotopy<1>;
-extern template class detail::Homotopy<2>;
-extern template class detail::StickSlipSolver<1>;
-extern template class detail::StickSlipSolver<2>;
-extern template class detail::SlipDependentFriction<1>;
-extern template class detail::SlipDependentFriction<2>;
-extern template struct detail::StepScratch<1>;
-extern template struct detail::StepScratch<2>;
-extern template struct detail::ContactData<1>;
-extern template struct detail::ContactData<2>;
-extern template FrictionStep<1> detail::solve<1>(const detail::StepView<1>&, FrictionState<1>&) noexcept;
-extern template FrictionStep<2> detail::solve<2>(const detail::StepView<2>&, FrictionState<2>&) noexcept;
-extern template FrictionContact::FrictionContact(FrictionModel<ConstantFriction, 1>, Eigen::Index);
-extern template FrictionContact::FrictionContact(FrictionModel<ConstantFriction, 2>, Eigen::Index);
 
 }  // namespace rollbem

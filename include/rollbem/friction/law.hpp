@@ -26,14 +26,6 @@ concept SlipLaw = requires(const Law& law, double velocity) {
     { law(velocity) } -> std::convertible_to<double>;
 };
 
-/// Coulomb's law: mu is the same at any slip velocity, and no model asks for a speed or a duration.
-struct ConstantFriction {
-    double coefficient;  ///< mu [-], finite and not negative
-
-    ConstantFriction(double mu) : coefficient(mu) {}  // NOLINT: implicit on purpose
-    double operator()(double) const noexcept { return coefficient; }
-};
-
 /// Friction that falls with the slip velocity v: mu = mu_k + (mu_0 - mu_k) 2^(-v/v_half).
 struct ExponentialFall {
     double mu_0, mu_k;     ///< mu at rest and at high velocity [-]
@@ -57,32 +49,8 @@ struct FrictionMemory {
     }
 };
 
-/// Friction on the elements of a mesh: |p| <= mu p_n; where an element slips, |p| = mu p_n and p opposes the slip. With
-/// two directions, if the equations of the system hold half an element ahead of the elements' centres
-/// (Elements::half_element_ahead), slip is turned to its direction at the centres, where the tractions act. Results are
-/// then of second order in 1/n; otherwise they are of first order where the direction of slip varies.
-///
-///     Friction{0.3, pressure}                              // Coulomb's law
-///     Friction{ExponentialFall{0.3, 0.18, 0.1}, pressure}
-template <class Law = ConstantFriction>
-struct Friction {
-    Law law;                         ///< mu [-] of the slip velocity [m/s]: a SlipLaw
-    ArrayX<double> normal_pressure;  ///< p_n [Pa], mean over each of the mesh's n elements, trailing to leading edge;
-                                     ///< finite, not negative, not all zero
-    FrictionMemory memory{};
-    /// Whether results include tangents; tangents left out are NaN. Leaving them out saves time with two directions and
-    /// if mu depends on slip: for tangents each stage factorises a matrix of the slipping elements, at a cost of order
-    /// n^3, unless the slip velocities equal the previous stage's.
-    bool with_tangents = true;
-};
-
-template <class... More>
-Friction(double, ArrayX<double>, More...) -> Friction<ConstantFriction>;
-template <class Law, class... More>
-requires(!std::is_arithmetic_v<Law>) Friction(Law, ArrayX<double>, More...)
-->Friction<Law>;
-
-/// Any law of friction: mu [-], constant or a function of the slip velocity [m/s].
+/// The law of a model: a constant coefficient (Coulomb's law), for which no model asks for a speed or a duration, or any
+/// SlipLaw.
 class FrictionLaw {
 public:
     FrictionLaw(double mu) : at_rest_(mu) {}  // NOLINT: implicit on purpose
@@ -99,35 +67,29 @@ private:
     double at_rest_;
 };
 
-namespace detail {
-
-template <class Law>
-inline constexpr bool is_constant = false;
-template <>
-inline constexpr bool is_constant<ConstantFriction> = true;
-
-/// Friction by any law.
-struct AnyFriction {
-    template <class Law>
-    explicit AnyFriction(const Friction<Law>& of)
-        : law(any(of.law)), normal_pressure(of.normal_pressure), memory(of.memory), with_tangents(of.with_tangents) {}
-
-    FrictionLaw law;
-    ArrayX<double> normal_pressure;
-    FrictionMemory memory;
-    bool with_tangents;
-
-private:
-    static FrictionLaw any(const ConstantFriction& law) { return law.coefficient; }
-    template <class Law>
-    static FrictionLaw any(const Law& law) {
-        return law;
-    }
+/// Friction on the elements of a mesh: |p| <= mu p_n; where an element slips, |p| = mu p_n and p opposes the slip. With
+/// two directions, if the equations of the system hold half an element ahead of the elements' centres
+/// (Elements::half_element_ahead), slip is rotated to its direction at the centres, where the tractions act. Results are
+/// then of second order in 1/n; otherwise they are of first order where the direction of slip varies.
+///
+///     Friction{0.3, pressure}                              // Coulomb's law
+///     Friction{ExponentialFall{0.3, 0.18, 0.1}, pressure}
+struct Friction {
+    FrictionLaw law;                 ///< mu [-], finite and not negative
+    ArrayX<double> normal_pressure;  ///< p_n [Pa], mean over each of the mesh's n elements, trailing to leading edge;
+                                     ///< finite, not negative, not all zero
+    FrictionMemory memory{};
+    /// Whether results include tangents; tangents left out are NaN. Leaving them out saves time with two directions and
+    /// if mu depends on slip: for tangents each stage factorises a matrix of the slipping elements, at a cost of order
+    /// n^3, unless the slip velocities equal the previous stage's.
+    bool with_tangents = true;
 };
+
+namespace detail {
 
 /// Throws std::invalid_argument, in the name of `who`, unless friction is valid for a mesh of `mesh_size` elements, the
 /// first `count` of which are unknown.
-inline void require_valid(const char* who, const AnyFriction& friction, Eigen::Index mesh_size, Eigen::Index count) {
+inline void require_valid(const char* who, const Friction& friction, Eigen::Index mesh_size, Eigen::Index count) {
     require(count >= 1, who, "number of unknown elements", count, "be at least 1");
     const double at_rest = friction.law.at_rest();
     require(is_finite(at_rest) && at_rest >= 0, who,

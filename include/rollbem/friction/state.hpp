@@ -18,10 +18,8 @@ namespace rollbem {
 /// `slip` wherever an element slips.
 enum class Zone : signed char { slip_negative = -1, stick = 0, slip_positive = 1, slip = 1 };
 
-/// Vectors of the elements, a row each: the longitudinal component in column 0 and, with two directions, the lateral
-/// one in column 1.
-template <int directions = 2>
-using ElementVectors = Eigen::Matrix<double, Eigen::Dynamic, directions>;
+/// Vectors of the elements, a row each: the longitudinal component in column 0, the lateral one in column 1.
+using ElementVectors = Eigen::MatrixX2d;
 
 namespace detail {
 
@@ -36,10 +34,10 @@ struct SolverRecord {
 
 /// Everything that the next step or solution needs to know about the past. A copy is a checkpoint; a state written to a
 /// file and read back continues identically to the last bit.
-template <int directions = 1>
 struct FrictionState {
-    /// Traction p on body 1 of each unknown element [Pa], from the trailing to the leading edge.
-    ElementVectors<directions> traction;
+    /// Traction p on body 1 of each unknown element [Pa], from the trailing to the leading edge; 0 across the direction
+    /// of a model of one.
+    ElementVectors traction;
     std::vector<Zone> zones;  ///< stick or slip of each element, at the end of the step
     /// The present load: p_n [Pa] of each unknown element, the half-length a and the half-width b of the contact [m];
     /// on a line b does not vary and is not read. A step without a load keeps them.
@@ -51,9 +49,9 @@ struct FrictionState {
     /// another step.
     ArrayX<double> friction_coefficient;
     detail::SolverRecord solver;
-    /// Tractions [Pa] of the solution without turned slip (see Friction), whose slip determines the angles of the next
-    /// step. As large as `traction` where slip is turned; empty means equal to `traction`.
-    ElementVectors<directions> plain_traction;
+    /// Tractions [Pa] of the pass without rotated slip (see Friction), whose slip determines the angles of the next
+    /// step. As large as `traction` where slip is rotated; empty means equal to `traction`.
+    ElementVectors unrotated_traction;
 };
 
 namespace detail {
@@ -66,13 +64,12 @@ inline bool is_finite(const TangentialForce<double>& force) {
 }  // namespace detail
 
 /// Result of a steady solution, a step or a rigid shift. Forces, tangents and works are totals, for a line contact over
-/// its width 2b; where b is infinite they are per metre of width (Contact::width()). Forces and their derivatives are
-/// numbers with one direction, vectors with two. All are NaN unless the status is ok or no_solution; tangents are NaN
+/// its width 2b; where b is infinite they are per metre of width (Contact::width()). A model of one
+/// direction returns 0 across its direction, and NaN as the moment and the derivatives by spin. All are NaN unless the status is ok or no_solution; tangents are NaN
 /// also if the equations of the elements are singular.
-template <int directions = 1>
 struct FrictionStep {
-    using Force = detail::ForceAlong<directions, double>;
-    using Tangent = detail::TangentAlong<directions, double>;
+    using Force = TangentialForce<double>;
+    using Tangent = CreepageTangent<double>;
 
     Force force = detail::nothing<Force>();  ///< force on body 1 [N]
     /// d force / d creepage at the end of the step [N]; for a rigid shift, by the shift [N/m].

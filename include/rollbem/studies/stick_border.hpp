@@ -116,14 +116,15 @@ void solve_on_elements(const Contact<double>& contact, const Kernel& kernel, dou
                        studies::StickBorderSolution<double>& result) {
     const Mesh<double> mesh = cosine_mesh<double>(count);
     const FrictionModel model(contact, steady_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel),
-                              Friction<>{.law = {friction_coefficient}, .normal_pressure = pressure(mesh)});
-    const FrictionState<> rest = model.at_rest();
-    FrictionState<> state = rest;
-    FrictionWorkspace<> workspace = model.workspace();
-    const FrictionStep<> step = model.steady(rest, {.motion = creepage}, state, workspace);
-    result.elements.emplace(studies::StickBorderSolution<double>::OnElements{mesh, state.traction, workspace.slip()});
-    result.force_per_width = step.force / contact.width();
-    result.tangent_per_width = step.tangent / contact.width();
+                              Friction{.law = {friction_coefficient}, .normal_pressure = pressure(mesh)});
+    const FrictionState rest = model.at_rest();
+    FrictionState state = rest;
+    FrictionWorkspace workspace = model.workspace();
+    const FrictionStep step = model.steady(rest, {.motion = Creepage<double>{creepage}}, state, workspace);
+    result.elements.emplace(
+        studies::StickBorderSolution<double>::OnElements{mesh, state.traction.col(0), workspace.slip().col(0)});
+    result.force_per_width = step.force.longitudinal / contact.width();
+    result.tangent_per_width = step.tangent.by_longitudinal.longitudinal / contact.width();
     result.complementarity_residual = step.complementarity_residual;
     result.status = step.status;
 }

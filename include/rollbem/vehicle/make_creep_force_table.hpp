@@ -50,7 +50,7 @@ public:
 
     struct Solution {
         Eigen::Array3d force;  ///< -F_x, -F_y over mu N, -M_z over mu N c; valid if the status is ok
-        FrictionStep<2> step;  ///< step on the first mesh; its status and its residual are the worse of both meshes
+        FrictionStep step;     ///< step on the first mesh; its status and its residual are the worse of both meshes
     };
     /// Takes creepages times G a b/(mu N), spin times G a b c/(mu N); starts from the tractions of the last solution or
     /// from rest.
@@ -78,7 +78,7 @@ private:
     /// The ellipse on one mesh. With a = G = 1 and mu N = G a b, creepages are the given numbers, and a force over mu N
     /// is the force over b.
     struct Patch {
-        using Model = FrictionModel<ConstantFriction, 2>;
+        using Model = FrictionModel;
 
         Patch(const PatchContact<double>& contact, PatchMesh<double> given)
             : mesh(std::move(given)),

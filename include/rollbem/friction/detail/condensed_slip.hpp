@@ -25,18 +25,17 @@ namespace rollbem::detail {
 class CondensedSlip : public RoleLists {
 public:
     using Vector = VectorX<double>;
-    using Vectors = ElementVectors<2>;
     using Matrix = MatrixX<double>;
     using M = SlipMatrix<2>;
 
     /// The contribution of the constants c, for one set of roles.
     struct Base {
-        explicit Base(Index n) : packed(Vectors::Zero(n, 2)), by_inverse(packed) {}
+        explicit Base(Index n) : packed(Vectors<2>::Zero(n, 2)), by_inverse(packed) {}
         /// To be called when the constants have changed.
         void forget() { revision = 0, inverse_is_known = false; }
 
-        Vectors packed;
-        Vectors by_inverse;  // -B c, for any roles
+        Vectors<2> packed;
+        Vectors<2> by_inverse;  // -B c, for any roles
         std::uint64_t revision = 0;
         bool inverse_is_known = false;
     };
@@ -71,7 +70,7 @@ public:
     }
 
     /// Finds the contribution of the constants c; null means c = 0.
-    void find_base(const M& matrix, const Vectors* c, Base& base) {
+    void find_base(const M& matrix, const Vectors<2>* c, Base& base) {
         if (base.revision == revision()) return;
         base.revision = revision();
         if (c == nullptr) return void(base.packed.setZero());
@@ -88,14 +87,14 @@ public:
     }
 
     /// Finds the slip of K from the tractions of K.
-    void find_slip(const M& matrix, const Base& base, const Vectors& p, Vectors& s) {
+    void find_slip(const M& matrix, const Base& base, const Vectors<2>& p, Vectors<2>& s) {
         for (std::size_t g = 0; g < matrix.groups(); ++g) {
             find_slip(g, matrix.part(base.packed, g), p);
             unpack(slip_, loose(), s.data() + place(g));
         }
     }
     /// Finds the slip of K and the tractions of S from the tractions of K; the slip of S becomes zero.
-    void complete(const M& matrix, const Base& base, Vectors& p, Vectors& s) {
+    void complete(const M& matrix, const Base& base, Vectors<2>& p, Vectors<2>& s) {
         for (std::size_t g = 0; g < matrix.groups(); ++g) {
             const auto constant = matrix.part(base.packed, g);
             find_slip(g, constant, p);
@@ -117,7 +116,7 @@ public:
 
     /// Sets `target` to X_k . C_kl Y_l for all sliding elements k and l; X and Y have a row for each.
     template <class Target>
-    void form(const M&, const Vectors& X, const Vectors& Y, Target&& target) const {
+    void form(const M&, const Vectors<2>& X, const Vectors<2>& Y, Target&& target) const {
         const Index count = sliding();
         const auto part = [&](std::size_t g, Index d, Index e, Index l) {
             return table_[g].col(stuck() + e * others() + l).segment(stuck() + d * others(), count);
@@ -178,7 +177,7 @@ private:
 
     // Packs the tractions of K into packed_ and finds the slip of K in slip_.
     template <class Constant>
-    void find_slip(std::size_t g, const Constant& constant, const Vectors& p) {
+    void find_slip(std::size_t g, const Constant& constant, const Vectors<2>& p) {
         pack(p.data() + place(g), stuck(), packed_.data() + stuck());
         const auto C = table_[g].bottomRightCorner(loose(), loose());
         auto tractions = packed_.tail(loose()), slip = slip_.tail(loose());

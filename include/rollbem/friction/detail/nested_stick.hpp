@@ -28,7 +28,6 @@ namespace rollbem::detail {
 class NestedStick : public RoleLists {
 public:
     using Vector = VectorX<double>;
-    using Vectors = ElementVectors<1>;
     using Matrix = MatrixX<double>;
     using M = SlipMatrix<1>;
 
@@ -37,7 +36,7 @@ public:
         explicit Base(Index) {}
         void forget() { constant = nullptr; }
 
-        const Vectors* constant = nullptr;
+        const Vectors<1>* constant = nullptr;
     };
 
     explicit NestedStick(const M& matrix)
@@ -71,11 +70,11 @@ public:
         return is_usable_;
     }
 
-    void find_base(const M&, const Vectors* c, Base& base) const { base.constant = c; }
+    void find_base(const M&, const Vectors<1>* c, Base& base) const { base.constant = c; }
 
     /// Finds the tractions of S and the slip of all elements by products with M itself: the slip of S is the error of
     /// its tractions.
-    void complete(const M& matrix, const Base& base, Vectors& p, Vectors& s) {
+    void complete(const M& matrix, const Base& base, Vectors<1>& p, Vectors<1>& s) {
         for (Index k = 0; k < sticking(); ++k) p[listed(k)] = 0;
         s.setZero();
         if (base.constant != nullptr) s = *base.constant;
@@ -86,7 +85,7 @@ public:
 
     /// Sets `target` to X_k C_kl Y_l for all sliding elements k and l.
     template <class Target>
-    void form(const M& matrix, const Vectors& X, const Vectors& Y, Target&& target) {
+    void form(const M& matrix, const Vectors<1>& X, const Vectors<1>& Y, Target&& target) {
         for (Index l = 0; l < sliding(); ++l) {
             row_ = matrix.group(0).col(other(l));
             stick(matrix.group(0), row_);
@@ -100,14 +99,14 @@ private:
     Index listed(Index k) const { return (*this)[sticking() - 1 - k]; }
 
     // M p, kept for the next call: roles and bounds seldom change
-    const Vectors& product(const Matrix& A, const Vectors& p) {
+    const Vectors<1>& product(const Matrix& A, const Vectors<1>& p) {
         if (same_bits(p, placed_)) return product_;
         placed_ = p;
         product_.noalias() = A * p;
         return product_;
     }
     // Finds the tractions of S, in stuck_, from the slip without them, and adds the slip that they cause.
-    void stick(const Matrix& A, Vectors& s) {
+    void stick(const Matrix& A, Vectors<1>& s) {
         const Index count = sticking();
         if (count == 0) return;
         for (Index k = 0; k < count; ++k) right_[k] = s[listed(k)];
@@ -197,8 +196,8 @@ private:
     Matrix lower_, upper_;  // inverse triangles of the nested factors, zero outside
     Matrix pivoted_;
     Vector right_, solution_, row_;
-    Vector stuck_;              // tractions of S; 0 for all others
-    Vectors placed_, product_;  // the last tractions, with 0 for S, and M times them
+    Vector stuck_;                 // tractions of S; 0 for all others
+    Vectors<1> placed_, product_;  // the last tractions, with 0 for S, and M times them
     std::vector<Index> swaps_;
     std::vector<Index> nested_;  // the elements in the nested factors
     Index nested_count_ = 0;

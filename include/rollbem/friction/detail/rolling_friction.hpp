@@ -21,6 +21,7 @@
 #include "../../rolling/time_step.hpp"
 #include "../../scene/contact_units.hpp"
 #include "../../scene/directions.hpp"
+#include "../../scene/force.hpp"
 #include "../../scene/semi_axes.hpp"
 #include "../../status.hpp"
 #include "../../system/element_blocks.hpp"
@@ -36,14 +37,16 @@ namespace rollbem::detail {
 /// A contact with friction: constant, and shared by its steps. Dimensionless: tractions in G, lengths in a_0.
 template <int directions>
 struct ContactData {
-    /// Throws std::invalid_argument, in the name of `who`, if the law is invalid for the system.
+    /// `along` is the direction of a system of one, 0 longitudinal or 1 lateral; else 0. Throws std::invalid_argument,
+    /// in the name of `who`, if the law is invalid for the system.
     ContactData(const char* who, const ContactUnits<double>& contact_units, ElementSystem<double, directions> of,
-                const AnyFriction& friction);
+                const Friction& friction, Index along = 0);
 
     ElementSystem<double, directions> system;
     ContactUnits<double> units;
     RigidSlip<directions, double> rigid;
     ContactForces<directions, double> forces;
+    Index direction;
     bool rotates;  ///< slip is rotated to its direction at the centres
     SlipWork work;
     FrictionLaw law;
@@ -58,6 +61,11 @@ struct ContactData {
     bool varies() const { return !law.is_constant(); }
     double bound_per_pressure() const { return (varies() ? 1 : law.at_rest()) / units.shear_modulus; }
     const CentreValues<double>* centres() const { return rotates ? &work.centres() : nullptr; }
+    /// The columns of vectors in two directions that belong to the contact.
+    template <class Both>
+    auto along(Both& vectors) const {
+        return vectors.template middleCols<directions>(direction);
+    }
     // Unit [J] of the work of tractions in G and displacements in a_0.
     double energy_unit(const SemiAxes<double>& at) const {
         return units.width * units.length * units.length * units.shear_modulus * at.half_length * at.half_width;
@@ -66,11 +74,12 @@ struct ContactData {
 
 template <int directions>
 ContactData<directions>::ContactData(const char* who, const ContactUnits<double>& contact_units,
-                                     ElementSystem<double, directions> of, const AnyFriction& friction)
+                                     ElementSystem<double, directions> of, const Friction& friction, Index along)
     : system(std::move(of)),
       units(contact_units),
       rigid(units, inputs(system), 1.0),
       forces(units, outputs(system), 1.0),
+      direction(along),
       rotates(directions == 2 && system.elements().half_element_ahead),
       work(system.elements(), rotates),
       law(friction.law),
@@ -167,11 +176,9 @@ struct StepScratch {
 /// What a step is solved from, and its memory: references to values of the caller, made on the stack for one step.
 template <int directions>
 struct StepView {
-    using State = FrictionState<directions>;
-
     const ContactData<directions>& contact;
     const TimeStep<directions, double>& step;
-    const State& from;
+    const FrictionState& from;
     const LoadAtEnd& load;
     StepScratch<directions>& scratch;
 
@@ -213,8 +220,9 @@ void begin(const StepView<directions>& view) {
     scratch.work.setZero();
     scratch.problem.two_histories = contact.rotates && !step.steady;
     for (std::size_t k = 0; k < view.histories(); ++k) {
-        const bool unrotated = view.histories() == 2 && k == 0 && from.plain_traction.rows() > 0;
-        scratch.start[k] = (unrotated ? from.plain_traction : from.traction) / contact.units.shear_modulus;
+        const bool is_unrotated = view.histories() == 2 && k == 0 && from.unrotated_traction.rows() > 0;
+        const ElementVectors& traction = is_unrotated ? from.unrotated_traction : from.traction;
+        scratch.start[k] = contact.along(traction) / contact.units.shear_modulus;
         if (step.steady) {
             scratch.displacement[k].setZero();
         } else {
@@ -284,8 +292,7 @@ void set_problem(const StepView<directions>& view, const Stage<directions, doubl
 
 /// Solves a stage and adds its slip and work to the sums.
 template <int directions>
-void solve_stage(const StepView<directions>& view, const Stage<directions, double>& now,
-                 FrictionStep<directions>& result) {
+void solve_stage(const StepView<directions>& view, const Stage<directions, double>& now, FrictionStep& result) {
     const auto& [contact, step, from, load, scratch] = view;
     const StageView<directions> stage = view.stage();
     auto& solution = stage.solution;
@@ -403,14 +410,45 @@ InputVector<directions, double> tangent_by(const StepView<directions>& view, std
     return contact.forces.rate(p, dp, view.step.end, By::axis(parameter), keeps_shape(contact.system));
 }
 
+/// Forces in two directions: 0 across the direction of a contact of one, with an unknown moment.
+template <int directions>
+TangentialForce<double> raised(const InputVector<directions, double>& forces, [[maybe_unused]] Index direction) {
+    if constexpr (directions == 2) {
+        return {forces[0], forces[1], forces[2]};
+    } else {
+        if (!is_finite(forces[0])) return {};
+        return direction == 0 ? TangentialForce<double>{forces[0], 0} : TangentialForce<double>{0, forces[0]};
+    }
+}
+
+/// Sets the tangent of a result by a parameter. No force depends on creepage across the direction of a contact of one.
+template <int directions>
+void set_tangent(const ContactData<directions>& contact, std::size_t parameter,
+                 const InputVector<directions, double>& forces, FrictionStep& result) {
+    using By = Parameters<directions>;
+    const TangentialForce<double> tangent = raised<directions>(forces, contact.direction);
+    if (parameter == By::load) {
+        result.tangent_by_load = tangent;
+    } else if (parameter == By::half_length) {
+        result.tangent_by_half_length = tangent;
+        if (directions == 2 && keeps_shape(contact.system)) result.tangent_by_half_width = {0, 0, 0};  // it follows
+    } else if (parameter == By::half_width) {
+        result.tangent_by_half_width = tangent;
+    } else if (directions == 2) {
+        by_creepage(result.tangent, parameter) = tangent;
+    } else {
+        const auto along = static_cast<std::size_t>(contact.direction);
+        by_creepage(result.tangent, along) = tangent;
+        if (is_finite(tangent)) by_creepage(result.tangent, 1 - along) = {0, 0};
+    }
+}
+
 /// Adds the tangents at the end of the last or only stage to the result; keeps the responses of the first of two stages
 /// for the second.
 template <int directions>
-void add_tangents(const StepView<directions>& view, const Stage<directions, double>& now,
-                  FrictionStep<directions>& result) {
-    using By = Parameters<directions>;
+void add_tangents(const StepView<directions>& view, const Stage<directions, double>& now, FrictionStep& result) {
     TangentScratch<directions>& own = view.scratch.tangents;
-    for (std::size_t j = 0; j < By::count; ++j) {
+    for (std::size_t j = 0; j < own.asked.size(); ++j) {
         if (!own.asked[j]) continue;
         const bool is_new = find_response(view, now, j);
         if (!now.place.is_last()) {
@@ -421,15 +459,7 @@ void add_tangents(const StepView<directions>& view, const Stage<directions, doub
         InputVector<directions, double> tangent = InputVector<directions, double>::Constant(memo.tangent);
         if (is_new) tangent = tangent_by(view, j);
         if (directions == 1 && j == 0) memo.tangent = tangent[0];
-        auto& target = j == By::load          ? result.tangent_by_load
-                       : j == By::half_length ? result.tangent_by_half_length
-                       : j == By::half_width  ? result.tangent_by_half_width
-                                              : by_creepage(result.tangent, j);
-        target = force_along<directions, double>(tangent);
-    }
-    if constexpr (directions == 2) {
-        const bool follows = keeps_shape(view.contact.system);  // the half-width follows the half-length
-        if (now.place.is_last() && follows && own.asked[By::half_length]) result.tangent_by_half_width = {0, 0, 0};
+        set_tangent(view.contact, j, tangent, result);
     }
 }
 
@@ -454,7 +484,7 @@ double jump_work(const StepView<directions>& view) {
     const auto& [contact, step, from, load, scratch] = view;
     if (step.steady || (step.rolls() && !contact.varies())) return 0;
     Vectors<directions>&change = scratch.change, &displacement = scratch.displacement[0];
-    const auto start = 1 / contact.units.shear_modulus * from.traction;
+    const auto start = 1 / contact.units.shear_modulus * contact.along(from.traction);
     const Vectors<directions>& end = scratch.solution.traction();
     const double unit = contact.energy_unit(step.end);
     change = end - start;
@@ -477,26 +507,30 @@ double jump_work(const StepView<directions>& view) {
 /// Completes the result, and fills `to`, the slip and the slip work. If the result is not finite, `to` is a copy of
 /// `from`.
 template <int directions>
-void finish(const StepView<directions>& view, FrictionStep<directions>& result, FrictionState<directions>& to) {
+void finish(const StepView<directions>& view, FrictionStep& result, FrictionState& to) {
     const auto& [contact, step, from, load, scratch] = view;
     const ContactUnits<double>& units = contact.units;
     const StageSolution<directions>& solution = scratch.solution;
     const double slip_unit = step.steady ? 1.0 : units.length;
     contact.work.end(scratch.work, units.width * units.length * units.shear_modulus * slip_unit);
     scratch.slip *= slip_unit;
-    result.force = force_along<directions, double>(contact.forces.of(solution.traction(), step.end));
+    const InputVector<directions, double> forces = contact.forces.of(solution.traction(), step.end);
+    result.force = raised<directions>(forces, contact.direction);
     result.slip_work = scratch.work.sum();
     if (result.status == Status::not_finite || !is_finite(result.force) || !is_finite(result.slip_work)) {
         scratch.slip.setZero();
         scratch.work.setZero();
         to = from;  // sizes are equal: no allocation
-        result = failed<FrictionStep<directions>>(Status::not_finite);
+        result = failed<FrictionStep>(Status::not_finite);
         return;
     }
     result.jump_work = jump_work(view);
     result.stick_count = solution.stick_count;
-    to.traction = units.shear_modulus * solution.traction();
-    if (contact.rotates) to.plain_traction = units.shear_modulus * solution.pass[0].traction;
+    if (directions == 1) to.traction.setZero();
+    contact.along(to.traction) = units.shear_modulus * solution.traction();
+    if constexpr (directions == 2) {
+        if (contact.rotates) to.unrotated_traction = units.shear_modulus * solution.pass[0].traction;
+    }
     to.zones = solution.zones;
     to.normal_pressure = load.pressure.head(contact.size());
     to.half_length = load.half_length;
@@ -510,8 +544,8 @@ void finish(const StepView<directions>& view, FrictionStep<directions>& result, 
 
 /// Solves a step, or steady rolling, from a checked state under a checked load.
 template <int directions>
-FrictionStep<directions> solve(const StepView<directions>& view, FrictionState<directions>& to) noexcept {
-    FrictionStep<directions> result;
+FrictionStep solve(const StepView<directions>& view, FrictionState& to) noexcept {
+    FrictionStep result;
     result.complementarity_residual = 0;
     result.status = Status::ok;
     begin(view);

@@ -26,7 +26,6 @@ template <int directions>
 class SlipMatrix {
 public:
     using Vector = VectorX<double>;
-    using Vectors = ElementVectors<directions>;
     using Matrix = MatrixX<double>;
 
     explicit SlipMatrix(Index n, bool coupled = false)
@@ -38,8 +37,8 @@ public:
         }
         if (!inverts) return;
         swaps_.resize(static_cast<std::size_t>(group_size()));
-        for (Vectors& sums : sums_) sums.resize(n, directions);
-        for (Vectors& signs : sign_) signs.resize(n, directions);
+        for (Vectors<directions>& sums : sums_) sums.resize(n, directions);
+        for (Vectors<directions>& signs : sign_) signs.resize(n, directions);
         draw_signs();
     }
 
@@ -73,7 +72,7 @@ public:
     bool serves_once() const { return serves_once_; }
 
     /// Finds s = M p.
-    void multiply(const Vectors& p, Vectors& s) const {
+    void multiply(const Vectors<directions>& p, Vectors<directions>& s) const {
         for (std::size_t g = 0; g < groups(); ++g) part(s, g).noalias() = group_[g] * part(p, g);
     }
 
@@ -111,7 +110,7 @@ public:
 
     /// Estimates the error M p + c - s: the larger of its two sums over all elements with irregular signs. Costs no
     /// product with M.
-    double error(const Vectors& p, const Vectors& c, const Vectors& s) {
+    double error(const Vectors<directions>& p, const Vectors<directions>& c, const Vectors<directions>& s) {
         double largest = 0;
         for (std::size_t k = 0; k < sums_.size(); ++k) {
             for (std::size_t g = 0; g < groups() && !sums_are_known_; ++g) {
@@ -140,7 +139,7 @@ private:
     // Draws the signs from the bits of a linear congruential generator (Knuth's MMIX).
     void draw_signs() {
         std::uint64_t state = 1;
-        for (Vectors& signs : sign_) {
+        for (Vectors<directions>& signs : sign_) {
             for (double& sign : signs.reshaped()) {
                 state = 6364136223846793005u * state + 1442695040888963407u;
                 sign = (state >> 63) != 0 ? 1.0 : -1.0;
@@ -152,7 +151,7 @@ private:
     bool coupled_;
     std::array<Matrix, directions> group_, inverse_;
     std::vector<Index> swaps_;
-    std::array<Vectors, 2> sign_, sums_;  // u and M^T u
+    std::array<Vectors<directions>, 2> sign_, sums_;  // u and M^T u
     Vector projection_step_;
     std::uint64_t revision_ = 1, serial_ = 0;
     bool serves_once_ = false;
