@@ -51,6 +51,42 @@ struct Stage {
     Scalar factor;         ///< the stage's share of the step times the distance rolled; 1 for steady rolling
     Scalar factor_by_end;  ///< d(factor * motion) / d motion at the end of the step
     Scalar weight;         ///< share of the stage's slip in the step's slip
+
+    /// Adds factor * motion in the equations, without the rows of the motion.
+    template <class Result>
+    void add_motion(const RigidSlip<directions, Scalar>& rigid, Result&& sum) const {
+        const InputVector<directions, Scalar> values = in_order(motion);
+        for (std::size_t j = 0; j < input_count<directions>; ++j) {
+            rigid.add(j, factor * values[static_cast<Eigen::Index>(j)], geometry.axes(), sum);
+        }
+    }
+    /// Adds the derivative of factor * motion - (slip by tractions p at the end of the stage) by a parameter, at
+    /// constant p. `scratch` is as large as p.
+    template <class Equations, class Tractions, class Result>
+    void add_rate(std::size_t parameter, const RigidSlip<directions, Scalar>& rigid, const Equations& equations,
+                  const Tractions& p, Result&& scratch, Result&& sum) const {
+        using By = Parameters<directions>;
+        if (parameter < By::creepages) return rigid.add(parameter, factor_by_end, geometry.axes(), sum);
+        if (!By::is_axis(parameter)) return;
+        const Axis axis = By::axis(parameter);
+        if constexpr (directions == 2) {
+            const Scalar spin = motion.spin;
+            if (spin != 0) rigid.add_spin_rate(axis, equations.is_single(), place.progress * factor * spin, sum);
+        }
+        equations.add_rates(axis, place, p, scratch, sum);
+    }
+    /// Finds the contribution of the stage's response dp (to a parameter) to the next stage's factor * motion - (slip
+    /// by the tractions); the next stage starts from U + ratio (U_1 - U).
+    template <class Equations, class Tractions, class Result>
+    void find_carried(std::size_t parameter, const Equations& equations, const Tractions& p, const Tractions& dp,
+                      Result&& scratch, Result&& carried) const {
+        using By = Parameters<directions>;
+        equations.find_displacements(dp, carried);
+        if (By::is_axis(parameter)) {
+            equations.add_displacement_rates(By::axis(parameter), place.progress, p, scratch, carried);
+        }
+        carried *= -place.ratio();
+    }
 };
 
 /// A step, or steady rolling as a step of one stage. Lengths in a_0 = `unit` [m], semi-axes in the contact's. The
@@ -84,44 +120,6 @@ struct TimeStep {
 private:
     const StageTable<Scalar>& table() const { return rolls() ? stages : single_stage<Scalar>; }
 };
-
-/// Adds factor * motion of a stage in the equations, without the rows of the motion.
-template <int directions, class Scalar, class Result>
-void add_rigid_slip(const Stage<directions, Scalar>& stage, const RigidSlip<directions, Scalar>& rigid, Result&& sum) {
-    const InputVector<directions, Scalar> values = in_order(stage.motion);
-    for (std::size_t j = 0; j < input_count<directions>; ++j) {
-        rigid.add(j, stage.factor * values[static_cast<Eigen::Index>(j)], stage.geometry.axes(), sum);
-    }
-}
-
-/// Adds the derivative of factor * motion - (slip by tractions p at the end of the stage) by a parameter, at constant
-/// p. `scratch` is as large as p.
-template <int directions, class Scalar, class Equations, class Tractions, class Result>
-void add_rate(std::size_t parameter, const Stage<directions, Scalar>& stage, const RigidSlip<directions, Scalar>& rigid,
-              const Equations& equations, const Tractions& p, Result&& scratch, Result&& sum) {
-    using By = Parameters<directions>;
-    if (parameter < By::creepages) return rigid.add(parameter, stage.factor_by_end, stage.geometry.axes(), sum);
-    if (!By::is_axis(parameter)) return;
-    const Axis axis = By::axis(parameter);
-    if constexpr (directions == 2) {
-        const Scalar spin = stage.motion.spin, factor = stage.place.progress * stage.factor * spin;
-        if (spin != 0) rigid.add_spin_rate(axis, equations.is_single(), factor, sum);
-    }
-    equations.add_rates(axis, stage.place, p, scratch, sum);
-}
-
-/// Finds the contribution of a stage's response dp (to a parameter) to the next stage's factor * motion - (slip by the
-/// tractions); the next stage starts from U + ratio (U_1 - U).
-template <int directions, class Scalar, class Equations, class Tractions, class Result>
-void find_carried(std::size_t parameter, const Stage<directions, Scalar>& stage, const Equations& equations,
-                  const Tractions& p, const Tractions& dp, Result&& scratch, Result&& carried) {
-    using By = Parameters<directions>;
-    equations.find_displacements(dp, carried);
-    if (By::is_axis(parameter)) {
-        equations.add_displacement_rates(By::axis(parameter), stage.place.progress, p, scratch, carried);
-    }
-    carried *= -stage.place.ratio();
-}
 
 /// A result with this status and no numbers (NaN).
 template <class Result>

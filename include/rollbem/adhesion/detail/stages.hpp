@@ -126,7 +126,7 @@ private:
             change_ -= growth_;
         }
         scratch_.setZero();
-        add_rigid_slip(now, problem.slip, scratch_);
+        now.add_motion(problem.slip, scratch_);
         change_ -= scratch_;
         problem.factors.solve(change_);
     }
@@ -137,7 +137,7 @@ private:
         for (std::size_t j = 0; j < By::count; ++j) {
             if (!problem.asked[j]) continue;
             response_[j] = carried_response_[j];
-            add_rate(j, now, problem.slip, equations, in(now_), in(scratch_), in(response_[j]));
+            now.add_rate(j, problem.slip, equations, in(now_), in(scratch_), in(response_[j]));
             problem.factors.solve(response_[j]);
             response_[j] = -response_[j];
         }
@@ -151,7 +151,7 @@ private:
         carried_ *= now.place.ratio();
         for (std::size_t j = 0; j < By::count; ++j) {
             if (!problem.asked[j]) continue;
-            find_carried(j, now, equations, in(now_), in(response_[j]), in(scratch_), in(carried_response_[j]));
+            now.find_carried(j, equations, in(now_), in(response_[j]), in(scratch_), in(carried_response_[j]));
         }
     }
 

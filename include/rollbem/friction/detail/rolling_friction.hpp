@@ -278,7 +278,7 @@ void set_problem(const StepView<directions>& view, const Stage<directions, doubl
     for (std::size_t k = 0; k < view.histories(); ++k) {
         Vectors<directions>& c = scratch.problem.constant[k];
         c = -scratch.displacement[k];
-        add_rigid_slip(now, contact.rigid, c);
+        now.add_motion(contact.rigid, c);
         if (step.motion.has_rows()) {
             const double share = now.place.progress;
             c += now.factor * ((1 - share) * step.motion.start_rows() + share * step.motion.end_rows());
@@ -366,7 +366,7 @@ bool find_response(const StepView<directions>& view, const Stage<directions, dou
         }
         const auto& p = view.histories() == 2 ? solution.traction(k) : solution.traction();
         with_equations(contact.system, now.geometry, [&](const auto& equations) {
-            add_rate(parameter, now, contact.rigid, equations, p, own.rate, dc);
+            now.add_rate(parameter, contact.rigid, equations, p, own.rate, dc);
         });
         change.constant[k] = &dc;
     }
@@ -392,7 +392,7 @@ void carry_response(const StepView<directions>& view, const Stage<directions, do
         const auto& p = two ? solution.traction(k) : solution.traction();
         const auto& dp = two && solution.last == 1 ? own.response[k] : own.response.back();
         with_equations(view.contact.system, now.geometry, [&](const auto& equations) {
-            find_carried(parameter, now, equations, p, dp, own.rate, own.carried[parameter][k]);
+            now.find_carried(parameter, equations, p, dp, own.rate, own.carried[parameter][k]);
         });
     }
     if (view.contact.varies()) view.coefficients().carry(parameter);
