@@ -99,8 +99,16 @@ void compare(const ElementSystem<double, directions>& system, const FrictionLaw&
     const auto first = model.advance(from, {part, Moved::linear(start, middle), two}, half, workspace);
     const auto second = model.advance(half, {part, Moved::linear(middle, end), three}, to, workspace);
     const auto axes = [&](const auto& loaded) { return data.units.axes(loaded); };
-    detail::TimeStep<directions, double> rolled{
-        Moved::linear(start, end), a, axes(from), axes(three), whole.dq / a, halves};
+    const auto components = [](const Creepage<double>& value) {
+        if constexpr (directions == 1) {
+            return value.longitudinal;
+        } else {
+            return value;
+        }
+    };
+    const auto motion =
+        RigidMotion<detail::CreepageAlong<directions, double>>::linear(components(start), components(end));
+    detail::TimeStep<directions, double> rolled{motion, a, axes(from), axes(three), whole.dq / a, halves};
     rolled.duration = whole.duration;
     const detail::LoadAtEnd end_load{three.normal_pressure, three.half_length, from.half_width, &three.pressure_rate};
     const auto step = detail::solve<directions>({data, rolled, from, end_load, own}, found);

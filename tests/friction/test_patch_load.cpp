@@ -414,7 +414,7 @@ TEST_CASE("patch_load: what a mesh cannot follow has a status") {
     from.half_width = 0;  // not read
     for (const double b : {0.0, 2e-3, 3e-3}) {
         const NormalLoad<double> load{from.normal_pressure, a_0, {}, b};
-        CHECK(line.advance(from, {1e-4, 1e-3, load}, to, workspace).status ==
+        CHECK(line.advance(from, {1e-4, Creepage<double>{1e-3}, load}, to, workspace).status ==
               (b == 3e-3 ? Status::needs_fixed_mesh : Status::ok));
     }
     CHECK(to.half_width == 2e-3);
