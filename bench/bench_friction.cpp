@@ -21,18 +21,21 @@ using namespace rollbem::studies;
 constexpr double poisson_ratio = 0.25;
 constexpr double peak = 1e-3;  // mu p0 / G
 
-double creepage(double ratio) { return 2 * (1 - poisson_ratio) * peak * ratio; }
+double creepage_size(double ratio) { return 2 * (1 - poisson_ratio) * peak * ratio; }
+Creepage<double> creepage(double ratio) { return {creepage_size(ratio)}; }
 constexpr double aspect = 1000;
-double force_ratio(const FrictionStep<>& step) { return -step.force / (2 * aspect * peak * std::numbers::pi / 2); }
+double force_ratio(const FrictionStep& step) {
+    return -step.force.longitudinal / (2 * aspect * peak * std::numbers::pi / 2);
+}
 
 /// The largest error of steady rolling over creepage ratios, which place the border of stick all over the mesh.
-double largest_error(const FrictionModel<>& model) {
+double largest_error(const FrictionModel& model) {
     auto workspace = model.workspace();
     auto now = model.at_rest(), next = now;
     double largest = 0;
     for (int k = 0; k < 20; ++k) {
         const double ratio = 0.05 + 0.9 * k / 19;
-        const FrictionStep<> step = model.steady(now, {.motion = creepage(ratio)}, next, workspace);
+        const FrictionStep step = model.steady(now, {.motion = creepage(ratio)}, next, workspace);
         largest = std::max(largest, std::abs(force_ratio(step) / carter_force_ratio(ratio) - 1));
         std::swap(now, next);
     }
@@ -46,13 +49,13 @@ struct Scene {
     StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
     StripKernel<double> lateral = StripKernel<double>::lateral(contact);
     Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
-    FrictionModel<> model(Integrator integrator) const {
+    FrictionModel model(Integrator integrator) const {
         return {contact, rolling_system(mesh, scheme, kernel), unchecked, friction, integrator};
     }
-    FrictionModel<> steady_model() const { return {contact, steady_system(mesh, scheme, kernel), friction}; }
+    FrictionModel steady_model() const { return {contact, steady_system(mesh, scheme, kernel), friction}; }
 
     Mesh<double> mesh;
-    Friction<> friction;
+    Friction friction;
 };
 
 /// advance(now, next, workspace) from rest, `before` times and then in every iteration. Returns the last step; counts
@@ -128,7 +131,7 @@ void exact_border(benchmark::State& state) {
     const double ratio = static_cast<double>(state.range(0)) / 100;
     StickBorderSolution<double> solution;
     for (auto _ : state) {
-        solution = solve_stick_border(contact, kernel, 1.0, pressure, creepage(ratio));
+        solution = solve_stick_border(contact, kernel, 1.0, pressure, creepage_size(ratio));
         benchmark::ClobberMemory();
     }
     const double force = solution.force_per_width;
@@ -143,7 +146,7 @@ BENCHMARK(BM_StickBorderStrip)->Arg(40);
 // Steps at constant creepage in the steady state, where no element changes its zone. Implicit Euler solves once per
 // step for stick and slip, sdirk2 twice.
 void steps_unchanged(benchmark::State& state, Integrator integrator) {
-    const FrictionModel<> model = Scene(state.range(0)).model(integrator);
+    const FrictionModel model = Scene(state.range(0)).model(integrator);
     roll(state, model, 800, [&](const auto& now, auto& next, auto& workspace) {
         return model.advance(now, {0.05, creepage(0.5)}, next, workspace);
     });
@@ -162,13 +165,13 @@ void falling_steps_unchanged(benchmark::State& state, bool with_tangents,
     const Mesh<double> mesh = cosine_mesh<double>(state.range(0));
     const Contact<double> contact(
         {.half_length = a, .half_width = 1000 * a, .shear_modulus = 82e9, .poisson_ratio = 0.28});
-    const Friction<ExponentialFall<double>> friction{
-        {0.3, 0.18, 0.1}, 495.169e6 * mean_hertz_pressure(mesh), {10e-6, 1e-3}, with_tangents};
-    const FrictionModel<ExponentialFall<double>> model(
-        contact, rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(contact)), unchecked,
-        friction, integrator);
+    const Friction friction{
+        ExponentialFall{0.3, 0.18, 0.1}, 495.169e6 * mean_hertz_pressure(mesh), {10e-6, 1e-3}, with_tangents};
+    const FrictionModel model(contact,
+                              rolling_system(mesh, Collocation{0.5, 0.5}, StripKernel<double>::longitudinal(contact)),
+                              unchecked, friction, integrator);
     roll(state, model, 2000, [&](const auto& now, auto& next, auto& workspace) {
-        return model.advance(now, {{0.05 * a, 0.05 * a / speed}, 1e-3}, next, workspace);
+        return model.advance(now, {{0.05 * a, 0.05 * a / speed}, Creepage<double>{1e-3}}, next, workspace);
     });
 }
 void BM_FrictionStepFalling(benchmark::State& state) { falling_steps_unchanged(state, false); }
@@ -182,14 +185,14 @@ BENCHMARK(BM_FrictionStepFallingSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
 // A cycle of sinusoidal creepage. Counters: rounds per step, and the share of steps in which elements change zones.
 void steps_changing(benchmark::State& state, Integrator integrator) {
-    const FrictionModel<> model = Scene(state.range(0)).model(integrator);
+    const FrictionModel model = Scene(state.range(0)).model(integrator);
     const int solutions = integrator == Integrator::sdirk2 ? 2 : 1;
     double q = 0, changing = 0;
     roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
-        const double before = creepage(0.9 * std::sin(q));
+        const Creepage<double> before = creepage(0.9 * std::sin(q));
         q += 0.05;
-        const auto motion = RigidMotion<double>::linear(before, creepage(0.9 * std::sin(q)));
-        const FrictionStep<> step = model.advance(now, {0.05, motion}, next, workspace);
+        const auto motion = FrictionModel::Motion::linear(before, creepage(0.9 * std::sin(q)));
+        const FrictionStep step = model.advance(now, {0.05, motion}, next, workspace);
         changing += step.rounds > solutions ? 1 : 0;
         return step;
     });
@@ -203,13 +206,13 @@ BENCHMARK(BM_FrictionStepChangingSdirk2)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 // A step of a new distance each time, as by an integrator with variable step size. Argument: n. Compare with
 // BM_LuSolve.
 void steps_of_new_length(benchmark::State& state, Integrator integrator) {
-    const FrictionModel<> model = Scene(state.range(0)).model(integrator);
+    const FrictionModel model = Scene(state.range(0)).model(integrator);
     double q = 0, dq = 0.05;
     roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
-        const double before = creepage(0.9 * std::sin(q));
+        const Creepage<double> before = creepage(0.9 * std::sin(q));
         dq = dq == 0.05 ? 0.0501 : 0.05;
         q += dq;
-        const auto motion = RigidMotion<double>::linear(before, creepage(0.9 * std::sin(q)));
+        const auto motion = FrictionModel::Motion::linear(before, creepage(0.9 * std::sin(q)));
         return model.advance(now, {dq, motion}, next, workspace);
     });
 }
@@ -230,7 +233,7 @@ void steps_under_load(benchmark::State& state, Integrator integrator, bool breat
     const HertzLoad<double> hertz =
         breathing ? HertzLoad<double>::breathing(line, mesh) : HertzLoad<double>::fixed(line, mesh, a);
     NormalLoad<double> load = hertz.at(line.load_per_width());
-    const FrictionModel<> model(
+    const FrictionModel model(
         contact,
         rolling_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, PlaneKernel<double>::longitudinal(contact)),
         unchecked, {0.3, load.normal_pressure}, integrator);
@@ -240,9 +243,9 @@ void steps_under_load(benchmark::State& state, Integrator integrator, bool breat
         q += 0.05;
         if (hertz.set(line.load_per_width() * (1 + 0.5 * std::sin(2 * std::numbers::pi * q / 8)), load) != Status::ok) {
             state.SkipWithError("load");
-            return FrictionStep<>{};
+            return FrictionStep{};
         }
-        return model.advance(now, {dq, 5e-4, load}, next, workspace);
+        return model.advance(now, {dq, Creepage<double>{5e-4}, load}, next, workspace);
     });
 }
 void BM_FrictionStepBreathing(benchmark::State& state) { steps_under_load(state, Integrator::implicit_euler, true); }
@@ -255,7 +258,7 @@ void BM_FrictionStepFixedMeshSdirk2(benchmark::State& state) { steps_under_load(
 BENCHMARK(BM_FrictionStepFixedMeshSdirk2)->Arg(20)->Arg(30)->Arg(40)->Arg(80);
 
 void BM_FrictionSteady(benchmark::State& state) {
-    const FrictionModel<> model = Scene(state.range(0)).steady_model();
+    const FrictionModel model = Scene(state.range(0)).steady_model();
     solve_afresh(state, model, creepage(0.5));
     state.counters["relative_error"] = largest_error(model);
 }
@@ -263,7 +266,7 @@ BENCHMARK(BM_FrictionSteady)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
 // One point of 100 along the curve from 0.01 to 1.
 void BM_FrictionSteadyWarm(benchmark::State& state) {
-    const FrictionModel<> model = Scene(state.range(0)).steady_model();
+    const FrictionModel model = Scene(state.range(0)).steady_model();
     int point = 0;
     roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
         const int phase = point++ % 200;
@@ -292,7 +295,7 @@ void BM_CombinedLuSolve(benchmark::State& state) {
 }
 BENCHMARK(BM_CombinedLuSolve)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 
-FrictionModel<ConstantFriction<>, 2> combined_steady_model(const Scene& scene) {
+FrictionModel combined_steady_model(const Scene& scene) {
     return {
         scene.contact,
         {steady_system(scene.mesh, scene.scheme, scene.kernel), steady_system(scene.mesh, scene.scheme, scene.lateral)},
@@ -300,7 +303,7 @@ FrictionModel<ConstantFriction<>, 2> combined_steady_model(const Scene& scene) {
 }
 Creepage<double> creepage(double ratio, double degrees) {
     const double angle = degrees * std::numbers::pi / 180;
-    return {creepage(ratio) * std::cos(angle), creepage(ratio) * std::sin(angle)};
+    return {creepage_size(ratio) * std::cos(angle), creepage_size(ratio) * std::sin(angle)};
 }
 
 // A solution from rest in the most expensive case, oblique creepage where stick ends.
@@ -330,7 +333,7 @@ void combined_steps(benchmark::State& state, Integrator integrator) {
     roll(state, model, 0, [&](const auto& now, auto& next, auto& workspace) {
         const Creepage<double> before = creepage(0.9 * std::sin(q), 20 * q);
         q += 0.05;
-        const auto motion = RigidMotion<Creepage<double>>::linear(before, creepage(0.9 * std::sin(q), 20 * q));
+        const auto motion = FrictionModel::Motion::linear(before, creepage(0.9 * std::sin(q), 20 * q));
         return model.advance(now, {0.05, motion}, next, workspace);
     });
 }
@@ -369,9 +372,8 @@ void BM_CombinedStepUnchanged(benchmark::State& state) {
 }
 BENCHMARK(BM_CombinedStepUnchanged)->Arg(20)->Arg(40)->Arg(80)->Arg(160);
 void combined_falling_steps(benchmark::State& state, bool with_tangents) {
-    using Law = ExponentialFall<double>;
     const CombinedWheel wheel(state.range(0));
-    const Friction<Law> friction{{0.3, 0.18, 0.1}, wheel.pressure, {10e-6, 1e-3}, with_tangents};
+    const Friction friction{ExponentialFall{0.3, 0.18, 0.1}, wheel.pressure, {10e-6, 1e-3}, with_tangents};
     const FrictionModel model(wheel.contact, wheel.system(), unchecked, friction, Integrator::implicit_euler);
     roll(state, model, 2500, [&](const auto& from, auto& to, auto& workspace) {
         return model.advance(from, {{wheel.dq, wheel.duration}, wheel.creepage}, to, workspace);

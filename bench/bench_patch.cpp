@@ -39,7 +39,7 @@ const HalfSpace<double> kernel(0.25);
 const PatchContact<double> circle = PatchContact<double>::dimensionless(1, 0.28);
 const HalfSpace<double> steel(0.28);
 
-FrictionModel<ConstantFriction<>, 2> steady_model(const PatchMesh<double>& mesh) {
+FrictionModel steady_model(const PatchMesh<double>& mesh) {
     return {circle, steady_system(mesh, scheme, steel), {1.0, hertz_pressures(circle, mesh, 1)}};
 }
 
@@ -104,7 +104,7 @@ void BM_PatchFriction(benchmark::State& state) {
     for (auto _ : state) {
         rounds = 0;
         for (const Point& point : points) {
-            const FrictionStep<2> step = model.steady(rest, {.motion = {0, point.eta, point.phi}}, solved, workspace);
+            const FrictionStep step = model.steady(rest, {.motion = {0, point.eta, point.phi}}, solved, workspace);
             error = std::max(error, std::abs(-step.force.lateral - point.lateral_force));
             rounds += step.rounds / 9.0;
         }
@@ -199,7 +199,7 @@ void BM_PatchStep(benchmark::State& state) {
         load.normal_pressure = size * pressure;
         if (follows > 0) load.half_length = load.half_width = size;
         if (follows > 1) load.half_width *= 1 + 0.5 * std::sin(0.3 * q);
-        const FrictionStep<2> step = model.advance(now, {0.2, {{0.14, 0.1, 0.2}}, load}, next, workspace);
+        const FrictionStep step = model.advance(now, {0.2, {{0.14, 0.1, 0.2}}, load}, next, workspace);
         if (step.status != Status::ok) {
             state.SkipWithError("a step failed");
             break;

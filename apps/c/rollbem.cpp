@@ -111,7 +111,7 @@ struct rollbem_contact_table {
 };
 
 struct rollbem_patch {
-    using Model = FrictionModel<ConstantFriction<double>, 2>;
+    using Model = FrictionModel;
 
     rollbem_patch(const PatchContact<double>& contact, double mu, double load, const PatchMesh<double>& mesh)
         : load_(load),
@@ -120,7 +120,7 @@ struct rollbem_patch {
           pressure_(hertz_pressures(contact, mesh, load)),
           model_(contact, breathing_system(contact, mesh, scheme, HalfSpace<double>(contact.poisson_ratio())),
                  judge_stability(patch_subsystems(mesh, scheme, HalfSpace<double>(contact.poisson_ratio()))),
-                 Friction<>{mu, pressure_}),
+                 Friction{mu, pressure_}),
           run_(model_),
           under_{pressure_, a_, pressure_ / (3 * load), b_} {}
 
@@ -133,7 +133,7 @@ struct rollbem_patch {
         under_.half_length = scale * a_;
         under_.half_width = scale * b_;
         under_.pressure_rate = scale / (3 * load) * pressure_;
-        const FrictionStep<2> step = try_solve(under_);
+        const FrictionStep step = try_solve(under_);
         put(force, step.force);
         if (work != nullptr) *work = step.slip_work;
         if (tangent != nullptr) {
@@ -147,7 +147,7 @@ struct rollbem_patch {
     /// Calls visit(number) for all numbers of a state in turn.
     template <class State, class Visit>
     static void for_state(State& state, const Visit& visit) {
-        for (auto* vectors : {&state.traction, &state.plain_traction}) {
+        for (auto* vectors : {&state.traction, &state.unrotated_traction}) {
             for (Eigen::Index i = 0; i < vectors->size(); ++i) visit(vectors->data()[i]);
         }
         for (Eigen::Index i = 0; i < state.normal_pressure.size(); ++i) visit(state.normal_pressure[i]);
@@ -425,7 +425,7 @@ int rollbem_patch_steady(rollbem_patch* patch, const double creepage[3], double 
     return call(__func__, {{"patch", patch}, {"creepage", creepage}, {"force", force}}, [&](const char* who) {
         // lengths and pressures grow like N^(1/3): F = N f(xi/N^(1/3), eta/N^(1/3), phi); M_z has a further N^(1/3)
         const auto solve = [&](const auto& under) {
-            FrictionStep<2> step = patch->run_.try_steady({.motion = creepage_from(creepage), .load = under});
+            FrictionStep step = patch->run_.try_steady({.motion = creepage_from(creepage), .load = under});
             const TangentialForce<double>& f = step.force;
             step.tangent_by_load = 1 / load * TangentialForce<double>{f.longitudinal, f.lateral, 4 * f.moment / 3} +
                                    -creepage[0] / (3 * load) * step.tangent.by_longitudinal +

@@ -23,7 +23,7 @@
 
 namespace {
 
-using Model = rollbem::FrictionModel<>;
+using Model = rollbem::FrictionModel;
 
 // 1. The axle and its load. The rail forces drive the vehicle: m dV/dt = sum F - D. Wheel i turns by
 // J d(omega_i)/dt = T_i - R_i F_i -+ M, with the moment M = k twist + c d(twist)/dt in the axle.
@@ -83,18 +83,19 @@ int advance(const Axle& axle, const std::array<Model, 2>& models, double torque,
         Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
         jacobian(0, 0) = axle.mass + dt_by_speed * axle.resistance;
         for (std::size_t i = 0; i < 2; ++i) {
-            const auto motion = rollbem::RigidMotion<double>::linear(axle.creepage(i, now.speed, now.rotation[i]),
-                                                                     axle.creepage(i, next.speed, next.rotation[i]));
+            const auto motion = Model::Motion::linear({axle.creepage(i, now.speed, now.rotation[i])},
+                                                      {axle.creepage(i, next.speed, next.rotation[i])});
             const Model::Step step = models[i].advance(now.contact[i], {dq, motion}, next.contact[i], workspaces[i]);
             if (step.status != rollbem::Status::ok) return 0;
-            next.force[i] = step.force;
+            next.force[i] = step.force.longitudinal;
             heat[i] = step.slip_work;
 
+            const double tangent = step.tangent.by_longitudinal.longitudinal;
             const double sign = i == 0 ? 1 : -1, radius = axle.radius[i];
             const Eigen::Index row = i == 0 ? 1 : 2;
             const double force = (now.force[i] + next.force[i]) / 2;
-            const double by_speed = step.tangent / 2 * radius * next.rotation[i] / (next.speed * next.speed);
-            const double by_rotation = -step.tangent / 2 * radius / next.speed;
+            const double by_speed = tangent / 2 * radius * next.rotation[i] / (next.speed * next.speed);
+            const double by_rotation = -tangent / 2 * radius / next.speed;
             const double drive = (i == 0 ? torque : 0) - sign * moment - radius * force;
             residual[0] -= dt * force;
             residual[row] = axle.inertia * (next.rotation[i] - now.rotation[i]) - dt * drive;

@@ -45,7 +45,7 @@ double ride(Eigen::Index n, int steps_per_wave) {
         const double dq = wave / steps_per_wave;
         if (k == 2 * steps_per_wave + 1) elastic = model.elastic_energy(run.now());
         hertz.set(mean_load * (1 + 0.5 * std::sin(2 * std::numbers::pi * k / steps_per_wave)), load);
-        const FrictionStep<2> step = run.advance({dq, creepage, load});
+        const FrictionStep step = run.advance({dq, creepage, load});
         if (step.status != Status::ok) return infinite;
         const auto& [F_x, F_y, M_z] = step.force;
         const double before = power;  // [J/m]

@@ -17,10 +17,10 @@ int main() {
     Run run(model);
     double heat = 0;  // by slip [J]
     for (int k = 0; k < 200; ++k) {
-        const auto step = run.advance({0.2e-3, 2e-3});  // rolls on by 0.2 mm, creepage 2e-3
+        const auto step = run.advance({0.2e-3, Creepage{2e-3}});  // rolls on by 0.2 mm
         if (step.status != Status::ok) return 1;
         heat += step.slip_work;
     }
-    std::cout << "F = " << model.force(run.now()) << " N, heat " << heat << " J, elastic energy "
+    std::cout << "F = " << model.force(run.now()).longitudinal << " N, heat " << heat << " J, elastic energy "
               << model.elastic_energy(run.now()) << " J\n";
 }

@@ -44,7 +44,7 @@ int main() {
 
     // 2. From steady rolling over the change of profile, and on
     constexpr Creepage<double> creepage{5e-4, 5e-4, 0.15};  // spin [1/m]
-    FrictionStep<2> step = run.steady({.motion = creepage});
+    FrictionStep step = run.steady({.motion = creepage});
     std::printf("q/a   a/b      F_x N      F_y N    M_z N m\n");
     for (int k = 0; k <= 400; ++k) {
         if (k > 0) {
@@ -58,7 +58,7 @@ int main() {
     }
 
     // 3. It ends in steady rolling of the last ellipse
-    const FrictionStep<2> steady = run.steady({.motion = creepage});
+    const FrictionStep steady = run.steady({.motion = creepage});
     const double gap =
         std::hypot(step.force.longitudinal - steady.force.longitudinal, step.force.lateral - steady.force.lateral) /
         (0.3 * load);

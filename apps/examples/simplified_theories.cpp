@@ -38,7 +38,7 @@ public:
     Forces forces(double x, double y, double spin) {
         const double b = contact_.half_width(), c = contact_.c();
         const Creepage<double> at{x / (b * kalker_.c11), y / (b * kalker_.c22), spin / (b * c * kalker_.c23)};
-        const FrictionStep<2> step = model_.steady(model_.at_rest(), {.motion = at}, state_, workspace_);
+        const FrictionStep step = model_.steady(model_.at_rest(), {.motion = at}, state_, workspace_);
         if (step.status != Status::ok) std::exit(EXIT_FAILURE);
         constexpr int n = 40;
         const SimplifiedTheory theory(contact_, kalker_, 1, 1, {n, n}),
@@ -51,7 +51,7 @@ private:
     PatchMesh<double> patch_of(double tolerance) const {
         return recommended_patch(tolerance, contact_.a_over_b()).mesh(contact_);
     }
-    FrictionModel<ConstantFriction<>, 2> friction() const {
+    FrictionModel friction() const {
         return {contact_,
                 steady_system(mesh_, scheme, HalfSpace<double>(nu)),
                 {1.0, hertz_pressures(contact_, mesh_, 1.0)}};
@@ -61,9 +61,9 @@ private:
     PatchMesh<double> mesh_;
     CreepCoefficients<double> kalker_ =
         creep_coefficients(contact_, solve_steady(contact_, patch_mesh(contact_, 16, 16), scheme));
-    FrictionModel<ConstantFriction<>, 2> model_;
-    FrictionState<2> state_ = model_.at_rest();
-    FrictionWorkspace<2> workspace_ = model_.workspace();
+    FrictionModel model_;
+    FrictionState state_ = model_.at_rest();
+    FrictionWorkspace workspace_ = model_.workspace();
 };
 
 double difference(const TangentialForce<double>& one, const TangentialForce<double>& other) {

@@ -26,8 +26,8 @@
 
 namespace {
 
-using Law = rollbem::ExponentialFall<double>;
-using Model = rollbem::FrictionModel<Law>;
+using Law = rollbem::ExponentialFall;
+using Model = rollbem::FrictionModel;
 
 // 1. Motor, shaft and wheel of a train so heavy that its speed V does not change. The shaft transmits the moment
 // M = k twist + c (w_m - w): J_m d(w_m)/dt = T - M, J dw/dt = M - R F. The torque T = T_d - K (w_m - V/R) falls with
@@ -36,7 +36,7 @@ constexpr double speed = 10, radius = 0.5, load = 100e3, half_width = 8e-3;  // 
 constexpr double wheel_inertia = 100, motor_inertia = 500;                   // J, J_m [kg m^2]
 constexpr double stiffness = 2.5e6, droop = 6000;                            // k [N m/rad], K [N m s/rad]
 constexpr Law friction_law{.mu_0 = 0.35, .mu_k = 0.2, .half_velocity = 0.4};
-constexpr rollbem::FrictionMemory<double> memory{.distance = 10e-6, .least_velocity = 1e-3};
+constexpr rollbem::FrictionMemory memory{.distance = 10e-6, .least_velocity = 1e-3};
 constexpr rollbem::ElasticBody<double> steel{2.1e11, 0.28};
 
 double creepage(double rotation) { return 1 - radius * rotation / speed; }
@@ -64,10 +64,10 @@ bool advance(rollbem::Run<Model>& contact, double demand, double damping, double
     State& next = state;
     const double dt = dq / speed;
     for (int trial = 0; trial < 30; ++trial) {
-        const auto motion = rollbem::RigidMotion<double>::linear(creepage(now.wheel), creepage(next.wheel));
+        const auto motion = Model::Motion::linear({creepage(now.wheel)}, {creepage(next.wheel)});
         const Model::Step step = contact.try_advance({{dq, dt}, motion});
         if (step.status != rollbem::Status::ok) return false;
-        next.force = step.force;
+        next.force = step.force.longitudinal;
 
         const double motor = (now.motor + next.motor) / 2, wheel = (now.wheel + next.wheel) / 2;
         next.twist = now.twist + dt * (motor - wheel);
@@ -77,7 +77,7 @@ bool advance(rollbem::Run<Model>& contact, double demand, double damping, double
         const Eigen::Vector2d residual(
             motor_inertia * (next.motor - now.motor) - dt * (torque - moment),
             wheel_inertia * (next.wheel - now.wheel) - dt * (moment - radius * (now.force + next.force) / 2));
-        const double force_by_wheel = -step.tangent * radius / speed;
+        const double force_by_wheel = -step.tangent.by_longitudinal.longitudinal * radius / speed;
         Eigen::Matrix2d jacobian;
         jacobian << motor_inertia + dt * (droop / 2 + moment_by_motor), -dt * moment_by_motor, -dt * moment_by_motor,
             wheel_inertia + dt * (moment_by_motor + radius * force_by_wheel / 2);
@@ -147,13 +147,14 @@ int main() {
     const Model model = contact_model(20);
     rollbem::Run contact(model);
     const double slip = 0.3, a = contact.now().half_length, dq = 0.1 * a;
-    Model::Step step = contact.steady({rollbem::Travel<>::at_speed(speed), -slip / speed});
-    const double slope = -step.tangent / speed, limit = least_damping(slope);
+    const rollbem::Creepage<double> creeping{-slip / speed};
+    Model::Step step = contact.steady({rollbem::Travel<>::at_speed(speed), creeping});
+    const double slope = -step.tangent.by_longitudinal.longitudinal / speed, limit = least_damping(slope);
     for (int k = 0; k < 200 && step.status == rollbem::Status::ok; ++k) {  // steady rolling in steps of this length
-        step = contact.advance({{dq, dq / speed}, -slip / speed});
+        step = contact.advance({{dq, dq / speed}, creeping});
     }
     std::printf("at a slip velocity of %.1f m/s: F/N = %.4f, dF/d(slip velocity) = %.0f N s/m; least damping %.1f\n",
-                slip, step.force / load, slope, limit);
+                slip, step.force.longitudinal / load, slope, limit);
     std::printf("%16s %22s %22s %10s\n", "damping N m s/rad", "growth 1/s, linear", "frequency Hz, linear",
                 "a omega/V");
     bool agree = true;
@@ -161,7 +162,7 @@ int main() {
     for (double& part : growth) {
         const double damping = part * limit, hertz = 1 / (2 * std::numbers::pi);
         const Mode mode = torsion(slope, damping);
-        const std::complex<double> rate = simulated(contact, step.force, slip, damping, mode, dq);
+        const std::complex<double> rate = simulated(contact, step.force.longitudinal, slip, damping, mode, dq);
         std::printf("%17.1f %10.3f %11.3f %10.3f %11.3f %10.2f\n", damping, rate.real(), mode.rate.real(),
                     std::abs(rate.imag()) * hertz, mode.rate.imag() * hertz, a * mode.rate.imag() / speed);
         agree = agree && std::abs(rate.real() / mode.rate.real() - 1) < 0.03 &&

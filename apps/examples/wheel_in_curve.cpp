@@ -62,13 +62,13 @@ int main() {
         const auto rest = model.at_rest();
         auto state = rest;
         const Creepage<double> creepage = creepages(shift);
-        const FrictionStep<2> outer = model.steady(rest, {.motion = creepage}, state, workspace);
+        const FrictionStep outer = model.steady(rest, {.motion = creepage}, state, workspace);
         const double share = std::hypot(outer.force.longitudinal, outer.force.lateral) / (mu * load);
         std::printf("%8.1f %5.2f %5.2f %9.3f %10.0f %10.0f %10.1f %9.2f\n", 1e3 * shift, 1e3 * hertz.half_length(),
                     1e3 * hertz.half_width(), creepage.spin, outer.force.longitudinal, outer.force.lateral,
                     outer.force.moment, share);
         // 3. The mirror image of the wheel has the mirrored forces, and friction takes energy
-        const FrictionStep<2> mirrored = model.steady(
+        const FrictionStep mirrored = model.steady(
             rest, {.motion = {creepage.longitudinal, -creepage.lateral, -creepage.spin}}, state, workspace);
         const double difference = std::hypot(outer.force.longitudinal - mirrored.force.longitudinal,
                                              outer.force.lateral + mirrored.force.lateral);

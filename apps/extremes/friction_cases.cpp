@@ -44,38 +44,40 @@ struct Line {
 
     /// Forces are over mu N, at the creepage ratio delta; cosine and sine give the direction of the creepage.
     auto both(double delta, double cosine, double sine) const {
-        const rollbem::FrictionModel<rollbem::ConstantFriction<>, 2> model(
+        const rollbem::FrictionModel model(
             contact(), {{{}, slopes(false), mesh.widths()}, {{}, slopes(true), mesh.widths()}}, law());
         const double size = creepage(delta, nu);
         auto step = rollbem::Run(model).steady({.motion = {size * cosine, size * sine}});
         step.force = {-step.force.longitudinal / full_force, -step.force.lateral / full_force};
         return step;
     }
-    /// A steady step by the solver of one direction.
+    /// A steady step by the solver of one direction, with its force as the longitudinal one.
     auto alone(bool lateral, double delta) const {
-        const rollbem::FrictionModel<> model(contact(), {{}, slopes(lateral), mesh.widths()}, law());
-        auto step = rollbem::Run(model).steady({.motion = creepage(delta, nu)});
-        step.force /= -full_force;
+        const rollbem::FrictionModel model(contact(), {{}, slopes(lateral), mesh.widths()}, law(), lateral ? 1 : 0);
+        const double xi = creepage(delta, nu);
+        auto step = rollbem::Run(model).steady({.motion = {lateral ? 0 : xi, lateral ? xi : 0}});
+        step.force.longitudinal = (lateral ? step.force.lateral : step.force.longitudinal) / -full_force;
         return step;
     }
     /// A steady step with friction that falls with slip to a share of mu, by half at a slip velocity over the rolling
     /// velocity.
     auto falling(double delta, double share, double half_velocity) const {
-        const rollbem::ExponentialFall<> fall{1, share, half_velocity};
+        const rollbem::ExponentialFall fall{1, share, half_velocity};
         const rollbem::FrictionModel model(contact(), rollbem::ElementSystem<double>({}, slopes(false), mesh.widths()),
                                            rollbem::unchecked, rollbem::Friction{fall, law().normal_pressure});
-        auto step = rollbem::Run(model).steady({rollbem::Travel<>::at_speed(1.0), creepage(delta, nu)});
-        step.force /= -full_force;
+        auto step =
+            rollbem::Run(model).steady({rollbem::Travel<>::at_speed(1.0), rollbem::Creepage{creepage(delta, nu)}});
+        step.force.longitudinal /= -full_force;
         return step;
     }
 
 private:
-    rollbem::Friction<> law() const { return {1, peak * rollbem::mean_hertz_pressure(mesh)}; }
+    rollbem::Friction law() const { return {1, peak * rollbem::mean_hertz_pressure(mesh)}; }
 };
 
 // The force of a step in one direction; in both its size, and lateral over longitudinal.
 Outcome against(const auto& step, double reference, double bound) {
-    return compare(step, step.force, reference, bound);
+    return compare(step, step.force.longitudinal, reference, bound);
 }
 Outcome size_against(const auto& step, double reference, double bound) {
     return compare(step, std::hypot(step.force.longitudinal, step.force.lateral), reference, bound);
@@ -98,7 +100,8 @@ void add_directions(Cases& cases) {
                           "force against one direction", [=] {
                               const double own = std::cos(angle), beside = std::sin(angle);
                               const auto step = lateral ? line.both(0.5, beside, own) : line.both(0.5, own, beside);
-                              return compare(step, along(step), line.alone(lateral, 0.5).force, 1e-12 + angle * angle);
+                              return compare(step, along(step), line.alone(lateral, 0.5).force.longitudinal,
+                                             1e-12 + angle * angle);
                           });
             }
             // The slip zone is smaller than any element of the mesh: full adhesion.
@@ -128,7 +131,7 @@ void add_directions(Cases& cases) {
                           const Line line{rollbem::cosine_mesh(40), 0};
                           const double angle = degrees * pi / 180;
                           return size_against(line.both(delta, std::cos(angle), std::sin(angle)),
-                                              line.alone(false, delta).force, 1e-10);
+                                              line.alone(false, delta).force.longitudinal, 1e-10);
                       });
         }
     }
@@ -143,8 +146,9 @@ void add_layers(Cases& cases) {
     for (const int n : {3, 40}) {
         const std::string elements = ", n = " + std::to_string(n);
         const auto with = [n](double layer) { return Line{rollbem::uniform_mesh(n), steel, equal, layer}; };
-        cases.add("layer 1e-12" + elements, "force against none",
-                  [=] { return against(with(1e-12).alone(false, 0.5), with(0).alone(false, 0.5).force, 1e-11); });
+        cases.add("layer 1e-12" + elements, "force against none", [=] {
+            return against(with(1e-12).alone(false, 0.5), with(0).alone(false, 0.5).force.longitudinal, 1e-11);
+        });
         // Independent bristles, p_i = -(xi/L) h (n - i) by upwind differences: c11 = (2/L)(1 + 1/n).
         for (const double layer : {1e6, 1e12}) {
             cases.add("layer " + shown(layer) + elements, "c11 against a brush", [=] {
@@ -185,7 +189,7 @@ void add_falling(Cases& cases) {
             cases.add(name + falls, "force against constant friction",
                       [=] { return against(line.falling(delta, share, velocity), reference, 1e-10); });
         };
-        const double constant = line.alone(false, delta).force;
+        const double constant = line.alone(false, delta).force.longitudinal;
         add("that falls to itself", 1, 1e-3, constant);
         add("that falls at 1e12 of the speed", 0.5, 1e12, constant);
     }
@@ -239,7 +243,7 @@ public:
     }
 
 private:
-    using Model = rollbem::FrictionModel<>;
+    using Model = rollbem::FrictionModel;
 
     HertzLoad<double> make_hertz(const Mesh<double>& mesh, double covered) const {
         const auto line = rollbem::HertzLine<double>::dimensionless(full_ / (pi / 2));
@@ -255,10 +259,10 @@ private:
                 rollbem::unchecked,
                 {mu, load_.normal_pressure}};
     }
-    double scaled(double ratio) const { return creepage(ratio) * full_ / full_force; }
+    rollbem::Creepage<double> scaled(double ratio) const { return {creepage(ratio) * full_ / full_force}; }
     void keep(const Model::Step& step) {
         note(step.status);
-        force_ = step.force;
+        force_ = step.force.longitudinal;
         residual_ = step.complementarity_residual;
     }
 

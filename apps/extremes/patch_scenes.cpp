@@ -23,7 +23,7 @@ namespace {
 using Axes = rollbem::SemiAxes<double>;
 using Creepage = rollbem::Creepage<double>;
 using Eigen::MatrixXd, Eigen::VectorXd;
-using State = rollbem::FrictionState<2>;
+using State = rollbem::FrictionState;
 
 constexpr int steps = 4;
 
@@ -176,7 +176,7 @@ private:
     }
 
     /// `slip` by the equations, a column each direction; `terms` is the size of what they sum.
-    void check(const rollbem::FrictionStep<2>& step, const VectorXd& bound, const VectorXd& slip, double terms) {
+    void check(const rollbem::FrictionStep& step, const VectorXd& bound, const VectorXd& slip, double terms) {
         outcome_.told = told_by(step.status);
         outcome_.residual = std::max(outcome_.residual, step.complementarity_residual);
         const State& next = run_.next();
@@ -221,7 +221,7 @@ private:
         return true;
     }
 
-    using Model = rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2>;
+    using Model = rollbem::FrictionModel;
 
     const PatchScene& scene_;
     rollbem::PatchContact<double> contact_;

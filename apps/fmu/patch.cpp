@@ -143,7 +143,7 @@ public:
         if (run_) {
             for (State* state : {&run_->now(), &from_}) {
                 archive.keep(state->traction);
-                archive.keep(state->plain_traction);
+                archive.keep(state->unrotated_traction);
                 archive.keep(state->zones);
                 archive.keep(state->normal_pressure);
                 archive.keep(state->half_length);
@@ -158,9 +158,9 @@ public:
 private:
     using Force = TangentialForce<double>;
     using Hertz = HertzPatchLoad<double>;
-    using Friction = FrictionModel<ConstantFriction<double>, 2>;
-    using Step = FrictionStep<2>;
-    using State = FrictionState<2>;
+    using Friction = FrictionModel;
+    using Step = FrictionStep;
+    using State = FrictionState;
 
     void add_radius(double& radius, const char* name, const std::string& description) {
         add_parameter(&radius, name, "m", description + "; negative if concave, 1e9 if flat").rule =

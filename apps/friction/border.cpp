@@ -45,7 +45,7 @@ void solve_by_border(const Curve& curve, const study::Scene& scene, study::RowRa
             solution.slip(k, 0) = found.slip(x);
             solution.sticks.push_back(found.exact ? x > found.border : solution.slip(k, 0) == 0);
         }
-        rollbem::FrictionStep<2>& step = solution.step;
+        rollbem::FrictionStep& step = solution.step;
         step.force.longitudinal = found.force_per_width;
         step.tangent.by_longitudinal.longitudinal = found.tangent_per_width;
         step.slip_work = found.slip_work_per_width;

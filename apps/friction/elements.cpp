@@ -15,7 +15,7 @@ namespace {
 
 constexpr double V = 1;  // rolling velocity
 
-using Contact = rollbem::FrictionContact;
+using Contact = rollbem::FrictionModel;
 using Direction = Line::Direction;
 
 /// A point of the scene's elements without a solution.
@@ -75,7 +75,7 @@ std::vector<Contact::State> starts_of(const Curve& curve, const study::Scene& sc
 }
 
 /// The distributions; elements beyond the solution's, at the leading edge, carry nothing and slip.
-void fill(const Contact::State& state, const rollbem::ElementVectors<double>& slip, Solution& solution) {
+void fill(const Contact::State& state, const rollbem::ElementVectors& slip, Solution& solution) {
     const Eigen::Index n = solution.x.size(), known = slip.rows();
     solution.traction.setZero(n, 2);
     solution.traction.topRows(known) = state.traction;

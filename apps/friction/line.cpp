@@ -43,17 +43,15 @@ std::optional<System> Line::lateral_system(const study::Scene& scene, bool in_ti
     return both ? std::optional(system(scene, Direction::lateral, in_time, half_length)) : std::nullopt;
 }
 
-rollbem::FrictionContact Line::contact(const study::Scene& scene, const System& along,
-                                       const std::optional<System>& across, const Eigen::ArrayXd& means,
-                                       const rollbem::StabilityVerdict& checks, rollbem::Integrator integrator,
-                                       double half_length) const {
-    const auto under = [&](const auto& friction) -> rollbem::FrictionContact {
-        const rollbem::Contact<double> contact = contact_of(scene, half_length);
-        if (!across) return rollbem::FrictionModel(contact, along, checks, friction, integrator);
-        return rollbem::FrictionModel(contact, rollbem::ElementSystem(along, *across), checks, friction, integrator);
-    };
-    if (!law) return under(rollbem::Friction<>{1, means});
-    return under(rollbem::Friction<std::function<double(double)>>{law->mu, means, law->memory});
+rollbem::FrictionModel Line::contact(const study::Scene& scene, const System& along,
+                                     const std::optional<System>& across, const Eigen::ArrayXd& means,
+                                     const rollbem::StabilityVerdict& checks, rollbem::Integrator integrator,
+                                     double half_length) const {
+    const rollbem::Contact<double> contact = contact_of(scene, half_length);
+    rollbem::Friction friction{1, means};
+    if (law) friction = {law->law(), means, law->memory};
+    if (!across) return {contact, along, checks, friction, integrator};
+    return {contact, {along, *across}, checks, friction, integrator};
 }
 
 study::Cell relative_error(double value, std::optional<double> exact) {

@@ -10,10 +10,11 @@
 #include <Eigen/Core>
 
 #include <rollbem/compiled/friction.hpp>
-#include <rollbem/friction/friction_contact.hpp>
 #include <rollbem/friction/law.hpp>
+#include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz_load.hpp>
 
+#include "support/friction_laws.hpp"
 #include "support/runs.hpp"
 #include "support/scenes.hpp"
 #include "support/sheet.hpp"
@@ -35,13 +36,6 @@ struct Pressure {
 
     double operator()(double x_over_a) const { return at(x_over_a); }
     Eigen::ArrayXd operator()(const rollbem::Mesh<double>& mesh) const { return mean(mesh); }
-};
-
-/// A law of friction that falls, mu/mu_0 of the slip velocity, and its memory: velocities in V mu_0 p0/G, distances in
-/// a mu_0 p0/G.
-struct SlipLaw {
-    rollbem::ExponentialFall<> mu;
-    rollbem::FrictionMemory<> memory{};
 };
 
 /// Half-length of a mesh that covers the contact during the whole run [a_0].
@@ -68,9 +62,9 @@ inline double creepage_unit(const study::Scene& scene) { return 2 * (1 - scene.c
 struct Line {
     bool both;  ///< friction in both directions
     Pressure pressure;
-    double layer;                ///< compliance [a_0/G]
-    std::optional<SlipLaw> law;  ///< nothing where mu is constant
-    std::string title;           ///< pressure, law, layer, load and, in time, creepage as given, each after ", "
+    double layer;                         ///< compliance [a_0/G]
+    std::optional<study::ChosenLaw> law;  ///< nothing where mu is constant
+    std::string title;  ///< pressure, law, layer, load and, in time, creepage as given, each after ", "
 
     /// Whether Carter's closed form holds along the rolling direction.
     bool carter() const { return pressure.hertz && layer == 0 && !law; }
@@ -82,24 +76,18 @@ struct Line {
     std::optional<System> lateral_system(const study::Scene& scene, bool in_time, double half_length = 1) const;
 
     /// The contact under mean pressures, of one direction or both.
-    rollbem::FrictionContact contact(const study::Scene& scene, const System& along,
-                                     const std::optional<System>& across, const Eigen::ArrayXd& means,
-                                     const rollbem::StabilityVerdict& checks,
-                                     rollbem::Integrator integrator = rollbem::Integrator::sdirk2,
-                                     double half_length = 1) const;
+    rollbem::FrictionModel contact(const study::Scene& scene, const System& along, const std::optional<System>& across,
+                                   const Eigen::ArrayXd& means, const rollbem::StabilityVerdict& checks,
+                                   rollbem::Integrator integrator = rollbem::Integrator::sdirk2,
+                                   double half_length = 1) const;
 };
 
 /// layer and the parameters of the law, of rows that know their `line`.
 template <class Row>
 std::vector<study::Column<Row>> law_columns() {
-    const auto of = [](auto part, auto member) {
-        return [=](const Row& r) { return r.line.law ? study::Cell((*r.line.law).*part.*member) : study::Cell(); };
-    };
-    return {{"layer", "compliance of the layer [a/G], of --layer", [](const Row& r) { return r.line.layer; }},
-            {"falling_ratio", "parameters of --falling", of(&SlipLaw::mu, &rollbem::ExponentialFall<>::mu_k)},
-            {"half_velocity", "", of(&SlipLaw::mu, &rollbem::ExponentialFall<>::half_velocity)},
-            {"memory_distance", "parameters of --memory", of(&SlipLaw::memory, &rollbem::FrictionMemory<>::distance)},
-            {"least_velocity", "", of(&SlipLaw::memory, &rollbem::FrictionMemory<>::least_velocity)}};
+    return study::joined<study::Column<Row>>(
+        {{"layer", "compliance of the layer [a/G], of --layer", [](const Row& r) { return r.line.layer; }}},
+        study::friction_law_columns<Row>([](const Row& r) -> const auto& { return r.line.law; }));
 }
 
 /// value/exact - 1 where both are defined.

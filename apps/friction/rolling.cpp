@@ -12,8 +12,8 @@ namespace {
 
 using rollbem::Status;
 using Creepage = rollbem::Creepage<double>;
-using Step = rollbem::FrictionStep<2>;
-using Motion = rollbem::FrictionContact::Motion;
+using Step = rollbem::FrictionStep;
+using Motion = rollbem::FrictionModel::Motion;
 
 /// -F.s of a relative motion s.
 double work(const Step& step, const Creepage& motion) {
@@ -167,7 +167,7 @@ private:
     }
 
     const Rolling& rolling_;
-    rollbem::Run<rollbem::FrictionContact> run_;
+    rollbem::Run<rollbem::FrictionModel> run_;
     Moment now_;
     Step failed_;
     std::string ended_;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <rollbem/friction/friction_contact.hpp>
+#include <rollbem/friction/model.hpp>
 
 #include "support/runs.hpp"
 #include "support/sheet.hpp"
@@ -18,7 +18,7 @@ namespace friction {
 /// A contact and what happens to it over the distance rolled q [a_0], at the rolling velocity 1, or as the column speed
 /// has it. Motions are taken just before (or at) q, or `behind` it.
 struct Rolling {
-    rollbem::FrictionContact contact;
+    rollbem::FrictionModel contact;
     const study::Run& run;  ///< steps in a_0; a force -F_x/full takes the place of the creepage along x
     double creepage_unit = 1, spin_unit = 1;  ///< of the columns
     double full = 1;                          ///< force of full sliding
@@ -42,7 +42,7 @@ struct Rolling {
 struct Moment {
     double q = 0;
     bool shifted = false;                                 ///< the row of the shift before rolling
-    rollbem::FrictionStep<2> step{};                      ///< the last one, also if it failed
+    rollbem::FrictionStep step{};                         ///< the last one, also if it failed
     rollbem::Creepage<double> creepage{0, 0, 0};          ///< at the end, also if it was found
     rollbem::Creepage<double> shift{0, 0, 0};             ///< in this row, also if it was found
     double slip_work = 0, jump_work = 0, creep_work = 0;  ///< cumulative
@@ -55,8 +55,8 @@ struct Moment {
 
 /// The last trial of a longitudinal creepage, or shift, with the force -F_x/full = `force`, searched from `guess`
 /// on; no_solution where there is none.
-rollbem::FrictionStep<2> find_for_force(double force, double full, double guess,
-                                        const std::function<rollbem::FrictionStep<2>(double)>& trial);
+rollbem::FrictionStep find_for_force(double force, double full, double guess,
+                                     const std::function<rollbem::FrictionStep(double)>& trial);
 
 /// Rolls from the start, as the state requires, and emits the rows of `range`. Returns why the run ended before these
 /// rows did; nothing if it did not.

@@ -15,17 +15,6 @@ namespace friction {
 
 namespace {
 
-void add_law_options(study::Options& options) {
-    options.add("falling", "K,VH",
-                "law of friction that falls with slip from mu_0 to K mu_0, by half at a slip velocity VH [V mu_0 "
-                "p0/G], K 0 or more, VH above 0; constant mu without it");
-    options
-        .add("memory", "D,V0",
-             "memory of friction: distance D of slip [a mu_0 p0/G], above 0, within which mu follows its law, passed "
-             "at a velocity of at least V0 [V mu_0 p0/G], 0 or more; mu follows its law at once without it")
-        .only_with({"falling"});
-}
-
 /// The options of steady rolling and of the time domain: creepages, pressure, a layer and the law of friction.
 void add_contact_options(study::Options& options) {
     options.set_default("mesh", "cosine");
@@ -49,7 +38,7 @@ void add_contact_options(study::Options& options) {
              "--transient one value, constant; no spin without it")
         .only_with({"lateral-ratio"});
     options.add("layer", "L", "compliance of an elastic layer between the bodies [a/G], 0 or more", "0");
-    add_law_options(options);
+    study::add_friction_laws(options);
 }
 
 /// The options of steady rolling alone: sweeps, tractions and the exact border of stick.
@@ -58,7 +47,7 @@ void add_steady_options(study::Options& options) {
         .add("sweep", "up|down",
              "order of the creepage ratios in which each solution starts from the one before, separately for each "
              "lateral ratio and spin; each starts from rest without it")
-        .only_with({"falling"})
+        .only_with(study::friction_law_options())
         .not_with("transient");
     options
         .add_table("tractions",
@@ -68,7 +57,9 @@ void add_steady_options(study::Options& options) {
     options
         .add_flag("fit-border", "exact border between slip and stick, by series; n elements are used where that fails")
         .not_with("transient");
-    options.not_with({"fit-border"}, "falling", ", which is solved by elements");
+    for (const std::string& law : study::friction_law_options()) {
+        options.not_with({"fit-border"}, law, ", which is solved by elements");
+    }
     options.not_with({"mesh", "edges", "method", "derivative", "alpha-L", "alpha-T", "alpha"}, "fit-border",
                      ", which needs no elements");
     options.not_with({"sweep", "fit-border"}, "force");
@@ -101,20 +92,6 @@ double read_layer(const study::Options& options) {
     return layer;
 }
 
-/// The law of --falling; nothing where mu is constant.
-std::optional<SlipLaw> read_law(const study::Options& options) {
-    if (!options.given("falling")) return std::nullopt;
-    const auto fall = options.pair("falling"), memory = options.pair("memory");
-    options.require(fall && fall->first >= 0 && fall->second > 0, "falling",
-                    "be K,VH with K >= 0 and VH > 0, both finite");
-    SlipLaw law{{1, fall->first, fall->second}};
-    if (!options.given("memory")) return law;
-    options.require(memory && memory->first > 0 && memory->second >= 0, "memory",
-                    "be D,V0 with D > 0 and V0 >= 0, both finite");
-    law.memory = {.distance = memory->first, .least_velocity = memory->second};
-    return law;
-}
-
 /// The title of a Line.
 std::string scene_in_title(const study::Options& options) {
     std::string title;
@@ -137,15 +114,14 @@ std::string scene_in_title(const study::Options& options) {
         say("load-sine", "N/N_0 = 1 + ", " sin(2π q/", ")");
         if (options.given("load")) title += ", load of a table";
     }
-    say("falling", "μ falls to μ_0 times ", ", by half at a slip of ");
-    say("memory", "memory ", " and ");
+    title += study::friction_law_title(options);
     say("layer", "layer ");
     return title;
 }
 
 Line read_line(const study::Options& options) {
-    return {options.given("lateral-ratio"), read_pressure(options), read_layer(options), read_law(options),
-            scene_in_title(options)};
+    return {options.given("lateral-ratio"), read_pressure(options), read_layer(options),
+            study::read_friction_law(options), scene_in_title(options)};
 }
 
 /// The points in the order of three loops: the longitudinal ratio outermost, then the lateral ratio, spin innermost.

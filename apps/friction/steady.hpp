@@ -48,7 +48,7 @@ struct Solution {
     Eigen::ArrayXd x;                        ///< centres of the elements
     Eigen::ArrayXd bound;                    ///< of every element [mu p0]
     double full = 1;                         ///< force of full sliding, in the unit of the step's
-    rollbem::FrictionStep<2> step{};         ///< without numbers where there is no solution
+    rollbem::FrictionStep step{};            ///< without numbers where there is no solution
     std::optional<double> creepage_ratio{};  ///< found for a force; not a number where there is none
     std::optional<int> path_points{};
     Eigen::MatrixXd traction{}, slip{};  ///< in both directions [mu p0, V mu p0/G]

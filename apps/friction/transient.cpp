@@ -30,7 +30,7 @@ void require_plane_model(const study::Scene& scene, const study::Run& run, const
                           " must be positive, or the plane model itself is unstable in time");
 }
 
-rollbem::FrictionContact make_contact(const Scenario& scenario, const study::Scene& scene) {
+rollbem::FrictionModel make_contact(const Scenario& scenario, const study::Scene& scene) {
     const Line& line = scenario.line;
     const study::Run& run = scenario.run;
     const bool breathes = run.breathing, varies = run.load_varies();

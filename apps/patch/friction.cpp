@@ -21,9 +21,9 @@ constexpr double peak = 3 / (2 * std::numbers::pi);  // mu p_0
 struct FrictionRow {
     const Patch& patch;
     const CreepPoint& point;
-    const rollbem::FrictionStep<2>& step;
-    const rollbem::FrictionState<2>& state;
-    const rollbem::ElementVectors<double>& slip;
+    const rollbem::FrictionStep& step;
+    const rollbem::FrictionState& state;
+    const rollbem::ElementVectors& slip;
     const rollbem::Elements<double>& elements;
     double largest_slip;  ///< rigid
     study::Cell time_us;
@@ -110,15 +110,15 @@ study::Table friction_table(const Friction& scene) {
     table.compute = [&scene, &tractions](std::size_t task, study::RowRange range, const study::Emit& emit) {
         const Patch& patch = scene.patches[task];
         const rollbem::Elements<double> elements = rollbem::patch_elements(patch.mesh, patch.scheme);
-        const rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2> model(
-            patch.contact, steady_system(patch.mesh, patch.scheme, patch.kernel()), {1.0, scene.pressure(patch)});
+        const rollbem::FrictionModel model(patch.contact, steady_system(patch.mesh, patch.scheme, patch.kernel()),
+                                           {1.0, scene.pressure(patch)});
         const auto rest = model.at_rest();
         auto state = rest;
         auto workspace = model.workspace();
         for (std::size_t k = range.first; k < range.last; ++k) {
-            rollbem::FrictionStep<2> step;
+            rollbem::FrictionStep step;
             CreepPoint point = scene.points[k];
-            const auto at = [&](double longitudinal) -> rollbem::FrictionStep<2> {
+            const auto at = [&](double longitudinal) -> rollbem::FrictionStep {
                 point.longitudinal = longitudinal;
                 return model.steady(rest, {.motion = creepage(patch, point)}, state, workspace);
             };

@@ -41,18 +41,18 @@ struct Covered {
 };
 
 /// Throws BadInput if modes of the patch grow.
-rollbem::FrictionContact make_contact(const TimeScene& scene, const Patch& patch, const Covered& covered,
-                                      const Eigen::ArrayXd& pressures) {
+rollbem::FrictionModel make_contact(const TimeScene& scene, const Patch& patch, const Covered& covered,
+                                    const Eigen::ArrayXd& pressures) {
     const PatchContact& contact = covered.contact;
     const rollbem::PatchMesh<double>& mesh = covered.mesh;
     const auto make = [&](rollbem::ElementSystem<double, 2> system, const rollbem::StabilityVerdict& verdict) {
         if (!verdict.stable()) {
             throw std::invalid_argument("modes must decay, whatever rounding does; take another --n or --strips");
         }
-        return rollbem::FrictionModel(contact, std::move(system), verdict, rollbem::Friction<>{1, pressures},
+        return rollbem::FrictionModel(contact, std::move(system), verdict, rollbem::Friction{1, pressures},
                                       scene.run.integrator);
     };
-    return study::blame(patch.label() + " cannot be stepped", [&]() -> rollbem::FrictionContact {
+    return study::blame(patch.label() + " cannot be stepped", [&]() -> rollbem::FrictionModel {
         const auto [least, largest] = scene.shapes();
         if (scene.run.breathing && largest > least * (1 + 1e-9)) {
             const double a_over_b = patch.contact.a_over_b(), margin = 1 + 1e-6;

@@ -62,7 +62,7 @@ rollbem::ElementSystem<double> slopes(const Scene& scene, const Kernel& kernel) 
     return steady_system(*scene.mesh, scene.scheme, kernel);
 }
 
-rollbem::Friction<> friction(const Scene& scene) { return {1, peak * rollbem::mean_hertz_pressure(*scene.mesh)}; }
+rollbem::Friction friction(const Scene& scene) { return {1, peak * rollbem::mean_hertz_pressure(*scene.mesh)}; }
 
 /// The solution of steady rolling on one mesh or by states.
 rollbem::Response<double> steady(const Scene& scene) {
@@ -108,12 +108,12 @@ Values responses(const Scene& scene, Some places) {
 
 /// -F/(mu N) at creepage ratios.
 Values friction_forces(const Scene& scene, Some places) {
-    const rollbem::FrictionModel<> model(scene.contact, slopes(scene, scene.kernel), friction(scene));
+    const rollbem::FrictionModel model(scene.contact, slopes(scene, scene.kernel), friction(scene));
     rollbem::Run contact(model);
     Values forces;
     for (const Place& place : places) {
-        const auto step = contact.steady({.motion = creepage(scene, place)});
-        forces.emplace_back(step.status == Status::ok ? -step.force / full(scene) : nan);
+        const auto step = contact.steady({.motion = rollbem::Creepage{creepage(scene, place)}});
+        forces.emplace_back(step.status == Status::ok ? -step.force.longitudinal / full(scene) : nan);
     }
     return forces;
 }
@@ -121,7 +121,7 @@ Values friction_forces(const Scene& scene, Some places) {
 /// The forces along and across with creepages at an angle to the rolling direction.
 Values combined_forces(const Scene& scene, Some places) {
     // the model is made from kernels, as only then it knows where the equations hold and turns the slip
-    const rollbem::FrictionModel<rollbem::ConstantFriction<double>, 2> model(
+    const rollbem::FrictionModel model(
         scene.contact,
         {slopes(scene, scene.kernel), slopes(scene, Kernel::lateral(scene.kernel.model(), scene.contact))},
         friction(scene));
@@ -159,8 +159,8 @@ Values load_forces(const Scene& scene, const Settings& settings, const Place& pl
     };
     rollbem::NormalLoad<double> load = hertz.at(load_at(load_length / 4));
     const auto system = rolling_system(*scene.mesh, scene.scheme, Kernel::longitudinal(scene.kernel.model(), covered));
-    const rollbem::FrictionModel<> model(covered, system, rollbem::unchecked, {1, load.normal_pressure});
-    const double xi = creepage(scene, place);
+    const rollbem::FrictionModel model(covered, system, rollbem::unchecked, {1, load.normal_pressure});
+    const rollbem::Creepage xi{creepage(scene, place)};
     rollbem::Run contact(model);
     hertz.set(load_at(0), load);
     Status status = contact.steady({.motion = xi, .load = load}).status;

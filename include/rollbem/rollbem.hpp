@@ -34,7 +34,7 @@
 #include "elasticity/line_kernel.hpp"
 #include "elasticity/rectangle_kernel.hpp"
 #include "elasticity/subsurface_stress.hpp"
-#include "friction/friction_contact.hpp"
+#include "friction/model.hpp"
 #include "normal/hertz.hpp"
 #include "normal/hertz_ellipse.hpp"
 #include "normal/hertz_load.hpp"

@@ -358,12 +358,13 @@ std::vector<double> friction_by_elements(const Scene& scene, const std::vector<d
     const Contact<double> contact = Contact<double>::dimensionless(scene.aspect, scene.nu);
     const FrictionModel model(contact, steady_system(mesh, scheme, scene.kernel()),
                               {1, peak * mean_hertz_pressure(mesh)});
-    FrictionState<> now = model.at_rest(), next = now;
-    FrictionWorkspace<> workspace = model.workspace();
+    FrictionState now = model.at_rest(), next = now;
+    FrictionWorkspace workspace = model.workspace();
     std::vector<double> found;
     for (const double ratio : ratios) {
-        const FrictionStep<> point = model.steady(now, {.motion = 2 * (1 - scene.nu) * peak * ratio}, next, workspace);
-        found.push_back(point.status == Status::ok ? -point.force / (contact.width() * full) : infinity);
+        const FrictionStep point =
+            model.steady(now, {.motion = Creepage{2 * (1 - scene.nu) * peak * ratio}}, next, workspace);
+        found.push_back(point.status == Status::ok ? -point.force.longitudinal / (contact.width() * full) : infinity);
         std::swap(now, next);
     }
     return found;

@@ -6,6 +6,7 @@
 #include <rollbem/compiled/adhesion.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/stability.hpp>
+#include <rollbem/friction/detail/rolling_friction.hpp>
 
 #include "support/catch.hpp"
 
@@ -33,9 +34,9 @@ std::pair<VectorXd, VectorXd> stage_by_stage(const VectorXd& from, const Motion&
     detail::StageFactors<double> factors(from.size());
     const SemiAxes<double> start{a_1 / a, 1}, end{a_3 / a, 1};
     const detail::RigidSlip<1, double> slip(contact, along.inputs(), G);
-    detail::AdhesionFrame<1, double> frame{{motion, dq, a, halves, start, end}, 1, from, slip, factors};
-    stages.solve(frame, [](const detail::RollingStage<double>& stage, const auto& use) {
-        use(detail::LineEquations<RollingSystem<double>>(along, stage));
+    const detail::TimeStep<1, double> step{motion, a, start, end, dq / a, halves};
+    stages.solve(step, {1, from, slip, factors}, [](const detail::RollingStage<double>& geometry, const auto& use) {
+        use(detail::LineEquations<RollingSystem<double>>(along, geometry));
     });
     return {from + stages.change(), stages.response(0)};
 }
@@ -78,17 +79,15 @@ TEST_CASE("In full adhesion a row of the table is all of a scheme", "[stages]") 
 namespace {
 
 /// A step of the row against two of implicit Euler, from steady rolling, while the load grows: all that it returns.
-template <int directions, class Law>
-void compare(const ElementSystem<double, directions>& system, const Law& law,
-             const typename FrictionModel<Law, directions>::Value& start,
-             const typename FrictionModel<Law, directions>::Value& middle,
-             const typename FrictionModel<Law, directions>::Value& end, double growth) {
-    using Core = detail::FrictionCore<detail::UniformLaw<Law, double>, directions, double>;
-    using Moved = RigidMotion<typename Core::Value>;
+template <int directions>
+void compare(const ElementSystem<double, directions>& system, const FrictionLaw& law, const Creepage<double>& start,
+             const Creepage<double>& middle, const Creepage<double>& end, double growth) {
+    using Moved = FrictionModel::Motion;
     const Friction friction{law, ArrayX<double>(p_0 * mean_hertz_pressure(mesh))};
     const FrictionModel model(contact, system, unchecked, friction, Integrator::implicit_euler);
-    const Core core("test", contact, system, detail::with_uniform_law(friction));
-    auto workspace = model.workspace(), own = core.workspace();
+    const detail::ContactData<directions> data("test", contact, system, friction);
+    detail::StepScratch<directions> own(data.size(), false, data.varies());
+    auto workspace = model.workspace();
     auto from = model.at_rest(), half = from, to = from, found = from;
     REQUIRE(model.steady(model.at_rest(), {Travel<>::at_speed(20), start}, from, workspace).status == Status::ok);
     const auto load = [&](double way) {
@@ -99,8 +98,20 @@ void compare(const ElementSystem<double, directions>& system, const Law& law,
     const NormalLoad<double> two = load(0.5), three = load(1);
     const auto first = model.advance(from, {part, Moved::linear(start, middle), two}, half, workspace);
     const auto second = model.advance(half, {part, Moved::linear(middle, end), three}, to, workspace);
-    const auto motion = Moved::linear(start, end);
-    const auto step = core.roll(halves, {from, whole, motion, core.load_after(from, three)}, found, own);
+    const auto axes = [&](const auto& loaded) { return data.units.axes(loaded); };
+    const auto components = [](const Creepage<double>& value) {
+        if constexpr (directions == 1) {
+            return value.longitudinal;
+        } else {
+            return value;
+        }
+    };
+    const auto motion =
+        RigidMotion<detail::CreepageAlong<directions, double>>::linear(components(start), components(end));
+    detail::TimeStep<directions, double> rolled{motion, a, axes(from), axes(three), whole.dq / a, halves};
+    rolled.duration = whole.duration;
+    const detail::LoadAtEnd end_load{three.normal_pressure, three.half_length, from.half_width, &three.pressure_rate};
+    const auto step = detail::solve<directions>({data, rolled, from, end_load, own}, found);
     REQUIRE(second.status == Status::ok);
     REQUIRE(step.status == Status::ok);
     CHECK(found.zones == to.zones);
@@ -116,12 +127,12 @@ void compare(const ElementSystem<double, directions>& system, const Law& law,
 }  // namespace
 
 TEST_CASE("With friction a row of the table is all of a scheme", "[stages][friction]") {
-    const ExponentialFall<> falling{0.3, 0.18, 0.1};
+    const ExponentialFall falling{0.3, 0.18, 0.1};
     const ElementSystem<double, 2> both(along, across);
     for (const double growth : {0.0, 0.05}) {
-        compare<1>(along, ConstantFriction<>{0.3}, 1e-3, 2e-3, 3e-3, growth);
-        compare<1>(along, falling, 1e-3, 2e-3, 3e-3, growth);
-        compare<2>(both, ConstantFriction<>{0.3}, {1e-3, 5e-4, 0}, {2e-3, -5e-4, 0}, {3e-3, -1.5e-3, 0}, growth);
+        compare<1>(along, 0.3, {1e-3}, {2e-3}, {3e-3}, growth);
+        compare<1>(along, falling, {1e-3}, {2e-3}, {3e-3}, growth);
+        compare<2>(both, 0.3, {1e-3, 5e-4, 0}, {2e-3, -5e-4, 0}, {3e-3, -1.5e-3, 0}, growth);
         compare<2>(both, falling, {1e-3, 5e-4, 0}, {2e-3, -5e-4, 0}, {3e-3, -1.5e-3, 0}, growth);
     }
 }

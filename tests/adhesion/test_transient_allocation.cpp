@@ -2,6 +2,7 @@
 // no step and no look-up touches the heap. steady/steady.hpp: a large problem holds one matrix.
 // A program of its own, because it replaces operator new and, where it can, malloc.
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
@@ -17,6 +18,7 @@
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/steady.hpp>
+#include <rollbem/friction/detail/stick_slip.hpp>
 #include <rollbem/normal/hertz_patch_load.hpp>
 #include <rollbem/vehicle/contact_table.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
@@ -284,7 +286,7 @@ TEST_CASE("A step of a patch of varying size and shape does not allocate", "[fri
             const FrictionModel model(contact, moves ? shapes.system(1) : rolling_system(mesh, scheme, kernel),
                                       unchecked, {0.3, load.normal_pressure}, integrator);
             const AdhesionModel<2> adhesion(contact, shapes.system(1), unchecked, integrator);
-            FrictionState<2> now = model.at_rest(), next = now;
+            FrictionState now = model.at_rest(), next = now;
             AdhesionState<> stuck = adhesion.at_rest(), stuck_next = stuck;
             auto workspace = model.workspace();
             auto stuck_workspace = adhesion.workspace();
@@ -314,33 +316,34 @@ TEST_CASE("A step of a patch of varying size and shape does not allocate", "[fri
 
 TEST_CASE("The combined solver does not allocate, whether it follows a path or fails", "[friction]") {
     constexpr Eigen::Index n = 6;
-    detail::StickSlip<2, double> uncoupled(n), coupled(n, true);
+    detail::StickSlipSolver<2> uncoupled(n), coupled(n, true);
+    detail::StageProblem<2> problem(n);
+    detail::StageSolution<2> solution(n);
     const auto centres = detail::CentreValues<double>::in_strips({-1, 0, 1, -1, 3, 4});
     const std::vector<Zone> zones(n, Zone::stick);
-    const ElementVectors<double> start = ElementVectors<double>::Zero(n, 2);
+    const ElementVectors rest = ElementVectors::Zero(n, 2);
+    const std::array<ElementVectors, 2> start{rest, rest};
     drawn::Draw draw(11);
     int followed = 0, unsolved = 0;
-    for (int problem = 0; problem < 300; ++problem) {
-        detail::StickSlip<2, double>& solver = problem % 2 == 0 ? uncoupled : coupled;
+    for (int trial = 0; trial < 300; ++trial) {
+        detail::StickSlipSolver<2>& solver = trial % 2 == 0 ? uncoupled : coupled;
         for (const std::size_t slip : {0, 1}) {
             for (const std::size_t by : {0, 1}) {
-                if (slip != by && !solver.coupled()) continue;
-                for (double& entry : solver.new_matrix(slip, by).reshaped()) entry = draw.normal();
+                if (slip != by && !solver.matrix.coupled()) continue;
+                for (double& entry : solver.matrix.renew(slip, by).reshaped()) entry = draw.normal();
             }
         }
-        for (double& entry : solver.constant().reshaped()) entry = draw.normal();
-        if (problem % 50 == 0) solver.constant()(0, 0) = std::numeric_limits<double>::infinity();
-        VectorX<double> bound(n);
-        for (double& entry : bound) entry = std::abs(draw.normal());
+        for (double& entry : problem.constant[0].reshaped()) entry = draw.normal();
+        if (trial % 50 == 0) problem.constant[0](0, 0) = std::numeric_limits<double>::infinity();
+        for (double& entry : problem.bound) entry = std::abs(draw.normal());
         const long before = allocations;
-        if (problem % 4 > 1) solver.turn_slip(&centres);
-        const auto outcome = solver.solve(bound, {start, zones});
-        solver.turn_slip(nullptr);
+        solver.start(problem, start, zones, solution);
+        solver.solve(problem, trial % 4 > 1 ? &centres : nullptr, true, solution);
         const long after = allocations;
-        CAPTURE(problem, outcome.rounds, outcome.path_points);
+        CAPTURE(trial, solution.rounds, solution.path_points);
         CHECK(after == before);
-        followed += outcome.path_points > 0 ? 1 : 0;
-        unsolved += outcome.status == Status::ok ? 0 : 1;
+        followed += solution.path_points > 0 ? 1 : 0;
+        unsolved += solution.status == Status::ok ? 0 : 1;
     }
     CHECK(followed > 50);
     CHECK(unsolved > 0);

@@ -16,8 +16,6 @@ const Contact<float> contact(
 const Mesh<float> mesh = cosine_mesh<float>(20);
 const NodeDifference scheme{};
 const auto kernel = PlaneKernel<float>::longitudinal(contact);
-const auto across = PlaneKernel<float>::lateral(contact);
-const ArrayX<float> pressure = 1e9F * mean_hertz_pressure(mesh);
 
 float relative(float value, float expected) { return std::abs(value / expected - 1); }
 
@@ -44,32 +42,6 @@ TEST_CASE("templates: a line in full adhesion has one c11", "[templates]") {
         }
         CHECK(relative(model.force(now), 1e-4F * expected) < 1e-4F);
     }
-}
-
-TEST_CASE("templates: friction sticks, slides and is the same by every law and in both directions", "[templates]") {
-    const ElementSystem<float> along = rolling_system(mesh, scheme, kernel);
-    const FrictionModel model(contact, along, unchecked, Friction<ConstantFriction<float>, float>{0.3F, pressure});
-    const FrictionModel by_slip(contact, along, unchecked,
-                                Friction<ExponentialFall<float>, float>{{0.3F, 0.3F, 1.0F}, pressure});
-    const FrictionModel both(contact, ElementSystem<float, 2>(along, rolling_system(mesh, scheme, across)), unchecked,
-                             Friction<ConstantFriction<float>, float>{0.3F, pressure});
-    const float sliding = -0.3F * contact.half_length() * contact.width() * (pressure * mesh.widths()).sum();
-    Run one(model);
-    Run other(by_slip);
-    Run two(both);
-    CHECK(relative(one.steady({.motion = 1e-2F}).force, sliding) < 1e-5F);
-    CHECK(relative(other.steady({Travel<float>::at_speed(1.0F), 1e-2F}).force, sliding) < 1e-5F);
-    CHECK(relative(two.steady({.motion = {1e-2F, 0}}).force.longitudinal, sliding) < 1e-5F);
-    const float part = one.steady({.motion = 1e-3F}).force;
-    CHECK(part / sliding > 0.3F);
-    CHECK(part / sliding < 0.9F);
-    CHECK(relative(other.steady({Travel<float>::at_speed(1.0F), 1e-3F}).force, part) < 1e-4F);
-    CHECK(relative(two.steady({.motion = {1e-3F, 0}}).force.longitudinal, part) < 1e-4F);
-    // in time, from rest to the steady state
-    Run rolling(model);
-    float force = 0;
-    for (int k = 0; k < 40; ++k) force = rolling.advance({contact.half_length(), 1e-3F}).force;
-    CHECK(relative(force, part) < 1e-3F);
 }
 
 TEST_CASE("templates: a patch rolls as steady rolling says", "[templates]") {

@@ -21,7 +21,8 @@ int main() {
     const auto rest = friction.at_rest();
     auto rolling = rest;
     auto workspace = friction.workspace();
-    const double creepage = 1e-9, force = friction.steady(rest, {.motion = creepage}, rolling, workspace).force;
+    const double creepage = 1e-9;
+    const double force = friction.steady(rest, {.motion = Creepage{creepage}}, rolling, workspace).force.longitudinal;
     // full adhesion in four ways
     const double expected =
         -contact.half_length() * contact.shear_modulus() * 2 * contact.half_width() * c11 * creepage;

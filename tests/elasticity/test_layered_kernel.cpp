@@ -155,15 +155,16 @@ TEST_CASE("Steady friction on a layer agrees with CONTACT", "[layer]") {
     const Contact<double> contact = Contact<double>::dimensionless(1000, nu);
     const auto force = [&](double L, double delta, Eigen::Index n) {
         const Mesh<double> mesh = uniform_mesh<double>(n);
-        const FrictionModel<> model(
+        const FrictionModel model(
             contact, steady_system(mesh, halves, LayeredKernel(PlaneKernel<double>::longitudinal(contact), L)),
             {1, mu_p0 * mean_hertz_pressure(mesh)});
-        const FrictionState<> rest = model.at_rest();
-        FrictionState<> state = rest;
-        FrictionWorkspace<> workspace = model.workspace();
-        const FrictionStep<> step = model.steady(rest, {.motion = 2 * (1 - nu) * mu_p0 * delta}, state, workspace);
+        const FrictionState rest = model.at_rest();
+        FrictionState state = rest;
+        FrictionWorkspace workspace = model.workspace();
+        const FrictionStep step =
+            model.steady(rest, {.motion = Creepage{2 * (1 - nu) * mu_p0 * delta}}, state, workspace);
         REQUIRE(step.status == Status::ok);
-        return -step.force / (contact.width() * mu_p0 * std::numbers::pi / 2);
+        return -step.force.longitudinal / (contact.width() * mu_p0 * std::numbers::pi / 2);
     };
     struct Row {
         double L, delta, at[3], contact_160;

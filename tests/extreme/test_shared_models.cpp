@@ -79,20 +79,20 @@ TEST_CASE("Threads may share models of Coulomb friction, steady and in time", "[
     const Contact<double> contact = Contact<double>::dimensionless(1e4, nu);
     const Mesh<double> mesh = cosine_mesh(20);
     const auto plane = PlaneKernel<double>::longitudinal(contact);
-    const Friction<> friction{0.3, 1e-3 * mean_hertz_pressure(mesh)};
-    const FrictionModel<> steady(contact, steady_system(mesh, scheme, plane), friction);
-    const FrictionModel<> model(contact, rolling_system(mesh, scheme, plane), unchecked, friction);
+    const Friction friction{0.3, 1e-3 * mean_hertz_pressure(mesh)};
+    const FrictionModel steady(contact, steady_system(mesh, scheme, plane), friction);
+    const FrictionModel model(contact, rolling_system(mesh, scheme, plane), unchecked, friction);
     check_shared([&] {
         Numbers forces;
         auto now = steady.at_rest(), next = now;
         auto workspace = steady.workspace();  // of this thread, for both models in turn
         for (const double creepage : {1e-4, 3e-4, 1e-3}) {
-            forces.push_back(steady.steady(now, {.motion = creepage}, next, workspace).force);
+            forces.push_back(steady.steady(now, {.motion = Creepage{creepage}}, next, workspace).force.longitudinal);
             std::swap(now, next);
         }
         auto rolling = model.at_rest(), after = rolling;
         for (int k = 0; k < 10; ++k) {
-            forces.push_back(model.advance(rolling, {0.1, 3e-4}, after, workspace).force);
+            forces.push_back(model.advance(rolling, {0.1, Creepage{3e-4}}, after, workspace).force.longitudinal);
             std::swap(rolling, after);
         }
         return forces;

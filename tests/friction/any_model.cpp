@@ -2,17 +2,18 @@
 
 namespace any_model {
 
-FrictionContact make(const Setup& setup, bool steady) {
-    const auto of = [&]<class Own>(const Own& own) -> FrictionContact {
-        const Friction<Own> friction{own, setup.pressure(), {setup.distance, setup.least}, setup.with_tangents};
-        const auto model = [&](const auto& systems) {
-            return FrictionModel(setup.contact(), systems, setup.checks, friction, setup.integrator);
-        };
-        if (setup.directions == 1) return {model(setup.system(setup.across, steady)), setup.across ? 1 : 0};
-        return model(ElementSystem(setup.system(false, steady), setup.system(true, steady)));
-    };
-    if (setup.any) return of(*setup.any);
-    return setup.falls ? of(setup.falling) : of(ConstantFriction<double>{setup.constant});
+FrictionModel make(const Setup& setup, bool steady) {
+    const FrictionLaw chosen = setup.any     ? FrictionLaw(*setup.any)
+                               : setup.falls ? FrictionLaw(setup.falling)
+                                             : FrictionLaw(setup.constant);
+    const Friction friction{chosen, setup.pressure(), {setup.distance, setup.least}, setup.with_tangents};
+    const Contact<double> contact = setup.contact();
+    if (setup.directions == 2) {
+        const ElementSystem both(setup.system(false, steady), setup.system(true, steady));
+        return {contact, both, setup.checks, friction, setup.integrator};
+    }
+    const auto along = setup.system(setup.across, steady);
+    return {contact, along, setup.checks, friction, setup.integrator, setup.across ? 1 : 0};
 }
 
 }  // namespace any_model

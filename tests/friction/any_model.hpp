@@ -1,4 +1,4 @@
-// Friction of any law in one direction or two as a FrictionContact, so that what holds for all of them is written and
+// Friction of any law in one direction or two as a FrictionModel, so that what holds for all of them is written and
 // compiled once.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/elasticity/any_kernel.hpp>
-#include <rollbem/friction/friction_contact.hpp>
+#include <rollbem/friction/model.hpp>
 
 #include "friction/falling_scene.hpp"
 #include "friction/same_bits.hpp"
@@ -27,11 +27,11 @@ using falling_tests::a, falling_tests::full_force, falling_tests::law, falling_t
 using falling_tests::peak_pressure, falling_tests::shear_modulus, falling_tests::speed;
 using AnyLaw = std::function<double(double)>;
 using Law = falling_tests::Law;
-using State = FrictionState<2>;
-using Step = FrictionStep<2>;
+using State = FrictionState;
+using Step = FrictionStep;
 using Motion = RigidMotion<Creepage<double>>;
 using Load = NormalLoad<double>;
-using Workspace = FrictionContact::Workspace;
+using Workspace = FrictionModel::Workspace;
 using same_bits::same;
 
 /// The wheel of falling_scene.hpp, whose law is one of its members, and how it is solved.
@@ -75,10 +75,10 @@ struct Setup {
 };
 
 /// The contact of a setup, with G' alone or in the time domain; in any_model.cpp, for all programs.
-FrictionContact make(const Setup& setup, bool steady = false);
+FrictionModel make(const Setup& setup, bool steady = false);
 
 /// A step under a load, or, if it is null, under the load of the state.
-inline Step advance(const FrictionContact& model, const State& from, const Travel<double>& travel, const Motion& motion,
+inline Step advance(const FrictionModel& model, const State& from, const Travel<double>& travel, const Motion& motion,
                     const Load* load, State& to, Workspace& workspace) {
     return load == nullptr ? model.advance(from, {travel, motion}, to, workspace)
                            : model.advance(from, {travel, motion, *load}, to, workspace);
@@ -91,7 +91,7 @@ struct Ride {
         : setup(of), model(make(of)), now(model.at_rest()), next(now), own(model.workspace()) {}
 
     /// The model of G' alone.
-    const FrictionContact& alone() {
+    const FrictionModel& alone() {
         if (!alone_) alone_ = make(setup, true);
         return *alone_;
     }
@@ -118,12 +118,12 @@ struct Ride {
     }
 
     Setup setup;
-    FrictionContact model;
+    FrictionModel model;
     State now, next;
     Workspace own;
 
 private:
-    std::optional<FrictionContact> alone_;
+    std::optional<FrictionModel> alone_;
 };
 
 /// Constant friction, friction that falls with slip, and with a memory, in one direction and two.

@@ -12,11 +12,11 @@
 namespace falling_tests {
 
 using namespace rollbem;
-using Law = ExponentialFall<double>;
-using Memory = FrictionMemory<double>;
-using Motion = RigidMotion<double>;
-using State = FrictionState<>;
-using Step = FrictionStep<>;
+using Law = ExponentialFall;
+using Memory = FrictionMemory;
+using Motion = FrictionModel::Motion;
+using State = FrictionState;
+using Step = FrictionStep;
 
 constexpr double a = 4e-3, shear_modulus = 82e9, poisson_ratio = 0.28, peak_pressure = 495.169e6;  // [m], [Pa]
 constexpr double speed = 45;                                                                       // V [m/s]
@@ -25,7 +25,7 @@ constexpr double least_velocity = 1e-3;
 constexpr double half_width = 1000 * a;
 constexpr double full_force = std::numbers::pi / 2 * law.mu_0 * peak_pressure * a * 2 * half_width;  // mu_0 N
 
-inline double force_ratio(const Step& step) { return -step.force / full_force; }
+inline double force_ratio(const Step& step) { return -step.force.longitudinal / full_force; }
 
 struct Scene {
     explicit Scene(Mesh<double> mesh_, double distance_ = 0) : mesh(std::move(mesh_)), distance(distance_) {}
@@ -38,10 +38,10 @@ struct Scene {
     StripKernel<double> kernel = StripKernel<double>::longitudinal(contact);
 
     ArrayX<double> pressure() const { return peak_pressure * mean_hertz_pressure(mesh); }
-    Friction<Law> friction() const { return {law, pressure(), {distance, least_velocity}}; }
-    FrictionModel<Law> steady() const { return {contact, steady_system(mesh, scheme, kernel), friction()}; }
+    Friction friction() const { return {law, pressure(), {distance, least_velocity}}; }
+    FrictionModel steady() const { return {contact, steady_system(mesh, scheme, kernel), friction()}; }
     ElementSystem<double> system() const { return rolling_system(mesh, scheme, kernel); }
-    FrictionModel<Law> transient(Integrator integrator = Integrator::sdirk2) const {
+    FrictionModel transient(Integrator integrator = Integrator::sdirk2) const {
         return {contact, system(), unchecked, friction(), integrator};
     }
 };

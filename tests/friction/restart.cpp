@@ -39,7 +39,7 @@ void for_numbers(State& state, const Each& each) {
     each(state.half_length);
     each(state.half_width);
     if constexpr (requires { state.zones; }) {
-        for (auto& p : state.plain_traction.reshaped()) each(p);
+        for (auto& p : state.unrotated_traction.reshaped()) each(p);
         for (auto& p : state.normal_pressure) each(p);
         for (auto& mu : state.friction_coefficient) each(mu);
         for (auto& mu : state.solver.stage_coefficient) each(mu);
@@ -79,7 +79,7 @@ void step(Run<AdhesionModel<>>& run, int k, bool even, std::ostream* file) {
     put(*file, step.tangent);
     *file << name(step.status) << '\n';
 }
-void step(Run<FrictionContact>& run, int k, bool even, std::ostream* file) {
+void step(Run<FrictionModel>& run, int k, bool even, std::ostream* file) {
     const double ratio = even ? 0.5 : 1.2 * std::sin(0.3 * k), dq = even || k % 7 == 0 ? 0.4 : 0.1;
     const Travel<double> travel = Ride::travel(dq);
     const double longer = 1 + 0.02 * std::sin(0.1 * k);

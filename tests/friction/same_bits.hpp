@@ -26,16 +26,14 @@ inline bool same(const rollbem::CreepageTangent<double>& one, const rollbem::Cre
     return same(one.by_longitudinal, other.by_longitudinal) && same(one.by_lateral, other.by_lateral) &&
            same(one.by_spin, other.by_spin);
 }
-template <int directions>
-bool same(const rollbem::FrictionState<directions>& one, const rollbem::FrictionState<directions>& other) {
-    return same(one.traction, other.traction) && same(one.plain_traction, other.plain_traction) &&
+inline bool same(const rollbem::FrictionState& one, const rollbem::FrictionState& other) {
+    return same(one.traction, other.traction) && same(one.unrotated_traction, other.unrotated_traction) &&
            one.zones == other.zones && same(one.normal_pressure, other.normal_pressure) &&
            same(one.half_length, other.half_length) && same(one.half_width, other.half_width) &&
            one.system == other.system && same(one.friction_coefficient, other.friction_coefficient) &&
            same(one.solver.stage_coefficient, other.solver.stage_coefficient);
 }
-template <int directions>
-bool same(const rollbem::FrictionStep<directions>& one, const rollbem::FrictionStep<directions>& other) {
+inline bool same(const rollbem::FrictionStep& one, const rollbem::FrictionStep& other) {
     return same(one.force, other.force) && same(one.tangent, other.tangent) &&
            same(one.tangent_by_load, other.tangent_by_load) &&
            same(one.tangent_by_half_length, other.tangent_by_half_length) && same(one.slip_work, other.slip_work) &&

@@ -17,8 +17,10 @@ constexpr Collocation half{.alpha_L = 0.5, .alpha_T = 0.5};
 
 /// Creepage [-] by its ratio to the creepage of full sliding in Carter's problem.
 inline double creepage(double ratio) { return 2 * (1 - nu) * peak * ratio; }
-inline double force_ratio(const FrictionStep<>& step, const Contact<double>& contact) {
-    return -step.force / (full_force * contact.width());
+using Motion = FrictionModel::Motion;
+inline double slope(const FrictionStep& step) { return step.tangent.by_longitudinal.longitudinal; }
+inline double force_ratio(const FrictionStep& step, const Contact<double>& contact) {
+    return -step.force.longitudinal / (full_force * contact.width());
 }
 
 struct Scene {
@@ -30,8 +32,8 @@ struct Scene {
           friction{mu, peak * mean_hertz_pressure(mesh)} {}
 
     ElementSystem<double> system() const { return rolling_system(mesh, scheme, kernel); }
-    FrictionModel<> steady() const { return {contact, steady_system(mesh, scheme, kernel), friction}; }
-    FrictionModel<> transient(Integrator integrator = Integrator::sdirk2) const {
+    FrictionModel steady() const { return {contact, steady_system(mesh, scheme, kernel), friction}; }
+    FrictionModel transient(Integrator integrator = Integrator::sdirk2) const {
         return {contact, system(), unchecked, friction, integrator};
     }
 
@@ -39,15 +41,15 @@ struct Scene {
     PlaneKernel<double> kernel;
     Mesh<double> mesh;
     Collocation scheme;
-    Friction<> friction;
+    Friction friction;
 };
 
 /// The solution from rest, in a new workspace.
-inline FrictionStep<> from_scratch(const FrictionModel<>& model, double xi) {
-    const FrictionState<> rest = model.at_rest();
-    FrictionState<> state = rest;
-    FrictionWorkspace<> workspace = model.workspace();
-    return model.steady(rest, {.motion = xi}, state, workspace);
+inline FrictionStep from_scratch(const FrictionModel& model, double xi) {
+    const FrictionState rest = model.at_rest();
+    FrictionState state = rest;
+    FrictionWorkspace workspace = model.workspace();
+    return model.steady(rest, {.motion = Creepage<double>{xi}}, state, workspace);
 }
 
 }  // namespace friction_tests

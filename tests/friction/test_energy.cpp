@@ -26,10 +26,10 @@ TEST_CASE("The elastic energy of full sliding is the exact one at any half-lengt
           "[friction]") {
     const Mesh<double> mesh = cosine_mesh<double>(160);
     const Scene scene(mesh, half, 1, 50);
-    const FrictionModel<> model = scene.transient();
-    FrictionState<> state = model.at_rest();
+    const FrictionModel model = scene.transient();
+    FrictionState state = model.at_rest();
     CHECK(model.elastic_energy(state) == 0);
-    state.traction = -peak * mean_hertz_pressure(mesh).matrix();
+    state.traction.col(0) = -peak * mean_hertz_pressure(mesh).matrix();
     for (const double half_length : {0.7, 1.0, 1.3}) {
         state.half_length = half_length;
         CAPTURE(half_length);
@@ -39,15 +39,15 @@ TEST_CASE("The elastic energy of full sliding is the exact one at any half-lengt
     // SI units
     const double a = 6e-3, G = 8e10;
     const Contact<double> contact({.half_length = a, .half_width = 50 * a, .shear_modulus = G, .poisson_ratio = nu});
-    const FrictionModel<> in_si(contact, scene.system(), unchecked, {1.0, peak * G * mean_hertz_pressure(mesh)});
-    FrictionState<> loaded = in_si.at_rest();
+    const FrictionModel in_si(contact, scene.system(), unchecked, {1.0, peak * G * mean_hertz_pressure(mesh)});
+    FrictionState loaded = in_si.at_rest();
     loaded.traction = G * state.traction;
     loaded.half_length = a * state.half_length;
     CHECK(in_si.elastic_energy(loaded) == Approx(G * a * a * a * model.elastic_energy(state)).epsilon(1e-12));
 
     // a strip has a single half-length
     const auto strip = rolling_system(mesh, half, StripKernel<double>::longitudinal(scene.contact));
-    const FrictionModel<> rigid(scene.contact, strip, unchecked, scene.friction);
+    const FrictionModel rigid(scene.contact, strip, unchecked, scene.friction);
     CHECK(std::isnan(rigid.elastic_energy(state)));
     state.half_length = 1;
     CHECK(rigid.elastic_energy(state) > 0);
@@ -67,7 +67,7 @@ TEST_CASE("A slip linear in x is interpolated exactly at the centres", "[frictio
         const Eigen::Index n = points.size();
         const ArrayX<double> widths = unknown_widths(mesh, scheme);
         const Values values = Values::in_one_strip(widths, points);
-        const detail::SlipWork<double> slip_work(widths, values);
+        const detail::SlipWork slip_work(widths, values);
         const VectorX<double> slip = linear(points), expected = linear(mesh.centres().head(n));
         for (Eigen::Index i = 0; i < n; ++i) {
             CAPTURE(mesh.size(), i);
@@ -120,21 +120,22 @@ TEST_CASE("The slip is taken as it is without points, with a single one, or wher
 TEST_CASE("No element gains energy where the slip reverses", "[friction]") {
     const Scene scene(cosine_mesh<double>(24), half, 1, 10);
     for (const Integrator integrator : {Integrator::implicit_euler, Integrator::sdirk2}) {
-        const FrictionModel<> model = scene.transient(integrator);
-        FrictionState<> now = model.at_rest(), next = now;
-        FrictionWorkspace<> workspace = model.workspace();
+        const FrictionModel model = scene.transient(integrator);
+        FrictionState now = model.at_rest(), next = now;
+        FrictionWorkspace workspace = model.workspace();
         int turns = 0;
         for (int k = 0; k < 60; ++k) {
             const double wave = 1.5 * std::cos(2.3 * k);
-            const FrictionStep<> step =
-                k % 2 == 0 ? model.advance(now, {0, RigidMotion<double>::shift(peak * wave)}, next, workspace)
-                           : model.advance(now, {0.3, creepage(4 * wave)}, next, workspace);
+            const FrictionStep step =
+                k % 2 == 0 ? model.advance(now, {0, Motion::shift({peak * wave})}, next, workspace)
+                           : model.advance(now, {0.3, Creepage<double>{creepage(4 * wave)}}, next, workspace);
             REQUIRE(step.status == Status::ok);
             CHECK(workspace.slip_work().minCoeff() >= 0);
             CHECK(std::abs(workspace.slip_work().sum() - step.slip_work) <= 1e-14 * step.slip_work);
+            const VectorX<double> slip = workspace.slip().col(0);
             for (Eigen::Index i = 1; i < 24; ++i) {
-                const double mean = (workspace.slip()[i - 1] + workspace.slip()[i]) / 2;
-                if (mean * next.traction[i] > 0) ++turns;
+                const double mean = (slip[i - 1] + slip[i]) / 2;
+                if (mean * next.traction(i, 0) > 0) ++turns;
             }
             std::swap(now, next);
         }

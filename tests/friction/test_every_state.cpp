@@ -37,7 +37,7 @@ struct Task {
         if (draw.one_in(4)) task.load.pressure_rate.resize(0);
         return task;
     }
-    Step run(const FrictionContact& model, const State& from, State& to, Workspace& workspace) const {
+    Step run(const FrictionModel& model, const State& from, State& to, Workspace& workspace) const {
         const Load* const own = kind % 2 == 0 ? nullptr : &load;
         if (kind == 0) return model.steady(from, {Travel<>::at_speed(speed), end}, to, workspace);
         if (kind < 3) {
@@ -280,7 +280,7 @@ TEST_CASE("Invalid steps, states and loads are reported by the status, and nothi
         };
         spoilt([](State& state) { state.zones.pop_back(); });
         spoilt([](State& state) { state.traction.conservativeResize(7, 2); });
-        if (setup.directions == 2) spoilt([](State& state) { state.plain_traction.conservativeResize(7, 2); });
+        if (setup.directions == 2) spoilt([](State& state) { state.unrotated_traction.conservativeResize(7, 2); });
         spoilt([](State& state) { state.normal_pressure.conservativeResize(7); });
         spoilt([](State& state) { state.system += 1; });
         spoilt(

@@ -14,7 +14,7 @@ namespace falling_tests {
 namespace {
 
 TEST_CASE("The law falls from mu_0 at rest to mu_k, halfway at its half velocity; memories fade", "[friction]") {
-    const ExponentialFall<double> falling{0.3, 0.1, 0.2};
+    const ExponentialFall falling{0.3, 0.1, 0.2};
     CHECK(falling(0.0) == Approx(0.3).epsilon(1e-15));
     CHECK(falling(0.2) == Approx(0.2).epsilon(1e-15));
     CHECK(falling(0.6) == Approx(0.1 + 0.2 / 8).epsilon(1e-14));
@@ -34,27 +34,28 @@ constexpr double steady_forces[3][5] = {{0.34140, 0.59053, 0.80649, 0.68687, 0.6
 TEST_CASE("The steady forces of a wheel at 45 m/s are the reference values", "[friction]") {
     for (int k = 0; k < 3; ++k) {
         const Scene scene(uniform_mesh<double>(160), distances[k]);
-        const FrictionModel<Law> steady = scene.steady();
-        const FrictionModel<Law> transient = scene.transient();
+        const FrictionModel steady = scene.steady();
+        const FrictionModel transient = scene.transient();
         auto workspace = steady.workspace();
         const State rest = steady.at_rest(), other_rest = transient.at_rest();
         State state = rest;
         for (int j = 0; j < 5; ++j) {
-            const Step step = steady.steady(rest, {Travel<>::at_speed(speed), creepages[j]}, state, workspace);
+            const Step step =
+                steady.steady(rest, {Travel<>::at_speed(speed), Creepage<double>{creepages[j]}}, state, workspace);
             CAPTURE(distances[k], creepages[j]);
             CHECK(step.status == Status::ok);
             CHECK(std::abs(force_ratio(step) - steady_forces[k][j]) < 6e-6);
             CHECK(step.rounds > 1);  // of all searches for stick and slip: the last takes one
-            const Step other =
-                transient.steady(other_rest, {Travel<>::at_speed(speed), creepages[j]}, state, workspace);
-            CHECK(other.force == Approx(step.force).epsilon(1e-11));
+            const Step other = transient.steady(other_rest, {Travel<>::at_speed(speed), Creepage<double>{creepages[j]}},
+                                                state, workspace);
+            CHECK(other.force.longitudinal == Approx(step.force.longitudinal).epsilon(1e-11));
             constexpr double h = 1e-7;
             const auto force = [&](double part) {
-                return steady.steady(rest, {Travel<>::at_speed(speed), creepages[j] * (1 + part)}, state, workspace)
-                    .force;
+                const Creepage<double> nearby{creepages[j] * (1 + part)};
+                return steady.steady(rest, {Travel<>::at_speed(speed), nearby}, state, workspace).force.longitudinal;
             };
             const double difference = (force(h) - force(-h)) / (2 * h * creepages[j]);
-            CHECK(step.tangent == Approx(difference).epsilon(1e-6));
+            CHECK(step.tangent.by_longitudinal.longitudinal == Approx(difference).epsilon(1e-6));
         }
     }
 }
@@ -70,13 +71,14 @@ TEST_CASE("With little memory, the force oscillates at the peak of the creep cur
     for (const Case& c :
          {Case{false, 0.025, 5.05, 0.1}, Case{false, 0.00625, 4.2, 0.25}, Case{true, 0.0125, 4.25, 0.1}}) {
         const Scene scene(c.cosine ? cosine_mesh<double>(80) : uniform_mesh<double>(80), 2e-6);
-        const FrictionModel<Law> model = scene.transient(Integrator::implicit_euler);
+        const FrictionModel model = scene.transient(Integrator::implicit_euler);
         auto workspace = model.workspace();
         State now = model.at_rest(), next = now;
         double last = 0, highest = 0, lowest = 1;
         std::vector<double> falls;
         for (int k = 1; k * c.dq < 24; ++k) {
-            const Step step = model.advance(now, {{c.dq * a, c.dq * a / speed}, 2e-3}, next, workspace);
+            const Step step =
+                model.advance(now, {{c.dq * a, c.dq * a / speed}, Creepage<double>{2e-3}}, next, workspace);
             REQUIRE(step.status == Status::ok);
             std::swap(now, next);
             const double force = force_ratio(step);
@@ -99,16 +101,16 @@ TEST_CASE("With little memory, the force oscillates at the peak of the creep cur
 
 TEST_CASE("Tractions that jump within a step and return release the energy of both jumps", "[friction]") {
     const Scene scene(cosine_mesh<double>(20));
-    const FrictionModel<Law> model = scene.transient();
+    const FrictionModel model = scene.transient();
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
     const double dq = 0.1 * a, fast = 10;  // all elements slide at mu_k, in the first stage of the last step backwards
     const Travel<> travel{dq, dq / speed};
     for (int k = 0; k < 3; ++k) {
-        REQUIRE(model.advance(now, {travel, fast}, next, workspace).status == Status::ok);
+        REQUIRE(model.advance(now, {travel, Creepage<double>{fast}}, next, workspace).status == Status::ok);
         std::swap(now, next);
     }
-    const Step step = model.advance(now, {travel, Motion::linear(-10 * fast, fast)}, next, workspace);
+    const Step step = model.advance(now, {travel, Motion::linear({-10 * fast}, {fast})}, next, workspace);
     REQUIRE(step.status == Status::ok);
     CHECK((next.traction - now.traction).norm() < 1e-12 * now.traction.norm());
     State jump = now;
@@ -146,12 +148,14 @@ TEST_CASE("A law may rise from nothing; it is called as const", "[friction]") {
                               Integrator::implicit_euler);
     auto workspace = model.workspace();
     State now = model.at_rest(), next = now;
-    REQUIRE(model.steady(now, {Travel<>::at_speed(speed), 5e-3}, next, workspace).status == Status::ok);
+    REQUIRE(model.steady(now, {Travel<>::at_speed(speed), Creepage<double>{5e-3}}, next, workspace).status ==
+            Status::ok);
     for (Eigen::Index i = 0; i < model.size(); ++i) {
-        const double v = speed * std::abs(workspace.slip()[i]);
+        const double v = speed * std::abs(workspace.slip()(i, 0));
         CHECK(next.friction_coefficient[i] == Approx(rising(v)).margin(1e-12));
     }
-    CHECK(model.advance(now, {{0.05 * a, 0.05 * a / speed}, 5e-3}, next, workspace).status == Status::ok);
+    CHECK(model.advance(now, {{0.05 * a, 0.05 * a / speed}, Creepage<double>{5e-3}}, next, workspace).status ==
+          Status::ok);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace {
 constexpr double load_nu = 0.28;
 
 /// Creepage [-] by its ratio to the creepage of full sliding under the load `full_force`.
-double load_creepage(double ratio) { return 2 * (1 - load_nu) * peak * ratio; }
+Creepage<double> load_creepage(double ratio) { return {2 * (1 - load_nu) * peak * ratio}; }
 
 /// Cylinders of E = 1 with a = 1 and p_0 = `peak` under the load `full_force`; mu = 1.
 HertzLine<double> unit_line() {
@@ -56,10 +56,10 @@ struct LoadScene {
     }
 
     ElementSystem<double> system() const { return rolling_system(mesh, scheme, kernel); }
-    FrictionModel<> model(Integrator integrator = Integrator::sdirk2) const {
+    FrictionModel model(Integrator integrator = Integrator::sdirk2) const {
         return {contact, system(), unchecked, law(), integrator};
     }
-    Friction<> law() const { return {mu, hertz.at(full_force).normal_pressure}; }
+    Friction law() const { return {mu, hertz.at(full_force).normal_pressure}; }
 };
 
 /// full_force (1 + 0.5 sin(2 pi q/L)).
@@ -71,11 +71,11 @@ struct SineLoad {
 
 // -F/(mu N_0) after each of `steps` steps over the distance Q, from steady rolling at half the creepage of full slip.
 std::vector<double> roll(const LoadScene& scene, const SineLoad& sine, double Q, int steps, Integrator integrator) {
-    const FrictionModel<> model = scene.model(integrator);
-    FrictionWorkspace<> workspace = model.workspace();
-    FrictionState<> now = model.at_rest(), next = now;
+    const FrictionModel model = scene.model(integrator);
+    FrictionWorkspace workspace = model.workspace();
+    FrictionState now = model.at_rest(), next = now;
     NormalLoad<double> load = scene.hertz.at(sine(0));
-    FrictionStep<> step = model.steady(now, {.motion = load_creepage(0.5), .load = load}, next, workspace);
+    FrictionStep step = model.steady(now, {.motion = load_creepage(0.5), .load = load}, next, workspace);
     std::vector<double> forces{force_ratio(step, scene.contact)};
     bool ok = step.status == Status::ok;
     for (int k = 1; k <= steps; ++k) {
@@ -189,7 +189,7 @@ TEST_CASE("A contact does not grow to where the plane kernel is unstable", "[fri
     const LoadScene scene = LoadScene::breathing(cosine_mesh<double>(12), b);
     const ElementSystem<double> lateral =
         rolling_system(scene.mesh, scene.scheme, PlaneKernel<double>::lateral(scene.contact));
-    const auto check = [&](const auto& model, double limit, const auto& creepage) {
+    const auto check = [&](const FrictionModel& model, double limit, const Creepage<double>& creepage) {
         auto workspace = model.workspace();
         auto now = model.at_rest(), next = now;
         NormalLoad<double> load = scene.hertz.at(full_force);
@@ -204,9 +204,9 @@ TEST_CASE("A contact does not grow to where the plane kernel is unstable", "[fri
         CHECK(advance(limit * (1 - 1e-12)) == Status::ok);
         CHECK(advance(limit * (1 + 1e-12)) == Status::needs_fixed_mesh);
     };
-    check(FrictionModel<>(scene.contact, scene.system(), unchecked, scene.law()), along, 1e-4);
+    check(FrictionModel(scene.contact, scene.system(), unchecked, scene.law()), along, {1e-4});
     check(FrictionModel(scene.contact, ElementSystem<double, 2>(scene.system(), lateral), unchecked, scene.law()),
-          across, Creepage<double>{1e-4, 1e-4});
+          across, {1e-4, 1e-4});
 }
 
 }  // namespace

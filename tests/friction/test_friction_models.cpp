@@ -18,9 +18,9 @@ TEST_CASE("Steady forces of a scheme that does not converge are not given", "[fr
             CAPTURE(alpha);
             setup.mesh = cosine_mesh<double>(10);
             setup.scheme = {.alpha_L = alpha, .alpha_T = alpha};
-            const FrictionContact asked_for = make(setup, true);
+            const FrictionModel asked_for = make(setup, true);
             setup.checks = StabilityVerdict();
-            const FrictionContact steady = make(setup, true);
+            const FrictionModel steady = make(setup, true);
             State to = steady.at_rest();
             Workspace workspace = steady.workspace();
             const Step refused =
@@ -43,7 +43,7 @@ TEST_CASE("Steady forces of a scheme that does not converge are not given", "[fr
 TEST_CASE("A model without G refuses to roll in time", "[friction]") {
     for (const Setup& setup : every_setup()) {
         INFO(words(setup));
-        const FrictionContact steady = make(setup, true);
+        const FrictionModel steady = make(setup, true);
         Workspace workspace = steady.workspace();
         State now = steady.at_rest(), next = now;
         REQUIRE(steady.steady(now, {Travel<>::at_speed(speed), creepage(0.5, 37)}, next, workspace).status ==
@@ -88,9 +88,9 @@ TEST_CASE("Models with the same G' share states, but no factors", "[friction]") 
         INFO(words(setup));
         setup.distance = 0;
         setup.stiffer = 1.5;
-        const FrictionContact soft = make(setup);
+        const FrictionModel soft = make(setup);
         setup.stiffer = 0.5;
-        const FrictionContact stiff = make(setup);
+        const FrictionModel stiff = make(setup);
         REQUIRE(soft.fingerprint() == stiff.fingerprint());
         Workspace used = soft.workspace(), fresh = soft.workspace();
         State one = soft.at_rest(), other = one, again = one;

@@ -33,7 +33,7 @@ struct Scene {
     PatchMesh<double> mesh;
     HalfSpace<double> kernel{nu};
     double load, c;
-    Friction<ConstantFriction<double>> friction;
+    Friction friction;
 
     Scene(double a, double b, Eigen::Index n, Eigen::Index m) : Scene(a, b, cosine_mesh(n), cosine_mesh(m)) {}
     Scene(double a, double b, const Mesh<double>& along, const Mesh<double>& across)
@@ -43,9 +43,7 @@ struct Scene {
           c(std::sqrt(a * b)),
           friction{mu, hertz_pressures(contact, mesh, load)} {}
 
-    FrictionModel<ConstantFriction<double>, 2> steady() const {
-        return {contact, steady_system(mesh, chebyshev, kernel), friction};
-    }
+    FrictionModel steady() const { return {contact, steady_system(mesh, chebyshev, kernel), friction}; }
     /// -F_x, -F_y over mu N, -M_z over mu N c.
     std::array<double, 3> ratios(const TangentialForce<double>& force) const {
         const double unit = -mu * load;
@@ -61,8 +59,8 @@ struct Scene {
 
 /// A steady solution from rest.
 struct Solved {
-    FrictionStep<2> step;
-    FrictionState<2> state;
+    FrictionStep step;
+    FrictionState state;
     Eigen::MatrixXd slip;
     Eigen::VectorXd work;
 };

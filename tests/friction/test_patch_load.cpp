@@ -14,7 +14,7 @@
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/compiled/stability.hpp>
-#include <rollbem/friction/friction_contact.hpp>
+#include <rollbem/friction/model.hpp>
 #include <rollbem/normal/hertz_patch_load.hpp>
 #include <rollbem/rolling/run.hpp>
 
@@ -33,8 +33,8 @@ constexpr NodeDifference chebyshev{Nodes::chebyshev};
 constexpr double mu = 0.3, nu = 0.28, G = 8e10, a_0 = 5e-3, N_0 = 8e4;
 const HalfSpace<double> kernel(nu);
 using Forces = std::array<double, 3>;
-using Model = FrictionModel<ConstantFriction<double>, 2>;
-using State = FrictionState<2>;
+using Model = FrictionModel;
+using State = FrictionState;
 
 const PatchShapes<double>& shapes() {
     static const PatchShapes<double> made(6, 6, chebyshev, kernel, {.least = 0.4, .largest = 2.5, .factor = 1.25});
@@ -94,8 +94,8 @@ struct Scene {
         auto now = model.at_rest(), next = now;
         std::vector<Forces> result;
         for (int k = 1; k <= std::lround(8 / dq); ++k) {
-            if constexpr (requires { now.plain_traction; }) {
-                if (alone) now.plain_traction.resize(0, 2);
+            if constexpr (requires { now.unrotated_traction; }) {
+                if (alone) now.unrotated_traction.resize(0, 2);
             }
             const auto load = load_at(std::cbrt(Scene::load(k * dq) / N_0));
             const auto step = model.advance(now, {dq * a_0, creepage, load}, next, workspace);
@@ -146,7 +146,7 @@ TEST_CASE("Creepages stand in braces in every step, with a load and without", "[
     auto to = model.at_rest();
     same(model.advance(model.at_rest(), {dq, {{xi, eta, phi}}}, to, workspace).force);
     same(model.advance(model.at_rest(), {dq, {xi, eta, phi}, load}, to, workspace).force);
-    const FrictionContact any(model);
+    const FrictionModel any(model);
     same(Run(any).advance({{dq, 1}, {xi, eta, phi}, load}).force);
     CHECK(Run(any).steady({Travel<>::at_speed(1.0), {xi, eta, phi}}).force.lateral ==
           Run(model).steady({.motion = {xi, eta, phi}}).force.lateral);
@@ -414,7 +414,7 @@ TEST_CASE("patch_load: what a mesh cannot follow has a status") {
     from.half_width = 0;  // not read
     for (const double b : {0.0, 2e-3, 3e-3}) {
         const NormalLoad<double> load{from.normal_pressure, a_0, {}, b};
-        CHECK(line.advance(from, {1e-4, 1e-3, load}, to, workspace).status ==
+        CHECK(line.advance(from, {1e-4, Creepage<double>{1e-3}, load}, to, workspace).status ==
               (b == 3e-3 ? Status::needs_fixed_mesh : Status::ok));
     }
     CHECK(to.half_width == 2e-3);

@@ -1,6 +1,7 @@
-// rollbem/friction/detail/stick_slip.hpp, slip_search.hpp, slip_path.hpp, condensed_slip.hpp, nested_stick.hpp,
-// slip_problem.hpp, slip_turn.hpp
+// rollbem/friction/detail/stick_slip.hpp, homotopy.hpp, condensed_slip.hpp, nested_stick.hpp,
+// slip_direction_system.hpp, slip_rotation.hpp
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -11,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include <rollbem/compiled/friction.hpp>
+#include <rollbem/friction/detail/stick_slip.hpp>
 
 #include "extremes/drawn.hpp"
 #include "support/catch.hpp"
@@ -23,11 +25,41 @@ using namespace rollbem;
 
 std::vector<Zone> all_stick(Eigen::Index n) { return std::vector<Zone>(static_cast<std::size_t>(n), Zone::stick); }
 
-/// M as a whole, of both directions where there are two.
+/// A solver with its problem and its solution.
+template <int directions>
+struct Solver {
+    using Vectors = detail::Vectors<directions>;
+
+    explicit Solver(Eigen::Index n, bool coupled = false) : solver(n, coupled), problem(n), solution(n) {
+        response.fill(Vectors::Zero(n, directions));
+    }
+    const detail::StageSolution<directions>& solve(const VectorX<double>& bound, const Vectors& traction,
+                                                   const std::vector<Zone>& zones) {
+        problem.bound = bound;
+        std::array<Vectors, directions> start;
+        start.fill(traction);
+        solver.start(problem, start, zones, solution);
+        solver.solve(problem, centres, true, solution);
+        return solution;
+    }
+    /// dp of the last solution.
+    const Vectors& respond(const detail::ProblemChange<directions>& change, VectorX<double>& size_change) {
+        solver.respond(problem, solution, change, centres, response, &size_change);
+        return response.back();
+    }
+
+    detail::StickSlipSolver<directions> solver;
+    detail::StageProblem<directions> problem;
+    detail::StageSolution<directions> solution;
+    std::array<Vectors, directions> response;
+    const detail::CentreValues<double>* centres = nullptr;
+};
+
+/// A as a whole, of both directions where there are two.
 template <int directions>
 struct Problem {
-    using Solver = detail::StickSlip<directions, double>;
-    using Vectors = ElementVectors<double, directions>;
+    using Solver = stick_slip_tests::Solver<directions>;
+    using Vectors = detail::Vectors<directions>;
 
     Eigen::Index size() const { return bound.size(); }
     MatrixX<double> block(Eigen::Index d, Eigen::Index e) const {
@@ -37,13 +69,13 @@ struct Problem {
         for (Eigen::Index d = 0; d < directions; ++d) {
             for (Eigen::Index e = 0; e < directions; ++e) {
                 if (d != e && !coupled) continue;
-                solver.new_matrix(static_cast<std::size_t>(d), static_cast<std::size_t>(e)) = block(d, e);
+                solver.solver.matrix.renew(static_cast<std::size_t>(d), static_cast<std::size_t>(e)) = block(d, e);
             }
         }
-        solver.constant() = constant;
+        solver.problem.constant[0] = constant;
     }
-    typename Solver::Outcome solve_from_rest(Solver& solver) const {
-        return solver.solve(bound, {Vectors::Zero(size(), directions), all_stick(size())});
+    const detail::StageSolution<directions>& solve_from_rest(Solver& solver) const {
+        return solver.solve(bound, Vectors::Zero(size(), directions), all_stick(size()));
     }
     Vectors slip(const Vectors& p) const {
         return Vectors(dense::product(matrix, p.reshaped()).reshaped(size(), directions)) + constant;
@@ -100,7 +132,7 @@ Problem<directions> random_problem(drawn::Draw& draw, Eigen::Index n, Kind kind,
 }
 
 TEMPLATE_TEST_CASE_SIG("A solution is found whatever the matrix", "[friction]", ((int directions), directions), 1, 2) {
-    using Vectors = ElementVectors<double, directions>;
+    using Vectors = detail::Vectors<directions>;
     drawn::Draw draw(11);
     int followed = 0, tangents = 0;
     for (int trial = 0; trial < 3000; ++trial) {
@@ -110,8 +142,8 @@ TEMPLATE_TEST_CASE_SIG("A solution is found whatever the matrix", "[friction]", 
         if (trial % 5 == 0) problem.bound[0] = 0;
         typename Problem<directions>::Solver solver(n, problem.coupled);
         problem.put_into(solver);
-        const auto outcome = problem.solve_from_rest(solver);
-        const double violation = problem.violation(solver.traction());
+        const auto& outcome = problem.solve_from_rest(solver);
+        const double violation = problem.violation(solver.solution.traction());
         CAPTURE(trial, n, outcome.rounds, outcome.path_points, outcome.residual, violation);
         REQUIRE(outcome.status == Status::ok);
         REQUIRE(outcome.residual < 1e-11);
@@ -119,26 +151,25 @@ TEMPLATE_TEST_CASE_SIG("A solution is found whatever the matrix", "[friction]", 
         followed += outcome.path_points > 0 ? 1 : 0;
         if (kind == Kind::definite) CHECK(outcome.path_points == 0);
         if (kind != Kind::definite) continue;
-        REQUIRE(outcome.tangent_exists);
+        REQUIRE(outcome.has_tangent);
         // the tangent predicts the solution of a nearby problem
         const double e = 1e-7;
         const Vectors change = random_vector(draw, directions * n).reshaped(n, directions);
         const VectorX<double> bound_change = random_vector(draw, n).cwiseProduct(problem.bound);
-        const Vectors before = solver.traction(), slip = solver.slip();
+        const Vectors before = solver.solution.traction(), slip = solver.solution.slip();
         VectorX<double> size_change(n);
-        solver.respond({{&change}, &bound_change}, &size_change);
-        const Vectors response = solver.response();
-        const auto zones = solver.zones();
-        solver.constant() += e * change;
+        const Vectors response = solver.respond({{&change}, &bound_change}, size_change);
+        const auto zones = solver.solution.zones;
+        solver.problem.constant[0] += e * change;
         const VectorX<double> bound = problem.bound + e * bound_change;
-        REQUIRE(solver.solve(bound, {before, zones}).status == Status::ok);
-        if (solver.zones() != zones) continue;
+        REQUIRE(solver.solve(bound, before, zones).status == Status::ok);
+        if (solver.solution.zones != zones) continue;
         ++tangents;
         const double size = 1 + response.norm();
-        CHECK((solver.traction() - before - e * response).cwiseAbs().maxCoeff() < 1e-9 * size);
+        CHECK((solver.solution.traction() - before - e * response).cwiseAbs().maxCoeff() < 1e-9 * size);
         for (Eigen::Index i = 0; i < n; ++i) {
-            if (solver.slides()[i] == 0) continue;
-            const double grown = solver.slip_size(i) - slip.row(i).norm();
+            if (solver.solution.slides[i] == 0) continue;
+            const double grown = solver.solution.slip_size(i) - slip.row(i).norm();
             CHECK(std::abs(grown - e * size_change[i]) < 1e-9 * (1 + size_change.norm()));
         }
     }
@@ -176,10 +207,10 @@ TEST_CASE("A solution is found if all elements are alike", "[friction]") {
         }
         Problem<1>::Solver solver(n);
         problem.put_into(solver);
-        const auto outcome = problem.solve_from_rest(solver);
+        const auto& outcome = problem.solve_from_rest(solver);
         CAPTURE(trial, n, outcome.rounds, outcome.path_points, outcome.residual);
         REQUIRE(outcome.status == Status::ok);
-        REQUIRE(problem.violation(solver.traction()) < 1e-9);
+        REQUIRE(problem.violation(solver.solution.traction()) < 1e-9);
         REQUIRE(outcome.path_points == 0);  // full sliding is near enough
         singular += is_singular_circulant(first) ? 1 : 0;
     }
@@ -191,25 +222,25 @@ TEST_CASE("What cannot be solved is said, and stays within the bounds", "[fricti
     problem.constant.setConstant(2, 2, std::numeric_limits<double>::quiet_NaN());
     Problem<2>::Solver solver(2);
     problem.put_into(solver);
-    const auto outcome = problem.solve_from_rest(solver);
+    const auto& outcome = problem.solve_from_rest(solver);
     CHECK(outcome.status == Status::no_solution);
     CHECK(std::isnan(outcome.residual));
-    CHECK_FALSE(outcome.tangent_exists);
+    CHECK_FALSE(outcome.has_tangent);
 }
 
 TEST_CASE("A leading element without influence on its own slip is solved", "[friction]") {
     // central differences about the element's own centre: its diagonal vanishes, so sticking alone it is singular
-    Problem<2> problem{false, MatrixX<double>::Zero(4, 4), ElementVectors<double>(2, 2), VectorX<double>{{1, 3}}};
+    Problem<2> problem{false, MatrixX<double>::Zero(4, 4), ElementVectors(2, 2), VectorX<double>{{1, 3}}};
     problem.matrix.topLeftCorner(2, 2) << 1, 0.5, -0.5, 0;
     problem.matrix.bottomRightCorner(2, 2) << 1.2, 0.6, -0.6, 0;
     problem.constant << 0.9, 0.7, 0.45, 0.36;
     Problem<2>::Solver solver(2);
     problem.put_into(solver);
     const std::vector<Zone> zones{Zone::slip, Zone::stick};
-    ElementVectors<double> start(2, 2);
+    ElementVectors start(2, 2);
     start << -0.8, -0.6, 0, 0;
-    CHECK(solver.solve(problem.bound, {start, zones}).status == Status::ok);
-    CHECK(problem.violation(solver.traction()) < 1e-13);
+    CHECK(solver.solve(problem.bound, start, zones).status == Status::ok);
+    CHECK(problem.violation(solver.solution.traction()) < 1e-13);
 }
 
 TEMPLATE_TEST_CASE_SIG("Slip follows the bounds as the tangent says, for all bounds at once", "[friction]",
@@ -224,16 +255,16 @@ TEMPLATE_TEST_CASE_SIG("Slip follows the bounds as the tangent says, for all bou
         typename Problem<directions>::Solver solver(n, problem.coupled);
         problem.put_into(solver);
         const auto centres = detail::CentreValues<double>::in_strips(Elements<double>::one_strip(n));
-        if (directions == 2 && trial % 3 > 0) solver.turn_slip(&centres);
-        if (!problem.solve_from_rest(solver).tangent_exists) continue;
+        if (directions == 2 && trial % 3 > 0) solver.centres = &centres;
+        if (!problem.solve_from_rest(solver).has_tangent) continue;
         MatrixX<double> coupling(n, n), across(n, n), aside(n, n);
-        solver.couple(true, coupling, across, aside);
-        for (Eigen::Index l = 0; l < solver.slipping_count(); ++l) {
-            const VectorX<double> bound_change = VectorX<double>::Unit(n, solver.slipping(l));
+        solver.solver.find_slip_by_bounds(solver.solution, solver.centres, true, coupling, across, aside);
+        for (Eigen::Index l = 0; l < solver.solver.sliding_count(); ++l) {
+            const VectorX<double> bound_change = VectorX<double>::Unit(n, solver.solver.sliding(l));
             VectorX<double> size_change(n);
-            solver.respond({{}, &bound_change}, &size_change);
-            for (Eigen::Index k = 0; k < solver.slipping_count(); ++k) {
-                const double expected = -size_change[solver.slipping(k)];
+            solver.respond({{}, &bound_change}, size_change);
+            for (Eigen::Index k = 0; k < solver.solver.sliding_count(); ++k) {
+                const double expected = -size_change[solver.solver.sliding(k)];
                 CAPTURE(trial, k, l, coupling(k, l), expected);
                 REQUIRE(std::abs(coupling(k, l) - expected) < 1e-9 * (1 + size_change.norm()));
                 ++compared;
@@ -253,7 +284,7 @@ std::vector<Eigen::Index> strips(Eigen::Index n) {
 }
 
 // Angles from s to its sum with the slip of the row behind, from the definition; `slip` is 0 where elements stick.
-VectorX<double> angles(const ElementVectors<double>& slip, const std::vector<Eigen::Index>& behind) {
+VectorX<double> angles(const ElementVectors& slip, const std::vector<Eigen::Index>& behind) {
     VectorX<double> result = VectorX<double>::Zero(slip.rows());
     for (Eigen::Index i = 0; i < slip.rows(); ++i) {
         const Eigen::Index before = behind[static_cast<std::size_t>(i)];
@@ -272,7 +303,7 @@ VectorX<double> angles(const ElementVectors<double>& slip, const std::vector<Eig
     return result;
 }
 
-TEST_CASE("Turned slip opposes the traction, at the angles of the solution with slip as it is", "[friction]") {
+TEST_CASE("Rotated slip opposes the traction, at the angles of the pass with slip as it is", "[friction]") {
     drawn::Draw draw(3);
     int solved = 0, cut = 0, changed = 0;
     for (int trial = 0; trial < 600; ++trial) {
@@ -285,36 +316,36 @@ TEST_CASE("Turned slip opposes the traction, at the angles of the solution with 
         problem.put_into(plain);
         problem.put_into(solver);
         const auto centres = detail::CentreValues<double>::in_strips(behind);
-        solver.turn_slip(&centres);
+        solver.centres = &centres;
         REQUIRE(problem.solve_from_rest(plain).status == Status::ok);
-        const auto outcome = problem.solve_from_rest(solver);
+        const auto& outcome = problem.solve_from_rest(solver);
         CAPTURE(trial, n, outcome.rounds, outcome.residual);
         // an arbitrary matrix turned by arbitrary angles need not have a solution
         if (outcome.status != Status::ok) continue;
         ++solved;
-        const ElementVectors<double>& p = solver.traction();
-        const ElementVectors<double> s = problem.slip(p);
-        const VectorX<double> angle = angles(plain.slip(), behind);
+        const ElementVectors& p = solver.solution.traction();
+        const ElementVectors s = problem.slip(p);
+        const VectorX<double> angle = angles(plain.solution.slip(), behind);
         for (Eigen::Index i = 0; i < n; ++i) {
             CAPTURE(i, angle[i]);
             cut += std::abs(angle[i]) > 1.047 ? 1 : 0;
-            REQUIRE((solver.slip().row(i) - s.row(i)).norm() < 1e-9);
+            REQUIRE((solver.solution.slip().row(i) - s.row(i)).norm() < 1e-9);
             if (problem.bound[i] == 0) continue;
             const double norm = p.row(i).norm(), share = norm / problem.bound[i];
             REQUIRE(share < 1 + 1e-12);
-            if (solver.zones()[static_cast<std::size_t>(i)] == Zone::stick) {
-                REQUIRE(solver.slip().row(i).norm() == 0);
+            if (solver.solution.zones[static_cast<std::size_t>(i)] == Zone::stick) {
+                REQUIRE(solver.solution.slip().row(i).norm() == 0);
                 continue;
             }
             REQUIRE(share > 1 - 1e-12);
             const Eigen::RowVector2d turned = s.row(i) * Eigen::Rotation2Dd(angle[i]).toRotationMatrix().transpose();
             REQUIRE((turned + turned.norm() / norm * p.row(i)).norm() < 1e-8);  // angles are found to about 1e-10
-            REQUIRE((solver.against_slip().row(i) * s.row(i).norm() + s.row(i)).norm() < 1e-9);
+            REQUIRE((solver.solution.against_slip.row(i) * s.row(i).norm() + s.row(i)).norm() < 1e-9);
         }
-        changed += (p - plain.traction()).norm() > 1e-3 ? 1 : 0;
-        solver.turn_slip(nullptr);
+        changed += (p - plain.solution.traction()).norm() > 1e-3 ? 1 : 0;
+        solver.centres = nullptr;
         problem.solve_from_rest(solver);
-        REQUIRE(solver.traction() == plain.traction());
+        REQUIRE(solver.solution.traction() == plain.solution.traction());
     }
     CAPTURE(solved, cut, changed);
     CHECK(solved > 590);

@@ -70,14 +70,13 @@ struct Error {
     bool kink = false;
 };
 
-template <class Law>
-Error error_of(const Body& body, Friction<Law> friction, std::optional<Integrator> integrator, Draw& draw) {
+Error error_of(const Body& body, Friction friction, std::optional<Integrator> integrator, Draw& draw) {
     // in some scenes a hole
     if (draw.one_in(3)) friction.normal_pressure[draw.integer(static_cast<int>(body.pressure.size()))] = 0;
-    using Model = FrictionModel<Law, 2>;
-    const Model model =
-        body.is_patch() ? Model(*body.patch, body.system, unchecked, friction, integrator.value_or(Integrator::sdirk2))
-                        : Model(*body.line, body.system, unchecked, friction, integrator.value_or(Integrator::sdirk2));
+    const FrictionModel model =
+        body.is_patch()
+            ? FrictionModel(*body.patch, body.system, unchecked, friction, integrator.value_or(Integrator::sdirk2))
+            : FrictionModel(*body.line, body.system, unchecked, friction, integrator.value_or(Integrator::sdirk2));
     const auto drawn = [&] {
         const double level = draw.decades(-1, 0.6), x = draw.normal(), y = draw.normal(), z = draw.normal();
         const double unit = body.creepage * level / std::sqrt(x * x + y * y + z * z);
@@ -104,7 +103,7 @@ Error error_of(const Body& body, Friction<Law> friction, std::optional<Integrato
     }
     const Creepage<double> creepage = drawn();
     const NormalLoad<double> load = loaded();
-    ElementVectors<double> rows(body.pressure.size(), 2);  // in half of the scenes
+    ElementVectors rows(body.pressure.size(), 2);  // in half of the scenes
     rows.col(0) = 0.2 * body.creepage * (places.x * places.y - places.x.square());
     rows.col(1) = 0.3 * body.creepage * (places.x.square() + places.y);
     const bool with_rows = draw.one_in(2), shifts = integrator && draw.one_in(4);
@@ -171,11 +170,11 @@ TEST_CASE("Tangents in both directions are derivatives", "[friction]") {
                 int kinks = 0, beyond = 0;
                 for (int k = 0; k < count; ++k) {
                     const Body body = is_patch ? patch(draw.decades(-0.3, 0.3)) : line();
-                    const ExponentialFall<double> law{mu, 0.2, V * body.creepage};
-                    const FrictionMemory<double> memory{falls == 2 ? a_0 * body.creepage : 0, 0.01 * V * body.creepage};
-                    const Error error =
-                        falls > 0 ? error_of<ExponentialFall<double>>(body, {law, body.pressure, memory}, way, draw)
-                                  : error_of<ConstantFriction<double>>(body, {{mu}, body.pressure}, way, draw);
+                    const ExponentialFall law{mu, 0.2, V * body.creepage};
+                    const FrictionMemory memory{falls == 2 ? a_0 * body.creepage : 0, 0.01 * V * body.creepage};
+                    const Friction friction =
+                        falls > 0 ? Friction{law, body.pressure, memory} : Friction{mu, body.pressure};
+                    const Error error = error_of(body, friction, way, draw);
                     errors.push_back(error.largest);
                     kinks += error.kink ? 1 : 0;
                     beyond += error.largest <= 1e-6 ? 0 : 1;

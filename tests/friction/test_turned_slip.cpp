@@ -25,10 +25,10 @@ constexpr double full_force = peak * std::numbers::pi / 2;  // per width
 constexpr Collocation half{.alpha_L = 0.5, .alpha_T = 0.5};
 constexpr Integrator integrators[] = {Integrator::implicit_euler, Integrator::sdirk2};
 
-using State = FrictionState<2>;
-using Step = FrictionStep<2>;
-using Workspace = FrictionWorkspace<2>;
-using Model = FrictionModel<ConstantFriction<>, 2>;
+using State = FrictionState;
+using Step = FrictionStep;
+using Workspace = FrictionWorkspace;
+using Model = FrictionModel;
 using Motion = RigidMotion<Creepage<double>>;
 
 struct Scene {
@@ -59,7 +59,7 @@ struct Scene {
     PlaneKernel<double> longitudinal, lateral;
     Mesh<double> mesh;
     AnyScheme scheme;
-    Friction<> friction;
+    Friction friction;
 };
 
 /// A scene whose equations are node differences between Chebyshev points.

@@ -88,16 +88,16 @@ void ride(Draw& draw, Tally& tally) {
         for (double& pressure : result) pressure *= draw.integer(6) == 0 ? 0 : draw.uniform(0.7, 1.3);
         return result;
     };
-    const Friction<> law{.law = {mu}, .normal_pressure = modulus * peak * mean_hertz_pressure(mesh)};
+    const Friction law{.law = {mu}, .normal_pressure = modulus * peak * mean_hertz_pressure(mesh)};
     // the fixed point opposes the slip of each equation itself
     const auto x = support::unturned(rolling_system(mesh, scheme, along)),
                y = support::unturned(rolling_system(mesh, scheme, across));
-    const FrictionModel<> one(contact, x, unchecked, law, integrator);
-    const FrictionModel<ConstantFriction<>, 2> two(contact, {x, y}, unchecked, law, integrator);
-    FrictionState<> one_now = one.at_rest(), one_next = one_now;
-    FrictionState<2> two_now = two.at_rest(), two_next = two_now;
-    FrictionWorkspace<> one_workspace = one.workspace();
-    FrictionWorkspace<2> two_workspace = two.workspace();
+    const FrictionModel one(contact, x, unchecked, law, integrator);
+    const FrictionModel two(contact, {x, y}, unchecked, law, integrator);
+    FrictionState one_now = one.at_rest(), one_next = one_now;
+    FrictionState two_now = two.at_rest(), two_next = two_now;
+    FrictionWorkspace one_workspace = one.workspace();
+    FrictionWorkspace two_workspace = two.workspace();
     NormalLoad<double> load{law.normal_pressure, a_0, {}};
     Vectors p = Vectors::Zero(n, 2);
     double a = 1;
@@ -122,8 +122,9 @@ void ride(Draw& draw, Tally& tally) {
             take(two.advance(two_now, {dq * a_0, creepage, load}, two_next, two_workspace));
             found = two_next.traction / modulus;
         } else {
-            take(one.advance(one_now, {dq * a_0, creepage.longitudinal, load}, one_next, one_workspace));
-            found.col(0) = one_next.traction / modulus;
+            take(one.advance(one_now, {dq * a_0, Creepage<double>{creepage.longitudinal}, load}, one_next,
+                             one_workspace));
+            found.col(0) = one_next.traction.col(0) / modulus;
         }
         CAPTURE(k, both, name(integrator), n, nu, dq, a, a_end, size, angle);
         REQUIRE(status == Status::ok);

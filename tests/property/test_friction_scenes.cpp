@@ -50,20 +50,19 @@ Scalar carried(const ArrayX<Scalar>& points, const ArrayX<Scalar>& mu, Scalar x,
 /// (in a, as imposed slip and slip) from `before`, with slip that is not turned. `duration` [s] is the time of the
 /// step, or of the passage of one half-length. A state without coefficients has the constant one of `law`.
 template <class Scalar, class Law>
-Violation<Scalar> violation(const Law& law, const FrictionMemory<Scalar>& memory,
-                            const ElementSystem<Scalar, 2>& system, Scalar half_length, Scalar shear_modulus,
-                            Scalar way, const std::array<Scalar, 2>& imposed, Scalar duration,
-                            const FrictionState<2, Scalar>* before, const FrictionState<2, Scalar>& after) {
+Violation<Scalar> violation(const Law& law, const FrictionMemory& memory, const ElementSystem<Scalar, 2>& system,
+                            Scalar half_length, Scalar shear_modulus, Scalar way, const std::array<Scalar, 2>& imposed,
+                            Scalar duration, const FrictionState* before, const FrictionState& after) {
     using std::abs;
     const Eigen::Index n = after.traction.rows();
     const Scalar rounding = 200 * static_cast<Scalar>(n + 10) * std::numeric_limits<Scalar>::epsilon();
     const Scalar at_rest = law(Scalar(0));
-    const auto coefficients = [&](const FrictionState<2, Scalar>& state) -> ArrayX<Scalar> {
+    const auto coefficients = [&](const FrictionState& state) -> ArrayX<Scalar> {
         if (state.friction_coefficient.size() == 0) return ArrayX<Scalar>::Constant(n, at_rest);
         return state.friction_coefficient;
     };
     const ArrayX<Scalar> mus = coefficients(after), mus_before = coefficients(before ? *before : after);
-    ElementVectors<Scalar> slip(n, 2);
+    ElementVectors slip(n, 2);
     Scalar scale = 0;
     for (std::size_t d = 0; d < 2; ++d) {
         const auto col = static_cast<Eigen::Index>(d);
@@ -118,7 +117,7 @@ enum class Kind { constant, forgetful, remembering };
 
 AnyLaw drawn_law(int kind, double mu_0, double mu_k, double half_velocity) {
     switch (kind) {
-        case 0: return ExponentialFall<double>{mu_0, mu_k, half_velocity};
+        case 0: return ExponentialFall{mu_0, mu_k, half_velocity};
         case 1: return [=](double v) { return mu_k + (mu_0 - mu_k) / (1 + v / half_velocity); };
         default: return [=](double v) { return mu_k + (mu_0 - mu_k) * std::max(0.0, 1 - v / (2 * half_velocity)); };
     }
@@ -170,7 +169,7 @@ void ride(Draw& draw, int directions, Kind kind, Tally& tally) {
         return result;
     };
     setup.own_pressure = pressures(false);
-    const FrictionMemory<double> memory{setup.distance, setup.least};
+    const FrictionMemory memory{setup.distance, setup.least};
     const ElementSystem<double, 2> system(setup.system(false), setup.system(true));
     Ride ride(setup);
     Load load{*setup.own_pressure, a, {}};

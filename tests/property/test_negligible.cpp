@@ -61,6 +61,8 @@ Outcome outcome(const Step& step) {
     result.add(step.tangent);
     return result;
 }
+// Of a model of one direction the numbers that it has.
+Outcome along(Outcome both) { return {both.status, {both.numbers[0], both.numbers[3]}}; }
 
 const Mesh<double> mesh = cosine_mesh(6);
 const Collocation scheme{.alpha_L = 0.5, .alpha_T = 0.5};
@@ -72,10 +74,10 @@ ElementSystem<double> line_system(const Input& in) {
 }
 
 AdhesionModel<> adhesion(const Input& in) { return {line(in), line_system(in), unchecked}; }
-FrictionModel<> friction(const Input& in) {
+FrictionModel friction(const Input& in) {
     return {line(in), line_system(in), unchecked, {in.mu, in.N / (in.a * in.b) * mean_hertz_pressure(mesh)}};
 }
-using PatchModel = FrictionModel<ConstantFriction<double>, 2>;
+using PatchModel = FrictionModel;
 PatchModel patch_friction(const Input& in) {
     const PatchContact<double> contact = patch(in);
     const PatchMesh<double> strips = patch_mesh(contact, 3, 3);
@@ -114,8 +116,9 @@ struct Entry {
 const std::vector<Entry> entries{
     {"steps in adhesion", [](const Input& in) { return two_steps(adhesion(in), in.dq, in.xi); }},
     {"steady adhesion", [](const Input& in) { return settled(adhesion(in), in.xi); }},
-    {"steps with friction", [](const Input& in) { return two_steps(friction(in), in.dq, in.xi); }},
-    {"steady friction", [](const Input& in) { return settled(friction(in), in.xi); }},
+    {"steps with friction",
+     [](const Input& in) { return along(two_steps(friction(in), in.dq, Creepage<double>{in.xi})); }},
+    {"steady friction", [](const Input& in) { return along(settled(friction(in), Creepage<double>{in.xi})); }},
     {"steps of a patch", [](const Input& in) { return two_steps(patch_friction(in), in.dq, in.creepage()); }},
     {"a patch", [](const Input& in) { return settled(patch_friction(in), in.creepage()); }},
     {"a table", [](const Input& in) { return outcome(steel().look_up(patch(in), in.mu, in.N, in.creepage())); }},
@@ -197,7 +200,7 @@ TEST_CASE("A distance next to nothing is no step", "[negligible]") {
         const PatchModel model = patch_friction({});
         const Creepage<double> moved{1e-6, 5e-7, 1e-4};
         Run rolling(model), resting(model);
-        const FrictionStep<2> step = rolling.advance({dq, PatchModel::Motion::shift(moved)});
+        const FrictionStep step = rolling.advance({dq, PatchModel::Motion::shift(moved)});
         CHECK(step.status == Status::ok);
         CHECK_THAT(step.force.lateral,
                    WithinRel(resting.advance({0, decltype(resting)::Model::Motion::shift(moved)}).force.lateral, 1e-9));
@@ -210,7 +213,7 @@ TEST_CASE("A patch rolls on without creepage until nothing is left", "[negligibl
     REQUIRE(run.advance({1e-3, Input{}.creepage()}).status == Status::ok);
     int steps = 0;
     while (steps < 5000 && !run.now().traction.isZero(0)) {
-        const FrictionStep<2> step = run.advance({6e-3, Creepage<double>{}});
+        const FrictionStep step = run.advance({6e-3, Creepage<double>{}});
         ++steps;
         REQUIRE(step.status == Status::ok);
         REQUIRE(std::isfinite(step.tangent.by_longitudinal.longitudinal));
@@ -249,9 +252,9 @@ TEST_CASE("A wheel under a load next to nothing is lifted, and one beyond all si
 
 TEST_CASE("Elastic energy is proportional to the modulus at any size", "[negligible]") {
     const auto energy = [](double unit) {
-        const FrictionModel<> model = friction({.G = 8e10 * unit, .N = 8e4 * unit});
+        const FrictionModel model = friction({.G = 8e10 * unit, .N = 8e4 * unit});
         Run run(model);
-        run.steady({.motion = 1e-3});
+        run.steady({.motion = Creepage{1e-3}});
         return model.elastic_energy(run.now());
     };
     const double expected = energy(1);

@@ -12,17 +12,12 @@
 #include <rollbem/adhesion/transient.hpp>
 #include <rollbem/steady/steady.hpp>
 
-#include "support/friction_of_scalars.hpp"
-
 #define ROLLBEM_SCALARS(keyword, Scalar)                                                            \
     keyword template decltype(detail::influence_matrix<Scalar>) detail::influence_matrix<Scalar>;   \
     keyword template decltype(detail::influence_product<Scalar>) detail::influence_product<Scalar>; \
     keyword template decltype(detail::factorise<Scalar, Scalar>) detail::factorise<Scalar, Scalar>; \
     keyword template decltype(detail::judge<Scalar, Scalar>) detail::judge<Scalar, Scalar>;         \
-    keyword template class AdhesionModel<1, Scalar>;                                                \
-    keyword template class detail::StickSlip<1, Scalar>;                                            \
-    keyword template class detail::FrictionCore<ConstantFriction<Scalar>, 1, Scalar>;               \
-    keyword template decltype(rolled_and_steady<Scalar>) rolled_and_steady<Scalar>;
+    keyword template class AdhesionModel<1, Scalar>;
 
 namespace rollbem {
 

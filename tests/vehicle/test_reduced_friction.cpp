@@ -203,7 +203,7 @@ TEST_CASE("reduced_friction: beside patches whose friction falls with the slip o
     const PatchMesh<double> mesh = patch_mesh(patch, cosine_mesh(16), uniform_mesh(16));
     const auto system = steady_system(mesh, NodeDifference{Nodes::chebyshev}, HalfSpace<double>(0.28));
     const Eigen::ArrayXd pressure = hertz_pressures(patch, mesh, load);
-    const ExponentialFall<double> law{mu_0, dry.friction_ratio * mu_0, std::numbers::ln2 / dry.fall};
+    const ExponentialFall law{mu_0, dry.friction_ratio * mu_0, std::numbers::ln2 / dry.fall};
     const FrictionModel model(patch, system, Friction{law, pressure});
     const FrictionModel constant(patch, system, {mu_0, pressure});
     auto workspace = model.workspace();

@@ -198,7 +198,7 @@ inline Recommendation<Chebyshev> recommended_scheme(double tolerance, Purpose::A
 ///
 ///     const auto best = recommended_scheme(1e-3, Purpose::friction);
 ///     const Mesh<double> mesh = best.mesh(best.n);
-///     const FrictionModel<> model(contact, steady_system(mesh, best.scheme, kernel), friction);
+///     const FrictionModel model(contact, steady_system(mesh, best.scheme, kernel), friction);
 inline Recommendation<AnyScheme> recommended_scheme(double tolerance, Purpose::Friction purpose) {
     return recommended_elements(tolerance, purpose);
 }

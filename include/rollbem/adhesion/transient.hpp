@@ -21,7 +21,7 @@
 #include "../rolling/integrator.hpp"
 #include "../rolling/rolling_step.hpp"
 #include "../rolling/stage_equations.hpp"
-#include "../rolling/step_frame.hpp"
+#include "../rolling/time_step.hpp"
 #include "../scene/contact.hpp"
 #include "../scene/contact_units.hpp"
 #include "../scene/rigid_motion.hpp"
@@ -157,7 +157,7 @@ private:
     using Inputs = detail::InputVector<directions, Scalar>;
     using Square = detail::InputMatrix<directions, Scalar>;
     using Axes = SemiAxes<Scalar>;
-    using By = detail::TangentBy<directions>;
+    using By = detail::Parameters<directions>;
     using Units = detail::ContactUnits<Scalar>;
     using Stages = detail::AdhesionStages<directions, Scalar>;
 
@@ -242,7 +242,8 @@ private:
         return step;
     }
 
-    using Frame = detail::AdhesionFrame<directions, Scalar>;
+    using TimeStep = detail::TimeStep<directions, Scalar>;
+    using Problem = detail::AdhesionProblem<directions, Scalar>;
 
     // The semi-axes at the end of a step.
     SemiAxes<Scalar> semi_axes(const State& from, const RollingStep& step) const noexcept {
@@ -253,16 +254,16 @@ private:
         }
     }
     // Whether a step needs the equations of other semi-axes than the contact's.
-    bool reshapes(const Frame& frame) const {
-        return shapes_ && (frame.asked[By::half_length] || frame.start != contact_axes || frame.end != contact_axes);
+    bool reshapes(const TimeStep& step, const Problem& problem) const {
+        return shapes_ && (problem.asked[By::half_length] || step.start != contact_axes || step.end != contact_axes);
     }
     // Takes a step by the linear map for its distance.
     Step repeat(const State& from, Scalar dq, const Motion& motion, State& to, Workspace& workspace) const noexcept;
     // Takes a step by the stages of the integrator.
-    Step solve_stages(const State& from, const RollingStep& step, Frame& frame, State& to,
-                      Workspace& workspace) const noexcept;
-    // Adds the derivatives by the semi-axes that the frame asks for.
-    void add_tangents(const Frame& frame, const Stages& stages, const State& to, Step& step) const;
+    Step solve_stages(const State& from, const RollingStep& step, const TimeStep& rolled, const Problem& problem,
+                      State& to, Workspace& workspace) const noexcept;
+    // Adds the derivatives by the semi-axes that the problem asks for.
+    void add_tangents(const Problem& problem, const Stages& stages, const State& to, Step& step) const;
 
     Units units_;
     RollingSystem<Scalar> system_;
@@ -365,15 +366,15 @@ auto AdhesionModel<directions_, Scalar_>::advance(const State& from, const Rolli
     const bool by_axes = step.load && can_breathe();
     const bool repeats = dq > 0 && dq == from.distance && !by_axes && axes(end) == contact_axes;
     if (is_exponential()) return repeat(from, dq, step.motion, to, workspace);
-    Frame frame{{step.motion, dq, units_.length, *detail::stage_table<Scalar>(integrator_), axes(from), axes(end)},
-                preparation(),
-                from.traction,
-                slip_,
-                workspace.factors()};
-    frame.asked[By::half_length] = by_axes;
-    if constexpr (directions == 2) frame.asked[By::half_width] = by_axes && shapes_ && !shapes_->is_single();
-    if (repeats && !reshapes(frame)) return repeat(from, dq, step.motion, to, workspace);
-    return solve_stages(from, step, frame, to, workspace);
+    const TimeStep rolled{step.motion, units_.length,      axes(from),
+                          axes(end),   dq / units_.length, *detail::stage_table<Scalar>(integrator_)};
+    Problem problem{preparation(), from.traction, slip_, workspace.factors()};
+    problem.asked[By::half_length] = by_axes;
+    if constexpr (directions == 2) problem.asked[By::half_width] = by_axes && shapes_ && !shapes_->is_single();
+    const bool reshaped = reshapes(rolled, problem);
+    if (repeats && !reshaped) return repeat(from, dq, step.motion, to, workspace);
+    if (reshaped) problem.model = preparation(true);
+    return solve_stages(from, step, rolled, problem, to, workspace);
 }
 
 template <int directions_, class Scalar_>
@@ -390,40 +391,39 @@ auto AdhesionModel<directions_, Scalar_>::repeat(const State& from, Scalar dq, c
 }
 
 template <int directions_, class Scalar_>
-auto AdhesionModel<directions_, Scalar_>::solve_stages(const State& from, const RollingStep& step, Frame& frame,
-                                                       State& to, Workspace& workspace) const noexcept -> Step {
+auto AdhesionModel<directions_, Scalar_>::solve_stages(const State& from, const RollingStep& step,
+                                                       const TimeStep& rolled, const Problem& problem, State& to,
+                                                       Workspace& workspace) const noexcept -> Step {
     Stages& stages = workspace.stages();
-    if (reshapes(frame)) {
+    if (reshapes(rolled, problem)) {
         if constexpr (directions == 2) {
-            frame.model = preparation(true);
-            stages.solve(frame, [this](const auto& stage, const auto& use) {
-                use(detail::ShapeEquations<Scalar>(*shapes_, a_over_b_, stage));
+            stages.solve(rolled, problem, [this](const auto& geometry, const auto& use) {
+                use(detail::ShapeEquations<Scalar>(*shapes_, a_over_b_, geometry));
             });
         }
     } else {
-        stages.solve(frame, [this](const auto& stage, const auto& use) {
-            use(detail::LineEquations<RollingSystem<Scalar>>(system_, stage));
+        stages.solve(rolled, problem, [this](const auto& geometry, const auto& use) {
+            use(detail::LineEquations<RollingSystem<Scalar>>(system_, geometry));
         });
     }
     to.traction = from.traction + stages.change();
     const auto per_creepage = [&](std::size_t j) -> const VectorX<Scalar>& { return stages.response(j); };
-    Step result = finish(from, semi_axes(from, step), step.travel.dq, forces_of(per_creepage, frame.end), to);
-    if (result.status == Status::ok) add_tangents(frame, stages, to, result);
+    Step result = finish(from, semi_axes(from, step), step.travel.dq, forces_of(per_creepage, rolled.end), to);
+    if (result.status == Status::ok) add_tangents(problem, stages, to, result);
     return result;
 }
 
 template <int directions_, class Scalar_>
-void AdhesionModel<directions_, Scalar_>::add_tangents(const Frame& frame, const Stages& stages, const State& to,
+void AdhesionModel<directions_, Scalar_>::add_tangents(const Problem& problem, const Stages& stages, const State& to,
                                                        Step& step) const {
     const bool keeps_shape = shapes_ && shapes_->is_single();
-    frame.for_parameters([&](std::size_t parameter) {
-        if (!By::is_axis(parameter)) return;
-        auto& tangent = parameter == By::half_length ? step.tangent_by_half_length : step.tangent_by_half_width;
-        tangent = force_along(
-            forces_.rate(to.traction, stages.response(parameter), frame.end, By::axis(parameter), keeps_shape));
-    });
+    for (std::size_t j = By::half_length; j < By::count; ++j) {
+        if (!problem.asked[j]) continue;
+        auto& tangent = j == By::half_length ? step.tangent_by_half_length : step.tangent_by_half_width;
+        tangent = force_along(forces_.rate(to.traction, stages.response(j), axes(to), By::axis(j), keeps_shape));
+    }
     if constexpr (directions == 2) {
-        if (keeps_shape && frame.asked[By::half_length]) step.tangent_by_half_width = {0, 0, 0};
+        if (keeps_shape && problem.asked[By::half_length]) step.tangent_by_half_width = {0, 0, 0};
     }
 }
 

@@ -1,13 +1,11 @@
-// Friction compiled for double, with a constant coefficient and with any that depends on slip, FrictionContact of the
-// former, and the makers of systems and pressures; link rollbem::compiled.
+// The makers of systems and pressures compiled for double, and friction; link rollbem::compiled.
 #pragma once
 
 #include <array>
-#include <functional>
 #include <vector>
 
 #include "../assembly/patch_system.hpp"
-#include "../friction/friction_contact.hpp"
+#include "../detail/in_place_lu.hpp"
 #include "../friction/law.hpp"
 #include "../friction/model.hpp"
 #include "../normal/hertz.hpp"
@@ -16,6 +14,7 @@
 #include "../normal/load.hpp"
 #include "../normal/pressure_grid.hpp"
 #include "../normal/pressure_table.hpp"
+#include "../system/time_domain.hpp"
 #include "steady.hpp"
 
 namespace rollbem {
@@ -43,21 +42,5 @@ extern template ArrayX<double> hertz_pressures<double>(const PatchContact<double
 extern template MatrixX<double> detail::rigid_slip<double>(const Elements<double>&);
 extern template MatrixX<double> detail::force_weights<double>(const Elements<double>&);
 extern template class ElementSystem<double, 2>;
-extern template class detail::SlipPath<1, double>;
-extern template class detail::SlipPath<2, double>;
-extern template class detail::StickSlip<1, double>;
-extern template class detail::StickSlip<2, double>;
-extern template class detail::SlipDependentSet<1, double>;
-extern template class detail::SlipDependentSet<2, double>;
-extern template struct detail::SlipDependentScratch<1, double>;
-extern template struct detail::SlipDependentScratch<2, double>;
-extern template struct detail::FrictionScratch<1, double>;
-extern template struct detail::FrictionScratch<2, double>;
-extern template class detail::FrictionCore<ConstantFriction<double>, 1, double>;
-extern template class detail::FrictionCore<ConstantFriction<double>, 2, double>;
-extern template class detail::FrictionCore<std::function<double(double)>, 1, double>;
-extern template class detail::FrictionCore<std::function<double(double)>, 2, double>;
-extern template FrictionContact::FrictionContact(FrictionModel<ConstantFriction<double>, 1, double>, Eigen::Index);
-extern template FrictionContact::FrictionContact(FrictionModel<ConstantFriction<double>, 2, double>, Eigen::Index);
 
 }  // namespace rollbem

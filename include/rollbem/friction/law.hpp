@@ -7,6 +7,7 @@
 #include <concepts>
 #include <functional>
 #include <type_traits>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -20,27 +21,17 @@ namespace rollbem {
 /// negative. It is called in every step and must neither throw nor allocate. In time, a law that rises steeply from
 /// mu_s(0), such as a regularised Coulomb law within a few mm/s, needs a memory: without one many steps end with
 /// Status::no_solution. Steady rolling does not need the memory.
-template <class Law, class Scalar = double>
-concept SlipLaw = requires(const Law& law, Scalar velocity) {
-    { law(velocity) } -> std::convertible_to<Scalar>;
-};
-
-/// Coulomb's law: mu is the same at any slip velocity, and no model asks for a speed or a duration.
-template <class Scalar = double>
-struct ConstantFriction {
-    Scalar coefficient;  ///< mu [-], finite and not negative
-
-    ConstantFriction(Scalar mu) : coefficient(mu) {}  // NOLINT: implicit on purpose
-    Scalar operator()(Scalar) const noexcept { return coefficient; }
+template <class Law>
+concept SlipLaw = requires(const Law& law, double velocity) {
+    { law(velocity) } -> std::convertible_to<double>;
 };
 
 /// Friction that falls with the slip velocity v: mu = mu_k + (mu_0 - mu_k) 2^(-v/v_half).
-template <class Scalar = double>
 struct ExponentialFall {
-    Scalar mu_0, mu_k;     ///< mu at rest and at high velocity [-]
-    Scalar half_velocity;  ///< v_half [m/s], at which mu is halfway between mu_0 and mu_k
+    double mu_0, mu_k;     ///< mu at rest and at high velocity [-]
+    double half_velocity;  ///< v_half [m/s], at which mu is halfway between mu_0 and mu_k
 
-    Scalar operator()(Scalar velocity) const noexcept {
+    double operator()(double velocity) const noexcept {
         return mu_k + (mu_0 - mu_k) * std::exp2(-velocity / half_velocity);
     }
 };
@@ -48,77 +39,66 @@ struct ExponentialFall {
 /// Memory of the friction coefficient. The coefficient of a particle follows d mu/dt = -(max(v, v_0)/d) (mu - mu_s(v));
 /// a particle enters the contact with mu_s(0). Without memory mu = mu_s(v), and several solutions may exist. A constant
 /// coefficient ignores the memory.
-template <class Scalar = double>
 struct FrictionMemory {
-    Scalar distance = 0;        ///< d [m], 0 for no memory
-    Scalar least_velocity = 0;  ///< v_0 [m/s]: v_0/d is the rate of relaxation during stick
+    double distance = 0;        ///< d [m], 0 for no memory
+    double least_velocity = 0;  ///< v_0 [m/s]: v_0/d is the rate of relaxation during stick
 
     /// Weight of the old mu after a time [s] at a velocity [m/s], by implicit Euler.
-    Scalar kept(Scalar velocity, Scalar duration) const noexcept {
-        return distance > 0 ? distance / (distance + duration * (std::max)(velocity, least_velocity)) : Scalar(0);
+    double kept(double velocity, double duration) const noexcept {
+        return distance > 0 ? distance / (distance + duration * (std::max)(velocity, least_velocity)) : 0.0;
     }
+};
+
+/// The law of a model: a constant coefficient (Coulomb's law), for which no model asks for a speed or a duration, or any
+/// SlipLaw.
+class FrictionLaw {
+public:
+    FrictionLaw(double mu) : at_rest_(mu) {}  // NOLINT: implicit on purpose
+    template <SlipLaw Law>
+    FrictionLaw(Law law)  // NOLINT: implicit on purpose
+        : of_slip_([own = std::move(law)](double v) -> double { return own(v); }), at_rest_(of_slip_(0)) {}
+
+    bool is_constant() const { return !of_slip_; }
+    double at_rest() const { return at_rest_; }                                ///< mu(0)
+    const std::function<double(double)>& of_slip() const { return of_slip_; }  ///< mu(v); empty if it is constant
+
+private:
+    std::function<double(double)> of_slip_;
+    double at_rest_;
 };
 
 /// Friction on the elements of a mesh: |p| <= mu p_n; where an element slips, |p| = mu p_n and p opposes the slip. With
 /// two directions, if the equations of the system hold half an element ahead of the elements' centres
-/// (Elements::half_element_ahead), slip is turned to its direction at the centres, where the tractions act. Results are
+/// (Elements::half_element_ahead), slip is rotated to its direction at the centres, where the tractions act. Results are
 /// then of second order in 1/n; otherwise they are of first order where the direction of slip varies.
 ///
 ///     Friction{0.3, pressure}                              // Coulomb's law
-///     Friction{ExponentialFall<>{0.3, 0.18, 0.1}, pressure}
-template <class Law = ConstantFriction<double>, class Scalar = double>
+///     Friction{ExponentialFall{0.3, 0.18, 0.1}, pressure}
 struct Friction {
-    Law law;                         ///< mu [-] of the slip velocity [m/s]: a SlipLaw
-    ArrayX<Scalar> normal_pressure;  ///< p_n [Pa], mean over each of the mesh's n elements, trailing to leading edge;
+    FrictionLaw law;                 ///< mu [-], finite and not negative
+    ArrayX<double> normal_pressure;  ///< p_n [Pa], mean over each of the mesh's n elements, trailing to leading edge;
                                      ///< finite, not negative, not all zero
-    FrictionMemory<Scalar> memory{};
+    FrictionMemory memory{};
     /// Whether results include tangents; tangents left out are NaN. Leaving them out saves time with two directions and
     /// if mu depends on slip: for tangents each stage factorises a matrix of the slipping elements, at a cost of order
     /// n^3, unless the slip velocities equal the previous stage's.
     bool with_tangents = true;
 };
 
-template <std::floating_point Scalar, class... More>
-Friction(Scalar, ArrayX<Scalar>, More...) -> Friction<ConstantFriction<Scalar>, Scalar>;
-template <class Law, class Scalar, class... More>
-requires(!std::is_arithmetic_v<Law>) Friction(Law, ArrayX<Scalar>, More...)
-->Friction<Law, Scalar>;
-
 namespace detail {
 
-template <class Law>
-inline constexpr bool is_constant = false;
-template <class Scalar>
-inline constexpr bool is_constant<ConstantFriction<Scalar>> = true;
-
-/// One type for all laws that depend on slip, so that their solver is compiled once.
-template <class Scalar>
-using AnySlipLaw = std::function<Scalar(Scalar)>;
-
-template <class Law, class Scalar>
-using UniformLaw = std::conditional_t<is_constant<Law>, Law, AnySlipLaw<Scalar>>;
-template <class Law, class Scalar>
-Friction<UniformLaw<Law, Scalar>, Scalar> with_uniform_law(const Friction<Law, Scalar>& of) {
-    if constexpr (std::is_same_v<UniformLaw<Law, Scalar>, Law>) {
-        return of;
-    } else {  // the law is called as const because threads may share a model
-        return {[law = of.law](Scalar v) -> Scalar { return law(v); }, of.normal_pressure, of.memory, of.with_tangents};
-    }
-}
-
-/// Throws std::invalid_argument, in the name of `who`, unless the law is valid for a mesh of `mesh_size` elements, the
+/// Throws std::invalid_argument, in the name of `who`, unless friction is valid for a mesh of `mesh_size` elements, the
 /// first `count` of which are unknown.
-template <class Law, class Scalar>
-void require_valid(const char* who, const Friction<Law, Scalar>& friction, Eigen::Index mesh_size, Eigen::Index count) {
+inline void require_valid(const char* who, const Friction& friction, Eigen::Index mesh_size, Eigen::Index count) {
     require(count >= 1, who, "number of unknown elements", count, "be at least 1");
-    const auto at_rest = static_cast<Scalar>(friction.law(Scalar(0)));
+    const double at_rest = friction.law.at_rest();
     require(is_finite(at_rest) && at_rest >= 0, who,
-            is_constant<Law> ? "friction_coefficient" : "friction coefficient at rest", at_rest,
+            friction.law.is_constant() ? "friction_coefficient" : "friction coefficient at rest", at_rest,
             "be finite and not negative");
-    const FrictionMemory<Scalar>& memory = friction.memory;
+    const FrictionMemory& memory = friction.memory;
     require_not_negative(who, "distance of the memory", memory.distance);
     require_not_negative(who, "least_velocity of the memory", memory.least_velocity);
-    const ArrayX<Scalar>& pressure = friction.normal_pressure;
+    const ArrayX<double>& pressure = friction.normal_pressure;
     require(pressure.size() == mesh_size, who, "length of normal_pressure", pressure.size(),
             "equal the number of elements");
     for (Eigen::Index i = 0; i < mesh_size; ++i) {

@@ -2,35 +2,68 @@
 // direction of creepage or two. The slip s is s/V = xi - G' p + G dp/dq, Eq. (1), with q = V t the distance rolled.
 #pragma once
 
+#include "../detail/decl.hpp"
+
 #include <cstdint>
-#include <optional>
-#include <type_traits>
-#include <utility>
+#include <memory>
 
 #include <Eigen/Core>
 
-#include "../detail/require.hpp"
 #include "../normal/load.hpp"
 #include "../rolling/integrator.hpp"
 #include "../rolling/rolling_step.hpp"
-#include "../rolling/stage_equations.hpp"
 #include "../scene/contact.hpp"
+#include "../scene/creepage.hpp"
+#include "../scene/force.hpp"
+#include "../scene/patch_contact.hpp"
 #include "../scene/rigid_motion.hpp"
-#include "../status.hpp"
-#include "../system/contact_fit.hpp"
 #include "../system/element_blocks.hpp"
 #include "../system/stability_verdict.hpp"
-#include "../system/time_domain.hpp"
-#include "detail/core.hpp"
+#include "../types.hpp"
 #include "law.hpp"
 #include "state.hpp"
-#include "workspace.hpp"
 
 namespace rollbem {
 
+namespace detail {
+struct FrictionData;     // internal
+struct FrictionScratch;  // internal
+}  // namespace detail
+
+/// Matrix factors and scratch memory of friction. They make steps fast and never change a result. A workspace is made by
+/// a model and fits any model with the same number of elements and directions, the same coupling of directions and the
+/// same kind of coefficient (constant, or dependent on slip). The factors are kept as long as the model and the distance
+/// rolled stay the same, so contacts that are stepped in turn should each have their own workspace. Two threads must not
+/// use one workspace at the same time.
+class FrictionWorkspace {
+public:
+    FrictionWorkspace(const FrictionWorkspace& other);
+    FrictionWorkspace(FrictionWorkspace&& other) noexcept;
+    FrictionWorkspace& operator=(FrictionWorkspace other) noexcept;
+    ~FrictionWorkspace();
+
+    /// Slip of body 1 on body 2 in the last solution, at the collocation point of each element's equation: the distance
+    /// slid [m] in a step or a rigid shift, the slip velocity over the rolling velocity, s/V [-], in a steady solution.
+    /// 0 across the direction of a model of one.
+    ElementVectors slip() const;
+
+    /// Contribution of each element to FrictionStep::slip_work, whose comment says when a contribution may be negative:
+    /// [J], or [J/m] for a steady solution. Divided by the element's area (on a line its width times Contact::width())
+    /// it is the work per area of contact, on which wear depends.
+    const VectorX<double>& slip_work() const;
+
+private:
+    friend class FrictionModel;
+    explicit FrictionWorkspace(const detail::FrictionData& data);
+
+    std::unique_ptr<detail::FrictionScratch> scratch_;  // null only where it was moved from
+};
+
 /// The contact as a force element with friction, stepped like AdhesionModel. Immutable: threads may share it if they
-/// may share the law. One direction costs less than two. A creepage xi > 0 gives a negative force in steady rolling.
-/// With two directions, slip and traction are vectors. In full sliding the force opposes the creepage exactly,
+/// may share the law, and copies share its data. A creepage xi > 0 gives a negative force in steady rolling. States,
+/// motions and results have two directions. A model of one direction, which costs less, reads the components along its
+/// own, ignores spin, and returns 0 across its direction and NaN as the moment and the derivatives by spin. With two
+/// directions, slip and traction are vectors. In full sliding the force opposes the creepage exactly,
 /// otherwise only approximately, because the bodies are more compliant across the rolling direction.
 ///
 /// Steady rolling alone needs only G', which steady_system() makes: the kernel is not integrated for G, no eigenvalue
@@ -47,7 +80,7 @@ namespace rollbem {
 ///     const FrictionModel model(contact, steady_system(mesh, scheme, kernel), {0.3, pressure});
 ///     Run run(model);
 ///     for (double creepage : curve) {
-///         const FrictionStep<> point = run.steady({.motion = creepage});  // starts from the one before
+///         const FrictionStep point = run.steady({.motion = Creepage{creepage}});  // starts from the one before
 ///     }
 ///
 /// If mu falls steeply with slip and has no memory, several solutions may exist at one creepage, which differ in where
@@ -74,16 +107,16 @@ namespace rollbem {
 ///
 ///     const ElementSystem system = rolling_system(mesh, scheme, kernel);
 ///     const FrictionModel model(contact, system, judge_stability(system), {0.3, pressure});
-///     FrictionWorkspace<> workspace = model.workspace();
-///     FrictionState<> now = model.at_rest(), next = now;
-///     const FrictionStep<> step = model.advance(now, {dq, creepage}, next, workspace);  // does not change now
+///     FrictionWorkspace workspace = model.workspace();
+///     FrictionState now = model.at_rest(), next = now;
+///     const FrictionStep step = model.advance(now, {dq, Creepage{1e-3}}, next, workspace);  // does not change now
 ///     if (accepted) std::swap(now, next);
 ///
 /// Both directions:
 ///
 ///     const ElementSystem system(rolling_system(mesh, scheme, StripKernel<double>::longitudinal(contact)),
 ///                                rolling_system(mesh, scheme, StripKernel<double>::lateral(contact)));
-///     const FrictionStep<2> step = model.advance(now, {dq, {1e-3, 5e-4}}, next, workspace);
+///     const FrictionStep step = model.advance(now, {dq, {1e-3, 5e-4}}, next, workspace);
 ///
 /// A patch, whose system has both directions and one verdict for both symmetric halves:
 ///
@@ -92,91 +125,64 @@ namespace rollbem {
 ///     const FrictionModel model(contact, rolling_system(mesh, scheme, kernel),
 ///                               judge_stability(patch_subsystems(mesh, scheme, kernel)),
 ///                               {0.3, hertz_pressures(contact, mesh, load)});
-///     const FrictionStep<2> step = model.advance(now, {dq, {1e-3, 5e-4, 0.1}}, next, workspace);
+///     const FrictionStep step = model.advance(now, {dq, {1e-3, 5e-4, 0.1}}, next, workspace);
 ///
 /// A coefficient that depends on slip:
 ///
-///     const FrictionModel model(contact, system, verdict, Friction{ExponentialFall<>{0.3, 0.18, 0.1}, pressure});
-///     const FrictionStep<> step = model.advance(now, {{dq, duration}, creepage}, next, workspace);
-template <class Law_ = ConstantFriction<double>, int directions_ = 1, class Scalar_ = double>
+///     const FrictionModel model(contact, system, verdict, {ExponentialFall{0.3, 0.18, 0.1}, pressure});
+///     const FrictionStep step = model.advance(now, {{dq, duration}, Creepage{1e-3}}, next, workspace);
 class FrictionModel {
 public:
-    using Law = Law_;
-    using Scalar = Scalar_;
-    static constexpr int directions = directions_;
-    static_assert(SlipLaw<Law, Scalar>);
-
-private:
-    using Core = detail::FrictionCore<detail::UniformLaw<Law, Scalar>, directions, Scalar>;
-
-public:
-    using State = FrictionState<directions, Scalar>;
-    using Step = FrictionStep<directions, Scalar>;
-    using Workspace = FrictionWorkspace<directions, Scalar>;
-    using System = ElementSystem<Scalar, directions>;
-    using Force = typename Step::Force;  ///< a number, or TangentialForce with two directions
-    using Value = typename Core::Value;  ///< a creepage: a number, or Creepage with two directions
-    using Motion = RigidMotion<Value>;
+    using State = FrictionState;
+    using Step = FrictionStep;
+    using Workspace = FrictionWorkspace;
+    using Force = TangentialForce<double>;
+    using Motion = RigidMotion<Creepage<double>>;
     /// The load is a NormalLoad or, if none is given, the load of the state; travel needs a duration if mu depends on
     /// slip.
-    using RollingStep = rollbem::RollingStep<Motion, GivenLoad<NormalLoad<Scalar>>>;
+    using RollingStep = rollbem::RollingStep<Motion, GivenLoad<NormalLoad<double>>>;
 
-    /// `contact` is a line contact (Contact) or a patch (PatchContact, whose half_length() is the system's unit of
-    /// length); `verdict` judges `system`, or is `unchecked`. A system without G needs no verdict, no finite half-width
-    /// and no known points. Throws std::invalid_argument
+    /// One direction of a line contact: `direction`, 0 longitudinal or 1 lateral, is the direction of the system's
+    /// kernel. Two directions of a line contact. A patch, whose half_length() is the system's unit of length. `verdict`
+    /// judges `system`, or is `unchecked`. A system without G needs no verdict, no finite half-width and no known
+    /// points. Throws std::invalid_argument
     /// - if the verdict does not belong to this system or does not establish that no eigenvalue grows,
     /// - if steady rolling shows that the scheme does not converge (Status::assists_creepage),
     /// - if a line contact's half-width is infinite or differs from the half-width of the system's kernel,
     /// - if the system of a patch is not the system of a PatchMesh, or is made for another a/b,
     /// - if the law does not meet the requirements of Friction (one pressure per element of the mesh),
     /// - if the law has a memory although the points of the system's equations are unknown,
-    /// - for Integrator::matrix_exponential, which cannot treat friction.
-    template <class AnyContact>
-    FrictionModel(const AnyContact& contact, System system, const StabilityVerdict& verdict,
-                  const Friction<Law, Scalar>& friction, Integrator integrator = Integrator::sdirk2)
-        : core_(name, contact, std::move(system), detail::with_uniform_law(friction)), integrator_(integrator) {
-        const System& own = core_.system();
-        if constexpr (std::is_same_v<AnyContact, Contact<Scalar>>) {
-            detail::require_same_aspect(name, contact, own);
-        } else {
-            detail::require(!own.aspect() && own.elements().places_are_known(), name,
-                            "number of places of a patch's elements", own.elements().x.size(),
-                            "be theirs: a patch has the system of a PatchMesh");
-            detail::require_same_shape(name, contact, own);
-        }
-        detail::require(detail::stage_table<Scalar>(integrator).has_value(), name, "integrator",
-                        rollbem::name(integrator), "solve stages, as implicit_euler and sdirk2 do");
-        if (!own.has_G()) {
-            converges_ = !verdict.checked || detail::converges(slope(), own.elements().areas);
-            return;
-        }
-        detail::require(friction.memory.distance == 0 || own.elements().places_are_known(), name,
-                        "distance of the memory", friction.memory.distance,
-                        "be 0 for a system that does not know the points of its equations");
-        detail::require_usable_in_time(name, own, verdict);
-    }
-    /// A model of a system without G, for steady rolling alone.
-    template <class AnyContact>
-    FrictionModel(const AnyContact& contact, System system, const Friction<Law, Scalar>& friction)
-        : FrictionModel(contact, std::move(system), StabilityVerdict{}, friction) {}
+    /// - for Integrator::matrix_exponential, which cannot treat friction, and for any other direction.
+    FrictionModel(const Contact<double>& contact, ElementSystem<double> system, const StabilityVerdict& verdict,
+                  const Friction& friction, Integrator integrator = Integrator::sdirk2, Eigen::Index direction = 0);
+    FrictionModel(const Contact<double>& contact, ElementSystem<double, 2> system, const StabilityVerdict& verdict,
+                  const Friction& friction, Integrator integrator = Integrator::sdirk2);
+    FrictionModel(const PatchContact<double>& contact, ElementSystem<double, 2> system, const StabilityVerdict& verdict,
+                  const Friction& friction, Integrator integrator = Integrator::sdirk2);
+    /// Models of systems without G, for steady rolling alone.
+    FrictionModel(const Contact<double>& contact, ElementSystem<double> system, const Friction& friction,
+                  Eigen::Index direction = 0);
+    FrictionModel(const Contact<double>& contact, ElementSystem<double, 2> system, const Friction& friction);
+    FrictionModel(const PatchContact<double>& contact, ElementSystem<double, 2> system, const Friction& friction);
 
-    Eigen::Index size() const { return core_.size(); }  ///< number of unknown elements
+    int directions() const;     ///< of creepage: 1 or 2
+    Eigen::Index size() const;  ///< number of unknown elements
     /// Fingerprint of G', the areas of the elements, the contact and the pressures; G and the law do not enter. To
     /// continue a state under another load, pass the load to a step; a model with other pressures refuses the state.
-    std::uint64_t fingerprint() const { return core_.fingerprint(); }
-    Integrator integrator() const { return integrator_; }
+    std::uint64_t fingerprint() const;
+    Integrator integrator() const;
     /// Whether the scheme converges to full adhesion. Only a model of a system without G can return false, and none
     /// that is made `unchecked`.
-    bool converges() const { return converges_; }
+    bool converges() const;
 
     /// The state at rest under the pressures of the model: no traction, all elements stick, mu = mu_s(0).
-    State at_rest() const { return core_.at_rest(); }
+    State at_rest() const;
     /// The state at rest under a load. Throws std::invalid_argument if the mesh cannot carry the load.
-    State at_rest(const NormalLoad<Scalar>& load) const;
-    Workspace workspace() const { return core_.workspace(); }
+    State at_rest(const NormalLoad<double>& load) const;
+    Workspace workspace() const;
 
     /// The force of a state [N]. The state must have size() elements.
-    Force force(const State& state) const { return core_.force(state); }
+    Force force(const State& state) const;
 
     /// Elastic energy of the tangential tractions in both bodies, E = 1/2 int p u dA [J], summed over the
     /// directions. Positive, except for tractions that alternate from element to element; of
@@ -186,7 +192,7 @@ public:
     /// The work that the rigid bodies do on the contact, -F times the rigid slip (creepage times the distance rolled),
     /// becomes heat or elastic energy, even while the load or the length of the contact varies: heat = -F slip - dE,
     /// for any scheme. The sum of FrictionStep::slip_work agrees with it to the orders of both in n and dq.
-    Scalar elastic_energy(const State& state) const { return core_.elastic_energy(state); }
+    double elastic_energy(const State& state) const;
 
     /// Solves for steady rolling with the creepage [-] at the end of the step's motion, which must not be a shift, at
     /// the speed V > 0 [m/s] of its travel, which a constant coefficient does not need. The search starts from the
@@ -213,83 +219,11 @@ public:
     Step advance(const State& from, const RollingStep& step, State& to, Workspace& workspace) const noexcept;
 
 private:
-    static constexpr const char* name = "FrictionModel";
-
-    const auto& slope() const {
-        if constexpr (directions == 1) {
-            return core_.system().G_prime();
-        } else {
-            return core_.system().G_prime_blocks();
-        }
-    }
-
-    // Whether the load of a step can follow a state: ok, invalid_load or needs_fixed_mesh.
-    Status check_load(const State& from, const RollingStep& step) const noexcept {
-        if (!step.load) return Status::ok;
-        const Status possible = step.load->check(core_.system().element_count());
-        return possible == Status::ok ? core_.check_width(from, *step.load) : possible;
-    }
-    typename Core::Request request(const State& from, const RollingStep& step) const noexcept {
-        return {from, step.travel, step.motion, step.load ? core_.load_after(from, *step.load) : Core::load_of(from)};
-    }
-
-    Core core_;
-    Integrator integrator_;
-    bool converges_ = true;
+    std::shared_ptr<const detail::FrictionData> data_;
 };
 
-template <class Law, int directions, class Scalar>
-auto FrictionModel<Law, directions, Scalar>::at_rest(const NormalLoad<Scalar>& load) const -> State {
-    State state = at_rest();
-    Status possible = load.check(core_.system().element_count());
-    if (possible == Status::ok) possible = core_.check_width(state, load);
-    const auto given = core_.load_after(state, load);
-    if (possible == Status::ok) {
-        possible = detail::check_growth(core_.system(), Scalar(0), core_.axes(given), core_.axes(given));
-    }
-    detail::require(possible == Status::ok, name, "status of the load at rest", rollbem::name(possible),
-                    "be ok: pressures of all elements, finite and not negative, on semi-axes that the mesh can follow");
-    state.normal_pressure = given.pressure.head(size());
-    state.half_length = given.half_length;
-    state.half_width = given.half_width;
-    return state;
-}
-
-template <class Law, int directions, class Scalar>
-auto FrictionModel<Law, directions, Scalar>::steady(const State& from, const RollingStep& step, State& to,
-                                                    Workspace& workspace) const noexcept -> Step {
-    Status possible = check_load(from, step);
-    if (possible != Status::ok) return detail::failed<Step>(possible);
-    const auto asked = request(from, step);
-    possible = core_.check(from, to, workspace);
-    const auto axes = core_.axes(asked.load);
-    if (possible == Status::ok) possible = detail::check_growth(core_.system(), Scalar(0), axes, axes);
-    if (possible != Status::ok) return detail::failed<Step>(possible);
-    const Step solved = core_.steady(asked, to, workspace);
-    return converges_ ? solved : Core::without_forces(solved);
-}
-
-template <class Law, int directions, class Scalar>
-auto FrictionModel<Law, directions, Scalar>::advance(const State& from, const RollingStep& step, State& to,
-                                                     Workspace& workspace) const noexcept -> Step {
-    Status possible = check_load(from, step);
-    if (possible != Status::ok) return detail::failed<Step>(possible);
-    if (!core_.system().has_G()) return detail::failed<Step>(Status::invalid_step);
-    const auto asked = request(from, step);
-    const Scalar dq = step.travel.dq / core_.half_length();
-    possible = detail::check_step(core_.check(from, to, workspace), step.motion, dq, size(), [&] {
-        return detail::check_growth(core_.system(), dq, core_.axes(from), core_.axes(asked.load));
-    });
-    if (possible != Status::ok) return detail::failed<Step>(possible);
-    return core_.roll(*detail::stage_table<Scalar>(integrator_), asked, to, workspace);
-}
-
-// Friction in braces, whose law cannot be deduced, has a constant coefficient.
-template <class AnyContact, class Scalar, int directions, class Law = ConstantFriction<Scalar>>
-FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, const StabilityVerdict&,
-              const Friction<Law, Scalar>&, Integrator = Integrator::sdirk2) -> FrictionModel<Law, directions, Scalar>;
-template <class AnyContact, class Scalar, int directions, class Law = ConstantFriction<Scalar>>
-FrictionModel(const AnyContact&, ElementSystem<Scalar, directions>, const Friction<Law, Scalar>&)
-    -> FrictionModel<Law, directions, Scalar>;
-
 }  // namespace rollbem
+
+#ifndef ROLLBEM_COMPILED
+#include "impl/model.ipp"
+#endif

@@ -8,7 +8,6 @@
 #include <functional>
 #include <limits>
 #include <optional>
-#include <type_traits>
 
 #include <Eigen/Core>
 
@@ -111,22 +110,21 @@ private:
 namespace rollbem::detail {
 
 /// Steady rolling by elements, for a result that is otherwise empty.
-template <class Scalar, class Kernel, class Pressure>
-void solve_on_elements(const Contact<Scalar>& contact, const Kernel& kernel, Scalar friction_coefficient,
-                       const Pressure& pressure, Scalar creepage, Eigen::Index count,
-                       studies::StickBorderSolution<Scalar>& result) {
-    const Mesh<Scalar> mesh = cosine_mesh<Scalar>(count);
-    const FrictionModel model(
-        contact, steady_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel),
-        Friction<ConstantFriction<Scalar>, Scalar>{.law = {friction_coefficient}, .normal_pressure = pressure(mesh)});
-    const FrictionState<1, Scalar> rest = model.at_rest();
-    FrictionState<1, Scalar> state = rest;
-    FrictionWorkspace<1, Scalar> workspace = model.workspace();
-    const FrictionStep<1, Scalar> step = model.steady(rest, {.motion = creepage}, state, workspace);
+template <class Kernel, class Pressure>
+void solve_on_elements(const Contact<double>& contact, const Kernel& kernel, double friction_coefficient,
+                       const Pressure& pressure, double creepage, Eigen::Index count,
+                       studies::StickBorderSolution<double>& result) {
+    const Mesh<double> mesh = cosine_mesh<double>(count);
+    const FrictionModel model(contact, steady_system(mesh, Collocation{.alpha_L = 0.5, .alpha_T = 0.5}, kernel),
+                              Friction{.law = {friction_coefficient}, .normal_pressure = pressure(mesh)});
+    const FrictionState rest = model.at_rest();
+    FrictionState state = rest;
+    FrictionWorkspace workspace = model.workspace();
+    const FrictionStep step = model.steady(rest, {.motion = Creepage<double>{creepage}}, state, workspace);
     result.elements.emplace(
-        typename studies::StickBorderSolution<Scalar>::OnElements{mesh, state.traction, workspace.slip()});
-    result.force_per_width = step.force / contact.width();
-    result.tangent_per_width = step.tangent / contact.width();
+        studies::StickBorderSolution<double>::OnElements{mesh, state.traction.col(0), workspace.slip().col(0)});
+    result.force_per_width = step.force.longitudinal / contact.width();
+    result.tangent_per_width = step.tangent.by_longitudinal.longitudinal / contact.width();
     result.slip_work_per_width = step.slip_work / contact.width();
     result.complementarity_residual = step.complementarity_residual;
     result.status = step.status;
@@ -157,28 +155,27 @@ namespace rollbem::studies {
 /// `kernel` has the contact's half-width in units of a; `pressure` gives p_n [Pa] at every point and its means, e.g.
 /// hertz.pressure(), and the result keeps a copy of it. Throws std::invalid_argument unless fallback_elements >= 1, the
 /// coefficient of friction and the pressure are finite and not negative, and the pressure is positive somewhere.
-template <class Scalar, LineKernel Kernel, PressureLaw<Scalar> Pressure>
-StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, const Kernel& kernel,
-                                               std::type_identity_t<Scalar> friction_coefficient,
-                                               const Pressure& pressure, std::type_identity_t<Scalar> creepage,
+template <LineKernel Kernel, PressureLaw<double> Pressure>
+StickBorderSolution<double> solve_stick_border(const Contact<double>& contact, const Kernel& kernel,
+                                               double friction_coefficient, const Pressure& pressure, double creepage,
                                                Eigen::Index fallback_elements = 40) {
     constexpr const char* who = "solve_stick_border";
     detail::require(fallback_elements >= 1, who, "fallback_elements", fallback_elements, "be at least 1");
     detail::require_not_negative(who, "friction_coefficient", friction_coefficient);
     // one type for all pressures, so that the following code is compiled once for each kernel
-    const std::function<Scalar(Scalar)> bound = [pressure, scale = friction_coefficient / contact.shear_modulus()](
-                                                    Scalar x) -> Scalar { return scale * pressure(x); };
-    detail::PointsOfLevels<Scalar> levels;
-    const detail::PressureScan<Scalar> scan = detail::scan_pressure<Scalar>(bound, levels);
+    const std::function<double(double)> bound = [pressure, scale = friction_coefficient / contact.shear_modulus()](
+                                                    double x) -> double { return scale * pressure(x); };
+    detail::PointsOfLevels<double> levels;
+    const detail::PressureScan<double> scan = detail::scan_pressure<double>(bound, levels);
     detail::require(scan.largest > 0 || friction_coefficient == 0, who, "largest normal_pressure", scan.largest,
                     "be positive");
 
-    StickBorderSolution<Scalar> result;
+    StickBorderSolution<double> result;
     result.shear_modulus = contact.shear_modulus();
     if (!detail::is_finite(creepage)) return result;
-    result.sign = creepage < 0 ? Scalar(-1) : Scalar(1);
-    const Scalar force_unit = contact.half_length() * contact.shear_modulus();
-    const std::optional<detail::ExactBorder<Scalar>> exact =
+    result.sign = creepage < 0 ? -1.0 : 1.0;
+    const double force_unit = contact.half_length() * contact.shear_modulus();
+    const std::optional<detail::ExactBorder<double>> exact =
         detail::find_exact_border(kernel, bound, scan, levels, std::abs(creepage), result.evaluations);
     if (exact) {
         result.exact = true;
@@ -191,12 +188,11 @@ StickBorderSolution<Scalar> solve_stick_border(const Contact<Scalar>& contact, c
         result.unknowns = exact->unknowns;
         result.zone = exact->zone;
         result.bound = bound;
-        result.smooth_slope = [kernel](Scalar x) { return kernel.smooth_slope(x); };
+        result.smooth_slope = [kernel](double x) { return kernel.smooth_slope(x); };
         result.slip_work_per_width = -result.force_per_width * creepage;
         result.status = Status::ok;
     } else {
-        detail::solve_on_elements<Scalar>(contact, kernel, friction_coefficient, pressure, creepage, fallback_elements,
-                                          result);
+        detail::solve_on_elements(contact, kernel, friction_coefficient, pressure, creepage, fallback_elements, result);
     }
     return result;
 }

@@ -37,7 +37,7 @@ public:
 
     struct Solution {
         Eigen::Array3d force;  ///< -F_x, -F_y over mu N, -M_z over mu N c; valid if the status is ok
-        FrictionStep<2> step;  ///< step on the first mesh; its status and its residual are the worse of both meshes
+        FrictionStep step;     ///< step on the first mesh; its status and its residual are the worse of both meshes
     };
     /// Takes creepages times G a b/(mu N), spin times G a b c/(mu N); starts from the tractions of the last solution or
     /// from rest.

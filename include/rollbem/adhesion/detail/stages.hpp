@@ -10,7 +10,7 @@
 
 #include "../../rolling/rigid_slip.hpp"
 #include "../../rolling/stage_equations.hpp"
-#include "../../rolling/step_frame.hpp"
+#include "../../rolling/time_step.hpp"
 #include "../../scene/directions.hpp"
 #include "../../types.hpp"
 #include "stage_factors.hpp"
@@ -29,14 +29,16 @@ auto in_columns(Unknowns&& unknowns) requires(!std::is_const_v<std::remove_refer
     return Eigen::Map<Columns>(unknowns.data(), unknowns.rows() / columns, columns);
 }
 
-/// A step in full adhesion while its stages are solved, from the unknowns `old`. Stages of one `model` have the same
-/// matrices.
+/// What the stages of a step in full adhesion are solved from, besides the step: references to values of the caller,
+/// made on the stack for one step. Stages of one `model` have the same matrices.
 template <int directions, class Scalar>
-struct AdhesionFrame : StepFrame<CreepageAlong<directions, Scalar>, Scalar> {
+struct AdhesionProblem {
     std::uint64_t model;
-    const VectorX<Scalar>& old;
+    const VectorX<Scalar>& old;  ///< the unknowns from which the step starts
     const RigidSlip<directions, Scalar>& slip;
     StageFactors<Scalar>& factors;
+    /// Parameters of the wanted tangents.
+    std::array<bool, Parameters<directions>::count> asked{true, directions == 2, directions == 2};
 };
 
 /// Solves a step by the stages of a StageTable. Lengths are in units of a_0, the half-length for which the system was
@@ -52,7 +54,9 @@ template <int directions, class Scalar>
 class AdhesionStages {
 public:
     using Vector = VectorX<Scalar>;
-    using By = TangentBy<directions>;
+    using By = Parameters<directions>;
+    using Step = TimeStep<directions, Scalar>;
+    using Problem = AdhesionProblem<directions, Scalar>;
 
     explicit AdhesionStages(Eigen::Index n)
         : change_(Vector::Zero(n)),
@@ -65,12 +69,20 @@ public:
         carried_response_.fill(change_);
     }
 
-    /// Solves all stages; with(stage, use) must call use(equations) with the equations of a stage.
-    template <class Frame, class With>
-    void solve(Frame& frame, const With& with) {
+    /// Solves all stages; with(geometry, use) must call use(equations) with the equations of a stage.
+    template <class With>
+    void solve(const Step& step, const Problem& problem, const With& with) {
         carried_.setZero();
         for (Vector& carried : carried_response_) carried.setZero();
-        Frame::solve_stages(frame, Stages<With>{*this, with});
+        for (int number = 1; number <= step.stage_count(); ++number) {
+            const Stage now = step.stage(number);
+            with(now.geometry, [&](const auto& equations) {
+                prepare(problem, equations);
+                find_change(step, now, problem, equations);
+                find_responses(now, problem, equations);
+                if (!now.place.is_last()) carry(step, now, problem, equations);
+            });
+        }
     }
 
     /// Finds the unknowns per unit of each creepage in steady rolling of a patch, as responses.
@@ -87,75 +99,60 @@ public:
     }
 
     const Vector& change() const { return change_; }  ///< change of the unknowns in the step
-    /// Derivative of the unknowns with respect to a parameter (TangentBy) at the end of the step; semi-axes are over
+    /// Derivative of the unknowns with respect to a parameter (Parameters) at the end of the step; semi-axes are over
     /// the contact's semi-axes.
     const Vector& response(std::size_t parameter) const { return response_[parameter]; }
 
 private:
-    template <class With>
-    struct Stages {
-        AdhesionStages& own;
-        const With& with;
+    using Stage = detail::Stage<directions, Scalar>;
 
-        template <class Frame>
-        void solve_stage(Frame& frame) const {
-            with(frame.stage, [&](const auto& equations) {
-                own.prepare(frame, equations);
-                own.find_change(frame, equations);
-                own.find_responses(frame, equations);
-            });
-        }
-        template <class Frame>
-        void carry(Frame& frame) const {
-            with(frame.stage, [&](const auto& equations) { own.carry(frame, equations); });
-        }
-    };
     template <class Equations>
     static constexpr int columns = std::remove_cvref_t<Equations>::columns;
 
-    template <class Frame, class Equations>
-    void prepare(const Frame& frame, const Equations& equations) {
-        frame.factors.prepare(frame.model, equations.stage, [&](MatrixX<Scalar>& M) {
+    template <class Equations>
+    void prepare(const Problem& problem, const Equations& equations) {
+        problem.factors.prepare(problem.model, equations.stage, [&](MatrixX<Scalar>& M) {
             fill<columns<Equations>>(M, equations, [&](auto d, auto e, auto&& block) { equations.fill(d, e, block); });
         });
     }
-    template <class Frame, class Equations>
-    void find_change(const Frame& frame, const Equations& equations) {
+    template <class Equations>
+    void find_change(const Step& step, const Stage& now, const Problem& problem, const Equations& equations) {
         const auto in = [](auto&& unknowns) { return in_columns<columns<Equations>>(unknowns); };
         change_ = carried_;
-        equations.add_travel(in(frame.old), in(scratch_), in(change_));
-        if (frame.varies()) {
-            if (!frame.place.is_second) equations.find_start(frame.start, in(frame.old), in(start_));
-            equations.find_growth(frame.start, in(frame.old), in(start_), in(growth_));
+        equations.add_travel(in(problem.old), in(scratch_), in(change_));
+        if (step.varies()) {
+            if (!now.place.is_second) equations.find_start(step.start, in(problem.old), in(start_));
+            equations.find_growth(step.start, in(problem.old), in(start_), in(growth_));
             change_ -= growth_;
         }
         scratch_.setZero();
-        frame.add_motion(frame.slip, scratch_);
+        now.add_motion(problem.slip, scratch_);
         change_ -= scratch_;
-        frame.factors.solve(change_);
+        problem.factors.solve(change_);
     }
-    template <class Frame, class Equations>
-    void find_responses(const Frame& frame, const Equations& equations) {
+    template <class Equations>
+    void find_responses(const Stage& now, const Problem& problem, const Equations& equations) {
         const auto in = [](auto&& unknowns) { return in_columns<columns<Equations>>(unknowns); };
-        now_ = frame.old + change_;
-        frame.for_parameters([&](std::size_t parameter) {
-            Vector& response = response_[parameter];
-            response = carried_response_[parameter];
-            frame.add_rate(parameter, frame.slip, equations, in(now_), in(scratch_), in(response));
-            frame.factors.solve(response);
-            response = -response;
-        });
+        now_ = problem.old + change_;
+        for (std::size_t j = 0; j < By::count; ++j) {
+            if (!problem.asked[j]) continue;
+            response_[j] = carried_response_[j];
+            now.add_rate(j, problem.slip, equations, in(now_), in(scratch_), in(response_[j]));
+            problem.factors.solve(response_[j]);
+            response_[j] = -response_[j];
+        }
     }
-    template <class Frame, class Equations>
-    void carry(const Frame& frame, const Equations& equations) {
+    // Keeps the quantities of the first of two stages from which the second one starts.
+    template <class Equations>
+    void carry(const Step& step, const Stage& now, const Problem& problem, const Equations& equations) {
         const auto in = [](auto&& unknowns) { return in_columns<columns<Equations>>(unknowns); };
         equations.find_displacements(in(change_), in(carried_));
-        if (frame.varies()) carried_ += growth_;
-        carried_ *= frame.place.ratio();
-        frame.for_parameters([&](std::size_t parameter) {
-            frame.carry_response(parameter, equations, in(now_), in(response_[parameter]), in(scratch_),
-                                 in(carried_response_[parameter]));
-        });
+        if (step.varies()) carried_ += growth_;
+        carried_ *= now.place.ratio();
+        for (std::size_t j = 0; j < By::count; ++j) {
+            if (!problem.asked[j]) continue;
+            now.find_carried(j, equations, in(now_), in(response_[j]), in(scratch_), in(carried_response_[j]));
+        }
     }
 
     // Fills the matrix of all unknowns by fill_block(d, e, block).

@@ -22,22 +22,20 @@ namespace rollbem::detail {
 /// C comes from eliminating S or, if few elements do not stick, from the inverse B = M^-1 as C = (B_KK)^-1. Each group
 /// of M has one matrix of its size, whose unknowns are packed: first S, then K, each direction by direction. Results
 /// depend on M and the roles alone, to the last bit. All memory is allocated by the constructor.
-template <class Scalar>
 class CondensedSlip : public RoleLists {
 public:
-    using Vector = VectorX<Scalar>;
-    using Vectors = ElementVectors<Scalar>;
-    using Matrix = MatrixX<Scalar>;
-    using M = SlipMatrix<2, Scalar>;
+    using Vector = VectorX<double>;
+    using Matrix = MatrixX<double>;
+    using M = SlipMatrix<2>;
 
     /// The contribution of the constants c, for one set of roles.
     struct Base {
-        explicit Base(Index n) : packed(Vectors::Zero(n, 2)), by_inverse(packed) {}
+        explicit Base(Index n) : packed(Vectors<2>::Zero(n, 2)), by_inverse(packed) {}
         /// To be called when the constants have changed.
         void forget() { revision = 0, inverse_is_known = false; }
 
-        Vectors packed;
-        Vectors by_inverse;  // -B c, for any roles
+        Vectors<2> packed;
+        Vectors<2> by_inverse;  // -B c, for any roles
         std::uint64_t revision = 0;
         bool inverse_is_known = false;
     };
@@ -72,7 +70,7 @@ public:
     }
 
     /// Finds the contribution of the constants c; null means c = 0.
-    void find_base(const M& matrix, const Vectors* c, Base& base) {
+    void find_base(const M& matrix, const Vectors<2>* c, Base& base) {
         if (base.revision == revision()) return;
         base.revision = revision();
         if (c == nullptr) return void(base.packed.setZero());
@@ -83,20 +81,20 @@ public:
                 by_inverse = -by_inverse;
             }
             pack((by_inverse_ ? base.by_inverse.data() : c->data()) + place(g), 0, packed.data());
-            if (!by_inverse_) eliminate_vector_in_place<Scalar>(table_[g], swaps(g), stuck(), packed);
+            if (!by_inverse_) eliminate_vector_in_place<double>(table_[g], swaps(g), stuck(), packed);
         }
         base.inverse_is_known = base.inverse_is_known || by_inverse_;
     }
 
     /// Finds the slip of K from the tractions of K.
-    void find_slip(const M& matrix, const Base& base, const Vectors& p, Vectors& s) {
+    void find_slip(const M& matrix, const Base& base, const Vectors<2>& p, Vectors<2>& s) {
         for (std::size_t g = 0; g < matrix.groups(); ++g) {
             find_slip(g, matrix.part(base.packed, g), p);
             unpack(slip_, loose(), s.data() + place(g));
         }
     }
     /// Finds the slip of K and the tractions of S from the tractions of K; the slip of S becomes zero.
-    void complete(const M& matrix, const Base& base, Vectors& p, Vectors& s) {
+    void complete(const M& matrix, const Base& base, Vectors<2>& p, Vectors<2>& s) {
         for (std::size_t g = 0; g < matrix.groups(); ++g) {
             const auto constant = matrix.part(base.packed, g);
             find_slip(g, constant, p);
@@ -109,7 +107,7 @@ public:
             } else {
                 packed_.head(stuck()).noalias() = table_[g].topRightCorner(stuck(), loose()) * packed_.tail(loose());
                 packed_.head(stuck()) += constant.head(stuck());
-                substitute_in_place<Scalar>(table_[g], stuck(), packed_.head(stuck()));
+                substitute_in_place<double>(table_[g], stuck(), packed_.head(stuck()));
                 packed_.head(stuck()) = -packed_.head(stuck());
             }
             for (Index k = 0; k < stuck(); ++k) p.data()[place(g) + unknown(k)] = packed_[k];
@@ -118,14 +116,14 @@ public:
 
     /// Sets `target` to X_k . C_kl Y_l for all sliding elements k and l; X and Y have a row for each.
     template <class Target>
-    void form(const M&, const Vectors& X, const Vectors& Y, Target&& target) const {
+    void form(const M&, const Vectors<2>& X, const Vectors<2>& Y, Target&& target) const {
         const Index count = sliding();
         const auto part = [&](std::size_t g, Index d, Index e, Index l) {
             return table_[g].col(stuck() + e * others() + l).segment(stuck() + d * others(), count);
         };
         const auto x = X.col(0).head(count), y = X.col(1).head(count);
         for (Index l = 0; l < count; ++l) {
-            const Scalar u = Y(l, 0), v = Y(l, 1);
+            const double u = Y(l, 0), v = Y(l, 1);
             if (depth_ == 1) {
                 target.col(l) = u * x.cwiseProduct(part(0, 0, 0, l)) + v * y.cwiseProduct(part(1, 0, 0, l));
             } else {
@@ -144,11 +142,11 @@ private:
     Index* swaps(std::size_t g) { return swaps_.data() + place(g); }
 
     // Copies unknowns into packed order, from the packed one `first` on.
-    void pack(const Scalar* from, Index first, Scalar* to) const {
+    void pack(const double* from, Index first, double* to) const {
         for (Index k = first; k < packed_.size(); ++k) *to++ = from[unknown(k)];
     }
     // Copies the last `count` packed unknowns back to their places.
-    void unpack(const Vector& from, Index count, Scalar* to) const {
+    void unpack(const Vector& from, Index count, double* to) const {
         for (Index k = from.size() - count; k < from.size(); ++k) to[unknown(k)] = from[k];
     }
 
@@ -158,7 +156,7 @@ private:
             for (Index k = 0; k < table.cols(); ++k)
                 pack(matrix.group(g).col(unknown(k)).data(), 0, table.col(k).data());
             for (Index k = 0; shifts && k < stuck(); ++k) table(k, k) += matrix.shift(unknown(k) % size());
-            eliminate_in_place<Scalar>(table, swaps(g), stuck());
+            eliminate_in_place<double>(table, swaps(g), stuck());
             return has_pivots(table, stuck());
         };
         if (factorise(false)) return;
@@ -172,14 +170,14 @@ private:
             pack(matrix.inverse(g).col(unknown(stuck() + k)).data(), stuck(), table.col(k).data());
         }
         auto factors = table.topLeftCorner(loose(), loose());
-        factorise_in_place<Scalar>(factors, swaps(g));
+        factorise_in_place<double>(factors, swaps(g));
         is_regular_ = is_usable_ = is_usable_ && has_pivots(table, loose());
-        invert_factors<Scalar>(factors, swaps(g), table.bottomRightCorner(loose(), loose()));
+        invert_factors<double>(factors, swaps(g), table.bottomRightCorner(loose(), loose()));
     }
 
     // Packs the tractions of K into packed_ and finds the slip of K in slip_.
     template <class Constant>
-    void find_slip(std::size_t g, const Constant& constant, const Vectors& p) {
+    void find_slip(std::size_t g, const Constant& constant, const Vectors<2>& p) {
         pack(p.data() + place(g), stuck(), packed_.data() + stuck());
         const auto C = table_[g].bottomRightCorner(loose(), loose());
         auto tractions = packed_.tail(loose()), slip = slip_.tail(loose());

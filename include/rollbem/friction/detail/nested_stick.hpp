@@ -25,20 +25,18 @@ namespace rollbem::detail {
 /// moves at the end of the list costs O(n^2) per element, with the same result as a new factorisation. If a pivot is
 /// small or a multiplier large, LU with pivoting takes over. Results depend on M and the roles alone, to the last bit.
 /// All memory is allocated by the constructor.
-template <class Scalar>
 class NestedStick : public RoleLists {
 public:
-    using Vector = VectorX<Scalar>;
-    using Vectors = ElementVectors<Scalar, 1>;
-    using Matrix = MatrixX<Scalar>;
-    using M = SlipMatrix<1, Scalar>;
+    using Vector = VectorX<double>;
+    using Matrix = MatrixX<double>;
+    using M = SlipMatrix<1>;
 
     /// The constants c themselves; null: zero.
     struct Base {
         explicit Base(Index) {}
         void forget() { constant = nullptr; }
 
-        const Vectors* constant = nullptr;
+        const Vectors<1>* constant = nullptr;
     };
 
     explicit NestedStick(const M& matrix)
@@ -72,11 +70,11 @@ public:
         return is_usable_;
     }
 
-    void find_base(const M&, const Vectors* c, Base& base) const { base.constant = c; }
+    void find_base(const M&, const Vectors<1>* c, Base& base) const { base.constant = c; }
 
     /// Finds the tractions of S and the slip of all elements by products with M itself: the slip of S is the error of
     /// its tractions.
-    void complete(const M& matrix, const Base& base, Vectors& p, Vectors& s) {
+    void complete(const M& matrix, const Base& base, Vectors<1>& p, Vectors<1>& s) {
         for (Index k = 0; k < sticking(); ++k) p[listed(k)] = 0;
         s.setZero();
         if (base.constant != nullptr) s = *base.constant;
@@ -87,7 +85,7 @@ public:
 
     /// Sets `target` to X_k C_kl Y_l for all sliding elements k and l.
     template <class Target>
-    void form(const M& matrix, const Vectors& X, const Vectors& Y, Target&& target) {
+    void form(const M& matrix, const Vectors<1>& X, const Vectors<1>& Y, Target&& target) {
         for (Index l = 0; l < sliding(); ++l) {
             row_ = matrix.group(0).col(other(l));
             stick(matrix.group(0), row_);
@@ -101,19 +99,19 @@ private:
     Index listed(Index k) const { return (*this)[sticking() - 1 - k]; }
 
     // M p, kept for the next call: roles and bounds seldom change
-    const Vectors& product(const Matrix& A, const Vectors& p) {
+    const Vectors<1>& product(const Matrix& A, const Vectors<1>& p) {
         if (same_bits(p, placed_)) return product_;
         placed_ = p;
         product_.noalias() = A * p;
         return product_;
     }
     // Finds the tractions of S, in stuck_, from the slip without them, and adds the slip that they cause.
-    void stick(const Matrix& A, Vectors& s) {
+    void stick(const Matrix& A, Vectors<1>& s) {
         const Index count = sticking();
         if (count == 0) return;
         for (Index k = 0; k < count; ++k) right_[k] = s[listed(k)];
         if (uses_pivoted_) {
-            solve_in_place<Scalar>(pivoted_.topLeftCorner(count, count), swaps_.data(), right_.head(count));
+            solve_in_place<double>(pivoted_.topLeftCorner(count, count), swaps_.data(), right_.head(count));
         } else {
             multiply<lower>(lower_, count, right_, solution_);
             multiply<upper>(upper_, count, solution_, right_);
@@ -142,7 +140,7 @@ private:
             const Index width = (std::min)(Index(4), count - j), row = triangle == lower ? j : 0;
             const Index height = (triangle == lower ? count : j + width) - row;
             if (width == 4) {
-                y.template segment<4>(j) = dot_four<Scalar>(&A(row, j), A.outerStride(), &x[row], height);
+                y.template segment<4>(j) = dot_four<double>(&A(row, j), A.outerStride(), &x[row], height);
             } else {
                 y.segment(j, width) = A.block(row, j, height, width).transpose().lazyProduct(x.segment(row, height));
             }
@@ -160,7 +158,7 @@ private:
             multiply<lower>(lower_, k, right_, solution_);  // y
             for (Index j = 0; j < k; ++j) right_[j] = A(own, nested_[at(j)]);
             multiply_transposed<upper>(upper_, k, right_, row_);  // z
-            Scalar pivot = A(own, own), scale = std::abs(pivot), multiplier = 0;
+            double pivot = A(own, own), scale = std::abs(pivot), multiplier = 0;
             for (Index j = 0; j < k; ++j) {
                 pivot -= row_[j] * solution_[j];
                 scale = (std::max)(scale, std::abs(right_[j]));
@@ -187,19 +185,19 @@ private:
             for (Index j = 0; j < count; ++j) pivoted_(j, k) = matrix.group(0)(listed(j), listed(k));
             if (shifts) pivoted_(k, k) += matrix.shift(listed(k));
         }
-        factorise_in_place<Scalar>(pivoted_.topLeftCorner(count, count), swaps_.data());
+        factorise_in_place<double>(pivoted_.topLeftCorner(count, count), swaps_.data());
         return has_pivots(pivoted_, count);
     }
 
     // Bounds on the loss of accuracy of elimination without pivoting; its results are also verified against M.
-    static constexpr Scalar least_pivot = Scalar(1e-3);
-    static constexpr Scalar largest_multiplier = 10;
+    static constexpr double least_pivot = 1e-3;
+    static constexpr double largest_multiplier = 10;
 
     Matrix lower_, upper_;  // inverse triangles of the nested factors, zero outside
     Matrix pivoted_;
     Vector right_, solution_, row_;
-    Vector stuck_;              // tractions of S; 0 for all others
-    Vectors placed_, product_;  // the last tractions, with 0 for S, and M times them
+    Vector stuck_;                 // tractions of S; 0 for all others
+    Vectors<1> placed_, product_;  // the last tractions, with 0 for S, and M times them
     std::vector<Index> swaps_;
     std::vector<Index> nested_;  // the elements in the nested factors
     Index nested_count_ = 0;

@@ -22,54 +22,50 @@ enum class Role : unsigned char {
     is_free,  ///< p_i = 0 because b_i = 0; any slip is allowed
 };
 
+using Index = Eigen::Index;
+/// Tractions or slip of the elements, a row each.
+template <int directions>
+using Vectors = Eigen::Matrix<double, Eigen::Dynamic, directions>;
 /// The traction or slip of one element.
-template <int directions, class Scalar>
-using ElementVector = Eigen::Matrix<Scalar, 1, directions>;
+template <int directions>
+using ElementVector = Eigen::Matrix<double, 1, directions>;
 
-template <class Scalar>
-Scalar length(const ElementVector<1, Scalar>& v) {
-    return std::abs(v[0]);
-}
-template <class Scalar>
-Scalar length(const ElementVector<2, Scalar>& v) {
-    return length(v[0], v[1]);
-}
+inline double length(const ElementVector<1>& v) { return std::abs(v[0]); }
+inline double length(const ElementVector<2>& v) { return length(v[0], v[1]); }
 
 /// The sine of the angle from one vector to another, times both lengths; 0 with one direction.
-template <int directions, class Scalar>
-Scalar cross(const Eigen::Matrix<Scalar, 1, directions>& from, const Eigen::Matrix<Scalar, 1, directions>& to) {
-    return directions == 1 ? Scalar(0) : from[0] * to[directions - 1] - from[directions - 1] * to[0];
+template <int directions>
+double cross(const Eigen::Matrix<double, 1, directions>& from, const Eigen::Matrix<double, 1, directions>& to) {
+    return directions == 1 ? 0.0 : from[0] * to[directions - 1] - from[directions - 1] * to[0];
 }
 
-template <int directions, class Scalar>
+template <int directions>
 struct Roles {
-    using Index = Eigen::Index;
-    using Row = ElementVector<directions, Scalar>;
+    using Row = ElementVector<directions>;
 
     explicit Roles(Index n)
-        : of(static_cast<std::size_t>(n), Role::sticks),
-          direction(ElementVectors<Scalar, directions>::Zero(n, directions)) {}
+        : of(static_cast<std::size_t>(n), Role::sticks), direction(Vectors<directions>::Zero(n, directions)) {}
 
     Index size() const { return direction.rows(); }
     Role operator[](Index i) const { return of[static_cast<std::size_t>(i)]; }
     void stick(Index i) { set(i, Role::sticks, Row::Zero()); }
     void release(Index i) { set(i, Role::is_free, Row::Zero()); }
     /// Makes an element slide along a vector of length `norm`, or stick if the length is not positive.
-    void slide(Index i, const Row& along, Scalar norm) {
+    void slide(Index i, const Row& along, double norm) {
         if (!(norm > 0)) return stick(i);
         set(i, Role::slides, directions == 1 ? Row(Row::Constant(along[0] > 0 ? 1 : -1)) : Row(along / norm));
     }
     void slide(Index i, const Row& along) { slide(i, along, length(along)); }
     /// Turns the direction of an element that slides, unless the vector vanishes.
-    void follow(Index i, const Row& along) {
-        const Scalar norm = length(along);
+    void align(Index i, const Row& along) {
+        const double norm = length(along);
         if (norm > 0) direction.row(i) = along / norm;
     }
     bool any_slides() const { return std::find(of.begin(), of.end(), Role::slides) != of.end(); }
 
     std::vector<Role> of;
     /// Unit vectors along the tractions of elements that slide; 0 for others.
-    ElementVectors<Scalar, directions> direction;
+    Vectors<directions> direction;
 
 private:
     void set(Index i, Role role, const Row& along) {
@@ -82,8 +78,6 @@ private:
 /// equations whose sticking elements have been eliminated, for one M and one set of roles.
 class RoleLists {
 public:
-    using Index = Eigen::Index;
-
     explicit RoleLists(Index n) : elements_(static_cast<std::size_t>(n)), of_(elements_.size()) {}
 
     Index size() const { return static_cast<Index>(elements_.size()); }

@@ -15,21 +15,21 @@
 #include "../../detail/in_place_lu.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
+#include "roles.hpp"
 
 namespace rollbem::detail {
 
 /// The matrix M, divided into groups of unknowns that do not couple: with one direction, or with two directions that
 /// couple, one group holds all unknowns, direction by direction; otherwise each direction is a group. All memory is
 /// allocated by the constructor.
-template <int directions, class Scalar>
+template <int directions>
 class SlipMatrix {
 public:
-    using Index = Eigen::Index;
-    using Vector = VectorX<Scalar>;
-    using Vectors = ElementVectors<Scalar, directions>;
-    using Matrix = MatrixX<Scalar>;
+    using Vector = VectorX<double>;
+    using Matrix = MatrixX<double>;
 
-    explicit SlipMatrix(Index n, bool coupled = false) : n_(n), coupled_(directions == 2 && coupled), reach_(n) {
+    explicit SlipMatrix(Index n, bool coupled = false)
+        : n_(n), coupled_(directions == 2 && coupled), projection_step_(n) {
         const bool inverts = directions == 2;
         for (std::size_t g = 0; g < groups(); ++g) {
             group_[g].setZero(group_size(), group_size());
@@ -37,8 +37,8 @@ public:
         }
         if (!inverts) return;
         swaps_.resize(static_cast<std::size_t>(group_size()));
-        for (Vectors& sums : sums_) sums.resize(n, directions);
-        for (Vectors& signs : sign_) signs.resize(n, directions);
+        for (Vectors<directions>& sums : sums_) sums.resize(n, directions);
+        for (Vectors<directions>& signs : sign_) signs.resize(n, directions);
         draw_signs();
     }
 
@@ -59,7 +59,7 @@ public:
     /// whenever M changes.
     auto renew(std::size_t d, std::size_t e) {
         ++revision_;
-        reach_is_known_ = inverse_is_known_ = sums_are_known_ = false;
+        projection_step_is_known_ = inverse_is_known_ = sums_are_known_ = false;
         return block(*this, d, e);
     }
     auto block(std::size_t d, std::size_t e) const { return block(*this, d, e); }
@@ -72,24 +72,25 @@ public:
     bool serves_once() const { return serves_once_; }
 
     /// Finds s = M p.
-    void multiply(const Vectors& p, Vectors& s) const {
+    void multiply(const Vectors<directions>& p, Vectors<directions>& s) const {
         for (std::size_t g = 0; g < groups(); ++g) part(s, g).noalias() = group_[g] * part(p, g);
     }
 
     /// rho of each element: 1 over the largest influence on it, because its own influence may vanish.
-    const Vector& reach() {
-        if (reach_is_known_) return reach_;
-        reach_.setZero();
+    const Vector& projection_step() {
+        if (projection_step_is_known_) return projection_step_;
+        projection_step_.setZero();
         for (std::size_t d = 0; d < directions; ++d) {
-            for (Index j = 0; j < n_; ++j) reach_ = reach_.cwiseMax(block(d, d).col(j).cwiseAbs());
+            for (Index j = 0; j < n_; ++j) projection_step_ = projection_step_.cwiseMax(block(d, d).col(j).cwiseAbs());
         }
-        for (Scalar& reach : reach_) reach = reach > 0 ? 1 / reach : Scalar(1);
-        reach_is_known_ = true;
-        return reach_;
+        for (double& projection_step : projection_step_)
+            projection_step = projection_step > 0 ? 1 / projection_step : 1.0;
+        projection_step_is_known_ = true;
+        return projection_step_;
     }
 
     /// The number to add to an element's influence on itself where M is singular.
-    Scalar shift(Index i) { return std::sqrt(std::numeric_limits<Scalar>::epsilon()) / reach()[i]; }
+    double shift(Index i) { return std::sqrt(std::numeric_limits<double>::epsilon()) / projection_step()[i]; }
 
     /// Finds B = M^-1 with the help of `scratch`, unless it is known. False if M is too close to singular.
     bool find_inverse(std::array<Matrix, std::size_t(directions)>& scratch) {
@@ -97,11 +98,11 @@ public:
         inverse_is_known_ = inverse_exists_ = true;
         for (std::size_t g = 0; g < groups(); ++g) {
             scratch[g] = group_[g];
-            factorise_in_place<Scalar>(scratch[g], swaps_.data());
-            invert_factors<Scalar>(scratch[g], swaps_.data(), inverse_[g]);
-            const Scalar condition = norm_of(group_[g]) * norm_of(inverse_[g]);
+            factorise_in_place<double>(scratch[g], swaps_.data());
+            invert_factors<double>(scratch[g], swaps_.data(), inverse_[g]);
+            const double condition = norm_of(group_[g]) * norm_of(inverse_[g]);
             inverse_exists_ = inverse_exists_ && is_finite(condition) &&
-                              condition * std::numeric_limits<Scalar>::epsilon() < largest_error;
+                              condition * std::numeric_limits<double>::epsilon() < largest_error;
         }
         return inverse_exists_;
     }
@@ -109,13 +110,13 @@ public:
 
     /// Estimates the error M p + c - s: the larger of its two sums over all elements with irregular signs. Costs no
     /// product with M.
-    Scalar error(const Vectors& p, const Vectors& c, const Vectors& s) {
-        Scalar largest = 0;
+    double error(const Vectors<directions>& p, const Vectors<directions>& c, const Vectors<directions>& s) {
+        double largest = 0;
         for (std::size_t k = 0; k < sums_.size(); ++k) {
             for (std::size_t g = 0; g < groups() && !sums_are_known_; ++g) {
                 part(sums_[k], g).noalias() = group_[g].transpose() * part(sign_[k], g);
             }
-            const Scalar sum = sums_[k].cwiseProduct(p).sum() + sign_[k].cwiseProduct(c - s).sum();
+            const double sum = sums_[k].cwiseProduct(p).sum() + sign_[k].cwiseProduct(c - s).sum();
             if (!(std::abs(sum) <= largest)) largest = std::abs(sum);  // also NaN
         }
         sums_are_known_ = true;
@@ -124,9 +125,9 @@ public:
 
 private:
     // A Newton step repairs the errors of the one before, so some digits are enough.
-    static constexpr Scalar largest_error = Scalar(1e-3);
+    static constexpr double largest_error = 1e-3;
 
-    static Scalar norm_of(const Matrix& A) { return A.cwiseAbs().colwise().sum().maxCoeff(); }
+    static double norm_of(const Matrix& A) { return A.cwiseAbs().colwise().sum().maxCoeff(); }
 
     template <class Either>
     static auto block(Either& own, std::size_t d, std::size_t e) {
@@ -138,10 +139,10 @@ private:
     // Draws the signs from the bits of a linear congruential generator (Knuth's MMIX).
     void draw_signs() {
         std::uint64_t state = 1;
-        for (Vectors& signs : sign_) {
-            for (Scalar& sign : signs.reshaped()) {
+        for (Vectors<directions>& signs : sign_) {
+            for (double& sign : signs.reshaped()) {
                 state = 6364136223846793005u * state + 1442695040888963407u;
-                sign = (state >> 63) != 0 ? Scalar(1) : Scalar(-1);
+                sign = (state >> 63) != 0 ? 1.0 : -1.0;
             }
         }
     }
@@ -150,11 +151,11 @@ private:
     bool coupled_;
     std::array<Matrix, std::size_t(directions)> group_, inverse_;
     std::vector<Index> swaps_;
-    std::array<Vectors, 2> sign_, sums_;  // u and M^T u
-    Vector reach_;
+    std::array<Vectors<directions>, 2> sign_, sums_;  // u and M^T u
+    Vector projection_step_;
     std::uint64_t revision_ = 1, serial_ = 0;
     bool serves_once_ = false;
-    bool reach_is_known_ = false, inverse_is_known_ = false, inverse_exists_ = false, sums_are_known_ = false;
+    bool projection_step_is_known_ = false, inverse_is_known_ = false, inverse_exists_ = false, sums_are_known_ = false;
 };
 
 }  // namespace rollbem::detail

@@ -9,6 +9,7 @@
 #include "../../system/elements.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
+#include "roles.hpp"
 
 namespace rollbem::detail {
 
@@ -21,26 +22,25 @@ namespace rollbem::detail {
 /// wrong.
 ///
 /// Lengths in units of a, tractions in G. The works of two directions add up in the same sum.
-template <class Scalar>
 class SlipWork {
 public:
-    SlipWork(const ArrayX<Scalar>& widths, CentreValues<Scalar> centres, bool turned = false)
+    SlipWork(const ArrayX<double>& widths, CentreValues<double> centres, bool turned = false)
         : widths_(widths), centres_(std::move(centres)), turned_(turned) {}
 
     /// In strips on a patch the slip of each element's own equation is used unless slip is turned.
-    SlipWork(const Elements<Scalar>& elements, bool turned)
+    SlipWork(const Elements<double>& elements, bool turned)
         : SlipWork(elements.areas,
-                   turned ? CentreValues<Scalar>::in_strips(elements.behind)
-                          : CentreValues<Scalar>::in_one_strip(elements.areas,
-                                                               elements.is_one_strip() ? elements.x : ArrayX<Scalar>()),
+                   turned ? CentreValues<double>::in_strips(elements.behind)
+                          : CentreValues<double>::in_one_strip(elements.areas,
+                                                               elements.is_one_strip() ? elements.x : ArrayX<double>()),
                    turned) {}
 
-    const CentreValues<Scalar>& centres() const { return centres_; }
+    const CentreValues<double>& centres() const { return centres_; }
 
     /// Adds -p s dx of each element to `work`. The widths dx grow with the contact: `half_length` is the present
     /// half-length over the reference one, on a patch times the same ratio of the half-widths.
     template <class Traction, class Slip>
-    void add(const Traction& traction, const Slip& slip, VectorX<Scalar>& work, Scalar half_length = 1) const {
+    void add(const Traction& traction, const Slip& slip, VectorX<double>& work, double half_length = 1) const {
         for (Index i = 0; i < widths_.size(); ++i) {
             work[i] -= half_length * widths_[i] * traction[i] * centres_.at(i, slip);
         }
@@ -49,8 +49,8 @@ public:
     /// Sum of p u dx over all elements and directions; twice the elastic energy if u are the displacements in all
     /// equations.
     template <class Traction, class Displacement>
-    Scalar product(const Traction& traction, const Displacement& displacement) const {
-        Scalar sum = 0;
+    double product(const Traction& traction, const Displacement& displacement) const {
+        double sum = 0;
         for (Index d = 0; d < traction.cols(); ++d) {
             for (Index i = 0; i < widths_.size(); ++i) {
                 sum += widths_[i] * traction(i, d) * centres_.at(i, displacement.col(d));
@@ -62,16 +62,14 @@ public:
     /// Completes a sum: multiplies it by `unit` and, unless slip is turned, removes negative values. No element gains
     /// energy, but interpolation may yield a gain of second order where the slip changes sign or vanishes within an
     /// element.
-    void end(VectorX<Scalar>& work, Scalar unit = 1) const {
-        if (!turned_) work = work.cwiseMax(Scalar(0));
+    void end(VectorX<double>& work, double unit = 1) const {
+        if (!turned_) work = work.cwiseMax(0.0);
         work *= unit;
     }
 
 private:
-    using Index = Eigen::Index;
-
-    ArrayX<Scalar> widths_;
-    CentreValues<Scalar> centres_;
+    ArrayX<double> widths_;
+    CentreValues<double> centres_;
     bool turned_;
 };
 

@@ -1,5 +1,5 @@
-// The solver of friction problems: stick or slip, element by element, in one direction or two. It knows neither rolling
-// nor units.
+// Stick and slip in one direction or two: tractions p and slip s = A p + c of the elements, with |p_i| <= b_i, s_i = 0
+// where |p_i| < b_i, and slip that opposes p_i where |p_i| = b_i. Independent of rolling and units.
 #pragma once
 
 #include <algorithm>
@@ -8,409 +8,698 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "../../detail/array_functions.hpp"
 #include "../../detail/finite.hpp"
+#include "../../scene/directions.hpp"
 #include "../../status.hpp"
+#include "../../system/centre_values.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
+#include "condensed_slip.hpp"
+#include "homotopy.hpp"
+#include "nested_stick.hpp"
+#include "problem_view.hpp"
 #include "roles.hpp"
-#include "slip_problem.hpp"
-#include "slip_search.hpp"
+#include "slip_direction_system.hpp"
+#include "slip_matrix.hpp"
+#include "slip_rotation.hpp"
 
 namespace rollbem::detail {
 
-/// Finds p and s = M p + c with |p_i| <= b_i, s_i = 0 where |p_i| < b_i, and s_i = -v_i p_i, v_i >= 0, where
-/// |p_i| = b_i; p_i and s_i are numbers or plane vectors. Because the bounds b are finite, a solution exists for every
-/// M (a continuous variational inequality on a compact set: Hartman and Stampacchia 1966); SlipSearch looks for it.
+/// The problem of one stage, except for A, which the solver holds.
+template <int directions>
+struct StageProblem {
+    explicit StageProblem(Index n) : bound(VectorX<double>::Zero(n)) {
+        constant.fill(Vectors<directions>::Zero(n, directions));
+    }
+
+    std::array<Vectors<directions>, directions> constant;  ///< c of the unrotated and of the rotated pass
+    VectorX<double> bound;                                 ///< b, finite and not negative
+    bool two_histories = false;                            ///< else both passes have the c of the first
+};
+
+/// Tractions and slip, and the roles of the elements in them.
+template <int directions>
+struct Pass {
+    explicit Pass(Index n) : roles(n), traction(Vectors<directions>::Zero(n, directions)), slip(traction) {}
+
+    Roles<directions> roles;
+    Vectors<directions> traction, slip;
+};
+
+/// The solution of a StageProblem. The second pass, if there is one, has rotated slip (SlipRotation). `residual` is the
+/// largest violation of the conditions: of tractions, over the largest bound, and of slip, over the largest |c|, with
+/// the error of s = A p + c, which is an estimate in two directions.
+template <int directions>
+struct StageSolution {
+    explicit StageSolution(Index n)
+        : pass(directions, Pass<directions>(n)),
+          rotation(n),
+          against_slip(Vectors<directions>::Zero(n, directions)),
+          slides(VectorX<double>::Zero(n)),
+          zones(static_cast<std::size_t>(n), Zone::stick) {}
+
+    const Vectors<directions>& traction() const { return pass[last].traction; }
+    /// Tractions of the pass to which StageProblem::constant[history] belongs.
+    const Vectors<directions>& traction(std::size_t history) const { return pass[last == 0 ? 0 : history].traction; }
+    /// s, exactly zero where elements stick. Where they slide, R s opposes the traction.
+    const Vectors<directions>& slip() const { return pass[last].slip; }
+    double slip_size(Index i) const { return length(ElementVector<directions>(slip().row(i))); }
+
+    std::vector<Pass<directions>> pass;
+    std::size_t last = 0;      ///< index of the last pass
+    bool has_rotated = false;  ///< there has been a second pass since StickSlipSolver::start()
+    SlipRotation<directions> rotation;
+    Vectors<directions> against_slip;  ///< unit vector against the slip of each sliding element; 0 for others
+    VectorX<double> slides;            ///< 1 for each sliding element, 0 for others
+    std::vector<Zone> zones;
+    Index stick_count = 0;
+    std::uint64_t revision = 0;  ///< changes whenever the result of find_slip_by_bounds() may change
+    int rounds = 0;              ///< Newton steps
+    int path_points = 0;         ///< points of the Homotopy; 0 if Newton's method sufficed
+    double residual = 0;
+    bool has_tangent = false;  ///< whether the solver can respond()
+    Status status = Status::not_finite;
+};
+
+/// A change of a problem; null means none.
+template <int directions>
+struct ProblemChange {
+    std::array<const Vectors<directions>*, directions> constant{};
+    const VectorX<double>* bound = nullptr;
+};
+
+template <int directions>
+class StickSlipSolver;
+
+/// A problem with its solver and its solution: references to values of the caller, made on the stack for one call.
+/// `centres` null: slip is not rotated.
+template <int directions>
+struct StageView {
+    StageProblem<directions>& problem;
+    const CentreValues<double>* centres;
+    StickSlipSolver<directions>& solver;
+    StageSolution<directions>& solution;
+};
+
+/// Solves a StageProblem. A solution exists for every A (a continuous variational inequality on a compact set: Hartman
+/// and Stampacchia 1966). Newton's method on the natural map p_i = P(p_i - rho_i R_i s_i), P the projection onto the
+/// ball of the bound, looks for it (semismooth: Qi and Sun 1993; for friction Alart and Curnier 1991; with one
+/// direction a primal-dual active set). An element with |p - rho R s| within its bound sticks in the next step, without
+/// any slip; any other keeps its traction at the bound and turns it. A step is halved while the residual of the map
+/// would grow. If Newton's method gets stuck, it starts once more from full sliding, then from points of a Homotopy. If
+/// that fails, too, the result is the best point found.
 ///
-/// If the slip at the centres is known (turn_slip), a second solution follows, whose conditions hold for R_i s_i in
-/// place of s_i. The rotations R_i come from the first solution (SlipTurn), from which the second search starts.
-/// Sticking still means s_i = 0. If the second solution is not found, all angles are halved.
+/// Where centres are given, a second pass with rotated slip follows, which starts from the first. Sticking still means
+/// s_i = 0. If the second pass finds no solution, all angles are halved.
 ///
-/// The result depends on M, c, the bounds and the starting point alone, to the last bit, and not on earlier solutions.
-/// All memory is allocated by the constructor.
-template <int directions_, class Scalar_>
-class StickSlip {
+/// The solver keeps A, factors and scratch memory, allocated by the constructor, and no data of others. Results depend
+/// on the arguments alone, to the last bit.
+template <int directions>
+class StickSlipSolver {
 public:
-    static constexpr int directions = directions_;
-    using Scalar = Scalar_;
-    using Index = Eigen::Index;
-    using Vector = VectorX<Scalar>;
-    using Vectors = ElementVectors<Scalar, directions>;
-    using Matrix = MatrixX<Scalar>;
-    using Start = SolutionStart<directions, Scalar>;
+    using Row = ElementVector<directions>;
+    using Problem = StageProblem<directions>;
+    using Solution = StageSolution<directions>;
+    using Centres = CentreValues<double>;
 
-    struct Outcome {
-        int rounds = 0;       ///< Newton steps
-        int path_points = 0;  ///< points of the fallback SlipPath; 0 if it was not needed
-        /// Largest violation of the conditions. Tractions, over the largest bound: |p| above its bound, or below it
-        /// where an element slides. Slip, over the largest |c|: slip of a sticking element, across the traction or
-        /// along it, and the estimated error of s = M p + c.
-        Scalar residual = 0;
-        bool tangent_exists = false;
-        Status status = Status::not_finite;
-    };
+    explicit StickSlipSolver(Index n, bool coupled = false)
+        : matrix(n, coupled),
+          eliminated_(directions, Eliminated(matrix)),
+          base_(directions, typename Eliminated::Base(n)),
+          sliding_(directions, SlipDirectionSystem(directions == 1 ? 0 : n)),
+          response_base_(n),
+          trial_(Vectors<directions>::Zero(n, directions)),
+          trial_slip_(trial_),
+          change_(trial_),
+          slip_change_(trial_),
+          best_(trial_),
+          refined_(trial_),
+          difference_(trial_),
+          slip_response_(trial_),
+          unit_response_(trial_),
+          angle_change_(VectorX<double>::Zero(n)),
+          unit_(angle_change_),
+          homotopy_(n) {}
 
-    /// A change of the problem: dc of each solution and the change of the bounds; null means no change. The second dc
-    /// is read only if the second solution has constants of its own.
-    struct Change {
-        std::array<const Vectors*, std::size_t(directions)> constant{};
-        const Vector* bound = nullptr;
-    };
+    SlipMatrix<directions> matrix;  ///< A, to be filled before the first solution and whenever it changes
 
-    /// `coupled`: traction in one direction causes slip in the other, too.
-    explicit StickSlip(Index n, bool coupled = false)
-        : equations_(n, coupled),
-          search_(n),
-          points_(directions, Point(n)),
-          turn_(n),
-          zones_(static_cast<std::size_t>(n), Zone::stick),
-          slides_(Vector::Zero(n)),
-          constant_(directions, Vectors::Zero(n, directions)),
-          response_(constant_),
-          difference_(constant_[0]),
-          slip_response_(difference_),
-          against_slip_(difference_),
-          angle_change_(slides_),
-          right_(slides_),
-          unit_(slides_),
-          response_base_(n) {}
-
-    Index size() const { return slides_.size(); }
-    bool coupled() const { return equations_.matrix.coupled(); }
-    /// Sets the interpolation to the centres; slip is turned to its values from now on. Null, as after construction:
-    /// slip is not turned. Keeps the pointer.
-    void turn_slip(const CentreValues<Scalar>* centres) { turn_.turn_to(centres); }
-    /// Says whether respond() will be called; if not, no tangent exists.
-    void want_tangents(bool wanted) { wants_tangents_ = wanted; }
-
-    /// A block of M, to be filled before the first solve and whenever it changes: slip in direction `slip` (0
-    /// longitudinal, 1 lateral) due to tractions in direction `by`.
-    auto new_matrix(std::size_t slip = 0, std::size_t by = 0) { return equations_.matrix.renew(slip, by); }
-    /// Says whether M serves one solution only, rather than several with different c.
-    void use_once(bool once) { equations_.matrix.serve_once(once); }
-    /// The constants c, to be filled before begin(); for the second solution only if it has a start of its own.
-    Vectors& constant(std::size_t which = 0) { return constant_[which]; }
-    /// Number of solutions that have constants of their own.
-    std::size_t constant_count() const { return has_two_ ? 2 : 1; }
-
-    const Vectors& traction() const { return points_[last()].traction; }
-    /// Tractions of the solution whose slip is not turned; its slip determines the angles of turned slip.
-    const Vectors& plain_traction() const { return points_[0].traction; }
-    /// Tractions of each solution that has constants of its own.
-    const Vectors& traction(std::size_t which) const { return has_two_ && which == 0 ? plain_traction() : traction(); }
-    /// The slip s, exactly zero where elements stick. Where an element slides, s opposes the traction or, if slip is
-    /// turned, R s does; s_i is in both cases the slip at the point of row i.
-    const Vectors& slip() const { return points_[last()].slip; }
-    const std::vector<Zone>& zones() const { return zones_; }
-    Index stick_count() const { return stick_count_; }
-    /// 1 for each element that slides (slips under pressure), 0 for others.
-    const Vector& slides() const { return slides_; }
-    /// Unit vector against the slip of each sliding element: along its traction, turned back if slip is turned; 0 for
-    /// others.
-    const Vectors& against_slip() const { return against_slip_; }
-    /// |s| of an element.
-    Scalar slip_size(Index i) const { return length(Row(slip().row(i))); }
-
-    /// Begins to solve for the present c. `start` holds tractions and zones of a solution for other c and bounds.
-    void begin(const Start& start) noexcept {
-        has_two_ = directions == 2 && start.turned_traction != nullptr;
-        has_turned_ = false;
-        for (std::size_t k = 0; k < directions; ++k) {
-            equations_.base[k].forget();
-            imposed_[k] = largest(constant_[own(k)]);
-        }
-        if (has_two_) difference_ = *start.turned_traction - start.traction;
-        Point& point = points_[0];
+    /// Takes the roles from which the first pass starts from the tractions and zones of a solution of another problem;
+    /// with one direction only the zones are read.
+    void start(const Problem& problem, const std::array<Vectors<directions>, directions>& traction,
+               const std::vector<Zone>& zones, Solution& solution) {
+        for (auto& base : base_) base.forget();
+        solution.has_rotated = false;
+        if (problem.two_histories) difference_ = traction.back() - traction[0];
+        Roles<directions>& roles = solution.pass[0].roles;
         for (Index i = 0; i < size(); ++i) {
-            const int zone = static_cast<signed char>(start.zones[static_cast<std::size_t>(i)]);
-            Row along = directions == 1 ? Row(Row::Constant(static_cast<Scalar>(-zone))) : Row(start.traction.row(i));
-            if (!(length(along) > 0)) along = -constant_[0].row(i);
-            zone == 0 ? point.roles.stick(i) : point.roles.slide(i, along);
+            const int zone = static_cast<signed char>(zones[static_cast<std::size_t>(i)]);
+            Row along = directions == 1 ? Row(Row::Constant(static_cast<double>(-zone))) : Row(traction[0].row(i));
+            if (!(length(along) > 0)) along = -problem.constant[0].row(i);
+            zone == 0 ? roles.stick(i) : roles.slide(i, along);
         }
     }
-    /// Solves for finite bounds >= 0. The search begins at the start or at the last solution for other bounds since
-    /// begin().
-    Outcome solve(const Vector& bound) noexcept {
-        search_.steps = search_.path_points = 0;
-        is_apart_ = false;
-        turn_.stop();
-        adapt(bound, points_[0]);
-        const Problem first = problem(0, bound);
-        bool settled = search_.find(first, points_[0]);
-        if (settled && first.leads_on(points_[0])) settled = solve_turned(bound);
-        Outcome outcome{search_.steps, search_.path_points};
-        outcome.residual = publish(bound);
-        outcome.tangent_exists = settled && wants_tangents_ && factorise(bound);
-        const bool solved = is_finite(outcome.residual) && outcome.residual <= 10000 * Search::rounding(size());
-        outcome.status = solved ? Status::ok : Status::no_solution;
-        return outcome;
-    }
-    Outcome solve(const Vector& bound, const Start& start) noexcept {
-        begin(start);
-        return solve(bound);
+
+    /// Solves from the roles in `solution`, those of start() or of the last solution for other bounds since then. Slip
+    /// is rotated to its direction at the centres, unless these are null.
+    void solve(const Problem& problem, const Centres* centres, bool with_tangent, Solution& solution) noexcept {
+        solution.rounds = solution.path_points = 0;
+        solution.last = 0;
+        solution.rotation.stop();
+        adapt(problem.bound, solution.pass[0]);
+        const ProblemView<directions> unrotated = view(problem, 0, unrotated_);
+        const Search first{unrotated, 0, centres != nullptr, solution};
+        bool found = find(first, first_share);
+        if (centres != nullptr && found) {
+            bool rotates = set_rotation(*centres, problem, solution);
+            if (!rotates && is_rough_) {
+                update_roles(first, 1);
+                found = find({unrotated, 0, false, solution}, 1);
+                rotates = found && set_rotation(*centres, problem, solution);
+            }
+            if (rotates) found = solve_rotated(problem, solution);
+        }
+        check(problem, solution);
+        solution.has_tangent = found && with_tangent && factorise(problem, solution);
+        const bool solved = is_finite(solution.residual) && solution.residual <= 10000 * rounding(size());
+        solution.status = solved ? Status::ok : Status::no_solution;
     }
 
-    /// Finds dp due to a change while no element changes between stick and slip and, unless null, the change of |s|.
-    /// Tractions of sliding elements follow their bounds. If angles follow (angles_follow()), the angles of turned slip
-    /// change with the first solution. To be called only if a tangent exists according to the last outcome.
-    void respond(const Change& change, Vector* size_change = nullptr) {
-        const Vectors *plain = change.constant[0], *turned = change.constant[own(directions - 1)];
+    /// Finds dp of each pass due to a change while no element changes between stick and slip and, unless null, the
+    /// change of |s|. The angles of rotated slip change with the first pass. To be called only if solution.has_tangent.
+    void respond(const Problem& problem, const Solution& solution, const ProblemChange<directions>& change,
+                 const Centres* centres, std::array<Vectors<directions>, directions>& dp,
+                 VectorX<double>* size_change = nullptr) {
+        const auto *first = change.constant[0], *last = change.constant[problem.two_histories ? directions - 1 : 0];
+        const VectorX<double>* angles = nullptr;
         response_base_.forget();
-        if (keeps_plain()) {
-            answer(0, {plain, change.bound}, response_[0]);
-            turn_.follow(slip_response_, angle_change_);
-            if (plain != turned && (plain == nullptr || turned == nullptr || !same_bits(*plain, *turned))) {
+        if (solution.last == 1 || solution.rotation.follows()) {
+            respond(solution, 0, {first, change.bound}, dp[0]);
+            if (solution.rotation.follows()) {
+                solution.rotation.find_angle_change(*centres, slip_response_, angle_change_);
+                angles = &angle_change_;
+            }
+            if (first != last && (first == nullptr || last == nullptr || !same_bits(*first, *last))) {
                 response_base_.forget();
             }
         }
-        answer(last(), {turned, change.bound, turn_.follows() ? &angle_change_ : nullptr}, response_.back());
-        if (size_change != nullptr) *size_change = -slip_response_.cwiseProduct(against_slip_).rowwise().sum();
+        respond(solution, solution.last, {last, change.bound, angles}, dp.back());
+        if (size_change != nullptr) {
+            *size_change = -slip_response_.cwiseProduct(solution.against_slip).rowwise().sum();
+        }
     }
-    /// dp of the last solution; dp of each solution that has constants of its own.
-    const Vectors& response() const { return response_.back(); }
-    const Vectors& response(std::size_t which) const { return has_two_ ? response_[which] : response(); }
-    bool angles_follow() const { return turn_.follows(); }
 
-    /// The elements that slide, in ascending order.
-    Index slipping_count() const { return equations_.condensed[at_].sliding(); }
-    Index slipping(Index k) const { return equations_.condensed[at_].other(k); }
-    /// Finds the derivatives of slip by bounds: entry (k, l) of `coupling` becomes the slip of the k-th sliding
-    /// element, against its present slip, due to a unit increase of the bound of the l-th. `exact` includes the change
-    /// of the angles of turned slip. `across` and `aside` are scratch matrices of n x n.
-    void couple(bool exact, Matrix& coupling, Matrix& across, Matrix& aside);
-    /// A number that changes whenever the result of couple() may change.
-    std::uint64_t revision() const { return revision_; }
-    /// A number that changes whenever M or the roles change. With one direction and given bounds, respond() depends on
-    /// nothing else.
-    std::uint64_t roles_revision() const { return equations_.condensed[at_].revision(); }
+    /// The elements that slide, in ascending order, if there is a tangent.
+    Index sliding_count() const { return eliminated_[at_].sliding(); }
+    Index sliding(Index k) const { return eliminated_[at_].other(k); }
+    /// Entry (k, l) of `result` becomes the slip of the k-th sliding element, against its slip, due to a unit increase
+    /// of the bound of the l-th; `across` and `aside` are scratch of n x n. `exact` includes the change of the angles.
+    void find_slip_by_bounds(const Solution& solution, const Centres* centres, bool exact, MatrixX<double>& result,
+                             MatrixX<double>& across, MatrixX<double>& aside);
+    /// A number that changes whenever A or the roles of the last solution change. With one direction and given bounds,
+    /// respond() depends on nothing else.
+    std::uint64_t roles_revision() const { return eliminated_[at_].revision(); }
 
 private:
-    using Row = ElementVector<directions, Scalar>;
-    using Equations = SlipEquations<directions, Scalar>;
-    using Condensed = typename Equations::Condensed;
-    using Problem = SlipProblem<directions, Scalar>;
-    using Point = SlipPoint<directions, Scalar>;
-    using Search = SlipSearch<directions, Scalar>;
+    using Eliminated = ByDirections<directions, NestedStick, CondensedSlip>;
 
-    static constexpr int most_halvings = 3;
+    // One search, for the solution of one pass. `roughly`: a point near a solution is enough.
+    struct Search {
+        const ProblemView<directions>& problem;
+        std::size_t number;
+        bool roughly;
+        Solution& solution;
 
-    std::size_t last() const { return is_apart_ ? 1 : 0; }
-    bool keeps_plain() const { return is_apart_ || turn_.follows(); }
-    // Index of a solution's constants: 0 if all solutions have the same.
-    std::size_t own(std::size_t which) const { return has_two_ ? which : 0; }
-    const SlipTurn<directions, Scalar>& turn_of(std::size_t which) const { return which == 0 ? unturned_ : turn_; }
+        Pass<directions>& pass() const { return solution.pass[number]; }
+    };
+    // dc and the changes of bounds and angles; null: none. `of_slip_alone`: tractions of stick are not wanted.
+    struct Cause {
+        const Vectors<directions>* constant;
+        const VectorX<double>* bound;
+        const VectorX<double>* angle = nullptr;
+        bool of_slip_alone = false;
+    };
 
-    Problem problem(std::size_t which, const Vector& bound) {
-        return {equations_,
-                which,
-                equations_.base[own(which)],
-                constant_[own(which)],
-                bound,
-                turn_of(which),
-                equations_.matrix.reach(),
-                imposed_[own(which)],
-                which == 0 ? &turn_ : nullptr,
-                has_two_};
-    }
-    static Scalar largest(const Vectors& vectors) {
+    static constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    static constexpr double huge = (std::numeric_limits<double>::max)();
+    static constexpr int most_steps = 60, most_from_path = 20;  // Newton steps of a search
+    static constexpr int most_paths = 3, most_refinements = 3, most_halvings = 3;
+    // Share of its bound from which an element slides after full adhesion, which underestimates the zone of slip.
+    static constexpr double first_share = 0.7;
+    // Residual over the sum of bounds below which another step would not change the angles of rotated slip.
+    inline static const double rough = std::cbrt(epsilon) * std::cbrt(epsilon);
+
+    Index size() const { return matrix.size(); }
+    static double rounding(Index n) { return static_cast<double>(n + 10) * epsilon; }
+    static double largest(const Vectors<directions>& vectors) {
         if constexpr (directions == 1) return vectors.cwiseAbs().maxCoeff();
-        Scalar result = 0;
+        double result = 0;
         for (Index i = 0; i < vectors.rows(); ++i) result = (std::max)(result, length(Row(vectors.row(i))));
         return result;
     }
+    ProblemView<directions> view(const Problem& problem, std::size_t pass, const SlipRotation<directions>& rotation) {
+        const std::size_t history = problem.two_histories ? pass : 0;
+        const auto& c = problem.constant[history];
+        return {matrix, c, problem.bound, rotation, matrix.projection_step(), largest(c), history};
+    }
+    // An elimination is kept for each pass; both usually have the same roles and share one. Null: singular.
+    Eliminated* eliminate(std::size_t pass, const Roles<directions>& roles) {
+        Eliminated *at = &eliminated_[pass], *const other = &eliminated_[directions - 1 - pass];
+        if (!at->are_of(matrix, roles.of) && other->are_of(matrix, roles.of)) {
+            if (pass == 0) std::swap(*at, *other);  // the other one would be overwritten
+            if (pass == 1) at = other;
+        }
+        return at->condense(matrix, roles.of) ? at : nullptr;
+    }
 
-    // Adapts the roles of a point to other bounds.
-    static void adapt(const Vector& bound, Point& point) {
+    // Adapts the roles of a pass to other bounds.
+    static void adapt(const VectorX<double>& bound, Pass<directions>& pass) {
         for (Index i = 0; i < bound.size(); ++i) {
             if (bound[i] == 0) {
-                point.roles.release(i);
-            } else if (point.roles[i] == Role::is_free) {
-                point.roles.slide(i, -point.slip.row(i));
+                pass.roles.release(i);
+            } else if (pass.roles[i] == Role::is_free) {
+                pass.roles.slide(i, -pass.slip.row(i));
             }
         }
     }
-
-    // The second solution starts from the first, shifted by the difference of their starts.
-    void start_turned(const Vector& bound) {
-        Point& point = points_.back();
-        point.roles = points_[0].roles;
-        point.slip = points_[0].slip;
-        for (Index i = 0; has_two_ && i < size(); ++i) {
-            if (point.roles[i] != Role::slides) continue;
-            point.roles.follow(i, bound[i] * point.roles.direction.row(i) + difference_.row(i));
+    // Finds the angles from the first pass; whether there is a second.
+    static bool set_rotation(const Centres& centres, const Problem& problem, Solution& solution) {
+        const Pass<directions>& first = solution.pass[0];
+        return solution.rotation.find(centres, first.slip, first.roles) || problem.two_histories;
+    }
+    bool solve_rotated(const Problem& problem, Solution& solution) {
+        Pass<directions>& pass = solution.pass.back();
+        solution.last = 1;
+        for (int halvings = 0;; ++halvings) {
+            if (halvings == 0 && solution.has_rotated) {
+                adapt(problem.bound, pass);
+            } else {
+                start_rotated(problem, solution);
+            }
+            solution.has_rotated = true;
+            if (find({view(problem, 1, solution.rotation), 1, false, solution}, first_share)) return true;
+            if (halvings == most_halvings || !solution.rotation.turns()) return false;
+            solution.rotation.halve();
         }
     }
-    bool solve_turned(const Vector& bound) {
-        if (has_turned_) {
-            adapt(bound, points_.back());
-        } else {
-            start_turned(bound);
+    // The second pass starts from the first, shifted by the difference of their starts.
+    void start_rotated(const Problem& problem, Solution& solution) {
+        Pass<directions>& pass = solution.pass.back();
+        pass.roles = solution.pass[0].roles;
+        pass.slip = solution.pass[0].slip;
+        for (Index i = 0; problem.two_histories && i < size(); ++i) {
+            if (pass.roles[i] != Role::slides) continue;
+            pass.roles.align(i, problem.bound[i] * pass.roles.direction.row(i) + difference_.row(i));
         }
-        has_turned_ = is_apart_ = true;
-        bool settled = search_.find(problem(1, bound), points_.back());
-        for (int k = 0; k < most_halvings && !settled && turn_.turns(); ++k) {
-            turn_.halve();
-            start_turned(bound);
-            settled = search_.find(problem(1, bound), points_.back());
-        }
-        return settled;
     }
 
-    Scalar publish(const Vector& bound);
-    // Factorises the equations that tangents need, for each solution. False if they are singular to working precision.
-    bool factorise(const Vector& bound) {
-        bool is_regular = true;
-        for (std::size_t which = keeps_plain() ? 0 : last(); which <= last(); ++which) {
-            const Point& point = points_[which];
-            Condensed* at = equations_.condense(which, point.roles);
+    // Searches from the roles of a pass. False if there is no solution: the pass then is the best point found. See
+    // newton() for `share`.
+    bool find(const Search& search, double share) {
+        const auto& problem = search.problem;
+        Roles<directions>& roles = search.pass().roles;
+        least_ = huge;
+        bool found = newton(search, most_steps, share);
+        if (!found) {
+            for (Index i = 0; i < size(); ++i) {
+                const Row against = -problem.rotation.turned(i, Row(problem.constant.row(i)));
+                problem.bound[i] == 0 ? roles.release(i) : roles.slide(i, against);
+            }
+            found = newton(search, most_steps, 1);
+        }
+        for (int number = 0; number < most_paths && !found; ++number) found = follow_path(search, number);
+        if (!found) return_to_best(search);
+        for (Index i = 0; directions == 2 && i < size(); ++i) {
+            if (roles[i] == Role::slides) roles.align(i, search.pass().traction.row(i));
+        }
+        return found;
+    }
+    bool follow_path(const Search& search, int number) {
+        homotopy_.begin(search.problem, number);
+        int before = 0;
+        while (homotopy_.advance(search.problem)) {
+            search.solution.path_points += homotopy_.points() - before;
+            before = homotopy_.points();
+            search.pass().traction = homotopy_.traction();
+            find_slip(search);
+            update_roles(search, 1);
+            if (newton(search, most_from_path, 1)) return true;
+        }
+        return false;
+    }
+    // `share` of its bound is that from which an element slides after a first step, if all have stuck before it.
+    bool newton(const Search& search, int steps, double share) {
+        refinements_ = 0;
+        const bool found = iterate(search, steps, share);
+        if (refinements_ > 0) base_[search.problem.history].forget();
+        return found;
+    }
+    bool iterate(const Search& search, int steps, double share);
+    bool take_step(const Search& search, Eliminated& at);
+    double natural_residual(const Search& search);
+
+    // |p - P(p - rho R s)| of an element.
+    static double natural_residual(const Row& p, const Row& rotated_slip, double projection_step, double bound) {
+        const Row x = p - projection_step * rotated_slip;
+        const double size = length(x);
+        return length(Row(p - (size > bound ? bound / size : 1.0) * x));
+    }
+    // Whether the trial is a solution for the assumed roles, to `factor` times round-off.
+    bool holds(double factor) const {
+        return excess_ <= 4 * factor * rounding(size()) && creep_ <= 4 * factor * slip_scale_;
+    }
+    // Halves the step until the residual is below the previous one, or the step is as short as it may get. Tractions
+    // and slip are affine in its length.
+    double shorten(const Search& search, double before) {
+        const auto& problem = search.problem;
+        change_ = trial_ - search.pass().traction;
+        slip_change_ = trial_slip_ - search.pass().slip;
+        double residual = before;
+        for (double part = 0.5; part > 1.0 / 300; part /= 2) {
+            trial_ = search.pass().traction + part * change_;
+            trial_slip_ = search.pass().slip + part * slip_change_;
+            residual = 0;
+            for (Index i = 0; i < size(); ++i) {
+                if (problem.bound[i] == 0) continue;
+                const Row rotated = problem.rotation.turned(i, Row(trial_slip_.row(i)));
+                residual += natural_residual(trial_.row(i), rotated, problem.projection_step[i], problem.bound[i]);
+            }
+            if (residual <= (1 - 1e-4 * part) * before) break;
+        }
+        return residual;
+    }
+
+    void find_error(const Search& search) {
+        matrix.multiply(search.pass().traction, change_);
+        change_ += search.problem.constant - search.pass().slip;
+    }
+    // Whether s = A p + c holds to round-off; after the last refinement a larger error is accepted.
+    bool verify(const Search& search) {
+        if (directions == 1 ? refinements_ > 0 : matrix.serves_once()) {
+            find_error(search);
+            error_ = change_.cwiseAbs().maxCoeff();
+        } else if (directions == 2) {
+            error_ = matrix.error(search.pass().traction, search.problem.constant, search.pass().slip);
+        }
+        return error_ <= (refinements_ < most_refinements ? 4 : 1000) * slip_scale_;
+    }
+    // Replaces c by c' = c + (A p + c - s): the next solution repeats the error and thereby cancels it. False after the
+    // last allowed refinement.
+    bool refine(const Search& search) {
+        if (refinements_ == most_refinements || !is_finite(error_)) return false;
+        if (refinements_++ == 0) refined_ = search.problem.constant;
+        find_error(search);
+        refined_ += change_;
+        base_[search.problem.history].forget();
+        return true;
+    }
+
+    // Sets the roles of a pass by the natural map, where an element slides from `share` of its bound on.
+    static void update_roles(const Search& search, double share) {
+        const auto& problem = search.problem;
+        Pass<directions>& pass = search.pass();
+        const double factor = share * (1 + 4 * rounding(pass.roles.size()));
+        for (Index i = 0; i < pass.roles.size(); ++i) {
+            if (problem.bound[i] == 0) {
+                pass.roles.release(i);
+                continue;
+            }
+            const Row rotated = problem.rotation.turned(i, Row(pass.slip.row(i)));
+            const Row x = pass.traction.row(i) - problem.projection_step[i] * rotated;
+            const double norm = length(x), limit = factor * problem.bound[i];
+            norm > limit ? pass.roles.slide(i, x, norm) : pass.roles.stick(i);
+        }
+    }
+    static void find_slip(const Search& search) {
+        search.problem.matrix.multiply(search.pass().traction, search.pass().slip);
+        search.pass().slip += search.problem.constant;
+    }
+    void return_to_best(const Search& search) {
+        const VectorX<double>& bound = search.problem.bound;
+        Pass<directions>& pass = search.pass();
+        if (least_ < huge) pass.traction = best_;
+        find_slip(search);
+        update_roles(search, 1);
+        for (Index i = 0; i < size(); ++i) {
+            const double norm = length(Row(pass.traction.row(i)));
+            if (!(norm > bound[i]) && pass.roles[i] != Role::slides) continue;
+            pass.traction.row(i) *= norm > 0 ? bound[i] / norm : 0.0;
+        }
+        find_slip(search);
+        error_ = 0;
+    }
+
+    void check(const Problem& problem, Solution& solution);
+    // Factorises the equations of each pass that tangents need. False if they are singular to working precision.
+    bool factorise(const Problem& problem, Solution& solution) {
+        bool regular = true;
+        for (std::size_t k = 0; k <= solution.last; ++k) {
+            const Pass<directions>& pass = solution.pass[k];
+            Eliminated* at = eliminate(k, pass.roles);
             if (at == nullptr || !at->is_regular()) return false;
-            at_ = static_cast<std::size_t>(at - equations_.condensed.data());
+            at_ = static_cast<std::size_t>(at - eliminated_.data());
             if constexpr (directions == 2) {
-                Sliding<Scalar>& sliding = equations_.sliding[which];
-                sliding.aim(*at, point.roles.direction, point.slip, bound, turn_of(which));
-                is_regular = is_regular && sliding.factorise(equations_.matrix, *at);
+                const auto& rotation = k == 0 ? unrotated_ : solution.rotation;
+                sliding_[k].aim(*at, pass.roles.direction, pass.slip, problem.bound, rotation);
+                regular = regular && sliding_[k].factorise(matrix, *at);
             }
         }
-        if (roles_revision_ != roles_revision()) ++revision_;
+        if (roles_revision_ != roles_revision()) ++solution.revision;
         roles_revision_ = roles_revision();
-        return is_regular;
+        return regular;
     }
+    void respond(const Solution& solution, std::size_t number, const Cause& cause, Vectors<directions>& dp);
+    void add_angle_changes(const Solution& solution, const Centres& centres, MatrixX<double>& aside);
 
-    // The cause of a response of one solution: dc, the changes of the bounds and of the angles, each null if there is
-    // none. `of_slip_alone`: the tractions of sticking elements are not wanted.
-    struct Cause {
-        const Vectors* constant;
-        const Vector* bound;
-        const Vector* angle = nullptr;
-        bool of_slip_alone = false;
-    };
-    void answer(std::size_t which, const Cause& cause, Vectors& dp);
-    // Adds the effect of the changing angles to the derivatives of the slip across the traction by each bound.
-    void add_angles(Matrix& aside) {
-        unit_.setZero();
-        slip_response_.setZero();
-        response_base_.forget();
-        for (Index l = 0; l < slipping_count(); ++l) {
-            unit_[slipping(l)] = 1;
-            answer(0, {nullptr, &unit_, nullptr, true}, response_[0]);
-            unit_[slipping(l)] = 0;
-            turn_.follow(slip_response_, angle_change_);
-            for (Index k = 0; k < slipping_count(); ++k) {
-                aside(k, l) -= slip_size(slipping(k)) * angle_change_[slipping(k)];
-            }
-        }
-    }
-
-    Equations equations_;
-    Search search_;
-    std::vector<Point> points_;  // solution without turned slip; with turned slip
-    SlipTurn<directions, Scalar> turn_, unturned_{0};
-    std::vector<Zone> zones_;
-    Vector slides_;
-    std::vector<Vectors> constant_, response_;
-    Vectors difference_;  // starting tractions of the second solution minus starting tractions of the first
-    Vectors slip_response_, against_slip_;
-    Vector angle_change_, right_, unit_;
-    typename Condensed::Base response_base_;
-    std::size_t at_ = 0;                                     // index of the condensed equations of the last solution
-    std::array<Scalar, std::size_t(directions)> imposed_{};  // max |c| of each solution
-    std::uint64_t revision_ = 0, roles_revision_ = 0;
-    Index stick_count_ = 0;
-    bool has_two_ = false;     // both solutions have constants of their own
-    bool is_apart_ = false;    // the last solution is the second one
-    bool has_turned_ = false;  // there has been a second solution since begin()
-    bool wants_tangents_ = true;
+    std::vector<Eliminated> eliminated_;
+    std::vector<typename Eliminated::Base> base_;  // contributions of c
+    std::vector<SlipDirectionSystem> sliding_;     // used with two directions
+    typename Eliminated::Base response_base_;
+    Vectors<directions> trial_, trial_slip_, change_, slip_change_, best_;
+    Vectors<directions> refined_;     // c'
+    Vectors<directions> difference_;  // starting tractions of the second pass minus those of the first
+    Vectors<directions> slip_response_, unit_response_;
+    VectorX<double> angle_change_, unit_;
+    SlipRotation<directions> unrotated_{0};
+    Homotopy<directions> homotopy_;
+    double excess_ = 0;      // largest excess of sticking tractions over their bounds, relative
+    double creep_ = 0;       // largest slip along tractions, or across them
+    double error_ = 0;       // A p + c - s of the last point; an estimate with two directions
+    double slip_scale_ = 0;  // rounding of the slip
+    double least_ = 0;       // natural residual at best_
+    std::size_t at_ = 0;     // index of the elimination of the last solution
+    std::uint64_t roles_revision_ = 0;
+    int refinements_ = 0;
+    bool is_rough_ = false;  // the last search ended near a solution
 };
 
-// Sets the zones, clears slip of round-off and returns the largest violation of the conditions.
-template <int directions, class Scalar>
-auto StickSlip<directions, Scalar>::publish(const Vector& bound) -> Scalar {
-    Point& point = points_[last()];
-    const SlipTurn<directions, Scalar>& turn = turn_of(last());
-    Scalar slip = search_.error(), excess = 0;
-    bool is_same = directions == 1;
-    const bool finite = is_finite(slip) && all_finite(point.traction) && all_finite(point.slip);
-    Index stick_count = 0;
+template <int directions>
+bool StickSlipSolver<directions>::iterate(const Search& search, int steps, double share) {
+    const auto& problem = search.problem;
+    Pass<directions>& pass = search.pass();
+    auto& base = base_[problem.history];
+    double before = huge;
+    is_rough_ = false;
+    for (int step = 0; step < steps; ++step) {
+        Eliminated* at = eliminate(search.number, pass.roles);
+        if (at == nullptr) return false;
+        at->find_base(matrix, refinements_ > 0 ? &refined_ : &problem.constant, base);
+        ++search.solution.rounds;
+        if (!take_step(search, *at)) return false;
+        double residual = natural_residual(search);
+        const bool stalls = !(residual < before), done = holds(stalls ? 1000 : 1);
+        if (!done && stalls) residual = shorten(search, before);
+        if (!is_finite(residual)) return false;
+        pass.traction = trial_;
+        pass.slip = trial_slip_;
+        if (residual < least_) {
+            least_ = residual;
+            best_ = pass.traction;
+        }
+        if (done) {
+            if (verify(search)) return true;
+            if (!refine(search)) return false;
+            before = huge;
+            continue;
+        }
+        if (search.roughly && residual < rough * problem.bound.sum()) return is_rough_ = true;
+        update_roles(search, step == 0 && !pass.roles.any_slides() ? share : 1.0);
+        before = residual;
+    }
+    return false;
+}
+
+// Takes the full Newton step into trial_; tractions that slide turn, and return to their bounds. False if the step does
+// not exist.
+template <int directions>
+bool StickSlipSolver<directions>::take_step(const Search& search, Eliminated& at) {
+    const auto& problem = search.problem;
+    const Roles<directions>& roles = search.pass().roles;
+    auto& base = base_[problem.history];
+    for (Index k = 0; k < at.others(); ++k) {
+        const Index i = at.other(k);
+        trial_.row(i) = problem.bound[i] * roles.direction.row(i);
+    }
+    if constexpr (directions == 2) {
+        if (at.sliding() > 0) {
+            SlipDirectionSystem& sliding = sliding_[search.number];
+            at.find_slip(matrix, base, trial_, trial_slip_);
+            sliding.aim(at, roles.direction, trial_slip_, problem.bound, problem.rotation);
+            if (!sliding.factorise(matrix, at)) return false;
+            sliding.turn(at, trial_slip_, trial_);
+            for (Index l = 0; l < at.sliding(); ++l) {
+                const Index i = at.other(l);
+                trial_.row(i) *= problem.bound[i] / length(Row(trial_.row(i)));
+            }
+        }
+    }
+    at.complete(matrix, base, trial_, trial_slip_);
+    return true;
+}
+
+// The residual of the natural map at the trial, summed over the elements. Clears the slip of sticking elements, which
+// with one direction is the error.
+template <int directions>
+double StickSlipSolver<directions>::natural_residual(const Search& search) {
+    const auto& problem = search.problem;
+    double residual = 0, most = 0;  // largest component of A p
+    excess_ = creep_ = error_ = 0;
     for (Index i = 0; i < size(); ++i) {
-        const Row p = point.traction.row(i), s = turn.turned(i, Row(point.slip.row(i)));
-        const Scalar norm = length(p);
-        const Role role = point.roles[i];
+        const Row p = trial_.row(i), slip = trial_slip_.row(i);
+        const double bound = problem.bound[i];
+        const Role role = search.pass().roles[i];
+        if (role == Role::sticks) {
+            const double norm = length(p);
+            if (!(norm <= bound)) {  // also NaN
+                residual += norm - bound;
+                excess_ = (std::max)(excess_, norm / bound - 1);
+            }
+            error_ = (std::max)(error_, length(slip));
+            trial_slip_.row(i).setZero();
+            continue;
+        }
+        most = (std::max)(most, (slip - problem.constant.row(i)).cwiseAbs().maxCoeff());
+        if (role == Role::is_free) continue;
+        // the product of tiny tractions and slips would vanish
+        const Row rotated = problem.rotation.turned(i, slip), along = p / bound;
+        creep_ = (std::max)({creep_, along.dot(rotated), std::abs(cross<directions>(along, rotated))});
+        residual += natural_residual(p, rotated, problem.projection_step[i], bound);
+    }
+    slip_scale_ = rounding(size()) * ((std::max)(most, problem.imposed) + problem.imposed);
+    return residual;
+}
+
+// Sets the zones, clears slip of round-off and finds the largest violation of the conditions.
+template <int directions>
+void StickSlipSolver<directions>::check(const Problem& problem, Solution& solution) {
+    Pass<directions>& pass = solution.pass[solution.last];
+    const auto& rotation = solution.last == 0 ? unrotated_ : solution.rotation;
+    const VectorX<double>& bound = problem.bound;
+    double slip = error_, excess = 0;
+    const bool finite = is_finite(slip) && all_finite(pass.traction) && all_finite(pass.slip);
+    bool is_same = directions == 1;
+    solution.stick_count = 0;
+    for (Index i = 0; i < size(); ++i) {
+        const Row p = pass.traction.row(i), s = rotation.turned(i, Row(pass.slip.row(i)));
+        const double norm = length(p);
+        const Role role = pass.roles[i];
         excess = (std::max)(excess, norm - bound[i]);
-        against_slip_.row(i).setZero();
-        slides_[i] = role == Role::slides ? Scalar(1) : Scalar(0);
+        solution.against_slip.row(i).setZero();
+        solution.slides[i] = role == Role::slides ? 1.0 : 0.0;
         Zone zone = role == Role::sticks ? Zone::stick : Zone::slip;
         if (role == Role::sticks) {
-            ++stick_count;
+            ++solution.stick_count;
             slip = (std::max)(slip, length(s));
-            point.slip.row(i).setZero();
+            pass.slip.row(i).setZero();
         } else if (role == Role::slides) {
-            const Row along = point.roles.direction.row(i);
-            const Scalar forward = along.dot(s);
+            const Row along = pass.roles.direction.row(i);
+            const double forward = along.dot(s);
             excess = (std::max)(excess, bound[i] - norm);
-            slip = (std::max)({slip, std::abs(cross<directions, Scalar>(along, s)), forward});
-            against_slip_.row(i) = turn.turned_back(i, along);
-            point.slip.row(i) = (std::min)(forward, Scalar(0)) * against_slip_.row(i);
+            slip = (std::max)({slip, std::abs(cross<directions>(along, s)), forward});
+            solution.against_slip.row(i) = rotation.turned_back(i, along);
+            pass.slip.row(i) = (std::min)(forward, 0.0) * solution.against_slip.row(i);
         }
         if (directions == 1 && zone == Zone::slip && (role == Role::slides ? p[0] > 0 : s[0] < 0)) {
             zone = Zone::slip_negative;
         }
-        Zone& published = zones_[static_cast<std::size_t>(i)];
+        Zone& published = solution.zones[static_cast<std::size_t>(i)];
         is_same = is_same && published == zone;
         published = zone;
     }
-    stick_count_ = stick_count;
-    if (!is_same) ++revision_;
-    if (!finite) return std::numeric_limits<Scalar>::quiet_NaN();
-    const Scalar most = bound.maxCoeff(), imposed = imposed_[own(last())];
-    return (std::max)(imposed > 0 ? slip / imposed : slip, most > 0 ? excess / most : excess);
+    if (!is_same) ++solution.revision;
+    const double most = bound.maxCoeff();
+    const double imposed = largest(problem.constant[problem.two_histories ? solution.last : 0]);
+    solution.residual = finite ? (std::max)(imposed > 0 ? slip / imposed : slip, most > 0 ? excess / most : excess)
+                               : std::numeric_limits<double>::quiet_NaN();
 }
 
-// Finds dp, and the response of the slip in slip_response_.
-template <int directions, class Scalar>
-void StickSlip<directions, Scalar>::answer(std::size_t which, const Cause& cause, Vectors& dp) {
-    const Point& point = points_[which];
-    Condensed& at = *equations_.condense(which, point.roles);
-    at.find_base(equations_.matrix, cause.constant, response_base_);
+// Finds dp of a pass, and the response of its slip in slip_response_.
+template <int directions>
+void StickSlipSolver<directions>::respond(const Solution& solution, std::size_t number, const Cause& cause,
+                                          Vectors<directions>& dp) {
+    const Pass<directions>& pass = solution.pass[number];
+    Eliminated& at = *eliminate(number, pass.roles);
+    at.find_base(matrix, cause.constant, response_base_);
     for (Index k = 0; k < at.others(); ++k) {
         const Index i = at.other(k);
-        dp.row(i) = (cause.bound == nullptr ? Scalar(0) : (*cause.bound)[i]) * point.roles.direction.row(i);
+        dp.row(i) = (cause.bound == nullptr ? 0.0 : (*cause.bound)[i]) * pass.roles.direction.row(i);
     }
     if constexpr (directions == 2) {
         if (at.sliding() > 0) {
-            at.find_slip(equations_.matrix, response_base_, dp, slip_response_);
+            at.find_slip(matrix, response_base_, dp, slip_response_);
             for (Index l = 0; cause.angle != nullptr && l < at.sliding(); ++l) {
                 const Index i = at.other(l);
-                slip_response_.row(i) += (*cause.angle)[i] * Row(-point.slip(i, 1), point.slip(i, 0));
+                slip_response_.row(i) += (*cause.angle)[i] * Row(-pass.slip(i, 1), pass.slip(i, 0));
             }
-            equations_.sliding[which].turn(at, slip_response_, dp);
+            sliding_[number].turn(at, slip_response_, dp);
         }
-        if (cause.of_slip_alone) return at.find_slip(equations_.matrix, response_base_, dp, slip_response_);
+        if (cause.of_slip_alone) return at.find_slip(matrix, response_base_, dp, slip_response_);
     }
-    at.complete(equations_.matrix, response_base_, dp, slip_response_);
+    at.complete(matrix, response_base_, dp, slip_response_);
 }
 
-template <int directions, class Scalar>
-void StickSlip<directions, Scalar>::couple(bool exact, Matrix& coupling, Matrix& across, Matrix& aside) {
-    const Index count = slipping_count();
-    Condensed& at = equations_.condensed[at_];
-    auto result = coupling.topLeftCorner(count, count);
+template <int directions>
+void StickSlipSolver<directions>::find_slip_by_bounds(const Solution& solution, const Centres* centres, bool exact,
+                                                      MatrixX<double>& result, MatrixX<double>& across,
+                                                      MatrixX<double>& aside) {
+    const Index count = sliding_count();
+    Eliminated& at = eliminated_[at_];
+    auto derivatives = result.topLeftCorner(count, count);
     if constexpr (directions == 1) {
-        for (Index k = 0; k < count; ++k) right_[k] = points_[0].roles.direction(slipping(k), 0);
-        at.form(equations_.matrix, right_, right_, result);
+        for (Index k = 0; k < count; ++k) unit_[k] = solution.pass[0].roles.direction(sliding(k), 0);
+        at.form(matrix, unit_, unit_, derivatives);
     } else {
-        Sliding<Scalar>& sliding = equations_.sliding[last()];
+        SlipDirectionSystem& own = sliding_[solution.last];
         auto by_turn = across.topLeftCorner(count, count), turn = aside.topLeftCorner(count, count);
-        at.form(equations_.matrix, sliding.against(), sliding.along(), result);
-        at.form(equations_.matrix, sliding.against(), sliding.across(), by_turn);
-        at.form(equations_.matrix, sliding.aside(), sliding.along(), turn);
-        if (exact && turn_.follows()) add_angles(aside);
-        sliding.solve_columns(turn);
-        for (Index k = 0; k < count; ++k) result.col(k).noalias() -= by_turn * turn.col(k);
+        at.form(matrix, own.against(), own.along(), derivatives);
+        at.form(matrix, own.against(), own.across(), by_turn);
+        at.form(matrix, own.aside(), own.along(), turn);
+        if (exact && solution.rotation.follows()) add_angle_changes(solution, *centres, aside);
+        own.solve_columns(turn);
+        for (Index k = 0; k < count; ++k) derivatives.col(k).noalias() -= by_turn * turn.col(k);
+    }
+}
+
+// Adds the effect of the changing angles to the derivatives of the slip across the traction by each bound.
+template <int directions>
+void StickSlipSolver<directions>::add_angle_changes(const Solution& solution, const Centres& centres,
+                                                    MatrixX<double>& aside) {
+    unit_.setZero();
+    slip_response_.setZero();
+    response_base_.forget();
+    for (Index l = 0; l < sliding_count(); ++l) {
+        unit_[sliding(l)] = 1;
+        respond(solution, 0, {nullptr, &unit_, nullptr, true}, unit_response_);
+        unit_[sliding(l)] = 0;
+        solution.rotation.find_angle_change(centres, slip_response_, angle_change_);
+        for (Index k = 0; k < sliding_count(); ++k) {
+            aside(k, l) -= solution.slip_size(sliding(k)) * angle_change_[sliding(k)];
+        }
     }
 }
 

@@ -31,7 +31,7 @@ namespace rollbem {
 /// The ellipse on one mesh. With a = G = 1 and mu N = G a b, creepages are the given numbers, and a force over mu N
 /// is the force over b.
 struct CreepForceSource::Patch {
-    using Model = FrictionModel<ConstantFriction<double>, 2>;
+    using Model = FrictionModel;
 
     Patch(const PatchContact<double>& contact, PatchMesh<double> given)
         : mesh(std::move(given)),

@@ -79,9 +79,9 @@ struct RollingPatches {
 
 /// Rigid slip of the elements of all patches in addition to the slip by the first patch's creepages: creepages of other
 /// patches differ a little, as the patches lie at other depths.
-inline ElementVectors<double> slip_besides(const PatchMeshes& meshes, const Elements<double>& elements,
-                                           const RollingPatches& rolling, const RollingFriction& friction) {
-    ElementVectors<double> rows = ElementVectors<double>::Zero(elements.size(), 2);
+inline ElementVectors slip_besides(const PatchMeshes& meshes, const Elements<double>& elements,
+                                   const RollingPatches& rolling, const RollingFriction& friction) {
+    ElementVectors rows = ElementVectors::Zero(elements.size(), 2);
     const Creepage<double> first = rolling.creepage(0);
     for (std::size_t k = 0; k < meshes.patches.size(); ++k) {
         const Eigen::ArrayXd x = meshes.unit * elements.x.segment(meshes.first(k), meshes.size(k)),
@@ -100,7 +100,7 @@ inline ElementVectors<double> slip_besides(const PatchMeshes& meshes, const Elem
 
 /// Force and moment of the tractions [Pa] on a patch's elements.
 inline TangentialForce<double> force_of(const std::vector<Rectangle<double>>& elements,
-                                        const ElementVectors<double>& tractions) {
+                                        const ElementVectors& tractions) {
     TangentialForce<double> force{0, 0, 0};
     for (std::size_t i = 0; i < elements.size(); ++i) {
         const auto& [x_1, x_2, y_1, y_2] = elements[i];
@@ -160,7 +160,7 @@ inline PatchTemperatures temperatures_of(const std::vector<Rectangle<double>>& e
 struct MeshFriction {
     Status status = Status::not_finite;
     TangentialForce<double> force;
-    ElementVectors<double> tractions;
+    ElementVectors tractions;
     Eigen::ArrayXd work;
     std::vector<double> peaks{};  ///< largest temperature of each patch [K]; empty: not known
 };
@@ -210,7 +210,7 @@ public:
     }
 
     /// Loads of the rail's surface under tractions of the wheel.
-    std::vector<LoadedRectangle> surface(const ElementVectors<double>& tractions) const {
+    std::vector<LoadedRectangle> surface(const ElementVectors& tractions) const {
         std::vector<LoadedRectangle> found;
         for (const PatchMesh<double>& mesh : meshes_.patches) {
             for (const auto& [x_1, x_2, y_1, y_2] : mesh.rectangles(meshes_.unit)) {
@@ -229,9 +229,9 @@ private:
         const FrictionModel model(contact_, system_, {most, std::move(bounds)});
         auto workspace = model.workspace();
         auto state = model.at_rest();
-        const ElementVectors<double> rows = slip_besides(meshes_, system_.elements(), rolling_, friction_);
+        const ElementVectors rows = slip_besides(meshes_, system_.elements(), rolling_, friction_);
         const RigidMotion<Creepage<double>> motion(rolling_.creepage(0));
-        const FrictionStep<2> step =
+        const FrictionStep step =
             model.steady(model.at_rest(), {Travel<>::at_speed(1), motion.with_rows(rows)}, state, workspace);
         return {step.status, step.force, state.traction, workspace.slip_work()};
     }

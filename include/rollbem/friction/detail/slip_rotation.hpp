@@ -23,38 +23,28 @@ namespace rollbem::detail {
 ///
 /// Angles are at most 60 degrees, and 0 where an element does not slip, or s_i or m_i vanishes. With one direction
 /// nothing turns. All memory is allocated by the constructor.
-template <int directions, class Scalar>
-class SlipTurn {
+template <int directions>
+class SlipRotation {
 public:
-    using Index = Eigen::Index;
-    using Vectors = ElementVectors<Scalar, directions>;
-    using Row = ElementVector<directions, Scalar>;
+    using Row = ElementVector<directions>;
 
-    explicit SlipTurn(Index n)
-        : rotation_(Vectors::Zero(n, directions)),
+    explicit SlipRotation(Index n)
+        : rotation_(Vectors<directions>::Zero(n, directions)),
           along_slip_(rotation_),
           along_centre_(rotation_),
-          rate_(VectorX<Scalar>::Zero(n)) {}
-
-    /// Sets the interpolation to the centres; slip is turned to its values from now on. Null: slip is not turned. Keeps
-    /// the pointer.
-    void turn_to(const CentreValues<Scalar>* centres) {
-        centres_ = centres;
-        stop();
-    }
+          rate_(VectorX<double>::Zero(n)) {}
 
     bool turns() const { return turns_; }
     /// Whether any angle changes with the slip that find() was called with.
     bool follows() const { return follows_; }
     void stop() { turns_ = follows_ = false; }
     /// Finds the angles of a solution whose slip has not been turned. False if there is nothing to turn.
-    bool find(const Vectors& slip, const Roles<directions, Scalar>& roles) {
+    bool find(const CentreValues<double>& centres, const Vectors<directions>& slip, const Roles<directions>& roles) {
         stop();
-        if (centres_ == nullptr) return false;
         rate_.setZero();
         for (Index i = 0; i < rate_.size(); ++i) {
             set(i, 1, 0);
-            if (roles[i] == Role::slides) find_angle(i, slip);
+            if (roles[i] == Role::slides) find_angle(centres, i, slip);
         }
         return turns_;
     }
@@ -62,20 +52,21 @@ public:
     /// Halves all angles.
     void halve() {
         for (Index i = 0; i < rate_.size(); ++i) {
-            const Scalar cosine = std::sqrt((1 + cosine_of(i)) / 2);  // at least cos 30 degrees
+            const double cosine = std::sqrt((1 + cosine_of(i)) / 2);  // at least cos 30 degrees
             set(i, cosine, sine_of(i) / (2 * cosine));
         }
         rate_ /= 2;
     }
 
     /// Finds the changes of the angles caused by a change of the slip that find() was called with.
-    void follow(const Vectors& slip_change, VectorX<Scalar>& angle_change) const {
+    void find_angle_change(const CentreValues<double>& centres, const Vectors<directions>& slip_change,
+                           VectorX<double>& angle_change) const {
         angle_change.setZero();
         for (Index i = 0; i < rate_.size(); ++i) {
             if (rate_[i] == 0) continue;
-            const Row centre = at_centre(i, slip_change), own = slip_change.row(i);
-            angle_change[i] = rate_[i] * (cross<directions, Scalar>(along_centre_.row(i), centre) -
-                                          cross<directions, Scalar>(along_slip_.row(i), own));
+            const Row centre = at_centre(centres, i, slip_change), own = slip_change.row(i);
+            angle_change[i] = rate_[i] * (cross<directions>(along_centre_.row(i), centre) -
+                                          cross<directions>(along_slip_.row(i), own));
         }
     }
 
@@ -84,13 +75,13 @@ public:
     Row turned_back(Index i, const Row& v) const { return turns_ ? rotated(v, cosine_of(i), -sine_of(i)) : v; }
 
 private:
-    Scalar cosine_of(Index i) const { return rotation_(i, 0); }
-    Scalar sine_of(Index i) const { return rotation_(i, directions - 1); }
-    void set(Index i, Scalar cosine, Scalar sine) {
+    double cosine_of(Index i) const { return rotation_(i, 0); }
+    double sine_of(Index i) const { return rotation_(i, directions - 1); }
+    void set(Index i, double cosine, double sine) {
         rotation_(i, 0) = cosine;
         if constexpr (directions == 2) rotation_(i, 1) = sine;
     }
-    static Row rotated(const Row& v, [[maybe_unused]] Scalar cosine, [[maybe_unused]] Scalar sine) {
+    static Row rotated(const Row& v, [[maybe_unused]] double cosine, [[maybe_unused]] double sine) {
         if constexpr (directions == 1) {
             return v;
         } else {
@@ -99,35 +90,34 @@ private:
     }
 
     // The angle from s_i to m_i.
-    void find_angle(Index i, const Vectors& slip) {
-        const Row own = slip.row(i), centre = at_centre(i, slip);
-        const Scalar size = length(own), centre_size = length(centre);
+    void find_angle(const CentreValues<double>& centres, Index i, const Vectors<directions>& slip) {
+        const Row own = slip.row(i), centre = at_centre(centres, i, slip);
+        const double size = length(own), centre_size = length(centre);
         if (!(size > 0) || !(centre_size > 0)) return;
         // unit vectors, as products of large slips overflow
         const Row along = own / size, aim = centre / centre_size;
-        const Scalar cosine = along.dot(aim), sine = cross<directions, Scalar>(along, aim);
+        const double cosine = along.dot(aim), sine = cross<directions>(along, aim);
         if (!is_finite(cosine)) return;
         along_slip_.row(i) = along / size;
         along_centre_.row(i) = aim / centre_size;
-        const bool cut = cosine < Scalar(0.5);
+        const bool cut = cosine < 0.5;
         rate_[i] = cut ? 0 : 1;
         follows_ = follows_ || !cut;
         if (!(sine != 0)) return;
-        set(i, cut ? Scalar(0.5) : cosine, cut ? std::copysign(std::sqrt(Scalar(0.75)), sine) : sine);
+        set(i, cut ? 0.5 : cosine, cut ? std::copysign(std::sqrt(0.75), sine) : sine);
         turns_ = true;
     }
 
     // m_i
-    Row at_centre(Index i, const Vectors& slip) const {
+    Row at_centre(const CentreValues<double>& centres, Index i, const Vectors<directions>& slip) const {
         Row centre;
-        for (Index d = 0; d < directions; ++d) centre[d] = centres_->at(i, slip.col(d));
+        for (Index d = 0; d < directions; ++d) centre[d] = centres.at(i, slip.col(d));
         return centre;
     }
 
-    const CentreValues<Scalar>* centres_ = nullptr;
-    Vectors rotation_;                   // cosine and sine of the angles
-    Vectors along_slip_, along_centre_;  // s_i and m_i of the angles, each over the square of its length
-    VectorX<Scalar> rate_;               // 1 for angles that follow the slip, halved with them; 0 for others
+    Vectors<directions> rotation_;                   // cosine and sine of the angles
+    Vectors<directions> along_slip_, along_centre_;  // s_i and m_i of the angles, each over the square of its length
+    VectorX<double> rate_;  // 1 for angles that follow the slip, halved with them; 0 for others
     bool turns_ = false, follows_ = false;
 };
 

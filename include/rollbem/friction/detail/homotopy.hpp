@@ -13,8 +13,8 @@
 #include "../../detail/length.hpp"
 #include "../../types.hpp"
 #include "../state.hpp"
+#include "problem_view.hpp"
 #include "roles.hpp"
-#include "slip_problem.hpp"
 
 namespace rollbem::detail {
 
@@ -24,20 +24,18 @@ namespace rollbem::detail {
 /// intervals) with radii of t times the bounds and is rounded off in proportion to 1 - t, so that it is smooth below
 /// t = 1.
 ///
-/// Since p is bounded, for almost every d the path is one smooth curve that ends at t = 1, whatever M (Chow, Mallet-Paret
-/// and Yorke 1978). It may turn back in t, and is therefore followed by its length. Where M with its rows weighted by
-/// the elements' areas is positive definite, each t has one solution, and the path does not turn back. d points in
-/// directions that differ by an irrational angle from element to element. All memory is allocated by the constructor.
-template <int directions, class Scalar>
-class SlipPath {
+/// Since p is bounded, for almost every d the path is one smooth curve that ends at t = 1, whatever M (Chow,
+/// Mallet-Paret and Yorke 1978). It may turn back in t, and is therefore followed by its length. Where M with its rows
+/// weighted by the elements' areas is positive definite, each t has one solution, and the path does not turn back. d
+/// points in directions that differ by an irrational angle from element to element. All memory is allocated by the
+/// constructor.
+template <int directions>
+class Homotopy {
 public:
-    using Index = Eigen::Index;
-    using Vector = VectorX<Scalar>;
-    using Vectors = ElementVectors<Scalar, directions>;
-    using Row = ElementVector<directions, Scalar>;
-    using Problem = SlipProblem<directions, Scalar>;
+    using Row = ElementVector<directions>;
+    using Problem = ProblemView<directions>;
 
-    explicit SlipPath(Index n)
+    explicit Homotopy(Index n)
         : matrix_(directions * n + 1, directions * n + 1),
           swaps_(static_cast<std::size_t>(directions * n + 1)),
           at_(directions * n + 1),
@@ -55,14 +53,14 @@ public:
     void begin(const Problem& problem, int number) {
         const Index n = scale_.size(), last = at_.size() - 1;
         for (Index i = 0; i < n; ++i) {
-            const Scalar angle = golden_angle * static_cast<Scalar>(i + number * (n + 1));
+            const double angle = golden_angle * static_cast<double>(i + number * (n + 1));
             offset_(i, 0) = problem.imposed / 50 * std::cos(angle);
             if constexpr (directions == 2) offset_(i, 1) = problem.imposed / 50 * std::sin(angle);
         }
         column_ = problem.constant + offset_;
         for (Index i = 0; i < n; ++i) {
-            const Row z = -problem.reach[i] * problem.turn.turned(i, Row(column_.row(i)));
-            scale_[i] = std::sqrt(static_cast<Scalar>(n)) * (problem.bound[i] + length(z));
+            const Row z = -problem.projection_step[i] * problem.rotation.turned(i, Row(column_.row(i)));
+            scale_[i] = std::sqrt(static_cast<double>(n)) * (problem.bound[i] + length(z));
             if (!(scale_[i] > 0)) scale_[i] = 1;
             rows(trial_.data()).row(i) = z / scale_[i];
         }
@@ -73,7 +71,7 @@ public:
         at_ = trial_;
         forward_ = change_ / change_.norm();
         length_ = longest / 2;
-        rest_ = Scalar(0.5);
+        rest_ = 0.5;
         points_ = 0;
     }
 
@@ -81,7 +79,7 @@ public:
     bool advance(const Problem& problem) {
         const Index last = at_.size() - 1;
         const int stop = points_ + most_together;
-        while (points_ < most_points && length_ > std::sqrt(std::numeric_limits<Scalar>::epsilon())) {
+        while (points_ < most_points && length_ > std::sqrt(std::numeric_limits<double>::epsilon())) {
             trial_ = at_ + length_ * forward_;
             const int corrections = correct(problem);
             if (corrections == 0) {
@@ -102,32 +100,32 @@ public:
     }
 
     /// P_1(z) after advance(): near a solution if 1 - t is small.
-    const Vectors& traction() const { return traction_; }
+    const Vectors<directions>& traction() const { return traction_; }
     int points() const { return points_; }  ///< number of points so far
 
 private:
-    static constexpr Scalar golden_angle = Scalar(2.39996322972865332L);
+    static constexpr double golden_angle = 2.39996322972865332;
     // The following values were found by trial, with random matrices and patches. Lengths are norms of the scaled
     // unknowns of all elements.
-    static constexpr Scalar longest = Scalar(0.25);
-    static constexpr Scalar most_turn = Scalar(1.2);  // 1/cos of the angle from one point to the next
+    static constexpr double longest = 0.25;
+    static constexpr double most_turn = 1.2;  // 1/cos of the angle from one point to the next
     static constexpr int most_together = 8;
     static constexpr int most_points = 500;
 
-    static Scalar over(Scalar a, Scalar b) { return b > 0 ? a / b : Scalar(0); }
+    static double over(double a, double b) { return b > 0 ? a / b : 0.0; }
 
     // Newton's method from trial_ to the path, at right angles to forward_; change_ becomes the path's direction there.
     // Returns the number of steps; 0 if it does not converge fast, or if the path turns much.
     int correct(const Problem& problem) {
         const Index last = trial_.size() - 1;
-        Scalar before = length_ / 2;
+        double before = length_ / 2;
         for (int k = 1; k <= 5; ++k) {
             if (!(trial_[last] >= 0 && trial_[last] < 1)) return 0;
-            const Scalar size = linearise(problem);
+            const double size = linearise(problem);
             if (!(size <= before / 2)) return 0;
             before = size;
-            if (!(size <= Scalar(1e-3) * length_)) continue;
-            const Scalar turn = change_.norm();  // as forward_ . change_ = 1
+            if (!(size <= 1e-3 * length_)) continue;
+            const double turn = change_.norm();  // as forward_ . change_ = 1
             change_ /= turn;
             return turn < most_turn && trial_[last] >= 0 && trial_[last] < 1 ? k : 0;
         }
@@ -135,25 +133,26 @@ private:
     }
 
     // Takes a Newton step of trial_ and returns its size; change_ becomes the path's direction.
-    Scalar linearise(const Problem& problem) {
+    double linearise(const Problem& problem) {
         set_up(problem);
-        factorise_in_place<Scalar>(matrix_, swaps_.data());
-        solve_in_place<Scalar>(matrix_, swaps_.data(), change_);
-        const Scalar size = change_.norm();
+        factorise_in_place<double>(matrix_, swaps_.data());
+        solve_in_place<double>(matrix_, swaps_.data(), change_);
+        const double size = change_.norm();
         trial_ -= change_;
         change_.setZero();
         change_[change_.size() - 1] = 1;
-        solve_in_place<Scalar>(matrix_, swaps_.data(), change_);
+        solve_in_place<double>(matrix_, swaps_.data(), change_);
         return size;
     }
 
     // The elements' part of all unknowns, the last of which is t.
-    auto rows(Scalar* unknowns) const { return Eigen::Map<Vectors>(unknowns, scale_.size(), directions); }
+    auto rows(double* unknowns) const { return Eigen::Map<Vectors<directions>>(unknowns, scale_.size(), directions); }
 
     // Writes rho R times the vectors in column_, over the elements' scales, and 0 for t.
-    void put(const Problem& problem, Scalar* target) const {
+    void put(const Problem& problem, double* target) const {
         for (Index i = 0; i < scale_.size(); ++i) {
-            rows(target).row(i) = problem.reach[i] / scale_[i] * problem.turn.turned(i, Row(column_.row(i)));
+            rows(target).row(i) =
+                problem.projection_step[i] / scale_[i] * problem.rotation.turned(i, Row(column_.row(i)));
         }
         target[column_.size()] = 0;
     }
@@ -163,11 +162,11 @@ private:
         const Index n = scale_.size(), last = directions * n;
         const auto scale = scale_.array().template replicate<1, directions>();
         find_tractions(problem);
-        problem.equations.matrix.multiply(traction_, column_);
+        problem.matrix.multiply(traction_, column_);
         column_ += problem.constant + (1 - trial_[last]) * offset_;
         put(problem, change_.data());
         rows(change_.data()) += rows(trial_.data()) - (traction_.array() / scale).matrix();
-        problem.equations.matrix.multiply(growth_, column_);
+        problem.matrix.multiply(growth_, column_);
         column_ -= offset_;
         put(problem, matrix_.col(last).data());
         rows(matrix_.col(last).data()).array() -= growth_.array() / scale;
@@ -178,7 +177,7 @@ private:
     }
     // Writes the derivatives by z of element i in direction e.
     void set_up_column(const Problem& problem, Index e, Index i) {
-        const SlipMatrix<directions, Scalar>& M = problem.equations.matrix;
+        const SlipMatrix<directions>& M = problem.matrix;
         const Row slope = slope_.row(i).template segment<directions>(directions * e);
         for (Index d = 0; d < directions; ++d) {
             const auto own = static_cast<std::size_t>(d);
@@ -196,22 +195,22 @@ private:
     // Finds P_t(z) = 2 g z/(|r - g, w| + |r + g, w|), r = |z|, g the bound and w the rounding, and its derivatives.
     void find_tractions(const Problem& problem) {
         const Index n = scale_.size();
-        const Scalar t = trial_[directions * n];
+        const double t = trial_[directions * n];
         for (Index i = 0; i < n; ++i) {
             const Row z = scale_[i] * rows(trial_.data()).row(i);
-            const Scalar g_t = problem.bound[i], w_t = 2 * (1 - 2 * t) * problem.bound[i];
-            const Scalar r = length(z), g = t * problem.bound[i], w = 2 * (1 - t) * g;
-            const Scalar low = length(r - g, w), high = length(r + g, w), sum = low + high;
+            const double g_t = problem.bound[i], w_t = 2 * (1 - 2 * t) * problem.bound[i];
+            const double r = length(z), g = t * problem.bound[i], w = 2 * (1 - t) * g;
+            const double low = length(r - g, w), high = length(r + g, w), sum = low + high;
             if (!(sum > 0) || problem.bound[i] == 0) {
                 traction_.row(i).setZero();
                 growth_.row(i).setZero();
                 slope_.row(i).setZero();
                 continue;
             }
-            const Scalar share = 2 * g / sum;
-            const Scalar sum_r = over(r - g, low) + over(r + g, high);
-            const Scalar sum_t = over((g - r) * g_t + w * w_t, low) + over((g + r) * g_t + w * w_t, high);
-            const Scalar share_t = (2 * g_t - share * sum_t) / sum, bend = -share * over(sum_r / sum, r);
+            const double share = 2 * g / sum;
+            const double sum_r = over(r - g, low) + over(r + g, high);
+            const double sum_t = over((g - r) * g_t + w * w_t, low) + over((g + r) * g_t + w * w_t, high);
+            const double share_t = (2 * g_t - share * sum_t) / sum, bend = -share * over(sum_r / sum, r);
             traction_.row(i) = share * z;
             growth_.row(i) = share_t * z;
             for (Index e = 0; e < directions; ++e) {
@@ -222,16 +221,16 @@ private:
         }
     }
 
-    MatrixX<Scalar> matrix_;
+    MatrixX<double> matrix_;
     std::vector<Index> swaps_;
-    Vector at_, forward_, trial_, change_;  // z over scale_, direction by direction; t
-    Vector scale_;
-    Vectors offset_;             // d
-    Vectors traction_, growth_;  // p, dp/dt
-    Vectors column_;
-    Eigen::Matrix<Scalar, Eigen::Dynamic, directions * directions> slope_;  // dp/dz
-    Scalar length_ = 0;                                                     // length of the next step
-    Scalar rest_ = 0;                                                       // value of 1 - t where advance() stops
+    VectorX<double> at_, forward_, trial_, change_;  // z over scale_, direction by direction; t
+    VectorX<double> scale_;
+    Vectors<directions> offset_;             // d
+    Vectors<directions> traction_, growth_;  // p, dp/dt
+    Vectors<directions> column_;
+    Eigen::Matrix<double, Eigen::Dynamic, directions * directions> slope_;  // dp/dz
+    double length_ = 0;                                                     // length of the next step
+    double rest_ = 0;                                                       // value of 1 - t where advance() stops
     int points_ = 0;
 };
 

@@ -1,0 +1,564 @@
+// A step with friction, or steady rolling: the problems of its stages, their solutions, the result and its tangents.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include <Eigen/Core>
+
+#include "../../detail/fingerprint.hpp"
+#include "../../detail/finite.hpp"
+#include "../../detail/require.hpp"
+#include "../../normal/load.hpp"
+#include "../../rolling/rigid_slip.hpp"
+#include "../../rolling/stage_equations.hpp"
+#include "../../rolling/time_step.hpp"
+#include "../../scene/contact_units.hpp"
+#include "../../scene/directions.hpp"
+#include "../../scene/force.hpp"
+#include "../../scene/semi_axes.hpp"
+#include "../../status.hpp"
+#include "../../system/element_blocks.hpp"
+#include "../../types.hpp"
+#include "../law.hpp"
+#include "../state.hpp"
+#include "friction_evolution.hpp"
+#include "slip_work.hpp"
+#include "stick_slip.hpp"
+
+namespace rollbem::detail {
+
+/// A contact with friction: constant, and shared by its steps. Dimensionless: tractions in G, lengths in a_0.
+template <int directions>
+struct ContactData {
+    /// `along` is the direction of a system of one, 0 longitudinal or 1 lateral; else 0. Throws std::invalid_argument,
+    /// in the name of `who`, if the law is invalid for the system.
+    ContactData(const char* who, const ContactUnits<double>& contact_units, ElementSystem<double, directions> of,
+                const Friction& friction, Index along = 0);
+
+    ElementSystem<double, directions> system;
+    ContactUnits<double> units;
+    RigidSlip<directions, double> rigid;
+    ContactForces<directions, double> forces;
+    Index direction;
+    bool rotates;  ///< slip is rotated to its direction at the centres
+    SlipWork work;
+    FrictionLaw law;
+    FrictionMemory memory;
+    ArrayX<double> normal_pressure;  ///< of the unknown elements [Pa]
+    bool with_tangents;
+    /// By the former a solver recognises its matrices; by the latter, of G', the areas, the contact and the pressures,
+    /// a model its states.
+    std::uint64_t matrices, fingerprint;
+
+    Index size() const { return system.size(); }
+    bool varies() const { return !law.is_constant(); }
+    double bound_per_pressure() const { return (varies() ? 1 : law.at_rest()) / units.shear_modulus; }
+    const CentreValues<double>* centres() const { return rotates ? &work.centres() : nullptr; }
+    /// The columns of vectors in two directions that belong to the contact.
+    template <class Both>
+    auto along(Both& vectors) const {
+        return vectors.template middleCols<directions>(direction);
+    }
+    // Unit [J] of the work of tractions in G and displacements in a_0.
+    double energy_unit(const SemiAxes<double>& at) const {
+        return units.width * units.length * units.length * units.shear_modulus * at.half_length * at.half_width;
+    }
+};
+
+template <int directions>
+ContactData<directions>::ContactData(const char* who, const ContactUnits<double>& contact_units,
+                                     ElementSystem<double, directions> of, const Friction& friction, Index along)
+    : system(std::move(of)),
+      units(contact_units),
+      rigid(units, inputs(system), 1.0),
+      forces(units, outputs(system), 1.0),
+      direction(along),
+      rotates(directions == 2 && system.elements().half_element_ahead),
+      work(system.elements(), rotates),
+      law(friction.law),
+      memory(friction.memory),
+      with_tangents(friction.with_tangents) {
+    require_valid(who, friction, system.element_count(), size());
+    require(memory.distance == 0 || system.elements().is_one_strip(), who, "distance of the memory", memory.distance,
+            "be 0 for elements in several strips");
+    normal_pressure = friction.normal_pressure.head(size());
+    Fingerprint own, pressures;
+    for (std::size_t d = 0; d < directions; ++d) {
+        for (std::size_t e = 0; e < directions; ++e) own.add(slope(system, d, e));
+    }
+    own.add(system.elements().areas);
+    pressures.add(normal_pressure);  // otherwise a state would continue under another model's pressures
+    matrices = system.has_G() ? system.fingerprint() : own.value();
+    fingerprint = units.fingerprint ^ own.value() ^ pressures.value();
+}
+
+/// The load at the end of a step: pressures [Pa] of at least all unknown elements, half-length and half-width [m];
+/// pressure_rate, d pressure / d load, is null without a load of its own.
+struct LoadAtEnd {
+    const ArrayX<double>& pressure;
+    double half_length, half_width;
+    const ArrayX<double>* pressure_rate = nullptr;
+};
+
+/// Memory of the tangents of a step, allocated by the constructor.
+template <int directions>
+struct TangentScratch {
+    using By = Parameters<directions>;
+    /// One for each StageProblem::constant.
+    using OfHistories = std::array<Vectors<directions>, directions>;
+
+    explicit TangentScratch(Index n)
+        : rate(Vectors<directions>::Zero(n, directions)),
+          bound_rate(VectorX<double>::Zero(n)),
+          stage_bound_rate(bound_rate) {
+        right.fill(rate);
+        response.fill(rate);
+        for (OfHistories& each : carried) each.fill(rate);
+    }
+
+    std::array<bool, By::count> asked{};  ///< parameters of the wanted tangents
+    Vectors<directions> rate;
+    OfHistories right, response;                   ///< dc and dp of a tangent
+    std::array<OfHistories, By::count> carried;    ///< dc of the second stage caused by the first
+    VectorX<double> bound_rate, stage_bound_rate;  ///< d bound / d load at the end of the step; in the stage
+    /// The last response to the creepage with one direction. In rolling the next is often the same; its tangent or its
+    /// contribution to the second stage is then known.
+    struct Memo {
+        std::uint64_t revision = 0;  ///< of the linear equations; 0 if nothing is kept
+        double factor_by_end = 0;
+        SemiAxes<double> axes = contact_axes<double>;
+        double tangent = 0;  ///< of the force, if the stage was the last
+    };
+    std::array<Memo, 3> memo;  ///< of the first of two stages, of a single stage, and of the second stage
+};
+
+/// All memory of a step, allocated by the constructor. Keeps no reference.
+template <int directions>
+struct StepScratch {
+    using OfHistories = typename TangentScratch<directions>::OfHistories;
+
+    StepScratch(Index n, bool coupled, bool slip_dependent)
+        : solver(n, coupled),
+          problem(n),
+          solution(n),
+          mu(slip_dependent ? n : 0),
+          tangents(n),
+          first(Vectors<directions>::Zero(n, directions)),
+          change(first),
+          slip(first),
+          work(VectorX<double>::Zero(n)) {
+        start.fill(first);
+        displacement.fill(first);
+    }
+
+    /// The contact and the stage to which the solver's matrix belongs.
+    std::uint64_t matrices = 0;
+    std::optional<RollingStage<double>> geometry;
+    StickSlipSolver<directions> solver;
+    StageProblem<directions> problem;
+    StageSolution<directions> solution;
+    CoefficientScratch<directions> mu;
+    TangentScratch<directions> tangents;
+    OfHistories start, displacement;  ///< tractions and displacements from which a stage starts
+    Vectors<directions> first;        ///< tractions after the first of two stages
+    Vectors<directions> change;       ///< slip of the stage, weighted
+    Vectors<directions> slip;         ///< summed over the stages
+    VectorX<double> work;             ///< summed over the stages
+};
+
+/// What a step is solved from, and its memory: references to values of the caller, made on the stack for one step.
+template <int directions>
+struct StepView {
+    const ContactData<directions>& contact;
+    const TimeStep<directions, double>& step;
+    const FrictionState& from;
+    const LoadAtEnd& load;
+    StepScratch<directions>& scratch;
+
+    StageView<directions> stage() const {
+        return {scratch.problem, contact.centres(), scratch.solver, scratch.solution};
+    }
+    Coefficients<directions> coefficients() const {
+        return {contact.law,
+                contact.memory,
+                contact.system.elements(),
+                step,
+                from.friction_coefficient,
+                from.solver.stage_coefficient,
+                scratch.mu};
+    }
+    std::size_t histories() const { return scratch.problem.two_histories ? 2 : 1; }
+};
+
+/// Says which tangents are wanted, sets the sums over the stages to 0, and the tractions and displacements from which
+/// the first stage starts.
+template <int directions>
+void begin(const StepView<directions>& view) {
+    using By = Parameters<directions>;
+    const auto& [contact, step, from, load, scratch] = view;
+    const auto* const rate = step.steady ? nullptr : load.pressure_rate;
+    auto& asked = scratch.tangents.asked;
+    asked = {true};
+    asked[By::load] = rate != nullptr && rate->size() > 0;
+    asked[By::half_length] = rate != nullptr && step.rolls() && can_breathe(contact.system);
+    if constexpr (directions == 2) {
+        asked[1] = true;
+        asked[2] = contact.system.elements().places_are_known();
+        asked[By::half_width] = asked[By::half_length] && changes_shape(contact.system);
+    }
+    if (asked[By::load])
+        scratch.tangents.bound_rate = contact.bound_per_pressure() * rate->head(contact.size()).matrix();
+
+    scratch.slip.setZero();
+    scratch.work.setZero();
+    scratch.problem.two_histories = contact.rotates && !step.steady;
+    for (std::size_t k = 0; k < view.histories(); ++k) {
+        const bool is_unrotated = view.histories() == 2 && k == 0 && from.unrotated_traction.rows() > 0;
+        const ElementVectors& traction = is_unrotated ? from.unrotated_traction : from.traction;
+        scratch.start[k] = contact.along(traction) / contact.units.shear_modulus;
+        if (step.steady) {
+            scratch.displacement[k].setZero();
+        } else {
+            find_displacements(contact.system, step.start, scratch.start[k], scratch.displacement[k]);
+        }
+    }
+}
+
+/// Fills A of a stage, unless the solver has it. In steady rolling of a contact of constant shape A is -G' at any
+/// semi-axes.
+template <int directions>
+void set_matrix(const ContactData<directions>& contact, const Stage<directions, double>& now,
+                StepScratch<directions>& scratch) {
+    SlipMatrix<directions>& A = scratch.solver.matrix;
+    const bool is_kept = now.geometry.steady && !changes_shape(contact.system);
+    const auto geometry = is_kept ? RollingStage<double>::steadily(contact_axes<double>) : now.geometry;
+    if (scratch.matrices == contact.matrices && scratch.geometry == geometry) return;
+    scratch.matrices = contact.matrices;
+    scratch.geometry = geometry;
+    A.serve_once(geometry.growth != 0 || geometry.widening != 0);
+    with_equations(contact.system, geometry, [&](const auto& equations) {
+        for (std::size_t d = 0; d < directions; ++d) {
+            for (std::size_t e = 0; e < directions; ++e) {
+                if (d == e || A.coupled()) equations.fill(d, e, A.renew(d, e));
+            }
+        }
+    });
+}
+
+/// Sets the bounds of a stage, or p_n/G if mu depends on slip. Bounds that are negligible become 0; with two
+/// directions, whose slip is judged by squares, bounds whose squares lose digits.
+template <int directions>
+void set_bounds(const StepView<directions>& view, const Stage<directions, double>& now) {
+    const auto& [contact, step, from, load, scratch] = view;
+    if (now.place.is_second && load.pressure_rate == nullptr) return;
+    VectorX<double>& bound = contact.varies() ? scratch.mu.pressure : scratch.problem.bound;
+    const auto end = load.pressure.head(contact.size());
+    if (load.pressure_rate == nullptr || now.place.is_last()) {
+        bound = contact.bound_per_pressure() * end.matrix();
+    } else {
+        const auto& start = from.normal_pressure;
+        bound = contact.bound_per_pressure() * (start + now.place.progress * (end - start)).matrix();
+    }
+    const double least = directions == 1 ? negligible<double> : std::sqrt(negligible<double>);
+    bound = (bound.array() < least).select(0.0, bound);
+}
+
+/// Sets bounds and constants c of a stage: the rigid slip minus the displacements from which it starts.
+template <int directions>
+void set_problem(const StepView<directions>& view, const Stage<directions, double>& now) {
+    const auto& [contact, step, from, load, scratch] = view;
+    set_bounds(view, now);
+    for (std::size_t k = 0; k < view.histories(); ++k) {
+        Vectors<directions>& c = scratch.problem.constant[k];
+        c = -scratch.displacement[k];
+        now.add_motion(contact.rigid, c);
+        if (step.motion.has_rows()) {
+            const double share = now.place.progress;
+            c += now.factor * ((1 - share) * step.motion.start_rows() + share * step.motion.end_rows());
+        }
+        // without creepage tractions decay for ever, but the rounding errors by which solutions are judged underflow
+        // first
+        const bool has_decayed = c.cwiseAbs().maxCoeff() < negligible<double> && all_finite(c);
+        if (has_decayed) c.setZero();
+    }
+}
+
+/// Solves a stage and adds its slip and work to the sums.
+template <int directions>
+void solve_stage(const StepView<directions>& view, const Stage<directions, double>& now, FrictionStep& result) {
+    const auto& [contact, step, from, load, scratch] = view;
+    const StageView<directions> stage = view.stage();
+    auto& solution = stage.solution;
+    Coefficients<directions> coefficients = view.coefficients();
+    set_matrix(contact, now, scratch);
+    if (contact.varies()) coefficients.enter(now);
+    set_problem(view, now);
+    stage.solver.start(stage.problem, scratch.start, now.place.is_second ? solution.zones : from.zones, solution);
+    if (contact.varies()) {
+        coefficients.solve(now, stage);
+    } else {
+        stage.solver.solve(stage.problem, stage.centres, contact.with_tangents, solution);
+    }
+    result.complementarity_residual = (std::max)(result.complementarity_residual, solution.residual);
+    result.rounds += solution.rounds;
+    result.path_points += solution.path_points;
+    if (!is_finite(solution.residual) || !all_finite(solution.slip())) {  // std::max may drop a NaN
+        result.status = Status::not_finite;
+    } else if (solution.status != Status::ok && result.status != Status::not_finite) {
+        result.status = solution.status;
+    }
+    scratch.change = now.weight * solution.slip();
+    scratch.slip += scratch.change;
+    for (std::size_t k = 0; k < view.histories(); ++k) {
+        scratch.start[k] = view.histories() == 2 ? solution.traction(k) : solution.traction();
+    }
+    const SemiAxes<double> axes = now.geometry.axes();
+    for (Index d = 0; d < directions; ++d) {
+        contact.work.add(solution.traction().col(d), scratch.change.col(d), scratch.work,
+                         axes.half_length * axes.half_width);
+    }
+}
+
+/// Sets the displacements from which the second stage starts, U + ratio (U_1 - U).
+template <int directions>
+void start_second(const StepView<directions>& view, const Stage<directions, double>& now) {
+    StepScratch<directions>& scratch = view.scratch;
+    if (view.contact.varies()) scratch.first = scratch.solution.traction();
+    for (std::size_t k = 0; k < view.histories(); ++k) {
+        Vectors<directions>& U = scratch.displacement[k];
+        find_displacements(view.contact.system, now.geometry.axes(), scratch.start[k], scratch.change);
+        U += now.place.ratio() * (scratch.change - U);
+    }
+}
+
+/// Finds dp of a solved stage by a parameter while no element changes its zone. False, and dp is not computed, if the
+/// Memo still holds.
+template <int directions>
+bool find_response(const StepView<directions>& view, const Stage<directions, double>& now, std::size_t parameter) {
+    const auto& [contact, step, from, load, scratch] = view;
+    const StageView<directions> stage = view.stage();
+    const StageSolution<directions>& solution = scratch.solution;
+    TangentScratch<directions>& own = scratch.tangents;
+    Coefficients<directions> coefficients = view.coefficients();
+    const std::uint64_t revision =
+        contact.varies() ? coefficients.linearise(now, stage) : scratch.solver.roles_revision();
+    if (directions == 1 && parameter == 0) {
+        auto& memo = own.memo[now.place.is_second ? 2 : now.place.is_last() ? 1 : 0];
+        const bool is_known = revision != 0 && revision == memo.revision && memo.factor_by_end == now.factor_by_end &&
+                              memo.axes == step.end;
+        if (is_known) return false;
+        memo = {revision, now.factor_by_end, step.end, 0};
+    }
+    ProblemChange<directions> change;
+    for (std::size_t k = 0; k < view.histories(); ++k) {
+        Vectors<directions>& dc = own.right[k];
+        if (now.place.is_second) {
+            dc = own.carried[parameter][k];
+        } else {
+            dc.setZero();
+        }
+        const auto& p = view.histories() == 2 ? solution.traction(k) : solution.traction();
+        with_equations(contact.system, now.geometry, [&](const auto& equations) {
+            now.add_rate(parameter, contact.rigid, equations, p, own.rate, dc);
+        });
+        change.constant[k] = &dc;
+    }
+    if (parameter == Parameters<directions>::load) {
+        own.stage_bound_rate = now.place.progress * own.bound_rate;
+        change.bound = &own.stage_bound_rate;
+    }
+    if (contact.varies()) {
+        coefficients.respond(now, parameter, change, stage, own.response);
+    } else {
+        scratch.solver.respond(scratch.problem, solution, change, contact.centres(), own.response);
+    }
+    return true;
+}
+
+/// Keeps the change that dp of the first of two stages causes in the constants of the second.
+template <int directions>
+void carry_response(const StepView<directions>& view, const Stage<directions, double>& now, std::size_t parameter) {
+    TangentScratch<directions>& own = view.scratch.tangents;
+    const StageSolution<directions>& solution = view.scratch.solution;
+    const bool two = view.histories() == 2;
+    for (std::size_t k = 0; k < view.histories(); ++k) {
+        const auto& p = two ? solution.traction(k) : solution.traction();
+        const auto& dp = two && solution.last == 1 ? own.response[k] : own.response.back();
+        with_equations(view.contact.system, now.geometry, [&](const auto& equations) {
+            now.find_carried(parameter, equations, p, dp, own.rate, own.carried[parameter][k]);
+        });
+    }
+    if (view.contact.varies()) view.coefficients().carry(parameter);
+    if (parameter == 0) own.memo[2].revision = 0;
+}
+
+/// The derivative of the forces by a parameter at the end of the step, from dp of its last stage.
+template <int directions>
+InputVector<directions, double> tangent_by(const StepView<directions>& view, std::size_t parameter) {
+    using By = Parameters<directions>;
+    const ContactData<directions>& contact = view.contact;
+    const auto& p = view.scratch.solution.traction();
+    const auto& dp = view.scratch.tangents.response.back();
+    if (!By::is_axis(parameter)) return contact.forces.of(dp, view.step.end);
+    return contact.forces.rate(p, dp, view.step.end, By::axis(parameter), keeps_shape(contact.system));
+}
+
+/// Forces in two directions: 0 across the direction of a contact of one, with an unknown moment.
+template <int directions>
+TangentialForce<double> raised(const InputVector<directions, double>& forces, [[maybe_unused]] Index direction) {
+    if constexpr (directions == 2) {
+        return {forces[0], forces[1], forces[2]};
+    } else {
+        if (!is_finite(forces[0])) return {};
+        return direction == 0 ? TangentialForce<double>{forces[0], 0} : TangentialForce<double>{0, forces[0]};
+    }
+}
+
+/// Sets the tangent of a result by a parameter. No force depends on creepage across the direction of a contact of one.
+template <int directions>
+void set_tangent(const ContactData<directions>& contact, std::size_t parameter,
+                 const InputVector<directions, double>& forces, FrictionStep& result) {
+    using By = Parameters<directions>;
+    const TangentialForce<double> tangent = raised<directions>(forces, contact.direction);
+    if (parameter == By::load) {
+        result.tangent_by_load = tangent;
+    } else if (parameter == By::half_length) {
+        result.tangent_by_half_length = tangent;
+        if (directions == 2 && keeps_shape(contact.system)) result.tangent_by_half_width = {0, 0, 0};  // it follows
+    } else if (parameter == By::half_width) {
+        result.tangent_by_half_width = tangent;
+    } else if (directions == 2) {
+        by_creepage(result.tangent, parameter) = tangent;
+    } else {
+        const auto along = static_cast<std::size_t>(contact.direction);
+        by_creepage(result.tangent, along) = tangent;
+        if (is_finite(tangent)) by_creepage(result.tangent, 1 - along) = {0, 0};
+    }
+}
+
+/// Adds the tangents at the end of the last or only stage to the result; keeps the responses of the first of two stages
+/// for the second.
+template <int directions>
+void add_tangents(const StepView<directions>& view, const Stage<directions, double>& now, FrictionStep& result) {
+    TangentScratch<directions>& own = view.scratch.tangents;
+    for (std::size_t j = 0; j < own.asked.size(); ++j) {
+        if (!own.asked[j]) continue;
+        const bool is_new = find_response(view, now, j);
+        if (!now.place.is_last()) {
+            if (is_new) carry_response(view, now, j);
+            continue;
+        }
+        auto& memo = own.memo[now.place.is_second ? 2 : 1];
+        InputVector<directions, double> tangent = InputVector<directions, double>::Constant(memo.tangent);
+        if (is_new) tangent = tangent_by(view, j);
+        if (directions == 1 && j == 0) memo.tangent = tangent[0];
+        set_tangent(view.contact, j, tangent, result);
+    }
+}
+
+/// The energy released by jumps. Slip work takes the tractions at the end of a stage. Let (x, y) be the integral of x
+/// times the displacement caused by y, so that E(p) = (p, p)/2, and p_0, p_1, p_2 the tractions at the start of a step
+/// and after its stages. The equations of the stages, s = rigid - u' + (change of u), times their tractions give
+///
+///     work of the rigid bodies = slip work + E(p_2) - E(p_0) + J
+///     J = (b, b)/2,                       b = p_2 - p_0, for one stage (implicit Euler)
+///     J = (b, b)/2 - r (a, b - a),        a = p_1 - p_0, r = StagePlace::ratio(), for two stages (sdirk2)
+///
+/// because the kernel is even: the integral of p u' vanishes. While the tractions vary smoothly J is of second order in
+/// dq for one stage, of third for two, where b = a/part. If they jump within a step, b stays finite however short the
+/// step is, and J is the energy (b, b)/2 that the jump releases in addition, for either scheme, whichever stage the
+/// jump is in. A half-length that varies within the step changes J by as much as it changes (b, b). With constant
+/// friction rolling has no jumps.
+///
+/// A rigid shift is a single stage; the rigid bodies work by the mean of the forces at both ends, so that J is the
+/// integral of b s/2.
+template <int directions>
+double jump_work(const StepView<directions>& view) {
+    const auto& [contact, step, from, load, scratch] = view;
+    if (step.steady || (step.rolls() && !contact.varies())) return 0;
+    Vectors<directions>&change = scratch.change, &displacement = scratch.displacement[0];
+    const auto start = 1 / contact.units.shear_modulus * contact.along(from.traction);
+    const Vectors<directions>& end = scratch.solution.traction();
+    const double unit = contact.energy_unit(step.end);
+    change = end - start;
+    if (!step.rolls()) return unit * contact.work.product(change, scratch.slip) / (2 * contact.units.length);
+    const bool two_stages = step.stage_count() == 2;
+    if (two_stages) scratch.first -= start;
+    // the tractions have settled: J is below the rounding of the energies
+    const double least = std::numeric_limits<double>::epsilon() * end.squaredNorm();
+    if (change.squaredNorm() <= least && (!two_stages || scratch.first.squaredNorm() <= least)) return 0;
+    find_displacements(contact.system, step.end, change, displacement);
+    double sum = contact.work.product(change, displacement) / 2;
+    if (two_stages) {
+        change -= scratch.first;
+        find_displacements(contact.system, step.end, change, displacement);
+        sum -= step.stage(1).place.ratio() * contact.work.product(scratch.first, displacement);
+    }
+    return unit * sum;
+}
+
+/// Completes the result, and fills `to`, the slip and the slip work. If the result is not finite, `to` is a copy of
+/// `from`.
+template <int directions>
+void finish(const StepView<directions>& view, FrictionStep& result, FrictionState& to) {
+    const auto& [contact, step, from, load, scratch] = view;
+    const ContactUnits<double>& units = contact.units;
+    const StageSolution<directions>& solution = scratch.solution;
+    const double slip_unit = step.steady ? 1.0 : units.length;
+    contact.work.end(scratch.work, units.width * units.length * units.shear_modulus * slip_unit);
+    scratch.slip *= slip_unit;
+    const InputVector<directions, double> forces = contact.forces.of(solution.traction(), step.end);
+    result.force = raised<directions>(forces, contact.direction);
+    result.slip_work = scratch.work.sum();
+    if (result.status == Status::not_finite || !is_finite(result.force) || !is_finite(result.slip_work)) {
+        scratch.slip.setZero();
+        scratch.work.setZero();
+        to = from;  // sizes are equal: no allocation
+        result = failed<FrictionStep>(Status::not_finite);
+        return;
+    }
+    result.jump_work = jump_work(view);
+    result.stick_count = solution.stick_count;
+    if (directions == 1) to.traction.setZero();
+    contact.along(to.traction) = units.shear_modulus * solution.traction();
+    if constexpr (directions == 2) {
+        if (contact.rotates) to.unrotated_traction = units.shear_modulus * solution.pass[0].traction;
+    }
+    to.zones = solution.zones;
+    to.normal_pressure = load.pressure.head(contact.size());
+    to.half_length = load.half_length;
+    to.half_width = load.half_width;
+    to.system = contact.fingerprint;
+    if (!contact.varies()) return;
+    const CoefficientScratch<directions>& mu = scratch.mu;
+    to.friction_coefficient = mu.friction.array();
+    to.solver.stage_coefficient = (step.stage_count() == 2 && mu.converged_quickly ? mu.first : mu.friction).array();
+}
+
+/// Solves a step, or steady rolling, from a checked state under a checked load.
+template <int directions>
+FrictionStep solve(const StepView<directions>& view, FrictionState& to) noexcept {
+    FrictionStep result;
+    result.complementarity_residual = 0;
+    result.status = Status::ok;
+    begin(view);
+    bool has_tangents = view.contact.with_tangents;
+    for (int number = 1; number <= view.step.stage_count(); ++number) {
+        const Stage<directions, double> now = view.step.stage(number);
+        solve_stage(view, now, result);
+        has_tangents = has_tangents && view.scratch.solution.has_tangent;
+        if (has_tangents) add_tangents(view, now, result);
+        if (!now.place.is_last()) start_second(view, now);
+    }
+    finish(view, result, to);
+    return result;
+}
+
+}  // namespace rollbem::detail

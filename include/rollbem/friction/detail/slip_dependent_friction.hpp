@@ -1,0 +1,315 @@
+// Stick and slip if the bound of each element depends on its slip velocity: iterations around a solver for given
+// bounds. Independent of rolling and of the origin of the equations.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "../../detail/array_functions.hpp"
+#include "../../detail/finite.hpp"
+#include "../../detail/in_place_lu.hpp"
+#include "../../status.hpp"
+#include "../../types.hpp"
+#include "../law.hpp"
+#include "../state.hpp"
+#include "stick_slip.hpp"
+
+namespace rollbem::detail {
+
+/// The data that determine the friction coefficient of each element: particles arrive with a coefficient and slip for a
+/// period. References to values of the caller, made on the stack for one call.
+struct FrictionEvolution {
+    const std::function<double(double)>& law;
+    const FrictionMemory& memory;
+    double at_rest;                   ///< mu_s(0)
+    const VectorX<double>& duration;  ///< of the period [s]
+    const VectorX<double>* before;    ///< mu before the period; null in steady rolling: mu of the element ahead
+    const VectorX<double>& pressure;  ///< p_n/G; without pressure the coefficient is mu_s(0)
+    double velocity_per_slip;         ///< slip velocity [m/s] over the solver's slip
+
+    bool has_pressure(Index i) const { return pressure[i] > 0; }
+
+    double kept(Index i, double v) const { return memory.kept(v, duration[i]); }
+    /// mu after the period at a slip velocity v.
+    double after(Index i, double mu_before, double v) const {
+        const double share = kept(i, v);
+        return share * mu_before + (1 - share) * (v == 0 ? at_rest : law(v));
+    }
+};
+
+/// Solves mu = kept(v) mu_before + (1 - kept(v)) mu_s(v), where v is the slip velocity for the bounds mu p_n.
+///
+/// Newton's method with a line search; the derivative is exact while no element changes its zone. If the iteration
+/// stagnates, the solution has usually vanished in a fold and the next one is far away: fixed-point iterations from the
+/// initial mu then pass the bottleneck and approach it, followed by Newton's method. All iterations are bounded. If
+/// several solutions exist, the one found depends on the initial mu.
+template <int directions>
+class SlipDependentFriction {
+public:
+    using Stage = StageView<directions>;
+    using Solution = StageSolution<directions>;
+    using Matrix = MatrixX<double>;
+
+    struct Outcome {
+        int solutions = 0;  ///< number of solutions for stick and slip
+        double change = 0;  ///< largest residual of the equation above
+    };
+
+    explicit SlipDependentFriction(Index n)
+        : coupling_(n, n), by_friction_(n, n), newton_(n, n), swaps_(static_cast<std::size_t>(n)) {
+        for (VectorX<double>* vector : {&start_, &mu_, &residual_, &tried_, &step_, &velocity_, &slope_, &kept_,
+                                        &response_, &gain_, &newton_slope_, &newton_gain_, &newton_kept_}) {
+            vector->setZero(n);
+        }
+    }
+
+    Index size() const { return start_.size(); }
+
+    /// Starts from `friction`, finite and not negative, and overwrites it with the result, and the bounds of the
+    /// problem. StickSlipSolver::start() comes first.
+    Outcome solve(const FrictionEvolution& evolution, const Stage& stage, VectorX<double>& friction) noexcept {
+        Search search{evolution, stage, friction, (std::max)(evolution.at_rest, friction.maxCoeff())};
+        Outcome& outcome = search.outcome;
+        Solution& solution = stage.solution;
+        start_ = friction;
+        find(search);
+        double scale = residual_.norm();
+        for (int restart = 0; !newton(search) && restart < most_restarts && is_finite(outcome.change); ++restart) {
+            if (restart == 0) friction = start_;
+            find(search);
+            scale = iterate_fixed_point(search, scale, restart);
+        }
+        if (!search.has_converged()) {
+            solution.status = is_finite(outcome.change) ? Status::no_solution : Status::not_finite;
+            solution.has_tangent = false;
+        }
+        solution.rounds = search.rounds;
+        solution.path_points = search.path_points;
+        solution.residual = is_finite(outcome.change) ? (std::max)(solution.residual, outcome.change) : outcome.change;
+        return outcome;
+    }
+
+    /// To be called before respond(). Returns a number that changes whenever the response to the same change may
+    /// change.
+    std::uint64_t linearise(const FrictionEvolution& evolution, const Stage& stage) {
+        factorise(evolution, stage, true);
+        return revision_;
+    }
+    /// Finds the response of the last solution while no element changes its zone: dp of each pass, and d mu in
+    /// `friction_change`. The causes are a change of the problem at constant mu and, unless null, the change `before`
+    /// of each particle's mu_before. `friction_change` must differ from all vectors of the causes.
+    void respond(const FrictionEvolution& evolution, const Stage& stage, const ProblemChange<directions>& change,
+                 const VectorX<double>* before, VectorX<double>& friction_change,
+                 std::array<Vectors<directions>, directions>& dp) {
+        auto& solver = stage.solver;
+        solver.respond(stage.problem, stage.solution, change, stage.centres, dp, &response_);
+        double ahead = 0;
+        for (Index i = size() - 1; i >= 0; --i) {
+            ahead = slope_[i] * response_[i] + kept_[i] * ahead;
+            if (before != nullptr && evolution.has_pressure(i)) {
+                ahead += evolution.kept(i, rounded(velocity_[i])) * (*before)[i];
+            }
+            friction_change[i] = ahead;
+        }
+        find_total_change(solver, friction_change);
+        tried_ = friction_change.cwiseProduct(evolution.pressure);
+        if (change.bound != nullptr) tried_ += *change.bound;
+        solver.respond(stage.problem, stage.solution, {change.constant, &tried_}, stage.centres, dp);
+    }
+
+private:
+    static constexpr int most_steps = 30, most_halvings = 8, most_restarts = 6, most_rounds = 600;
+
+    struct Search {
+        const FrictionEvolution& evolution;
+        const Stage& stage;
+        VectorX<double>& friction;
+        double largest;        // mu at rest or at the start; a rising law may lead far above it
+        double tolerance = 0;  // residual that rounding explains
+        int rounds = 0, path_points = 0;
+        Outcome outcome{};
+
+        bool has_converged() const { return outcome.change <= tolerance; }
+    };
+
+    // Solves for the bounds of the present mu.
+    void find(Search& search) {
+        const auto& [problem, centres, solver, solution] = search.stage;
+        Outcome& outcome = search.outcome;
+        problem.bound = search.friction.cwiseProduct(search.evolution.pressure);
+        solver.solve(problem, centres, true, solution);
+        search.rounds += solution.rounds;
+        search.path_points += solution.path_points;
+        is_regular_ = solution.has_tangent;
+        ++outcome.solutions;
+        evaluate(search);
+        // Eigen's maximum may pass over NaN
+        outcome.change =
+            all_finite(residual_) ? residual_.cwiseAbs().maxCoeff() : std::numeric_limits<double>::quiet_NaN();
+        search.tolerance = 64 * static_cast<double>(size() + 10) * std::numeric_limits<double>::epsilon() *
+                           (std::max)(search.largest, search.friction.maxCoeff());
+    }
+
+    // Finds slip velocities, right-hand side and residual.
+    void evaluate(const Search& search) {
+        const FrictionEvolution& evolution = search.evolution;
+        double ahead = evolution.at_rest;
+        for (Index i = size() - 1; i >= 0; --i) {
+            velocity_[i] = evolution.velocity_per_slip * search.stage.solution.slip_size(i);
+            const double before = evolution.before == nullptr ? ahead : (*evolution.before)[i];
+            mu_[i] = ahead = evolution.has_pressure(i) ? evolution.after(i, before, velocity_[i]) : evolution.at_rest;
+            residual_[i] = ahead - search.friction[i];
+        }
+    }
+
+    // Takes Newton steps until the residual is small enough (true) or cannot be reduced: (1 - d right-hand side / d mu)
+    // step = residual. The coefficients of sticking elements have no influence.
+    bool newton(Search& search) {
+        for (int step = 0; step < most_steps; ++step) {
+            if (search.has_converged()) return true;
+            if (!is_finite(search.outcome.change)) return false;
+            factorise(search.evolution, search.stage, false);
+            step_ = residual_;
+            find_total_change(search.stage.solver, step_);
+            const double size = residual_.norm();
+            bool better = false;
+            double part = 1;
+            gain_ = search.friction;
+            for (int halving = 0; halving < most_halvings && !better; ++halving, part /= 2) {
+                search.friction = (gain_ + part * step_).cwiseMax(0.0);
+                find(search);
+                better = residual_.norm() < (1 - part / 10) * size || search.has_converged();
+            }
+            if (!better) return false;
+        }
+        return search.has_converged();
+    }
+
+    // Fixed-point iterations until the residual has risen and fallen again. In the bottleneck, where it hardly changes,
+    // the steps are enlarged; after unsuccessful restarts they are damped.
+    double iterate_fixed_point(Search& search, double scale, int restart) {
+        const double part = restart < 2 ? 1.0 : restart < 4 ? 0.4 : 0.15;
+        const int rounds = restart == 0 ? most_rounds : most_rounds / 3;
+        double before = residual_.norm(), peak = before;
+        int falling = 0, flat = 0;
+        double leap = 10;
+        for (int round = 0; round < rounds; ++round) {
+            const bool leaps = flat >= 3;
+            search.friction = (search.friction + (leaps ? leap : part) * residual_).cwiseMax(0.0);
+            find(search);
+            const double size = residual_.norm();
+            if (!is_finite(size)) break;
+            leap = leaps ? 2 * leap : flat == 0 ? 10.0 : leap;
+            flat = !leaps && std::abs(size - before) < before / 100 ? flat + 1 : leaps ? 1 : 0;
+            falling = size < before ? falling + 1 : 0;
+            before = size;
+            peak = (std::max)(peak, size);
+            const bool passed = peak > 50 * scale && falling >= 25 && size < peak / 5;
+            if (size <= search.tolerance || passed) break;
+        }
+        return (std::max)(scale, peak / 50);
+    }
+
+    // Rounds to 30 bits, which is within the accuracy of the difference quotients. While quantities change by round-off
+    // only, the derivatives and everything computed from them then stay the same to the last bit.
+    static double rounded(double x) {
+        const double high = x * static_cast<double>((std::uint64_t(1) << 23) + 1);
+        return high - (high - x);
+    }
+
+    // Finds the derivatives of the last solution's right-hand side by the slip and, in steady rolling, by the
+    // coefficient of the element ahead. The slip of sticking elements remains zero.
+    void differentiate(const FrictionEvolution& evolution, const Solution& solution) {
+        const bool steady = evolution.before == nullptr;
+        // the width of the differences must suit elements that hardly slip, and ignore a least velocity far above any
+        // slip
+        const double fastest = rounded(velocity_.maxCoeff());
+        const double unit = (std::min)(evolution.memory.least_velocity, fastest) + fastest / 1000;
+        const double share = std::cbrt(std::numeric_limits<double>::epsilon());
+        for (Index i = 0; i < size(); ++i) {
+            slope_[i] = kept_[i] = 0;
+            if (!evolution.has_pressure(i)) continue;
+            const double v = rounded(velocity_[i]);
+            if (steady) kept_[i] = evolution.kept(i, v);
+            if (solution.slides[i] == 0) continue;
+            const double ahead = i + 1 < size() ? mu_[i + 1] : evolution.at_rest;
+            const double before = rounded(steady ? ahead : (*evolution.before)[i]);
+            const double nearby = share * (v + unit) + (std::numeric_limits<double>::min)();
+            const double low = (std::max)(v - nearby, 0.0), high = v + nearby;
+            slope_[i] = evolution.velocity_per_slip *
+                        ((evolution.after(i, before, high) - evolution.after(i, before, low)) / (high - low));
+        }
+    }
+
+    // Factorises Newton's matrix, if it has changed. Tangents need the `exact` derivatives; Newton's method leaves out
+    // the derivatives of the angles of turned slip.
+    void factorise(const FrictionEvolution& evolution, const Stage& stage, bool exact) {
+        const auto& solver = stage.solver;
+        find_coupling(stage, exact);
+        differentiate(evolution, stage.solution);
+        gain_ = -stage.solution.slides.cwiseProduct(evolution.pressure);
+        if (newton_revision_ == coupling_revision_ && same_bits(newton_slope_, slope_) &&
+            same_bits(newton_gain_, gain_) && same_bits(newton_kept_, kept_)) {
+            return;
+        }
+        ++revision_;
+        newton_revision_ = coupling_revision_;
+        newton_slope_ = slope_;
+        newton_gain_ = gain_;
+        newton_kept_ = kept_;
+        for (Index k = 0; k < count_; ++k) {
+            double leading = 0;
+            Index next = count_ - 1;
+            for (Index i = size() - 1; i >= 0; --i) {
+                leading *= kept_[i];
+                if (next >= 0 && solver.sliding(next) == i) {
+                    leading += slope_[i] * gain_[solver.sliding(k)] * coupling_(next--, k);
+                }
+                by_friction_(i, k) = leading;
+            }
+            for (Index l = 0; l < count_; ++l) newton_(l, k) = (k == l ? 1 : 0) - by_friction_(solver.sliding(l), k);
+        }
+        factorise_in_place<double>(newton_.topLeftCorner(count_, count_), swaps_.data());
+    }
+
+    // Finds in coupling_ the derivatives of the sliding elements' slip by their bounds. If there is no tangent, no
+    // element counts as sliding. `exact` includes the angles of turned slip.
+    void find_coupling(const Stage& stage, bool exact) {
+        const auto& [problem, centres, solver, solution] = stage;
+        const std::uint64_t kind = is_regular_ ? exact && solution.rotation.follows() ? 2 : 1 : 0;
+        const std::uint64_t revision = 3 * solution.revision + kind;
+        if (coupling_revision_ == revision) return;
+        coupling_revision_ = revision;
+        count_ = is_regular_ ? solver.sliding_count() : 0;
+        if (is_regular_) solver.find_slip_by_bounds(solution, centres, exact, coupling_, newton_, by_friction_);
+    }
+
+    // Overwrites direct changes of the coefficients with the total changes that they cause.
+    void find_total_change(const StickSlipSolver<directions>& solver, VectorX<double>& change) {
+        for (Index k = 0; k < count_; ++k) response_[k] = change[solver.sliding(k)];
+        solve_in_place<double>(newton_.topLeftCorner(count_, count_), swaps_.data(), response_.head(count_));
+        change.noalias() += by_friction_.leftCols(count_) * response_.head(count_);
+    }
+
+    static constexpr std::uint64_t never = (std::numeric_limits<std::uint64_t>::max)();
+
+    VectorX<double> start_, mu_, residual_, tried_, step_;
+    VectorX<double> velocity_, slope_, kept_;  // v; d right-hand side / d slip and / d mu of the element ahead
+    VectorX<double> response_, gain_;
+    Matrix coupling_, by_friction_, newton_;
+    VectorX<double> newton_slope_, newton_gain_, newton_kept_;  // data of the present by_friction_ and newton_
+    std::uint64_t coupling_revision_ = never, newton_revision_ = never, revision_ = 0;
+    Index count_ = 0;  // number of elements that slide
+    bool is_regular_ = false;
+    std::vector<Index> swaps_;
+};
+
+}  // namespace rollbem::detail
