@@ -109,7 +109,7 @@ struct Coefficients {
     /// - the change of the particles' paths, if the parameter is the half-length,
     /// - in the second stage the response of the first, kept by carry().
     void respond(const Stage& now, std::size_t parameter, const ProblemChange<directions>& change,
-                 const StageView<directions>& stage, std::array<Vectors<directions>, directions>& dp) {
+                 const StageView<directions>& stage, PerPass<directions>& dp) {
         ProblemChange<directions> direct = change;
         const VectorX<double>* before = nullptr;
         own.moves_paths = remembers() && parameter == Parameters<directions>::half_length;

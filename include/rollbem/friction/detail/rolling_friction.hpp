@@ -112,7 +112,7 @@ template <int directions>
 struct TangentScratch {
     using By = Parameters<directions>;
     /// One for each StageProblem::constant.
-    using OfHistories = std::array<Vectors<directions>, directions>;
+    using OfHistories = PerPass<directions>;
 
     explicit TangentScratch(Index n)
         : rate(Vectors<directions>::Zero(n, directions)),

@@ -107,8 +107,7 @@ public:
     /// `friction_change`. The causes are a change of the problem at constant mu and, unless null, the change `before`
     /// of each particle's mu_before. `friction_change` must differ from all vectors of the causes.
     void respond(const FrictionEvolution& evolution, const Stage& stage, const ProblemChange<directions>& change,
-                 const VectorX<double>* before, VectorX<double>& friction_change,
-                 std::array<Vectors<directions>, directions>& dp) {
+                 const VectorX<double>* before, VectorX<double>& friction_change, PerPass<directions>& dp) {
         auto& solver = stage.solver;
         solver.respond(stage.problem, stage.solution, change, stage.centres, dp, &response_);
         double ahead = 0;

@@ -31,6 +31,10 @@
 
 namespace rollbem::detail {
 
+/// Vectors of the unrotated and of the rotated pass; with one direction there is only the first.
+template <int directions>
+using PerPass = std::array<Vectors<directions>, std::size_t(directions)>;
+
 /// The problem of one stage, except for A, which the solver holds.
 template <int directions>
 struct StageProblem {
@@ -38,9 +42,9 @@ struct StageProblem {
         constant.fill(Vectors<directions>::Zero(n, directions));
     }
 
-    std::array<Vectors<directions>, directions> constant;  ///< c of the unrotated and of the rotated pass
-    VectorX<double> bound;                                 ///< b, finite and not negative
-    bool two_histories = false;                            ///< else both passes have the c of the first
+    PerPass<directions> constant;  ///< c of the unrotated and of the rotated pass
+    VectorX<double> bound;         ///< b, finite and not negative
+    bool two_histories = false;    ///< else both passes have the c of the first
 };
 
 /// Tractions and slip, and the roles of the elements in them.
@@ -90,7 +94,7 @@ struct StageSolution {
 /// A change of a problem; null means none.
 template <int directions>
 struct ProblemChange {
-    std::array<const Vectors<directions>*, directions> constant{};
+    std::array<const Vectors<directions>*, std::size_t(directions)> constant{};
     const VectorX<double>* bound = nullptr;
 };
 
@@ -151,8 +155,8 @@ public:
 
     /// Takes the roles from which the first pass starts from the tractions and zones of a solution of another problem;
     /// with one direction only the zones are read.
-    void start(const Problem& problem, const std::array<Vectors<directions>, directions>& traction,
-               const std::vector<Zone>& zones, Solution& solution) {
+    void start(const Problem& problem, const PerPass<directions>& traction, const std::vector<Zone>& zones,
+               Solution& solution) {
         for (auto& base : base_) base.forget();
         solution.has_rotated = false;
         if (problem.two_histories) difference_ = traction.back() - traction[0];
@@ -193,8 +197,7 @@ public:
     /// Finds dp of each pass due to a change while no element changes between stick and slip and, unless null, the
     /// change of |s|. The angles of rotated slip change with the first pass. To be called only if solution.has_tangent.
     void respond(const Problem& problem, const Solution& solution, const ProblemChange<directions>& change,
-                 const Centres* centres, std::array<Vectors<directions>, directions>& dp,
-                 VectorX<double>* size_change = nullptr) {
+                 const Centres* centres, PerPass<directions>& dp, VectorX<double>* size_change = nullptr) {
         const auto *first = change.constant[0], *last = change.constant[problem.two_histories ? directions - 1 : 0];
         const VectorX<double>* angles = nullptr;
         response_base_.forget();
