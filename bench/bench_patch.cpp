@@ -21,6 +21,7 @@
 #include <benchmark/benchmark.h>
 
 #include <rollbem/assembly/patch_shapes.hpp>
+#include <rollbem/closed_form/full_sliding.hpp>
 #include <rollbem/compiled/friction.hpp>
 #include <rollbem/compiled/patch.hpp>
 #include <rollbem/vehicle/creep_force_table.hpp>
