@@ -171,7 +171,7 @@ Values load_forces(const Scene& scene, const Settings& settings, const Place& pl
         hertz.set(load_at(k * dq), load);
         const auto step = contact.advance({dq, xi, load});
         if (status == Status::ok) status = step.status;
-        if (k % settings.load_parts == 0) forces.push_back(status == Status::ok ? -step.force / all : nan);
+        if (k % settings.load_parts == 0) forces.push_back(status == Status::ok ? -step.force.longitudinal / all : nan);
     }
     return forces;
 }
