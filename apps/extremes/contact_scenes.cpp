@@ -90,14 +90,14 @@ bool is_sound(const RailPatch& patch) {
 }
 
 /// A wheel under a load, and the number of its cells over 24 x 16.
-struct Scene {
+struct WheelScene {
     WheelsetPosition at;
     double load;
     WheelOnRail::Options options{.cells_x = 24, .cells_s = 16};
 };
 
-Scene drawn_scene(Random& random) {
-    Scene scene;
+WheelScene drawn_scene(Random& random) {
+    WheelScene scene;
     scene.at.lateral = 0.012 * uniform(random);
     scene.at.roll = 5e-3 * uniform(random);
     scene.at.yaw = 0.03 * uniform(random);
@@ -105,13 +105,13 @@ Scene drawn_scene(Random& random) {
     return scene;
 }
 
-Contact solved(const WheelOnRail& wheel, const Scene& scene) {
+Contact solved(const WheelOnRail& wheel, const WheelScene& scene) {
     WheelOnRail::Workspace workspace;
     return wheel.solve_for_load(scene.at, scene.load, workspace, scene.options);
 }
 
 /// Whether the pressures of a contact carry the load, and leave no contact out.
-Outcome judged(const Pair& pair, const Scene& scene, const Contact& contact) {
+Outcome judged(const Pair& pair, const WheelScene& scene, const Contact& contact) {
     const double load = scene.load;
     Outcome outcome{.reference = 0, .error = 0, .bound = 1, .told = told_by(contact.status)};
     outcome.may_be_told = contact.status != Status::not_finite && contact.status != Status::not_converged;
@@ -138,7 +138,7 @@ Outcome judged(const Pair& pair, const Scene& scene, const Contact& contact) {
 
 /// The verdict on the contact of a scene, searched on an equal wheel and rail. Errors by coarse cells become less on the
 /// finer cells that `scene` then has, a contact that was lost stays so.
-std::pair<Outcome, Contact> judged(const Pair& pair, const WheelOnRail& searched, Scene& scene) {
+std::pair<Outcome, Contact> judged(const Pair& pair, const WheelOnRail& searched, WheelScene& scene) {
     const auto now = [&] {
         Contact contact = solved(searched, scene);
         const Outcome outcome = judged(pair, scene, contact);
@@ -154,7 +154,7 @@ Outcome run_contact(std::uint64_t seed, bool in_slices) {
     const Pair& pair = pair_of(seed);
     const WheelOnRail searched = in_slices ? rolled(pair.wheel) : pair.wheel;
     Random random(seed);
-    Scene scene = drawn_scene(random);
+    WheelScene scene = drawn_scene(random);
     return judged(pair, searched, scene).first;
 }
 
@@ -181,7 +181,7 @@ Surfaces drawn_surfaces(Random& random) {
 }
 
 /// What of a contact differs from its mirror image, the same under the opposite yaw; empty if nothing does.
-std::string unlike_its_mirror_image(const WheelOnRail& wheel, Scene scene, const Contact& contact) {
+std::string unlike_its_mirror_image(const WheelOnRail& wheel, WheelScene scene, const Contact& contact) {
     scene.at.yaw = -scene.at.yaw;
     const Contact other = solved(wheel, scene);
     if (other.status != contact.status) return std::string("mirror image: ") + name(other.status);
@@ -220,7 +220,7 @@ bool is_unbroken(const Pair& pair, const WheelsetPosition& at, const RailPatch& 
 
 /// What of a contact depends on how it is asked for, by its height in place of its load, or on whether patches displace
 /// each other; empty if nothing does that must not.
-std::string unlike_at_its_height(const Pair& pair, Scene scene, const Contact& contact) {
+std::string unlike_at_its_height(const Pair& pair, WheelScene scene, const Contact& contact) {
     scene.at.height = contact.height;
     const auto vertical = [](const Contact& found) {
         double sum = found.dropped;
@@ -262,7 +262,7 @@ Outcome run_position(std::uint64_t seed) {
     const Profile on = waved(s1002(), surfaces.waves, random),
                   below = waved(surfaces.canted(surfaces.cant), surfaces.waves, random);
     const Pair pair{WheelOnRail(on, below)};
-    Scene scene = drawn_scene(random);
+    WheelScene scene = drawn_scene(random);
     const auto [outcome, contact] = judged(pair, pair.wheel, scene);
     std::string broken = unlike_its_mirror_image(pair.wheel, scene, contact);
     if (broken.empty() && has_numbers(contact.status)) broken = unlike_at_its_height(pair, scene, contact);
