@@ -74,10 +74,7 @@ inline void collect(const RegionSolver& solver, double lower, WheelOnRail::Conta
     for (const RailPatch& patch : contact.patches) contact.dropped -= patch.vertical_load();
     contact.status = contact.patches.empty() ? Status::no_contact : Status::ok;
     for (const RailPatch& patch : contact.patches) contact.status = (std::max)(contact.status, patch.status);
-    // cells that do not suffice are no news of a position that cannot be meant
-    if (solver.is_too_deep() && (contact.status < Status::too_deep || contact.status == Status::few_cells)) {
-        contact.status = Status::too_deep;
-    }
+    if (solver.is_too_deep()) contact.status = (std::max)(contact.status, Status::too_deep);
     if (has_numbers(contact.status) && solver.outgrown()) contact.status = Status::not_converged;
 }
 
