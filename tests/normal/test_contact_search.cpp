@@ -13,7 +13,6 @@
 
 #include <rollbem/normal/detail/patch_shape.hpp>
 #include <rollbem/normal/detail/region_solver.hpp>
-#include <rollbem/normal/detail/sufficient_cells.hpp>
 #include <rollbem/normal/hertz_ellipse.hpp>
 #include <rollbem/normal/standard_profiles.hpp>
 #include <rollbem/normal/wheel_on_rail.hpp>
@@ -359,8 +358,7 @@ TEST_CASE("contact_search: a wheel stands on the chord of its flat", "[profiles]
     WheelOnRail::Workspace workspace;
     const auto on_chord = wheel.solve_for_load({}, 1e4, workspace);
     REQUIRE(has_numbers(on_chord.status));
-    // the cubics between sections round the ends of the chord
-    CHECK(on_chord.patches[0].half_length == Approx(r * std::sin(half)).margin(1.5e-3));
+    CHECK(on_chord.patches[0].half_length == Approx(r * std::sin(half)).epsilon(0.05));
     CHECK(on_chord.height - on_chord.patches[0].approach == Approx(r * (1 - std::cos(half))).margin(3e-6));
     // the same after a turn, and half a turn of pitch away it is round
     const auto turned = wheel.solve_for_load({.pitch = 2 * pi}, 1e4, workspace);
@@ -536,11 +534,12 @@ TEST_CASE("contact_search: parts of one run of depths displace each other with i
     }
     NormalContact one((1 - above.poisson_ratio) / above.shear_modulus);
     const double expected = one.approach(grid, gap, 0).load;
-    for (const RailSurface& rail :
-         {RailSurface(with_crown), RailSurface(without),
-          RailSurface(Sections({{-1, without}, {1, without}}, Sections::Interpolation::spline))}) {
+    for (const RailSurface& rail : {RailSurface(with_crown), RailSurface(without),
+                                    RailSurface(Sections({{-1, without}, {1, without}},
+                                                         Sections::Interpolation::spline))}) {
         WheelOnRail::Workspace workspace;
-        const auto contact = WheelOnRail(wheel, rail, above).solve_at_height(at, workspace, {.interaction = false});
+        const auto contact =
+            WheelOnRail(wheel, rail, above).solve_at_height(at, workspace, {.interaction = false});
         const bool crown = rail.has_sections() ? false : rail.profile().length() > 0.09;
         CAPTURE(rail.has_sections(), crown, name(contact.status), contact.patches.size());
         REQUIRE(contact.patches.size() == (crown ? 3 : 2));
@@ -584,68 +583,6 @@ TEST_CASE("contact_search: cells become smaller where too few touch, for a load 
         REQUIRE(contact.patches.size() == 1);
         CHECK(contact.patches[0].grid.dx == 2.5e-3);
     }
-}
-
-TEST_CASE("contact_search: cells become smaller where halves of them would change pressures", "[profiles]") {
-    // a crown with ends, where pressures rise, and shoulders that 20 cells do not see
-    const Profile plateau = piece(
-        -0.03, 0.03, 6001, [](double y) { return std::abs(y) < 0.008 ? 0 : 20 * std::pow(std::abs(y) - 0.008, 2); });
-    const Profile shoulders =
-        piece(-0.03, 0.03, 6001, [](double y) { return 0.4 * y * y + 8e-6 * std::cos(2 * pi * y / 0.004); });
-    WheelOnRail::Workspace workspace;
-    for (const Profile* rail : {&plateau, &shoulders}) {
-        const WheelOnRail wheel(cylinder(), *rail, above);
-        const auto found = wheel.solve_for_load({}, 4e4, workspace),
-                   fine = wheel.solve_for_load({}, 4e4, workspace, {.cells_x = 40, .cells_s = 160}),
-                   at_height = wheel.solve_at_height({.height = fine.height}, workspace, {});
-        CAPTURE(rail == &plateau, name(found.status), name(fine.status));
-        REQUIRE(has_numbers(found.status));
-        REQUIRE(has_numbers(fine.status));
-        REQUIRE(has_numbers(at_height.status));
-        CHECK(found.patches[0].grid.ny > 20);
-        CHECK(found.patches[0].grid.nx <= 60);
-        CHECK(found.patches[0].peak_pressure == Approx(fine.patches[0].peak_pressure).epsilon(0.05));
-        CHECK(found.patches[0].approach == Approx(fine.patches[0].approach).epsilon(0.005));
-        CHECK(at_height.patches[0].load == Approx(fine.patches[0].load).epsilon(0.005));
-        CHECK(at_height.patches[0].peak_pressure == Approx(fine.patches[0].peak_pressure).epsilon(0.05));
-    }
-    // pressures over a sharp edge grow with every halving
-    const Profile edge = polygon({{-30, 20}, {-20, 12}, {-5, 0}, {5, 0}, {20, 12}, {30, 20}});
-    const auto at_edge = WheelOnRail(cylinder(), edge, above).solve_for_load({}, 4e4, workspace);
-    CHECK(at_edge.status == Status::few_cells);
-}
-
-TEST_CASE("contact_search: bends of pressures and sharp peaks ask for smaller cells in their direction", "[profiles]") {
-    const CellGrid grid{.nx = 40, .ny = 20, .x_0 = 0, .y_0 = 0, .dx = 1, .dy = 1};
-    const auto few = [&](double along, double across, double ridge) {
-        Eigen::ArrayXXd p(grid.nx, grid.ny);
-        for (Eigen::Index j = 0; j < grid.ny; ++j) {
-            for (Eigen::Index i = 0; i < grid.nx; ++i) {
-                const double x = (double(i) - 19.5) / along, s = (double(j) - 9.5) / across;
-                p(i, j) = std::sqrt(std::max(0.0, 1 - x * x - s * s));
-            }
-        }
-        p.col(12) *= ridge;
-        return detail::too_few_cells(grid, p, 0);
-    };
-    const auto fine = few(18, 8, 1), ridged = few(18, 8, 1.5), narrow = few(18, 1.2, 1), point = few(18, 0.6, 1);
-    CHECK_FALSE(fine.along);
-    CHECK_FALSE(fine.across);
-    CHECK(ridged.across);
-    CHECK_FALSE(ridged.along);
-    CHECK(narrow.across);
-    CHECK(point.for_outline);
-    // a small patch counts unless its load is negligible
-    Eigen::ArrayXXd p = Eigen::ArrayXXd::Zero(grid.nx, grid.ny);
-    p(5, 5) = 1;
-    CHECK(detail::too_few_cells(grid, p, 0.9).for_outline);
-    CHECK_FALSE(detail::too_few_cells(grid, p, 1.1).for_outline);
-    // measures settle when all of them do
-    const detail::Measures before{1, 1, 1};
-    CHECK(detail::Measures{1.04, 1.004, 0.996}.settled_since(before));
-    CHECK_FALSE(detail::Measures{1.06, 1, 1}.settled_since(before));
-    CHECK_FALSE(detail::Measures{1, 0.994, 1}.settled_since(before));
-    CHECK_FALSE(detail::Measures{1, 1, 1.006}.settled_since(before));
 }
 
 TEST_CASE("contact_search: what contacts displace each other falls with their distance in space", "[profiles]") {

@@ -3,7 +3,6 @@
 
 #include "../../detail/language.hpp"
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -116,10 +115,10 @@ private:
             return {Eigen::Map<const Real>(re), Eigen::Map<const Real>(im)};
         }
     }
-    // Writes a number of block k, turned by an angle with this cosine and sine.
+    // Writes a number of block k, turned.
     template <class Real>
-    static void write(const Pass& of, std::ptrdiff_t k, std::ptrdiff_t i, double c, double s,
-                      const Number<Real>& value) {
+    void write(const Pass& of, std::ptrdiff_t k, std::ptrdiff_t i, const Number<Real>& value) const {
+        const double c = cosine_[std::size_t(k * of.turn)], s = sine_[std::size_t(k * of.turn)];
         double *re = of.to_re + k * of.size + i, *im = of.to_im + k * of.size + i;
         const Real turned_re = c * value.re - s * value.im, turned_im = c * value.im + s * value.re;
         if constexpr (std::is_same_v<Real, double>) {
@@ -131,25 +130,17 @@ private:
         }
     }
 
-    template <std::size_t factor>
+    template <int factor>
     void over(const Pass& of) const {
-        std::array<double, factor> c, s;
-        for (std::size_t k = 0; k < factor; ++k) {
-            c[k] = cosine_[k * std::size_t(of.turn)];
-            s[k] = sine_[k * std::size_t(of.turn)];
-        }
         std::ptrdiff_t i = 0;
-        for (; i + 4 <= of.size; i += 4) butterfly<factor, Four>(of, i, c, s);
-        for (; i < of.size; ++i) butterfly<factor, double>(of, i, c, s);
+        for (; i + 4 <= of.size; i += 4) butterfly<factor, Four>(of, i);
+        for (; i < of.size; ++i) butterfly<factor, double>(of, i);
     }
 
-    template <std::size_t factor, class Real>
-    static void butterfly(const Pass& of, std::ptrdiff_t i, const std::array<double, factor>& c_of,
-                          const std::array<double, factor>& s_of) {
+    template <int factor, class Real>
+    void butterfly(const Pass& of, std::ptrdiff_t i) const {
         const auto x = [&](std::ptrdiff_t k) { return read<Real>(of, k, i); };
-        const auto put = [&](std::size_t k, const Number<Real>& value) {
-            write<Real>(of, std::ptrdiff_t(k), i, c_of[k], s_of[k], value);
-        };
+        const auto put = [&](std::ptrdiff_t k, const Number<Real>& value) { write<Real>(of, k, i, value); };
         const Number<Real> a = x(0), b = x(1);
         if constexpr (factor == 2) {
             put(0, a + b);

@@ -72,8 +72,7 @@ public:
         for (Eigen::Index i = 0; i < pairs; ++i) {
             const double *re = &spectrum_.re[std::size_t(i * half())], *im = &spectrum_.im[std::size_t(i * half())];
             const bool two = i + pairs < nx_;
-            const double *other_re = two ? re + pairs * half() : nullptr,
-                         *other_im = two ? im + pairs * half() : nullptr;
+            const double *other_re = two ? re + pairs * half() : nullptr, *other_im = two ? im + pairs * half() : nullptr;
             for (Eigen::Index k = 0; k < half(); ++k) {
                 const double a = two ? other_re[k] : 0, b = two ? other_im[k] : 0;
                 const auto at = std::size_t(k * pairs + i);
@@ -124,15 +123,16 @@ private:
         }
         along_y_.apply(pairs_, pairs);
         spectrum_.resize(std::size_t(width_ * half()));
-        const auto of = [&](std::vector<double>& part, Eigen::Index i) { return &part[std::size_t(i * half())]; };
+        const auto of = [&](std::vector<double>& part, Eigen::Index i) {
+            return &part[std::size_t(i * half())];
+        };
         for (Eigen::Index i = 0; i < pairs; ++i) {
             double *re = of(spectrum_.re, i), *im = of(spectrum_.im, i);
             const bool two = i + pairs < n;
             double *other_re = two ? of(spectrum_.re, i + pairs) : nullptr,
                    *other_im = two ? of(spectrum_.im, i + pairs) : nullptr;
             for (Eigen::Index k = 0; k < half(); ++k) {
-                const auto at = std::size_t(k * pairs + i),
-                           mirrored = std::size_t((k == 0 ? 0 : height_ - k) * pairs + i);
+                const auto at = std::size_t(k * pairs + i), mirrored = std::size_t((k == 0 ? 0 : height_ - k) * pairs + i);
                 const double a = pairs_.re[at], b = pairs_.im[at], c = pairs_.re[mirrored], d = pairs_.im[mirrored];
                 re[k] = (a + c) / 2;
                 im[k] = (b - d) / 2;

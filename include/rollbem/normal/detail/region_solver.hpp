@@ -61,10 +61,7 @@ public:
     Status locate(const ContactGeometry& geometry, const WheelsetPosition& at, const ContactSettings& settings) {
         geometry_ = &geometry;
         settings_ = settings;
-        gave_up_ = gave_up_ && at.lateral == at_.lateral && at.yaw == at_.yaw && at.along == at_.along &&
-                   at.pitch == at_.pitch;
         at_ = at;
-        work_ = 0;
         placed_.emplace(geometry.placed(at));
         return geometry.is_plain() ? silhouette_.locate(geometry, at) : slices_.locate(geometry, at);
     }
@@ -76,7 +73,6 @@ public:
     /// Doubles the numbers of cells of regions where they are too few, from the next refine() on, with the wheel lower
     /// than gaps assume. Returns whether any have been doubled; patches whose cells cannot be doubled have few_cells.
     bool double_cells(double lower) {
-        if (is_too_deep()) return false;
         const double load = normal_load();
         bool any = false;
         for (std::size_t k = 0; k < regions_.size(); ++k) any = double_cells(k, lower, load) || any;
@@ -151,7 +147,6 @@ public:
                 const NormalContact::Grid& h = rounds > 1 ? displaced(k) : region.gaps.h;
                 region.solution = normal_[k].approach(region.grid, h, depth, tolerance, warm || round > 0);
                 region.vertical = vertical_load(k);
-                work_ += double(region.solution.steps) * double(region.grid.nx * region.grid.ny);
                 if (rounds > 1) find_rows(k);
             }
         }
@@ -171,7 +166,6 @@ public:
             for (int k = 0; k < 12; ++k) {
                 region.solution = normal_[0].carry(region.grid, region.gaps.h, normal, settings_.tolerance, true);
                 region.vertical = vertical_load(0);
-                work_ += double(region.solution.steps) * double(region.grid.nx * region.grid.ny);
                 const double missing = std::log(load / region.vertical);
                 if (!is_finite(missing) || std::abs(missing) < settings_.tolerance) break;
                 if (k > 0) rate = std::clamp((before - missing) / std::log(normal / last), 0.3, 3.0);
@@ -226,7 +220,8 @@ public:
         for (std::size_t k = 0; k < regions_.size(); ++k) {
             const SolvedRegion& region = regions_[k];
             if (!(region.solution.load > 0)) continue;
-            add_patches(*geometry_, at_, pressures_of(k, lower), negligible_load_share * load, found);
+            add_patches(*geometry_, at_,
+                        pressures_of(k, lower), negligible_load_share * load, found);
         }
         std::stable_sort(found.begin(), found.end(),
                          [](const RailPatch& one, const RailPatch& other) { return one.load > other.load; });
@@ -235,9 +230,6 @@ public:
 
 private:
     static constexpr double negligible_load_share = 1e-3;  // of the normal forces
-    // Cells times steps after which cells are not made smaller: some tenths of a second, as peaks of rough profiles
-    // demand ever more.
-    static constexpr double most_work = 6e6;
 
     double normal_load() const {
         double sum = 0;
@@ -247,18 +239,15 @@ private:
 
     PlanePressures pressures_of(std::size_t k, double lower) const {
         const SolvedRegion& region = regions_[k];
-        return {region.plane,    region.grid,           region.gaps,
-                region.solution, normal_[k].pressure(), lower * region.plane.cosine,
-                region.resolved};
+        return {region.plane, region.grid,     region.gaps, region.solution, normal_[k].pressure(),
+                lower * region.plane.cosine, region.resolved};
     }
 
     // Doubles the cells of region k where they are too few; `load` of all regions [N].
     bool double_cells(std::size_t k, double lower, double load) {
-        const Eigen::Index most_cells = (std::max)(Eigen::Index(50000), 8 * settings_.cells_x * settings_.cells_s);
+        constexpr Eigen::Index most_cells = 30000;
         SolvedRegion& region = regions_[k];
         if (!(region.solution.load > 0) || !region.resolved) return false;
-        // cut off where a profile or its stretch ends, which no cells resolve
-        if (border_of(region.gaps, normal_[k].pressure()) != Status::ok) return false;
         TooFewCells few = too_few_cells(region.grid, normal_[k].pressure(), negligible_load_share * load);
         if (settings_.cell_size > 0 && !few.for_outline) return false;
         if (!few.along && !few.across) return false;
@@ -267,8 +256,7 @@ private:
         if (before && now.settled_since(*before) && !few.for_outline) return false;
         if (settings_.cell_size > 0) few.along = few.across = true;
         const Eigen::Index times = (few.along ? 2 : 1) * (few.across ? 2 : 1);
-        region.resolved = region.grid.nx * region.grid.ny * times <= most_cells && work_ < most_work && !gave_up_;
-        gave_up_ = gave_up_ || !region.resolved;
+        region.resolved = region.grid.nx * region.grid.ny * times <= most_cells;
         if (!region.resolved) return false;
         if (few.along) region.times_x *= 2;
         if (few.across) region.times_s *= 2;
@@ -394,7 +382,9 @@ private:
         const bool lobes = top - bottom > line * (right - left) || has_lobes(region);
         const Eigen::Index nx = (lobes ? (std::max)(settings_.cells_x, most) : settings_.cells_x) * region.times_x,
                            ny = (lobes ? (std::max)(settings_.cells_s, most) : settings_.cells_s) * region.times_s;
-        const auto beside = [&](Eigen::Index count) { return outgrown(k) ? (std::max)(margin, count / 24) : margin; };
+        const auto beside = [&](Eigen::Index count) {
+            return outgrown(k) ? (std::max)(margin, count / 24) : margin;
+        };
         const Eigen::Index beside_x = beside(nx), beside_s = beside(ny);
         const double dx = (right - left) / double(nx - 2 * beside_x), dy = (top - bottom) / double(ny - 2 * beside_s);
         return {nx, ny, left + (0.5 - double(beside_x)) * dx, bottom + (0.5 - double(beside_s)) * dy, dx, dy};
@@ -468,8 +458,6 @@ private:
     GapFinder finder_;
     Gaps row_;
     NormalContact::Grid displaced_;
-    double work_ = 0;       // of this contact, see most_work
-    bool gave_up_ = false;  // cells did not suffice in this place, whatever the roll and the height
     std::vector<PointLoad> loads_;
     std::vector<SolvedRegion> regions_;
     std::vector<NormalContact> normal_;  // normal problems of the regions

@@ -38,7 +38,7 @@ struct TooFewCells {
 /// that bend from cell to cell. The limits are those below which halves of the cells change the measures by less than
 /// Measures demands. Patches that carry less than `negligible` [N] may have too few.
 inline TooFewCells too_few_cells(const CellGrid& grid, const Eigen::ArrayXXd& p, double negligible) {
-    constexpr double sharpest = 0.15, most_bent = 0.008;
+    constexpr double sharpest = 0.15, most_bent = 0.0105;
     const auto at = [&](Eigen::Index i, Eigen::Index j) {
         return i < 0 || j < 0 || i >= p.rows() || j >= p.cols() ? 0 : p(i, j);
     };

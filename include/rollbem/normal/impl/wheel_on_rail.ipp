@@ -97,11 +97,8 @@ ROLLBEM_DECL auto WheelOnRail::solve_for_load(const WheelsetPosition& position, 
     if (contact.status != Status::ok) return contact;
     double lower = 0;
     for (bool first = true; first || solver.double_cells(lower); first = false) {
-        const Status settled = detail::settle_height(solver, load, first, approach, lower);
-        if (settled != Status::ok) {
-            contact.status = first ? settled : Status::few_cells;
-            return contact;
-        }
+        contact.status = detail::settle_height(solver, load, first, approach, lower);
+        if (contact.status != Status::ok) return contact;
         workspace.approach_ = approach;
     }
     detail::collect(solver, lower, contact);
