@@ -34,7 +34,6 @@ struct PlanePressures {
     const NormalContact::Solution& solution;
     const NormalContact::Grid& pressure;
     double lower;  ///< along n [m]
-    bool resolved;  ///< cells are small enough
 };
 
 /// The worst status of the cells beside pressures: not ok where a surface has no point there.
@@ -131,10 +130,9 @@ inline void add_patches(const ContactGeometry& geometry, const WheelsetPosition&
         if (!patch.outline && patch.load < negligible) continue;
         patch.approach = of.lower + largest_depth(of.gaps.h, pressure);
         patch.peak_pressure = detail::peak_pressure(pressure);
-        if (!patch.outline || !of.resolved) {
+        if (!patch.outline) {
             if (patch.has_numbers()) patch.status = Status::few_cells;
-        }
-        if (patch.outline) {
+        } else {
             measure(patch);
             if (patch.status == Status::ok && turn_across(geometry, of.plane, at.along, *patch.outline) > doubtful) {
                 patch.status = Status::doubtful_plane;

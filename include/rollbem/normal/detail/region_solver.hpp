@@ -21,7 +21,6 @@
 #include "plane_patches.hpp"
 #include "silhouette_search.hpp"
 #include "slice_search.hpp"
-#include "sufficient_cells.hpp"
 
 namespace rollbem::detail {
 
@@ -50,9 +49,6 @@ struct SolvedRegion {
     NormalContact::Solution solution{};
     double vertical = 0;  // vertical load of the pressures [N]
     std::vector<RowLoad> rows{};
-    Eigen::Index times_x = 1, times_s = 1;  // the usual numbers of cells are multiplied by these
-    std::optional<Measures> coarser{};      // on cells twice as large
-    bool resolved = true;                   // cells are small enough
 };
 
 class RegionSolver {
@@ -63,6 +59,7 @@ public:
         settings_ = settings;
         at_ = at;
         placed_.emplace(geometry.placed(at));
+        cells_ = 1;
         return geometry.is_plain() ? silhouette_.locate(geometry, at) : slices_.locate(geometry, at);
     }
 
@@ -70,28 +67,15 @@ public:
     bool is_too_deep() const { return geometry_->is_plain() ? silhouette_.is_too_deep() : slices_.is_too_deep(); }
     double height() const { return at_.height; }
 
-    /// Doubles the numbers of cells of regions where they are too few, from the next refine() on, with the wheel lower
-    /// than gaps assume. Returns whether any have been doubled; patches whose cells cannot be doubled have few_cells.
-    bool double_cells(double lower) {
-        const double load = normal_load();
-        bool any = false;
-        for (std::size_t k = 0; k < regions_.size(); ++k) any = double_cells(k, lower, load) || any;
-        return any;
-    }
+    /// Multiplies the usual number of cells in both directions by this factor, from the next refine() on.
+    void set_cells(Eigen::Index times) { cells_ = times; }
 
     /// Finds the regions of the contact at a height, and their loads on coarse grids.
     void divide(double height) {
         at_.height = height;
-        Eigen::Index times_x = 1, times_s = 1;
-        for (const SolvedRegion& region : regions_) {
-            times_x = (std::max)(times_x, region.times_x);
-            times_s = (std::max)(times_s, region.times_s);
-        }
         regions_.clear();
         for (const Region& found : find_regions(height)) {
             SolvedRegion& region = regions_.emplace_back();
-            region.times_x = times_x;
-            region.times_s = times_s;
             region.plane = plane_of(*geometry_, found, at_.along);
             region.body = found.body;
             region.grid = first_grid(region.plane);
@@ -215,13 +199,17 @@ public:
 
     /// Patches by decreasing load, with the wheel lower than its gaps assume.
     std::vector<RailPatch> patches(double lower) const {
-        const double load = normal_load();
+        constexpr double negligible_load_share = 1e-3;  // of the normal forces
+        double load = 0;
+        for (const SolvedRegion& region : regions_) load += region.solution.load;
         std::vector<RailPatch> found;
         for (std::size_t k = 0; k < regions_.size(); ++k) {
             const SolvedRegion& region = regions_[k];
             if (!(region.solution.load > 0)) continue;
             add_patches(*geometry_, at_,
-                        pressures_of(k, lower), negligible_load_share * load, found);
+                        {region.plane, region.grid, region.gaps, region.solution, normal_[k].pressure(),
+                         lower * region.plane.cosine},
+                        negligible_load_share * load, found);
         }
         std::stable_sort(found.begin(), found.end(),
                          [](const RailPatch& one, const RailPatch& other) { return one.load > other.load; });
@@ -229,40 +217,6 @@ public:
     }
 
 private:
-    static constexpr double negligible_load_share = 1e-3;  // of the normal forces
-
-    double normal_load() const {
-        double sum = 0;
-        for (const SolvedRegion& region : regions_) sum += region.solution.load;
-        return sum;
-    }
-
-    PlanePressures pressures_of(std::size_t k, double lower) const {
-        const SolvedRegion& region = regions_[k];
-        return {region.plane, region.grid,     region.gaps, region.solution, normal_[k].pressure(),
-                lower * region.plane.cosine, region.resolved};
-    }
-
-    // Doubles the cells of region k where they are too few; `load` of all regions [N].
-    bool double_cells(std::size_t k, double lower, double load) {
-        constexpr Eigen::Index most_cells = 30000;
-        SolvedRegion& region = regions_[k];
-        if (!(region.solution.load > 0) || !region.resolved) return false;
-        TooFewCells few = too_few_cells(region.grid, normal_[k].pressure(), negligible_load_share * load);
-        if (settings_.cell_size > 0 && !few.for_outline) return false;
-        if (!few.along && !few.across) return false;
-        const Measures now = measures_of(pressures_of(k, lower));
-        const std::optional<Measures> before = std::exchange(region.coarser, now);
-        if (before && now.settled_since(*before) && !few.for_outline) return false;
-        if (settings_.cell_size > 0) few.along = few.across = true;
-        const Eigen::Index times = (few.along ? 2 : 1) * (few.across ? 2 : 1);
-        region.resolved = region.grid.nx * region.grid.ny * times <= most_cells;
-        if (!region.resolved) return false;
-        if (few.along) region.times_x *= 2;
-        if (few.across) region.times_s *= 2;
-        return true;
-    }
-
     std::vector<Region> find_regions(double height) {
         return geometry_->is_plain() ? silhouette_.regions(height) : slices_.regions(height);
     }
@@ -363,12 +317,11 @@ private:
         return {cells, cells, middle - half + dx / 2, (plane.low + plane.high - height + dy) / 2, dx, dy};
     }
 
-    // Grid over the cells that may touch, with a margin of two cells, or of several where many did not suffice.
+    // Grid over the cells that may touch, with a margin of two cells.
     CellGrid finer(std::size_t k) {
-        const SolvedRegion& region = regions_[k];
-        const auto [left, right, bottom, top] = extents(region.grid, normal_[k].pressure());
+        const auto [left, right, bottom, top] = extents(regions_[k].grid, normal_[k].pressure());
         constexpr Eigen::Index margin = 2, most = 60;
-        if (const double size = settings_.cell_size / double(region.times_x); size > 0) {
+        if (const double size = settings_.cell_size / double(cells_); size > 0) {
             const auto count = [=](double length) { return Eigen::Index(std::ceil(length / size)) + 2 * margin + 2; };
             return {count(right - left),
                     count(top - bottom),
@@ -379,20 +332,16 @@ private:
         }
         // lines across the track end where profiles have edges
         constexpr double line = 10;
-        const bool lobes = top - bottom > line * (right - left) || has_lobes(region);
-        const Eigen::Index nx = (lobes ? (std::max)(settings_.cells_x, most) : settings_.cells_x) * region.times_x,
-                           ny = (lobes ? (std::max)(settings_.cells_s, most) : settings_.cells_s) * region.times_s;
-        const auto beside = [&](Eigen::Index count) {
-            return outgrown(k) ? (std::max)(margin, count / 24) : margin;
-        };
-        const Eigen::Index beside_x = beside(nx), beside_s = beside(ny);
-        const double dx = (right - left) / double(nx - 2 * beside_x), dy = (top - bottom) / double(ny - 2 * beside_s);
-        return {nx, ny, left + (0.5 - double(beside_x)) * dx, bottom + (0.5 - double(beside_s)) * dy, dx, dy};
+        const bool lobes = top - bottom > line * (right - left) || has_lobes(regions_[k].plane);
+        // patches with too few cells are cut by few lines across the track
+        const Eigen::Index cells_x = settings_.cells_x * cells_, nx = lobes ? (std::max)(cells_x, most) : cells_x,
+                           ny = (lobes ? (std::max)(settings_.cells_s, most) : settings_.cells_s) * cells_;
+        const double dx = (right - left) / double(nx - 2 * margin), dy = (top - bottom) / double(ny - 2 * margin);
+        return {nx, ny, left + (0.5 - margin) * dx, bottom + (0.5 - margin) * dy, dx, dy};
     }
 
     // Whether cells are too few for the narrowest lobe of the gap, or there are several lobes.
-    bool has_lobes(const SolvedRegion& region) {
-        const ContactPlane& plane = region.plane;
+    bool has_lobes(const ContactPlane& plane) {
         constexpr Eigen::Index count = 80, least_cells = 10;
         const double ds = (plane.high - plane.low) / count;
         if (!(ds > 0)) return false;
@@ -405,7 +354,7 @@ private:
         Eigen::Index low = deepest, high = deepest;
         while (low > 0 && h[low - 1] < 0.75 * least) --low;
         while (high + 1 < count && h[high + 1] < 0.75 * least) ++high;
-        if (double(high - low + 1) / count * 2 * double(settings_.cells_s * region.times_s) < least_cells) return true;
+        if (double(high - low + 1) / count * 2 * double(settings_.cells_s * cells_) < least_cells) return true;
         // another lobe, deeper than the ridge between the two
         for (const Eigen::Index step : {-1, 1}) {
             double ridge = least;
@@ -461,6 +410,7 @@ private:
     std::vector<PointLoad> loads_;
     std::vector<SolvedRegion> regions_;
     std::vector<NormalContact> normal_;  // normal problems of the regions
+    Eigen::Index cells_ = 1;
 };
 
 }  // namespace rollbem::detail

@@ -95,13 +95,16 @@ ROLLBEM_DECL auto WheelOnRail::solve_for_load(const WheelsetPosition& position, 
     double approach = workspace.approach_;
     contact.status = detail::approach_load(solver, load, approach);
     if (contact.status != Status::ok) return contact;
-    double lower = 0;
-    for (bool first = true; first || solver.double_cells(lower); first = false) {
-        contact.status = detail::settle_height(solver, load, first, approach, lower);
+    // finer grids if a patch has too few cells
+    for (Eigen::Index times = 1; times <= 4; times *= 2) {
+        double lower = 0;
+        solver.set_cells(times);
+        contact.status = detail::settle_height(solver, load, times == 1, approach, lower);
         if (contact.status != Status::ok) return contact;
         workspace.approach_ = approach;
+        detail::collect(solver, lower, contact);
+        if (contact.status != Status::few_cells) break;
     }
-    detail::collect(solver, lower, contact);
     return contact;
 }
 
@@ -114,15 +117,17 @@ ROLLBEM_DECL auto WheelOnRail::solve_at_height(const WheelsetPosition& position,
     contact.status = solver.locate(geometry_, position, detail::settings(options));
     if (contact.status != Status::ok) return contact;
     solver.divide(position.height);
-    for (bool first = true; first || solver.double_cells(0); first = false) {
-        solver.refine(position.height, first ? 0 : 1, true, true);
+    for (Eigen::Index times = 1; times <= 4; times *= 2) {
+        solver.set_cells(times);
+        solver.refine(position.height, times == 1 ? 0 : 1, true, true);
         solver.settle(0, options.tolerance, false);
         for (int k = 0; k < 4 && solver.outgrown(); ++k) {
             solver.refine(position.height, 1, true, false);
             solver.settle(0, options.tolerance, false);
         }
+        detail::collect(solver, 0, contact);
+        if (contact.status != Status::few_cells) break;
     }
-    detail::collect(solver, 0, contact);
     return contact;
 }
 
