@@ -218,6 +218,7 @@ private:
 
     /// Measures the times of all rows, and computes their errors if on_front is wanted.
     void prepare(const std::vector<std::size_t>& wanted, const std::function<void(double part)>& done) {
+        if (wanted.empty()) return;  // a shard without rows
         const std::vector<Quantity>& quantities = comparison_.quantities;
         const std::vector<Values> references = each<Values>(quantities, comparison_.reference);
         for (std::size_t k = 0; k < quantities.size(); ++k) {
