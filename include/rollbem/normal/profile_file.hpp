@@ -1,4 +1,5 @@
-// Profiles from files: two columns, SIMPACK's .prr and .prw, MiniProf's .ban and .whl, sections .slcs and .slcw.
+// Profiles from files: two columns, SIMPACK's .prr and .prw, MiniProf's .ban and .whl, sections .slcs and .slcw. For
+// wheels and canted rails see surface_file.hpp.
 #pragma once
 
 #include "../detail/decl.hpp"

@@ -19,7 +19,7 @@
 namespace rollbem {
 
 /// The plane of contact has its origin at the reference point, s along y turned by the angle, and n into the rail;
-/// patch and pressures are in the axes (x, s) from there.
+/// patch and pressures are in the axes (x, s) from there. Patches of one plane share its reference point.
 struct RailPatch {
     double x = 0, y = 0, z = 0;              ///< reference point, on the rail, in track axes [m]
     double rail_y = 0, wheel_y = 0;          ///< reference point in both profiles [m]

@@ -41,7 +41,8 @@ bool is_standard_profile(const std::filesystem::path& name, Profile::Use use);
 WheelFile open_wheel(const std::filesystem::path& name, const ProfileFileOptions& options = {}, bool any_shape = false);
 
 /// The right rail 60e1, uic60 or 54e1, or a rail from a file by read_profile, of any shape or checked, canted; a roller
-/// if it has a radius. Throws std::invalid_argument.
+/// if it has a radius. A profile that is canted already needs the cant 0: `doubts` of the result say where none was
+/// given. Throws std::invalid_argument.
 RailFile open_rail(const std::filesystem::path& name, const ProfileFileOptions& options = {},
                    const RailPlacing& placing = {}, bool any_shape = false);
 

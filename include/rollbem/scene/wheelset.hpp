@@ -18,10 +18,11 @@ struct WheelsetPosition {
     double pitch = 0;    ///< turn about the axle [rad], for wheels that are not round; negative when rolling forward
 };
 
-/// Speeds of a wheelset: the middle of its axle moves by `forward` along x.
+/// Speeds of a wheelset: the middle of its axle moves by `forward` along x. In a curve of radius R to the right the yaw
+/// rate is V/R, the left wheel is the outer one, and the yaw is measured from the radial direction.
 struct WheelsetSpeeds {
     double forward = 1;                  ///< V [m/s]
-    double pitch_rate = 0;               ///< rate of the turn about the axle [rad/s], negative when rolling forward
+    double pitch_rate = 0;               ///< rate of the turn about the axle [rad/s], about -V/r forward; 0: locked
     double lateral = 0, vertical = 0;    ///< velocity of the middle of the axle [m/s]
     double roll_rate = 0, yaw_rate = 0;  ///< [rad/s]
 };

@@ -79,8 +79,8 @@ struct WheelForces {
         inputs
     };
 
-    /// In track axes F_x, F_y, F_z [N], and M_x, M_y, M_z [N m] about the middle of the axle. If the status is
-    /// invalid_step, normal forces alone; otherwise NaN unless ok.
+    /// In track axes, also of a left wheel, F_x, F_y, F_z [N], and M_x, M_y, M_z [N m] about the middle of the axle. If
+    /// the status is invalid_step, normal forces alone; otherwise NaN unless ok.
     Eigen::Matrix<double, 6, 1, Eigen::DontAlign> force =
         Eigen::Matrix<double, 6, 1, Eigen::DontAlign>::Constant(std::numeric_limits<double>::quiet_NaN());
     /// Derivatives of the force, a column for each Input in SI units; exact, to the digits of single precision, except
@@ -115,9 +115,9 @@ class WheelLookUp;
 ///
 /// Values are interpolated by local cubics along the shift and the cube root of the load, and by polynomials in yaw^2
 /// along the yaw: on straight rails the contact at -yaw is the mirror image, across the track, of the contact at yaw.
-/// All are C1, shares of the load do not overshoot, and semi-axes stay positive. Zones have integrals of the pressures, so that forces stay
-/// continuous where patches merge, part or vanish. Beyond its loads the table keeps the geometry of its border, and
-/// ellipses grow with N^(1/3). Immutable: threads may share it.
+/// All are C1, shares of the load do not overshoot, and semi-axes stay positive. Zones have integrals of the pressures,
+/// so that forces stay continuous where patches merge, part or vanish. Beyond its loads the table keeps the geometry of
+/// its border, and ellipses grow with N^(1/3). Immutable: threads may share it.
 class ContactTable {
 public:
     /// Coordinates of the nodes.

@@ -54,10 +54,10 @@ public:
     /// Throws std::invalid_argument unless there is a cell.
     ProfileWear(const Profile& profile, Eigen::Index cells);
 
-    /// Adds `weight` times the work of a patch, whose reference point lies at `s` along the profile [m], uniform in
-    /// each of its strips. Work beyond the profile's ends counts in the outermost cells. Ignores friction whose status
-    /// is not ok. Throws std::invalid_argument if the place of other friction is not finite, as arc_length beside the
-    /// profile: its work would be lost.
+    /// Adds `weight` times the work of a patch, whose reference point lies at `s` along the profile [m] (rail_s or
+    /// wheel_s of its RailPatch), uniform in each of its strips. Work beyond the profile's ends counts in the outermost
+    /// cells. Ignores friction whose status is not ok. Throws std::invalid_argument if the place of other friction is
+    /// not finite, as arc_length beside the profile: its work would be lost.
     void add(double s, const PatchForce& friction, double weight = 1);
 
     double width() const { return length_ / double(work_.size()); }  ///< width of a cell [m]

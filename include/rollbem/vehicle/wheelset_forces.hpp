@@ -25,9 +25,10 @@ struct WheelsetRolling {
     WheelsetOnTrack::Free free = WheelsetOnTrack::Free::height_and_roll;
     WheelsetSpeeds speeds{};
     /// Whether the pitch rate is found instead of taken from the speeds: the longitudinal creepages of both wheels'
-    /// largest patches add up to zero, or, if only one wheel touches, its creepage is zero.
+    /// largest patches add up to zero, or, if only one wheel touches, its creepage is zero. A torque is left over.
     bool free_pitch = true;
-    /// The longitudinal force of friction on the wheelset [N], along x, in place of a pitch rate.
+    /// The longitudinal force of friction on the wheelset [N], along x, in place of a pitch rate; about 0 for a
+    /// wheelset without a drive. It takes several solutions of friction.
     std::optional<double> force{};
     /// Whether friction's vertical share, which is large on a flange, counts in the loads; otherwise normal forces
     /// alone carry them.
@@ -48,7 +49,7 @@ struct WheelsetForces {
 
 /// The forces of a rolling wheelset. Loads are vertical, carried by normal forces and friction together: contacts and
 /// friction are found in turn until they carry the loads to 1e-6. With loads_include_friction = false contacts carry
-/// the loads without friction. Allocates. Statuses name the failure:
+/// the loads without friction. Allocates. Statuses name the failure, `contacts.status` and those of the patches:
 ///
 /// - `unbalanced`: the wheel does not carry its load after 40 rounds;
 /// - `load_not_reached`: friction holds the wheel up;
