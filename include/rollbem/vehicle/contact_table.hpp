@@ -115,9 +115,9 @@ class WheelLookUp;
 ///
 /// Values are interpolated by local cubics along the shift and the cube root of the load, and by polynomials in yaw^2
 /// along the yaw: on straight rails the contact at -yaw is the mirror image, across the track, of the contact at yaw.
-/// All are C1, shares of the load do not overshoot, and semi-axes stay positive. Zones have integrals of the pressures, so that forces stay
-/// continuous where patches merge, part or vanish. Beyond its loads the table keeps the geometry of its border, and
-/// ellipses grow with N^(1/3). Immutable: threads may share it.
+/// All are C1, shares of the load do not overshoot, and semi-axes stay positive. Zones have integrals of the pressures,
+/// so that forces stay continuous where patches merge, part or vanish. Beyond its loads the table keeps the geometry of
+/// its border, and ellipses grow with N^(1/3). Immutable: threads may share it.
 class ContactTable {
 public:
     /// Coordinates of the nodes.
