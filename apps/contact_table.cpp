@@ -110,7 +110,7 @@ ContactTable make(const Making& job) {
 
 // --- beside patches --------------------------------------------------------------------------------------------------
 
-/// Wheels rolling by patches and by table: F_x, F_y, M_z over support_y, of each wheel.
+/// Wheels rolling by patches and by table: F_x, F_y, M_z over half_base, of each wheel.
 struct Compared {
     std::array<Eigen::Array3d, 2> patches, table;
     std::array<int, 2> points{};

@@ -126,9 +126,10 @@ the size of that gap over 1 um (3 if something was dropped) and 4 % of the deepe
 the error of the vertical load over 1e-6, and the load dropped over 2e-3 of all. A status other than not_finite and
 not_converged is told.
 --positions: S1002 on UIC 60, 60E1 or 54E1, canted by 0, 1:40 or 1:20, most pairs worn by up to a millimetre over
-centimetres, every tenth rough by 10 um, in positions and judged as with --contacts. Besides, what must agree does, or
-it is told, and broken: the mirror image x -> -x, of opposite yaw; the load at the height found, within 2 %; patches
-with and without interaction, which without carry no less, and within 2 % the same where they are one region.
+centimetres, every tenth rough by 10 um, in positions and judged as with --contacts. Besides, each contact must equal
+its mirror image x -> -x, of opposite yaw, and carry its load again at the height found, within 2 %; without interaction
+its patches must carry no less, and within 2 % the same where they are one region. The column told names what does not
+hold; the verdict is then broken.
 )");
 }
 

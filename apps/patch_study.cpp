@@ -80,9 +80,9 @@ Columns coefficients(const std::vector<std::string>& digits, bool complex, const
 Sheet make_sheet(const Columns& before, bool harmonic, const Columns& behind) {
     const Columns status{
         {"status",
-         "ok; not_converged if some coefficients may be off by more than 5 %: these are empty. Ellipses of few elements "
-         "or strips (8, 12 above a/b = 3.5), or above a/b = 10, and outlines are compared with limits that meshes of "
-         "8, 12 and 16 elements a strip show",
+         "ok; not_converged if some coefficients may be off by more than 5 %: these are empty. Ellipses of few "
+         "elements or strips (8, 12 above a/b = 3.5), or above a/b = 10, and outlines are compared with limits that "
+         "meshes of 8, 12 and 16 elements a strip show",
          &Found::word}};
     const Columns columns =
         study::joined(study::joined(before, coefficients({"11", "22", "23", "32", "33"}, harmonic,

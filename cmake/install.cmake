@@ -1,7 +1,7 @@
 # Installs the headers, the CMake package with its components `reference` and `compiled`, and a pkg-config file. All are
-# relocatable where their folders are not absolute, and independent of the architecture except for the library of `compiled`, which is a package of its own
-# in the folder for libraries; the main package finds it there. Neither it nor any program need have been built: what
-# has not is left out.
+# relocatable where their folders are not absolute, and independent of the architecture except for the library of
+# `compiled`, which is a package of its own in the folder for libraries; the main package finds it there. Neither it nor
+# any program need have been built: what has not is left out.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 include(cmake/pkg_config.cmake)

@@ -169,7 +169,7 @@ typedef struct rollbem_wheel_options {
     int rail_mirror;          /* the same for the rail's file */
     int any_shape;            /* 1: pieces, planes and rollers, not checked to look like wheel and rail; else 0 */
     int by_origin;            /* 1: the rail is placed by rail_origin; 0: by gauge and gauge_depth */
-    int interaction;          /* 1: patches of the wheel displace each other; else 0 */
+    int interaction;          /* 1: patches of the wheel displace each other; 0: only those of one region do */
     double per_metre;         /* units of length in a metre, of files with two columns: 1 (default) or 1000 */
     double smooth;            /* wave length [m] that is halved, shorter ones vanish; 0 (default): none */
     double cant;              /* inward turn of the rail [rad]; default atan(1/40), 0 for canted profiles */

@@ -136,8 +136,8 @@ Outcome judged(const Pair& pair, const WheelScene& scene, const Contact& contact
     return outcome;
 }
 
-/// The verdict on the contact of a scene, searched on an equal wheel and rail. Errors by coarse cells become less on the
-/// finer cells that `scene` then has, a contact that was lost stays so.
+/// The verdict on the contact of a scene, searched on an equal wheel and rail. Errors by coarse cells become less on
+/// the finer cells that `scene` then has, a contact that was lost stays so.
 std::pair<Outcome, Contact> judged(const Pair& pair, const WheelOnRail& searched, WheelScene& scene) {
     const auto now = [&] {
         Contact contact = solved(searched, scene);

@@ -28,8 +28,8 @@ struct Point {
     std::string status = "ok";           ///< why there is no error
     std::vector<std::string> setting{};  ///< kernel, aspect, poisson, size_ratio, epsilon
     std::string worst_at{};              ///< the place of the error, if the quantity has any
-    /// Whether the error can be relied on. That of an extrapolated force with friction cannot: the border of stick jumps
-    /// from element to element, and what few places show may be luck.
+    /// Whether the error can be relied on. That of an extrapolated force with friction cannot: the border of stick
+    /// jumps from element to element, and what few places show may be luck.
     bool competes = true;
     std::string series{};  ///< tells apart several series in n of one scheme
 };

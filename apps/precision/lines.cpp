@@ -418,8 +418,8 @@ std::vector<std::ptrdiff_t> read_sizes(const study::Options& options, const Name
     return sizes;
 }
 
-/// The distances q/a of transient, equally far apart: ten steps of --dq, or those from 1 to 10, two of which lie next to
-/// the kink of the exact force at q/a = 2, on either side.
+/// The distances q/a of transient, equally far apart: ten steps of --dq, or those from 1 to 10, two of which lie next
+/// to the kink of the exact force at q/a = 2, on either side.
 std::vector<double> distances(const study::Options& options) {
     const bool given = options.given("dq");
     const double dq = given ? options.number("dq", study::positive()) : 0.07;

@@ -35,7 +35,9 @@ void add_position_options(study::Options& options) {
                 "touches z = 0 of the track; the roll is then 0 unless --roll is given");
     options.not_with({"load"}, "height");
     options.add("interaction", "NAME",
-                "displacement of one patch of a wheel by the pressures of another: on, or off as in CONTACT", "on");
+                "displacement of one patch of a wheel by the pressures of another: on, or off as in CONTACT; patches "
+                "of one region displace each other always",
+                "on");
     options.add("cells", "NX,NS",
                 "numbers of cells across the region that touches, along x and s [dimensionless], 10 to 1000 each; "
                 "regions with lobes have more",

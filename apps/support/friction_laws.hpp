@@ -1,7 +1,7 @@
 // The laws of friction that programs offer by an option: one row of a table each.
 #pragma once
 
-#include <functional>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>

@@ -70,10 +70,10 @@ Numbers read_edges(const Options& options, const std::string& name, double low =
 
 /// The columns `names` of the file that --name gives, separated by commas in `names`: finite numbers. They are found by
 /// their names in the first line; further columns are ignored unless a letter or two make them one of these, and a
-/// semicolon, a tab or blanks may take the place of the comma. Those of `further`, groups with a semicolon between them, follow;
-/// the columns of a group are empty if the file has none of them. A named column other than these is refused if `only`
-/// lists those that apply. `check` is called after each line with all columns and the line for messages. Throws
-/// BadInput.
+/// semicolon, a tab or blanks may take the place of the comma. Those of `further`, groups with a semicolon between
+/// them, follow; the columns of a group are empty if the file has none of them. A named column other than these is
+/// refused if `only` lists those that apply. `check` is called after each line with all columns and the line for
+/// messages. Throws BadInput.
 std::vector<Numbers> read_columns(
     const Options& options, const std::string& name, const std::string& names, const std::string& further = "",
     const std::function<void(const std::vector<Numbers>& columns, const std::string& where)>& check = {},

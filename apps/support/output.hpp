@@ -21,8 +21,8 @@ std::string place_of(const std::string& path);
 struct Unfinished;
 
 /// A file to write from start to end. A regular file is written to FILE.NUMBER.part and takes its name in commit();
-/// without commit() nothing is left. Pipes and devices are written to directly; what the reader of a pipe leaves unread is
-/// lost without an error.
+/// without commit() nothing is left. Pipes and devices are written to directly; what the reader of a pipe leaves unread
+/// is lost without an error.
 class OutputFile {
 public:
     static OutputFile standard_output() { return {"-", "standard output"}; }

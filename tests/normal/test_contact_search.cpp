@@ -534,12 +534,11 @@ TEST_CASE("contact_search: parts of one run of depths displace each other with i
     }
     NormalContact one((1 - above.poisson_ratio) / above.shear_modulus);
     const double expected = one.approach(grid, gap, 0).load;
-    for (const RailSurface& rail : {RailSurface(with_crown), RailSurface(without),
-                                    RailSurface(Sections({{-1, without}, {1, without}},
-                                                         Sections::Interpolation::spline))}) {
+    for (const RailSurface& rail :
+         {RailSurface(with_crown), RailSurface(without),
+          RailSurface(Sections({{-1, without}, {1, without}}, Sections::Interpolation::spline))}) {
         WheelOnRail::Workspace workspace;
-        const auto contact =
-            WheelOnRail(wheel, rail, above).solve_at_height(at, workspace, {.interaction = false});
+        const auto contact = WheelOnRail(wheel, rail, above).solve_at_height(at, workspace, {.interaction = false});
         const bool crown = rail.has_sections() ? false : rail.profile().length() > 0.09;
         CAPTURE(rail.has_sections(), crown, name(contact.status), contact.patches.size());
         REQUIRE(contact.patches.size() == (crown ? 3 : 2));

@@ -202,7 +202,8 @@ TEST_CASE("sections: parts are interrupted where a feature is absent", "[profile
 TEST_CASE("sections: parts lie one behind the other along s", "[profiles]") {
     const auto list = [](double feature) {
         std::vector<Section> sections;
-        for (const double at : unequal) sections.push_back({at, arch(1 + at, at), {0, feature, at == 0.03 ? -1 : 0.03, 1}});
+        for (const double at : unequal)
+            sections.push_back({at, arch(1 + at, at), {0, feature, at == 0.03 ? -1 : 0.03, 1}});
         return sections;
     };
     const Sections sections(list(0.01), Interpolation::through);

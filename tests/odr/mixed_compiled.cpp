@@ -1,5 +1,5 @@
-// The unit of a mixed pair whose functions come from rollbem::compiled: both have the same functions, and what one makes
-// the other uses.
+// The unit of a mixed pair whose functions come from rollbem::compiled: both have the same functions, and what one
+// makes the other uses.
 #include "mixed.hpp"
 
 int main() {

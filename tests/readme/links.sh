@@ -62,7 +62,8 @@ unknown=$({
 missing=$({
     grep -hoE '`[^`]*`' README.md CONTRIBUTING.md docs/*.md
     find include apps tests cmake -type f -not -path '*/corpus/*' -exec grep -ahoE '(//|#|\*) .*' {} +
-} | grep -aoE '(^|[ `("])([a-z_]+/)+[a-z_0-9]+\.([chit]pp|h|c|f90|py|sh|md|txt|cmake)\b' | sed 's/^[^a-z_]//' | grep -v 'name\.' | sort -u |
+} | grep -aoE '(^|[ `("])([a-z_]+/)+[a-z_0-9]+\.([chit]pp|h|c|f90|py|sh|md|txt|cmake)\b' |
+    sed 's/^[^a-z_]//' | grep -v 'name\.' | sort -u |
     while read -r path; do
         for folder in . include include/rollbem apps tests include/rollbem/detail; do
             [ ! -e "$folder/$path" ] || continue 2

@@ -25,7 +25,8 @@ TangentialForce<Scalar> full_sliding(Scalar a_over_b, Scalar longitudinal, Scala
     if (largest == 0) return {0, 0, 0};
     int exponent = 0;
     std::frexp(largest, &exponent);
-    for (Scalar* one : {&longitudinal, &lateral, &spin}) *one = std::ldexp(*one, -exponent);  // exact, and none overflows
+    // exact, and none overflows
+    for (Scalar* one : {&longitudinal, &lateral, &spin}) *one = std::ldexp(*one, -exponent);
     const Scalar a = sqrt(a_over_b), b = 1 / a;  // c = 1
     const Scalar sign = spin < 0 ? -1 : 1, rate = abs(spin);
     // the pole times the spin, where the ellipse is the unit circle

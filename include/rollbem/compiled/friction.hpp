@@ -1,4 +1,5 @@
-// The makers of systems and pressures compiled for double, and friction; link rollbem::compiled.
+// Friction, and the makers of systems and pressures, compiled for double. Replaces friction/model.hpp,
+// assembly/patch_system.hpp and the headers of normal/ for pressures and loads; link rollbem::compiled.
 #pragma once
 
 #include <array>

@@ -139,9 +139,9 @@ inline std::vector<std::string> cells_of(std::string_view line, char separator =
     return cells;
 }
 
-/// The separator of a table's cells. A line `sep=;` above the table names it; otherwise the first line with a semicolon,
-/// a comma or a tab outside quotes has it, in this order, but tabs behind a number are blanks, and a comma in it is its
-/// decimal point. Lines without the separator have blanks between their cells.
+/// The separator of a table's cells. A line `sep=;` above the table names it; otherwise the first line with a
+/// semicolon, a comma or a tab outside quotes has it, in this order, but tabs behind a number are blanks, and a comma
+/// in it is its decimal point. Lines without the separator have blanks between their cells.
 class Separator {
 public:
     /// Whether the line only names the separator, of all that follow.

@@ -49,8 +49,8 @@ struct FrictionMemory {
     }
 };
 
-/// The law of a model: a constant coefficient (Coulomb's law), for which no model asks for a speed or a duration, or any
-/// SlipLaw.
+/// The law of a model: a constant coefficient (Coulomb's law), for which no model asks for a speed or a duration, or
+/// any SlipLaw.
 class FrictionLaw {
 public:
     FrictionLaw(double mu) : at_rest_(mu) {}  // NOLINT: implicit on purpose
@@ -69,8 +69,8 @@ private:
 
 /// Friction on the elements of a mesh: |p| <= mu p_n; where an element slips, |p| = mu p_n and p opposes the slip. With
 /// two directions, if the equations of the system hold half an element ahead of the elements' centres
-/// (Elements::half_element_ahead), slip is rotated to its direction at the centres, where the tractions act. Results are
-/// then of second order in 1/n; otherwise they are of first order where the direction of slip varies.
+/// (Elements::half_element_ahead), slip is rotated to its direction at the centres, where the tractions act. Results
+/// are then of second order in 1/n; otherwise they are of first order where the direction of slip varies.
 ///
 ///     Friction{0.3, pressure}                              // Coulomb's law
 ///     Friction{ExponentialFall{0.3, 0.18, 0.1}, pressure}

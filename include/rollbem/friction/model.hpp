@@ -30,11 +30,11 @@ struct FrictionData;     // internal
 struct FrictionScratch;  // internal
 }  // namespace detail
 
-/// Matrix factors and scratch memory of friction. They make steps fast and never change a result. A workspace is made by
-/// a model and fits any model with the same number of elements and directions, the same coupling of directions and the
-/// same kind of coefficient (constant, or dependent on slip). The factors are kept as long as the model and the distance
-/// rolled stay the same, so contacts that are stepped in turn should each have their own workspace. Two threads must not
-/// use one workspace at the same time.
+/// Matrix factors and scratch memory of friction. They make steps fast and never change a result. A workspace is made
+/// by a model and fits any model with the same number of elements and directions, the same coupling of directions and
+/// the same kind of coefficient (constant, or dependent on slip). The factors are kept as long as the model and the
+/// distance rolled stay the same, so contacts that are stepped in turn should each have their own workspace. Two
+/// threads must not use one workspace at the same time.
 class FrictionWorkspace {
 public:
     FrictionWorkspace(const FrictionWorkspace& other);

@@ -64,9 +64,9 @@ inline bool is_finite(const TangentialForce<double>& force) {
 }  // namespace detail
 
 /// Result of a steady solution, a step or a rigid shift. Forces, tangents and works are totals, for a line contact over
-/// its width 2b; where b is infinite they are per metre of width (Contact::width()). A model of one
-/// direction returns 0 across its direction, and NaN as the moment and the derivatives by spin. All are NaN unless the status is ok or no_solution; tangents are NaN
-/// also if the equations of the elements are singular.
+/// its width 2b; where b is infinite they are per metre of width (Contact::width()). A model of one direction returns 0
+/// across its direction, and NaN as the moment and the derivatives by spin. All are NaN unless the status is ok or
+/// no_solution; tangents are NaN also if the equations of the elements are singular.
 struct FrictionStep {
     using Force = TangentialForce<double>;
     using Tangent = CreepageTangent<double>;

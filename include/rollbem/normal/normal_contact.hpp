@@ -4,7 +4,6 @@
 
 #include "../detail/decl.hpp"
 
-#include <concepts>
 #include <optional>
 
 #include <Eigen/Core>

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <concepts>
 #include <optional>
 #include <vector>
 

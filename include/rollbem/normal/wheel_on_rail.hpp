@@ -3,7 +3,6 @@
 
 #include "../detail/decl.hpp"
 
-#include <concepts>
 #include <utility>
 #include <vector>
 
@@ -34,7 +33,7 @@ public:
         /// If positive, the side [m] of square cells, one centred on the reference point, as in CONTACT; replaces the
         /// numbers of cells.
         double cell_size = 0;
-        /// Whether patches of one wheel displace each other.
+        /// Whether patches of one wheel displace each other; those split from one region always do.
         bool interaction = true;
     };
 

@@ -88,8 +88,9 @@ public:
     TabulatedForce look_up(const PatchContact<double>& contact, double friction_coefficient, double load,
                            const Creepage<double>& creepage) const noexcept;
 
-    /// The force of look_up() alone, to the rounding of Digits, float or double, in less time; not finite where creepages
-    /// are not. Unchecked: semi-axes and G must satisfy the rules of PatchContact, and Poisson's ratio must fit.
+    /// The force of look_up() alone, to the rounding of Digits, float or double, in less time; not finite where
+    /// creepages are not. Unchecked: semi-axes and G must satisfy the rules of PatchContact, and Poisson's ratio must
+    /// fit.
     template <std::floating_point Digits = double>
     TangentialForce<double> force(const PatchContact<double>::Parameters& contact, double friction_coefficient,
                                   double load, const Creepage<double>& creepage) const noexcept;

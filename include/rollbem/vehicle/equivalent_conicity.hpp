@@ -69,8 +69,8 @@ struct EquivalentConicity {
     double wavelength = 0;        ///< wave length of tan_gamma [m]
     double y_min = 0, y_max = 0;  ///< lateral positions where the wave turns [m]
     /// beyond_clearance where the wave does not fit between the ends of Delta r; unstable where no wave of this
-    /// amplitude passes the equilibrium, as Delta r falls. It is the worse status of both waves: a conicity has no numbers
-    /// without the other one.
+    /// amplitude passes the equilibrium, as Delta r falls. It is the worse status of both waves: a conicity has no
+    /// numbers without the other one.
     Status status = Status::not_finite;
 };
 

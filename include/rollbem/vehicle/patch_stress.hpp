@@ -20,7 +20,8 @@ struct StripStress {
 
 /// Below each strip the largest of the stresses under the middles of its elements, down to the length of the patch, by
 /// tractions and pressures of all patches of the plane; in the rail, which is as stiff as the wheel: stresses in the
-/// wheel are mirror images under opposite tractions. Empty for friction without a result. Throws as subsurface_stress().
+/// wheel are mirror images under opposite tractions. Empty for friction without a result. Throws as
+/// subsurface_stress().
 std::vector<StripStress> stresses_below(const PatchForce& friction, double poisson_ratio);
 
 /// A patch in the map of shakedown (Johnson 1989): its load factor and coefficient of traction.

@@ -5,7 +5,6 @@
 #include "../detail/decl.hpp"
 
 #include <array>
-#include <concepts>
 #include <cstddef>
 #include <limits>
 #include <optional>

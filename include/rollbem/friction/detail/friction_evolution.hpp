@@ -34,12 +34,12 @@ struct CoefficientScratch {
     SlipDependentFriction<directions> iteration;
     VectorX<double> friction, pressure;  ///< mu and p_n/G of the stage
     VectorX<double> duration, before;    ///< of the stage; mu of each particle before it
-    VectorX<double> increment,
-        first;                    ///< change of mu along the paths of particles in the first of two stages; mu after it
-    VectorX<double> change;       ///< d mu of the last tangent
-    VectorX<double> bound;        ///< d bound of the last tangent at constant mu
-    VectorX<double> path_change;  ///< d before by the half-length, on which the paths of the particles depend
-    VectorX<double> before_change;                                       ///< d before of the last tangent
+    VectorX<double> increment;           ///< change of mu along the paths of particles in the first of two stages
+    VectorX<double> first;               ///< mu after the first of two stages
+    VectorX<double> change;              ///< d mu of the last tangent
+    VectorX<double> bound;               ///< d bound of the last tangent at constant mu
+    VectorX<double> path_change;         ///< d before by the half-length, on which the paths of the particles depend
+    VectorX<double> before_change;       ///< d before of the last tangent
     std::array<VectorX<double>, Parameters<directions>::count> carried;  ///< d increment of each tangent
     /// Whether Newton's method has converged after few solutions. A second stage then starts from mu at the start of
     /// the step, which is nearer to the solution than mu of the first stage if little changes; after a jump mu of the

@@ -249,7 +249,7 @@ private:
     }
 
     // Factorises Newton's matrix, if it has changed. Tangents need the `exact` derivatives; Newton's method leaves out
-    // the derivatives of the angles of turned slip.
+    // the derivatives of the angles of rotated slip.
     void factorise(const FrictionEvolution& evolution, const Stage& stage, bool exact) {
         const auto& solver = stage.solver;
         find_coupling(stage, exact);
@@ -280,7 +280,7 @@ private:
     }
 
     // Finds in coupling_ the derivatives of the sliding elements' slip by their bounds. If there is no tangent, no
-    // element counts as sliding. `exact` includes the angles of turned slip.
+    // element counts as sliding. `exact` includes the angles of rotated slip.
     void find_coupling(const Stage& stage, bool exact) {
         const auto& [problem, centres, solver, solution] = stage;
         const std::uint64_t kind = is_regular_ ? exact && solution.rotation.follows() ? 2 : 1 : 0;

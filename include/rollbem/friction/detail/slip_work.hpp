@@ -17,7 +17,7 @@ namespace rollbem::detail {
 /// (CentreValues). At alpha = 0.5 on a line, where the collocation point of an element is its leading edge, this is the
 /// mean of the slips at its two edges. The slip of the element's own equation would give an error of first order.
 ///
-/// Where slip is turned, tractions oppose the slip at the centre, so that slipping elements never gain energy. A
+/// Where slip is rotated, tractions oppose the slip at the centre, so that slipping elements never gain energy. A
 /// sticking element ahead of a slipping one contributes -p_i . s_(i-1)/2, of either sign; without this term the sum is
 /// wrong.
 ///
@@ -27,7 +27,7 @@ public:
     SlipWork(const ArrayX<double>& widths, CentreValues<double> centres, bool turned = false)
         : widths_(widths), centres_(std::move(centres)), turned_(turned) {}
 
-    /// In strips on a patch the slip of each element's own equation is used unless slip is turned.
+    /// In strips on a patch the slip of each element's own equation is used unless slip is rotated.
     SlipWork(const Elements<double>& elements, bool turned)
         : SlipWork(elements.areas,
                    turned ? CentreValues<double>::in_strips(elements.behind)
@@ -59,7 +59,7 @@ public:
         return sum;
     }
 
-    /// Completes a sum: multiplies it by `unit` and, unless slip is turned, removes negative values. No element gains
+    /// Completes a sum: multiplies it by `unit` and, unless slip is rotated, removes negative values. No element gains
     /// energy, but interpolation may yield a gain of second order where the slip changes sign or vanishes within an
     /// element.
     void end(VectorX<double>& work, double unit = 1) const {

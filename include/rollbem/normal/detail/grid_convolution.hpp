@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <concepts>
 
 #include <Eigen/Core>
 #include <unsupported/Eigen/FFT>

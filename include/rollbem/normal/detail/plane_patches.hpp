@@ -102,8 +102,8 @@ inline RailPatch patch_on(const ContactGeometry& geometry, const WheelsetPositio
     patch.rail_s = plane.rail_s;
     patch.wheel_s = GapFinder::wheel_place(placed, at.height, plane);
     patch.rail_y = plane.y - geometry.rail_origin().y;
-    const WheelSurface::Point wheel = placed.unplaced(patch.wheel_s, plane.x)
-                                          .value_or(geometry.wheel().at(patch.wheel_s, -at.pitch));
+    const WheelSurface::Point wheel =
+        placed.unplaced(patch.wheel_s, plane.x).value_or(geometry.wheel().at(patch.wheel_s, -at.pitch));
     patch.wheel_y = wheel.y;
     patch.angle = plane.angle;
     patch.rolling_radius = geometry.dimensions().radius + wheel.z;

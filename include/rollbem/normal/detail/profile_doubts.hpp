@@ -1,4 +1,4 @@
-// Signs in a profile that can be a wheel that it may not be meant as it is read.
+// Signs that the profile of a wheel may not be meant as it is read.
 #pragma once
 
 #include <cmath>

@@ -29,8 +29,7 @@ inline void scale(WheelOnRail::Contact& wheel, std::vector<PatchForce>& forces, 
 }
 
 /// Searches for the vertical load of a wheel's normal forces with which normal forces and friction carry the wanted
-/// load. `log_load_factor` is the logarithm of the load over the
-/// wanted load.
+/// load. `log_load_factor` is the logarithm of the former over the latter.
 class CarriedLoad {
 public:
     double log_load_factor = 0;
