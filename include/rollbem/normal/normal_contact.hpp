@@ -4,6 +4,7 @@
 
 #include "../detail/decl.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include <Eigen/Core>
@@ -16,7 +17,6 @@ namespace rollbem {
 
 namespace detail {
 class GridConvolution;
-
 }  // namespace detail
 
 /// Cells of size dx x dy [m] around centres x_0 + i dx, y_0 + j dy. Invariant: nx, ny >= 1; 0 < dx, dy < inf.

@@ -3,6 +3,7 @@
 
 #include "../detail/decl.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>

@@ -1,4 +1,4 @@
-// Bodies of contact_table.hpp. Internal.
+// Bodies of vehicle/contact_table.hpp. Internal.
 #pragma once
 
 #include "../contact_table.hpp"

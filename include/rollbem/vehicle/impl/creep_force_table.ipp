@@ -1,4 +1,4 @@
-// Bodies of creep_force_table.hpp. Internal.
+// Bodies of vehicle/creep_force_table.hpp. Internal.
 #pragma once
 
 #include "../creep_force_table.hpp"
