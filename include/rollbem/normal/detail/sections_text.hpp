@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "../../detail/require.hpp"
 #include "../sections.hpp"
 #include "profile_text.hpp"
 

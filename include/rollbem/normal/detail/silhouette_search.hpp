@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "../../detail/finite.hpp"
 #include "../../status.hpp"
 #include "contact_region.hpp"
 #include "curve_index.hpp"

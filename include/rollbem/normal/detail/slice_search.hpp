@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "../../detail/finite.hpp"
 #include "../../status.hpp"
 #include "contact_region.hpp"
 #include "curve_index.hpp"
