@@ -323,6 +323,10 @@ std::optional<Setting> next_setting(Lines& lines) {
     const bool is_list = !is_name && rollbem::detail::trimmed(std::string_view(text).substr(equals + 1))[0] == '[';
     while (is_list && text.find(']') == std::string::npos) {
         if (!lines.next()) throw BadInput(where + ": each [ must have its ]");
+        const char last = text.back(), next = lines.text()[0];
+        if (last != '[' && last != ',' && next != ']' && next != ',') {
+            throw BadInput(lines.where() + " = " + lines.text() + " must follow a comma");
+        }
         text += lines.text();
     }
     require(!is_list || text.find(']') + 1 == text.size(), "end with its ]");
@@ -331,6 +335,7 @@ std::optional<Setting> next_setting(Lines& lines) {
     format.comment('\0');  // a # within a value is no comment
     std::istringstream one(is_name ? text + " = true" : text);
     const CLI::ConfigItem item = format.from_config(one).at(0);
+    require(item.parents.empty(), "name an option without a section");
     Setting setting{item.name, where, {}};
     if (is_name) return setting;
     for (const std::string& value : item.inputs) setting.values.emplace_back(rollbem::detail::trimmed(value));
