@@ -366,7 +366,7 @@ bool find_response(const StepView<directions>& view, const Stage<directions, dou
         }
         const auto& p = view.histories() == 2 ? solution.traction(k) : solution.traction();
         with_equations(contact.system, now.geometry, [&](const auto& equations) {
-            now.add_rate(parameter, contact.rigid, equations, p, own.rate, dc);
+            now.add_rate(parameter, view.contact.rigid, equations, p, own.rate, dc);
         });
         change.constant[k] = &dc;
     }
