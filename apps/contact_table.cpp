@@ -255,9 +255,8 @@ const study::Sheet<Scanned, Position>& scan_sheet() {
             return (row.found.*of)[row.side][i] * (i == 2 ? ContactTable::half_base : 1);
         });
     };
-    const char* by_table =
-        "forces [N] and moment [N m] on the wheel by the table, in track axes about the middle of the axle";
-    const char* by_patches = "forces and moment by the patches, likewise";
+    const char* by_table = "forces on the wheel by the table, in track axes [N]";
+    const char* by_patches = "forces by the patches, likewise [N]";
     static const study::Sheet<Scanned, Position> columns{
         "",
         {{"load", "vertical load on each wheel [N]: nodes of the table and their midpoints",
@@ -267,10 +266,10 @@ const study::Sheet<Scanned, Position>& scan_sheet() {
          {"side", "wheel, left or right", [](const Scanned& row) { return row.side == 0 ? "left" : "right"; }},
          {"table_force_x", by_table, force(&Compared::table, 0)},
          {"table_force_y", by_table, force(&Compared::table, 1)},
-         {"table_moment_z", by_table, force(&Compared::table, 2)},
+         {"table_moment_z", "moment of these about the middle of the axle [N m]", force(&Compared::table, 2)},
          {"patch_force_x", by_patches, force(&Compared::patches, 0)},
          {"patch_force_y", by_patches, force(&Compared::patches, 1)},
-         {"patch_moment_z", by_patches, force(&Compared::patches, 2)},
+         {"patch_moment_z", "moment by the patches, likewise [N m]", force(&Compared::patches, 2)},
          {"points", "number of the table's points of contact that carry load",
           [](const Scanned& row) { return row.found.points[row.side]; }},
          {"status", "ok, or why there are no forces", [](const Scanned& row) { return row.found.status; }}},

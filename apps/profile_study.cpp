@@ -241,14 +241,48 @@ Columns heat_columns() {
              study::where(&Found::solved, [](const Found& f) { return f.solved()->peak_temperature; })}};
 }
 
+/// Columns of positions, separated by commas, with their units.
+std::string with_units(const std::string& columns) {
+    std::vector<std::string> all = study::columns_of(columns);
+    for (std::string& name : all) {
+        if (name == "shift" || name == "track_x") name += " [m]";
+        if (name == "yaw" || name == "pitch") name += " [rad]";
+    }
+    return study::join(all, ",");
+}
+
 /// The columns, in track axes: y, angles and lateral quantities of a left wheel are its mirror image's, reversed.
 study::Sheet<Found, Case> sheet_of(const std::string& positions, bool friction, bool heats, bool stress) {
     Columns columns = patch_columns();
     if (friction) columns = study::joined(columns, friction_columns());
     if (heats) columns = study::joined(columns, heat_columns());
     if (stress) columns = study::joined(columns, stress_columns());
-    return {positions, columns, ""};
+    return {with_units(positions), columns, ""};
 }
+
+/// The patches of one position on a terminal.
+const study::Blocks patch_by_patch{{"shift", "yaw", "track_x", "pitch", "roll", "side", "patch", "status"},
+                                   {"load",
+                                    "x",
+                                    "y",
+                                    "z",
+                                    "rail_y",
+                                    "wheel_y",
+                                    "angle",
+                                    "peak_pressure",
+                                    "area",
+                                    "half_length",
+                                    "half_width",
+                                    "longitudinal_creepage",
+                                    "lateral_creepage",
+                                    "spin",
+                                    "longitudinal_force",
+                                    "lateral_force",
+                                    "spin_moment",
+                                    "slip_power",
+                                    "peak_temperature",
+                                    "max_von_mises",
+                                    "max_tresca"}};
 
 std::string help() {
     return R"(Example: contact points over the lateral shift, as every vehicle engineer draws them
@@ -460,6 +494,7 @@ study::Table patch_table(Run& run, study::OutputFiles& files) {
         if (run.stress != nullptr) write_stresses(*run.stress, settings, run.positions);
     };
     table.plot = [&](const study::Records& rows) { return draw(run, rows); };
+    if (settings.cases.size() == 1) table.blocks = patch_by_patch;
     return table;
 }
 

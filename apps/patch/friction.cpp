@@ -105,7 +105,7 @@ std::string friction_help() {
 }
 
 study::Table friction_table(const Friction& scene) {
-    study::Table table = study::table_of(friction_sheet().names(), scene.patches, scene.points.size());
+    study::Table table = friction_sheet().frame(scene.patches, scene.points.size());
     study::SideTable& tractions = table.put_beside("tractions", traction_sheet().names(), scene.keeps_tractions);
     table.compute = [&scene, &tractions](std::size_t task, study::RowRange range, const study::Emit& emit) {
         const Patch& patch = scene.patches[task];

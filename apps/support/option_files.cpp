@@ -13,7 +13,7 @@ std::vector<Given> Options::given() const {
         if (!given(name) || name == "config") continue;
         const bool writes = entry.kind == Kind::output || entry.kind == Kind::table || entry.kind == Kind::folder;
         result.push_back(
-            {name, entry.kind == Kind::flag ? raw(name).back() : join(raw(name), ","), !writes && name != "jobs"});
+            {name, entry.kind == Kind::flag ? raw(name).back() : join(raw(name), ","), !writes && name != "jobs" && name != "csv"});
     }
     return result;
 }
