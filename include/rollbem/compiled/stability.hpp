@@ -17,10 +17,10 @@ extern template EigenSolver<MatrixXd>& EigenSolver<MatrixXd>::compute(const Eige
 
 namespace rollbem {
 
-extern template BalancedReduction<double> balanced_reduction<double>(const StateSpace<double>&, Eigen::Index);
-extern template bool detail::all_decay<double>(const RollingSystem<double>&, double, double, double);
-extern template StabilityResult<double> detail::find_eigenvalues<double>(const RollingSystem<double>&, bool);
-extern template double condition_number<double>(const MatrixX<double>&);
-extern template UnstableCount<double> count_unstable<double>(const RollingSystem<double>&);
+extern template BalancedReduction balanced_reduction(const StateSpace&, Eigen::Index);
+extern template bool detail::all_decay(const RollingSystem<double>&, double, double, double);
+extern template StabilityResult detail::find_eigenvalues(const RollingSystem<double>&, bool);
+extern template double condition_number(const MatrixX<double>&);
+extern template UnstableCount count_unstable(const RollingSystem<double>&);
 
 }  // namespace rollbem

@@ -14,14 +14,11 @@ namespace rollbem {
 
 /// Pressure that is linear between given points, and zero before the first and after the last. Two points at the same x
 /// make a jump. Invariant: -1 <= x/a <= 1, ascending; pressures finite, not negative, with a positive integral.
-template <class Scalar_ = double>
 class PressureTable {
 public:
-    using Scalar = Scalar_;
-
     /// Points x/a [-] and the pressures there [Pa, or any unit]. Throws std::invalid_argument if they break the
     /// invariant or the lengths differ.
-    PressureTable(ArrayX<Scalar> x_over_a, ArrayX<Scalar> pressure)
+    PressureTable(ArrayX<double> x_over_a, ArrayX<double> pressure)
         : x_(std::move(x_over_a)), pressure_(std::move(pressure)) {
         detail::require(x_.size() == pressure_.size(), "PressureTable", "number of pressures", pressure_.size(),
                         "equal the number of points");
@@ -32,38 +29,38 @@ public:
                             "not be less than at the previous point");
             detail::require_not_negative("PressureTable", "pressure", pressure_[i]);
         }
-        const Scalar load = integral();
+        const double load = integral();
         detail::require_positive("PressureTable", "load", load);
     }
 
     /// Integral of the pressure over x/a: the load per width over a.
-    Scalar integral() const {
-        Scalar sum = 0;
+    double integral() const {
+        double sum = 0;
         for (Eigen::Index k = 1; k < x_.size(); ++k) sum += (x_[k] - x_[k - 1]) * (pressure_[k - 1] + pressure_[k]) / 2;
         return sum;
     }
 
     /// The pressure at x/a [-], in the unit of the pressures; at a jump, the pressure ahead of it.
-    Scalar operator()(Scalar x_over_a) const {
+    double operator()(double x_over_a) const {
         if (detail::is_nan(x_over_a)) return x_over_a;
-        const Scalar* const end = x_.data() + x_.size();
+        const double* const end = x_.data() + x_.size();
         const Eigen::Index j = std::upper_bound(x_.data(), end, x_over_a) - x_.data();
         if (j == 0) return 0;
-        if (j == x_.size()) return x_over_a == x_[j - 1] ? pressure_[j - 1] : Scalar(0);
+        if (j == x_.size()) return x_over_a == x_[j - 1] ? pressure_[j - 1] : 0.0;
         return at(x_over_a, j);
     }
 
     /// The mean over each element of a mesh, in the unit of the pressures.
-    ArrayX<Scalar> operator()(const Mesh<Scalar>& mesh) const {
-        ArrayX<Scalar> mean = ArrayX<Scalar>::Zero(mesh.size());
+    ArrayX<double> operator()(const Mesh<double>& mesh) const {
+        ArrayX<double> mean = ArrayX<double>::Zero(mesh.size());
         Eigen::Index k = 1;
         for (Eigen::Index i = 0; i < mesh.size(); ++i) {
-            const Scalar low = mesh.edges_from_trailing()[i] - 1, high = mesh.edges_from_trailing()[i + 1] - 1;
+            const double low = mesh.edges_from_trailing()[i] - 1, high = mesh.edges_from_trailing()[i + 1] - 1;
             while (k < x_.size() && x_[k] <= low) ++k;
             for (Eigen::Index j = k; j < x_.size() && x_[j - 1] < high; ++j) {
-                const Scalar from = (std::max)(low, x_[j - 1]), to = (std::min)(high, x_[j]);
+                const double from = (std::max)(low, x_[j - 1]), to = (std::min)(high, x_[j]);
                 // an element within a segment has its own width, which is more accurate than a difference of edges
-                const Scalar share = from == low && to == high ? Scalar(1) : (to - from) / mesh.widths()[i];
+                const double share = from == low && to == high ? 1.0 : (to - from) / mesh.widths()[i];
                 if (to > from) mean[i] += share * at((from + to) / 2, j);
             }
         }
@@ -72,12 +69,12 @@ public:
 
 private:
     // on the segment that ends at point j
-    Scalar at(Scalar x, Eigen::Index j) const {
-        const Scalar part = (x - x_[j - 1]) / (x_[j] - x_[j - 1]);
+    double at(double x, Eigen::Index j) const {
+        const double part = (x - x_[j - 1]) / (x_[j] - x_[j - 1]);
         return (1 - part) * pressure_[j - 1] + part * pressure_[j];
     }
 
-    ArrayX<Scalar> x_, pressure_;
+    ArrayX<double> x_, pressure_;
 };
 
 }  // namespace rollbem

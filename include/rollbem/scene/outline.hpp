@@ -17,14 +17,11 @@ namespace rollbem {
 ///
 /// Invariant: at least two lines, all numbers finite, y strictly increasing, trailing < leading; on the first and the
 /// last line both may be equal (a tip). The area is positive and finite.
-template <class Scalar_ = double>
 class Outline {
 public:
-    using Scalar = Scalar_;
-
     /// y, x of the trailing and x of the leading edge of each line [m, or any unit of length]. Throws
     /// std::invalid_argument, with the number of the line from 1, if they break the invariant.
-    Outline(ArrayX<Scalar> y, ArrayX<Scalar> trailing, ArrayX<Scalar> leading)
+    Outline(ArrayX<double> y, ArrayX<double> trailing, ArrayX<double> leading)
         : y_(std::move(y)), trailing_(std::move(trailing)), leading_(std::move(leading)) {
         const Eigen::Index lines = y_.size();
         detail::require(lines >= 2, "Outline", "number of lines", lines, "be at least 2");
@@ -49,31 +46,31 @@ public:
         detail::require_positive("Outline", "area", area_);
     }
 
-    const ArrayX<Scalar>& y() const { return y_; }
-    Scalar low() const { return y_[0]; }               ///< smallest y
-    Scalar high() const { return y_[y_.size() - 1]; }  ///< largest y
-    Scalar area() const { return area_; }
+    const ArrayX<double>& y() const { return y_; }
+    double low() const { return y_[0]; }               ///< smallest y
+    double high() const { return y_[y_.size() - 1]; }  ///< largest y
+    double area() const { return area_; }
 
     /// x of an edge at low() <= y <= high().
-    Scalar trailing(Scalar y) const { return at(trailing_, y); }
-    Scalar leading(Scalar y) const { return at(leading_, y); }
+    double trailing(double y) const { return at(trailing_, y); }
+    double leading(double y) const { return at(leading_, y); }
 
 private:
-    static void check(Eigen::Index line, const char* quantity, Scalar value, bool holds, const char* rule) {
+    static void check(Eigen::Index line, const char* quantity, double value, bool holds, const char* rule) {
         if (holds) return;
         const std::string name = std::string(quantity) + " of line " + detail::to_text(line + 1);
         detail::require(false, "Outline", name.c_str(), value, rule);
     }
 
-    Scalar at(const ArrayX<Scalar>& edge, Scalar y) const {
-        const Scalar* const inner = y_.data() + 1;
+    double at(const ArrayX<double>& edge, double y) const {
+        const double* const inner = y_.data() + 1;
         const Eigen::Index j = std::upper_bound(inner, inner + y_.size() - 2, y) - y_.data();
-        const Scalar part = (y - y_[j - 1]) / (y_[j] - y_[j - 1]);
+        const double part = (y - y_[j - 1]) / (y_[j] - y_[j - 1]);
         return (1 - part) * edge[j - 1] + part * edge[j];
     }
 
-    ArrayX<Scalar> y_, trailing_, leading_;
-    Scalar area_ = 0;
+    ArrayX<double> y_, trailing_, leading_;
+    double area_ = 0;
 };
 
 }  // namespace rollbem
